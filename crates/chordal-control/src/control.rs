@@ -1,0 +1,70 @@
+use chordal_machine::{AxisLimits, Machine};
+
+use crate::command::AxisMask;
+use crate::controls;
+use crate::parameters::Parameters;
+use crate::settings::{self, SettingError};
+use crate::table::{CodeRow, ControlTable};
+
+/// A control as one machine has it: its table, and the parameters after the machine file's
+/// settings.
+#[derive(Clone, Debug)]
+pub struct Control {
+    /// The table.
+    pub table: &'static ControlTable,
+    /// The parameters.
+    pub parameters: Parameters,
+    /// Row of each G code by ten times its number.
+    g_rows: Vec<Option<&'static CodeRow>>,
+    m_rows: Vec<Option<&'static CodeRow>>,
+    axes: AxisMask,
+}
+
+impl Control {
+    /// The control of a machine, with the settings that could not be taken.
+    pub fn of(machine: &Machine) -> (Control, Vec<SettingError>) {
+        let table = controls::table(machine.control);
+        let (parameters, errors) = settings::resolve(table.settings, &table.parameters, machine);
+        let mut axes = AxisMask::NONE;
+        for (index, limits) in machine.axes.iter().enumerate() {
+            let present: Option<&AxisLimits> = limits.as_ref();
+            if present.is_some() {
+                axes.insert(index);
+            }
+        }
+        let control = Control {
+            table,
+            parameters,
+            g_rows: by_number(table.g_codes),
+            m_rows: by_number(table.m_codes),
+            axes,
+        };
+        (control, errors)
+    }
+
+    /// The row of a G code (ten times its number).
+    #[inline]
+    pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
+        self.g_rows.get(code as usize).copied().flatten()
+    }
+
+    /// The row of an M code (ten times its number).
+    #[inline]
+    pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
+        self.m_rows.get(code as usize).copied().flatten()
+    }
+
+    /// The axes of the machine.
+    pub fn axes(&self) -> AxisMask {
+        self.axes
+    }
+}
+
+fn by_number(codes: &'static [CodeRow]) -> Vec<Option<&'static CodeRow>> {
+    let size = codes.iter().map(|row| row.code as usize + 1).max().unwrap_or(0);
+    let mut rows = vec![None; size];
+    for row in codes {
+        rows[row.code as usize] = Some(row);
+    }
+    rows
+}

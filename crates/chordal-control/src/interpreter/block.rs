@@ -1,0 +1,515 @@
+//! One block: its codes are gathered, judged, and taken in the order a control takes them.
+
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_geometry::Plane;
+use chordal_syntax::{Block, Letters};
+
+use super::report::code_number;
+use super::{EndReason, Flow, Interpreter};
+use crate::command::{
+    AxisMask, CommandKind, FeedMode, PathMode, Sink, SpindleState, Units, WorkName,
+};
+use crate::offsets::LengthOffset;
+use crate::parameters::{ArcCenter, PlaneCodes};
+use crate::state::{Motion, Scale};
+use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutines};
+
+/// Letters of a block that only moves on: no code, no table, no call.
+const PLAIN: Letters = Letters::of("NXYZABCFIJK");
+
+/// Letters that every block may have.
+const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
+
+impl<S: Sink> Interpreter<'_, S> {
+    /// Carries out the words of a block.
+    pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
+        if block.letters().within(PLAIN) && self.state.cycle.is_none() {
+            self.check_repeated_words(block);
+            if block.letters().has(b'F') {
+                self.take_feed(block);
+            }
+            self.check_modal_letters(block);
+            self.motion_block(block, None);
+            return Flow::Next;
+        }
+        let mut codes = std::mem::take(&mut self.codes);
+        self.gather(block, &mut codes);
+        let flow = self.carry_out_codes(block, &codes);
+        codes.clear();
+        self.codes = codes;
+        flow
+    }
+
+    /// Finds the rows of all G and M words and judges how they go together.
+    fn gather(&mut self, block: &Block, codes: &mut Vec<(&'static CodeRow, usize)>) {
+        codes.clear();
+        self.check_repeated_words(block);
+        for (at, word) in block.words.iter().enumerate() {
+            if !matches!(word.letter, b'G' | b'M') {
+                continue;
+            }
+            let Some(number) = self.literal(word) else { continue };
+            let row = code_number(number).and_then(|code| match word.letter {
+                b'G' => self.control.g_code(code),
+                _ => self.control.m_code(code),
+            });
+            match row {
+                Some(row) => codes.push((row, at)),
+                None => self.unknown_code(word),
+            }
+        }
+        self.check_groups(block, codes);
+    }
+
+    fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        for (index, second) in codes.iter().enumerate() {
+            let letter = block.words[second.1].letter;
+            let clash = codes[..index].iter().find(|first| {
+                block.words[first.1].letter == letter
+                    && first.0.group == second.0.group
+                    && excludes(first.0, second.0, self.control.table.distance_left_to_right)
+            });
+            if let Some(first) = clash {
+                self.same_group(block, *first, *second);
+            }
+        }
+        let g_words = block.all(b'G').count();
+        for (row, at) in codes {
+            let word = &block.words[*at];
+            if g_words > 1 && word.letter == b'G' && self.control.table.alone.contains(&row.code) {
+                let title = self.control.table.title;
+                let name = super::report::decimal_code(row.code);
+                self.report(
+                    Diagnostic::new(
+                        Code::NotAlone,
+                        self.span(word.range),
+                        format!("on a {title} G{name} must be the only G code of its block"),
+                    )
+                    .help("put the other G codes into the block before"),
+                );
+            }
+        }
+    }
+
+    #[inline]
+    fn check_repeated_words(&mut self, block: &Block) {
+        const MAY_REPEAT: Letters = Letters::of("GM");
+        if !block.repeated().within(MAY_REPEAT) {
+            self.report_repeated_words(block);
+        }
+    }
+
+    #[cold]
+    fn report_repeated_words(&mut self, block: &Block) {
+        let mut seen = Letters::NONE;
+        for word in &block.words {
+            // R words name registers; two of them may differ.
+            let again = seen.has(word.letter)
+                && !matches!(word.letter, b'G' | b'M')
+                && !word.comma
+                && word.register.is_none();
+            // The words of a second return (`G28 Z0 G28 X0 Y0`) are told with the codes.
+            if again {
+                let letter = word.letter as char;
+                let first = block.word(word.letter).map_or(word.range, |w| w.range);
+                self.report(
+                    Diagnostic::new(
+                        Code::RepeatedWord,
+                        self.span(word.range),
+                        format!("`{letter}` stands more than once in this block"),
+                    )
+                    .label("the last one counts")
+                    .also(self.span(first), "the first")
+                    .help("keep one of them"),
+                );
+            }
+            seen.insert(word.letter);
+        }
+    }
+
+    fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
+        let claims = self.claims(codes);
+        if let Some(flow) = self.repeat_or_call_by_l(block, codes, claims) {
+            return flow;
+        }
+        self.check_unused(block, claims);
+        self.block_without_repeats(block, codes)
+    }
+
+    /// What a block does once; a line repeat does it again and again.
+    pub(super) fn block_without_repeats(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) -> Flow {
+        for (row, _) in codes {
+            self.take_reading_mode(row.action);
+        }
+        self.take_registers(block);
+        self.take_letters(block, codes);
+        for (row, at) in codes {
+            self.take_mode(block, row, *at);
+        }
+        self.take_length(block, codes);
+        let one_shot = codes.iter().rev().find(|(row, _)| takes_axes(row.action));
+        match one_shot {
+            Some((row, at)) => self.one_shot(block, row.action, *at),
+            None => {
+                let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
+                let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
+                self.motion_or_cycle(block, motion.map(|c| c.0.action), cycle.map(|c| c.0.action));
+            }
+        }
+        self.take_after_motion(block, codes)
+    }
+
+    /// Letters that the block's codes and modes take.
+    fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
+        let mut claims = ALWAYS;
+        for (row, _) in codes {
+            claims = claims.union(Letters::of(row.words));
+        }
+        let table = self.control.table;
+        if table.work_offset_by_e {
+            claims.insert(b'E');
+        }
+        if table.lexicon.registers {
+            claims.insert(b'R');
+        }
+        if let Some(cycle) = self.state.cycle
+            && let Some(row) = table.g_codes.iter().find(|r| r.action == Action::Cycle(cycle.kind))
+        {
+            claims = claims.union(Letters::of(row.words));
+        }
+        if let Some(words) = self.modal_arc_words() {
+            claims = claims.union(Letters::of(words));
+        }
+        claims
+    }
+
+    /// What a block without a motion code may have because of the motion in force.
+    fn modal_arc_words(&self) -> Option<&'static str> {
+        let code = match self.state.motion {
+            Motion::Arc(_) => 20,
+            Motion::Spiral(_) => 21,
+            _ if self.control.table.motion == MotionModality::Armed => 20,
+            _ => return None,
+        };
+        self.control.g_code(code).map(|row| row.words)
+    }
+
+    fn check_unused(&mut self, block: &Block, claims: Letters) {
+        if block.letters().within(claims) {
+            return self.check_comma_words(block);
+        }
+        for index in 0..block.words.len() {
+            let word = block.words[index];
+            if !word.comma && !claims.has(word.letter) {
+                self.unused_word(&word);
+            }
+        }
+        self.check_comma_words(block);
+    }
+
+    fn check_comma_words(&mut self, block: &Block) {
+        for word in block.words.iter().filter(|word| word.comma) {
+            let letter = word.letter as char;
+            self.report(
+                Diagnostic::new(
+                    Code::NotSimulated,
+                    self.span(word.range),
+                    format!("`,{letter}` (corner rounding or chamfer) is not carried out"),
+                )
+                .severity(Severity::Warning),
+            );
+        }
+    }
+
+    /// The same for a plain block: I, J, K need an arc to belong to.
+    #[inline]
+    fn check_modal_letters(&mut self, block: &Block) {
+        const CENTER: Letters = Letters::of("IJK");
+        if block.letters().meets(CENTER) && self.modal_arc_words().is_none() {
+            for index in 0..block.words.len() {
+                let word = block.words[index];
+                if CENTER.has(word.letter) {
+                    self.unused_word(&word);
+                }
+            }
+        }
+    }
+
+    /// L without a code that takes it: a line repeat, or on a Fadal a call.
+    fn repeat_or_call_by_l(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+        claims: Letters,
+    ) -> Option<Flow> {
+        if claims.has(b'L') || !block.letters().has(b'L') {
+            return None;
+        }
+        let table = self.control.table;
+        let word = *block.last(b'L')?;
+        let count = self.count(&word)?;
+        if table.subroutines == Subroutines::LetterL && count >= 100 {
+            let mut claims = claims;
+            claims.insert(b'L');
+            self.check_unused(block, claims);
+            self.take_registers(block);
+            self.take_letters(block, codes);
+            let (target, named) = self.target(block);
+            if named != AxisMask::NONE {
+                self.straight(block, target, named);
+            }
+            self.call_subroutine(&word, count);
+            return Some(Flow::Next);
+        }
+        if table.line_repeat == LineRepeat::None {
+            return None;
+        }
+        let mut claims = claims;
+        claims.insert(b'L');
+        self.check_unused(block, claims);
+        let times = self.allowed_repeats(&word, count);
+        for pass in 0..times {
+            if pass > 0 && !self.count_repeated() {
+                return Some(Flow::End(EndReason::Budget));
+            }
+            if let end @ Flow::End(_) = self.block_without_repeats(block, codes) {
+                return Some(end);
+            }
+        }
+        Some(Flow::Next)
+    }
+
+    /// Modes that change how the numbers of this very block are read.
+    fn take_reading_mode(&mut self, action: Action) {
+        match action {
+            Action::Inch => self.set_units(Units::Inch),
+            Action::Millimetre => self.set_units(Units::Millimetre),
+            Action::Absolute if !self.control.table.distance_left_to_right => {
+                self.state.incremental = false;
+            }
+            Action::Incremental if !self.control.table.distance_left_to_right => {
+                self.state.incremental = true;
+            }
+            Action::ArcCenterAbsolute => self.state.arc_center = ArcCenter::Absolute,
+            Action::ArcCenterIncremental => self.state.arc_center = ArcCenter::FromStart,
+            Action::FeedPerTime => self.set_feed_mode(FeedMode::PerTime),
+            Action::FeedInverseTime => self.set_feed_mode(FeedMode::InverseTime),
+            Action::FeedPerRevolution => self.set_feed_mode(FeedMode::PerRevolution),
+            _ => {}
+        }
+    }
+
+    fn set_units(&mut self, units: Units) {
+        if self.state.units != units {
+            self.state.units = units;
+            self.state.scale = Scale::new(units, &self.control.parameters);
+            self.emit(CommandKind::Units(units));
+        }
+    }
+
+    fn set_feed_mode(&mut self, mode: FeedMode) {
+        if self.state.feed_mode != mode {
+            self.state.feed_mode = mode;
+            // A feed of one mode means nothing in another.
+            self.state.feed = f64::NAN;
+            self.state.feed_angular = f64::NAN;
+            self.told.missing_feed = false;
+            self.emit(CommandKind::FeedMode(mode));
+        }
+    }
+
+    /// E, F, S, T, D, and M6, spindle and coolant on.
+    fn take_letters(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        let letters = block.letters();
+        if letters.has(b'F') {
+            self.take_feed(block);
+        }
+        if letters.has(b'S') {
+            self.take_speed(block);
+        }
+        if letters.has(b'T') {
+            self.take_tool_word(block);
+        }
+        if letters.has(b'E') && self.control.table.work_offset_by_e {
+            self.take_e_word(block);
+        }
+        if letters.has(b'D')
+            && let Some(number) = self.count_of(block, b'D')
+        {
+            self.state.radius_offset = Some(number);
+        }
+        for (row, at) in codes {
+            match row.action {
+                Action::ToolChange => self.tool_change(block, *at),
+                Action::SpindleCw => self.set_spindle(SpindleState::Cw),
+                Action::SpindleCcw => self.set_spindle(SpindleState::Ccw),
+                Action::SpindleOrient => self.set_spindle(SpindleState::Oriented),
+                Action::CoolantMist => self.set_coolant(|c| c.mist = true),
+                Action::CoolantFlood => self.set_coolant(|c| c.flood = true),
+                Action::CoolantThroughTool => self.set_coolant(|c| c.through_tool = true),
+                _ => {}
+            }
+        }
+    }
+
+    /// Modes that the motion of this block obeys.
+    fn take_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
+        match row.action {
+            Action::PlaneXy => self.set_plane(block, at, Plane::Xy),
+            Action::PlaneZx => self.set_plane(block, at, Plane::Zx),
+            Action::PlaneYz => self.set_plane(block, at, Plane::Yz),
+            Action::CompensationOff | Action::CompensationLeft | Action::CompensationRight => {
+                self.set_compensation(block, at, row.action);
+            }
+            Action::WorkOffset(number) => self.select_work(WorkName::G(number)),
+            Action::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
+            Action::WorkOffsetNumbered(number) => self.select_work(WorkName::Extended(number)),
+            Action::WorkOffsetExtended => self.select_extended_work(block, at),
+            Action::PathExact => self.emit(CommandKind::PathMode(PathMode::ExactPath)),
+            Action::PathExactStop | Action::ExactStopOnce => {
+                self.emit(CommandKind::PathMode(PathMode::ExactStop));
+            }
+            Action::PathContinuous => {
+                let tolerance_mm = self.length_of(block, b'P');
+                self.emit(CommandKind::PathMode(PathMode::Continuous { tolerance_mm }));
+            }
+            Action::ReturnInitial => self.state.return_to_r = false,
+            Action::ReturnToR => self.state.return_to_r = true,
+            Action::CancelCycle => self.state.cycle = None,
+            Action::NotSimulated => {
+                let word = block.words[at];
+                self.not_simulated(&word, row);
+            }
+            _ => {}
+        }
+    }
+
+    fn set_plane(&mut self, block: &Block, at: usize, plane: Plane) {
+        let swapped = self.control.parameters.plane_codes == PlaneCodes::Swapped;
+        let plane = match plane {
+            Plane::Zx if swapped => Plane::Yz,
+            Plane::Yz if swapped => Plane::Zx,
+            other => other,
+        };
+        if plane == self.state.plane {
+            return;
+        }
+        if self.state.side != crate::command::Side::Off {
+            self.report(
+                Diagnostic::new(
+                    Code::PlaneChangeInCompensation,
+                    self.span(block.words[at].range),
+                    "the plane changes while cutter compensation is on",
+                )
+                .help("cancel compensation with G40 first"),
+            );
+        }
+        self.state.plane = plane;
+        self.emit(CommandKind::Plane(plane));
+    }
+
+    /// G43, G44, G49 and H.
+    fn take_length(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        let length_code = codes.iter().rev().find(|(row, _)| row.group == Group::ToolLength);
+        let by_code = length_code.map(|(row, _)| row.action);
+        if by_code.is_none() && !block.letters().has(b'H') {
+            return;
+        }
+        let called = codes.iter().any(|(row, _)| row.group == Group::Calling)
+            || codes.iter().any(|(row, _)| row.action == Action::SetData);
+        if called {
+            return;
+        }
+        if by_code == Some(Action::LengthCancel) {
+            return self.set_length(block, LengthOffset { number: None, minus: false });
+        }
+        let in_force = self.state.offsets.length();
+        let minus = match by_code {
+            Some(Action::LengthMinus) => true,
+            Some(_) => false,
+            None => in_force.minus,
+        };
+        // H alone changes the length where the control has it so, or where one is in force.
+        let applies = by_code.is_some()
+            || self.control.parameters.length_by_h_alone
+            || in_force.number.is_some();
+        if !applies {
+            return;
+        }
+        let number = match block.letters().has(b'H') {
+            true => self.count_of(block, b'H'),
+            false => in_force.number.or(Some(self.state.tool)),
+        };
+        match number {
+            Some(0) => self.set_length(block, LengthOffset { number: None, minus: false }),
+            Some(number) => {
+                self.check_length_number(block, number);
+                self.set_length(block, LengthOffset { number: Some(number), minus });
+            }
+            None => {}
+        }
+    }
+
+    /// Spindle and coolant off, stops, ends, calls and returns.
+    fn take_after_motion(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) -> Flow {
+        for (row, at) in codes {
+            match row.action {
+                // Where they act from left to right the last one stays in force, whether or
+                // not the block had axis words to act on.
+                Action::Absolute => self.state.incremental = false,
+                Action::Incremental => self.state.incremental = true,
+                Action::SpindleStop => self.set_spindle(SpindleState::Off),
+                Action::CoolantOff => self.set_coolant(|c| *c = Default::default()),
+                Action::CoolantThroughToolOff => self.set_coolant(|c| c.through_tool = false),
+                Action::ProgramStop => self.emit(CommandKind::Stop { optional: false }),
+                Action::OptionalStop => self.emit(CommandKind::Stop { optional: true }),
+                Action::ProgramEnd { .. } => {
+                    self.set_spindle(SpindleState::Off);
+                    self.emit(CommandKind::End);
+                    return Flow::End(EndReason::ProgramEnd);
+                }
+                Action::CallProgram => self.call_program(block, *at),
+                Action::CallLabel => self.call_label(block, *at),
+                Action::Return => return self.return_from_program(block, *at),
+                Action::SubroutineEnd => self.return_from_subroutine(block, *at),
+                _ => {}
+            }
+        }
+        Flow::Next
+    }
+}
+
+/// Codes of one group that stand in one block against the rules.
+fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
+    match second.group {
+        Group::Distance => !distance_left_to_right && first.code != second.code,
+        Group::OneShot => takes_axes(first.action) && takes_axes(second.action),
+        Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
+        _ => first.code != second.code,
+    }
+}
+
+/// Codes that take the axis words of their block for themselves.
+fn takes_axes(action: Action) -> bool {
+    matches!(
+        action,
+        Action::Dwell
+            | Action::SetData
+            | Action::ReturnToReference { .. }
+            | Action::ReturnFromReference
+            | Action::MachineCoordinates
+            | Action::LocalShift
+            | Action::PresetPosition
+            | Action::ClearPreset { .. }
+            | Action::RestorePreset
+            | Action::NotSimulated
+    )
+}

@@ -1,0 +1,323 @@
+//! Runs a program: reads blocks, carries them out, follows calls.
+//!
+//! One file per concern: `block` gathers the codes of a block and takes them in the order a
+//! control does; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
+//! tables; `calls` follows subprograms; `values` turns words into millimetres; `report`
+//! builds the diagnostics.
+
+mod arc;
+mod block;
+mod calls;
+mod cycle;
+mod motion;
+mod offsets;
+mod reference;
+mod report;
+mod spiral;
+mod values;
+
+use std::collections::HashMap;
+
+use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
+use chordal_machine::Machine;
+use chordal_syntax::{Block, BlockKind, BlockReader, Position as TextPosition};
+
+use crate::command::{AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Sink, WorkName};
+use crate::control::Control;
+use crate::library::Library;
+use crate::offsets::Offsets;
+use crate::state::State;
+use crate::table::CodeRow;
+
+/// How a run is done.
+#[derive(Clone, Debug)]
+pub struct RunOptions {
+    /// Most blocks carried out in calls, repeats and jumps. Blocks that are simply read one
+    /// after the other are not counted: their number is that of the text.
+    pub max_repeated_blocks: u64,
+}
+
+impl Default for RunOptions {
+    fn default() -> RunOptions {
+        RunOptions { max_repeated_blocks: 5_000_000 }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EndReason {
+    /// M2 or M30.
+    ProgramEnd,
+    /// The text ended first.
+    EndOfText,
+    /// M99 in the main program: it would begin again.
+    Repeats,
+    /// A jump to a block that is not there.
+    LostJump,
+    /// The budget was used up.
+    Budget,
+}
+
+/// What a run leaves beside its commands.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub end: EndReason,
+    /// Blocks carried out, repeats counted.
+    pub blocks: u64,
+    /// The chains of calls.
+    pub calls: CallPaths,
+    /// Numbers of called programs that were not there.
+    pub missing_programs: Vec<u32>,
+}
+
+/// What follows a block.
+enum Flow {
+    Next,
+    End(EndReason),
+}
+
+/// A call that has not returned.
+struct Frame<'a> {
+    /// Where to go on.
+    reader: BlockReader<'a>,
+    program: usize,
+    path: CallPath,
+    /// Where the called text begins, for its repeats.
+    start: TextPosition,
+    /// Calls still to make.
+    remaining: u32,
+    /// The called thing is an L subroutine.
+    subroutine: bool,
+}
+
+struct Interpreter<'a, S> {
+    library: &'a Library<'a>,
+    control: &'a Control,
+    machine: &'a Machine,
+    options: &'a RunOptions,
+    sink: &'a mut S,
+    state: State,
+    reader: BlockReader<'a>,
+    program: usize,
+    file: FileId,
+    frames: Vec<Frame<'a>>,
+    paths: CallPaths,
+    path: CallPath,
+    /// L subroutines of the main program: number → first block.
+    subroutines: HashMap<u32, TextPosition>,
+    /// N numbers of each program that was jumped in.
+    labels: HashMap<usize, HashMap<i64, TextPosition>>,
+    jumps: HashMap<u32, u32>,
+    missing: Vec<u32>,
+    blocks: u64,
+    repeated_blocks: u64,
+    origin: Origin,
+    /// The last N number, for alarms.
+    sequence: Option<chordal_syntax::Decimal>,
+    codes: Vec<(&'static CodeRow, usize)>,
+    told: Told,
+    preset_kept: [f64; 6],
+    lost_jump: bool,
+    carried_out: bool,
+}
+
+/// Things that are told once, not for every block.
+#[derive(Default)]
+struct Told {
+    missing_feed: bool,
+    spindle_for_tool: Option<u32>,
+    compensation: bool,
+    offsets: Vec<String>,
+    axes: AxisMask,
+    points_seen: bool,
+}
+
+/// Runs one program of a library and pushes its commands into a sink.
+pub fn run<'a, S: Sink>(
+    library: &'a Library<'a>,
+    program: usize,
+    machine: &'a Machine,
+    control: &'a Control,
+    options: &'a RunOptions,
+    sink: &'a mut S,
+) -> Outcome {
+    let mut interpreter = Interpreter::new(library, program, machine, control, options, sink);
+    let end = interpreter.run();
+    interpreter.finish(end);
+    Outcome {
+        end,
+        blocks: interpreter.blocks,
+        calls: interpreter.paths,
+        missing_programs: interpreter.missing,
+    }
+}
+
+/// What lies between program and machine coordinates before the first block: the offset
+/// (mm, rad) and the axes for which the machine file gives it.
+pub fn initial_offset(machine: &Machine, control: &Control) -> ([f64; 6], AxisMask) {
+    let offsets = initial_offsets(machine, control);
+    (offsets.total(), offsets.known())
+}
+
+fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
+    let active = if control.table.work_offset_by_e { WorkName::E(1) } else { WorkName::G(54) };
+    Offsets::new(machine, active, control.table.extended_offset_code)
+}
+
+impl<'a, S: Sink> Interpreter<'a, S> {
+    fn new(
+        library: &'a Library<'a>,
+        program: usize,
+        machine: &'a Machine,
+        control: &'a Control,
+        options: &'a RunOptions,
+        sink: &'a mut S,
+    ) -> Interpreter<'a, S> {
+        let offsets = initial_offsets(machine, control);
+        let home = machine.home.map(|place| place.unwrap_or(0.0));
+        Interpreter {
+            library,
+            control,
+            machine,
+            options,
+            sink,
+            state: State::new(&control.parameters, offsets, home),
+            reader: library.reader(program, control.table.lexicon),
+            program,
+            file: library.programs()[program].file,
+            frames: Vec::new(),
+            paths: CallPaths::default(),
+            path: CallPath::default(),
+            subroutines: HashMap::new(),
+            labels: HashMap::new(),
+            jumps: HashMap::new(),
+            missing: Vec::new(),
+            blocks: 0,
+            repeated_blocks: 0,
+            origin: Origin::default(),
+            sequence: None,
+            codes: Vec::new(),
+            told: Told::default(),
+            preset_kept: [0.0; 6],
+            lost_jump: false,
+            carried_out: false,
+        }
+    }
+
+    fn run(&mut self) -> EndReason {
+        self.read_subroutine_section();
+        let mut block = Block::new();
+        loop {
+            while !self.reader.read(&mut block) {
+                if self.frames.is_empty() {
+                    return EndReason::EndOfText;
+                }
+                self.text_ended_in_call();
+            }
+            if !self.frames.is_empty() && !self.count_repeated() {
+                return EndReason::Budget;
+            }
+            match self.execute(&mut block) {
+                Flow::Next => {}
+                Flow::End(reason) => return reason,
+            }
+        }
+    }
+
+    fn finish(&mut self, end: EndReason) {
+        if end == EndReason::EndOfText {
+            self.report_missing_end();
+        }
+        self.report_compensation_at_end();
+        if end == EndReason::EndOfText {
+            self.emit(CommandKind::End);
+        }
+    }
+
+    fn execute(&mut self, block: &mut Block) -> Flow {
+        self.blocks += 1;
+        self.origin = Origin {
+            span: Span { file: self.file, range: block.range },
+            line: block.line,
+            call: self.path,
+        };
+        if !block.problems.is_empty() {
+            for problem in std::mem::take(&mut block.problems) {
+                self.report(problem);
+            }
+        }
+        match block.kind {
+            BlockKind::Words => {}
+            BlockKind::Percent => return self.percent(),
+            BlockKind::Folder => return Flow::Next,
+            BlockKind::Macro(range) => {
+                self.report_macro(range);
+                if block.words.is_empty() {
+                    return Flow::Next;
+                }
+            }
+        }
+        if let Some(delete) = block.delete
+            && self.machine.switches.block_delete[delete.switch.min(9) as usize]
+        {
+            block.truncate(delete.from_word);
+        }
+        if block.words.is_empty() {
+            return Flow::Next;
+        }
+        if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
+            self.sequence = Some(number);
+        }
+        self.carried_out = true;
+        if self.is_next_subroutine_head(block) {
+            self.leave_before_head();
+            return Flow::Next;
+        }
+        self.carry_out(block)
+    }
+
+    /// A percent sign ends the tape, once something stood before it.
+    fn percent(&mut self) -> Flow {
+        if self.carried_out && self.frames.is_empty() {
+            return Flow::End(EndReason::EndOfText);
+        }
+        Flow::Next
+    }
+
+    /// Counts a block against the budget; false when it is used up.
+    fn count_repeated(&mut self) -> bool {
+        self.repeated_blocks += 1;
+        if self.repeated_blocks <= self.options.max_repeated_blocks {
+            return true;
+        }
+        let limit = self.options.max_repeated_blocks;
+        self.report(
+            Diagnostic::new(
+                Code::BudgetReached,
+                self.origin.span,
+                format!("stopped after {limit} blocks in calls and repeats"),
+            )
+            .help("if the program is meant to run that long, raise the budget with --max-blocks"),
+        );
+        false
+    }
+
+    fn emit(&mut self, kind: CommandKind) {
+        self.sink.command(&Command { kind, origin: self.origin });
+    }
+
+    fn report(&mut self, mut diagnostic: Diagnostic) {
+        if self.path != CallPath::default() {
+            diagnostic.calls = self.paths.resolve(self.path);
+        }
+        if diagnostic.alarm.is_none() && diagnostic.severity == Severity::Error {
+            diagnostic.alarm = self.alarm_text(diagnostic.code, None);
+        }
+        self.sink.diagnostic(diagnostic);
+    }
+
+    fn span(&self, range: TextRange) -> Span {
+        range.in_file(self.file)
+    }
+}

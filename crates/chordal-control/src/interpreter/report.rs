@@ -1,0 +1,168 @@
+//! Diagnostics that need the state of the run.
+
+use chordal_diagnostics::{Code, Diagnostic, Span, TextRange};
+use chordal_syntax::{Block, Letters, Word};
+
+use super::Interpreter;
+use crate::command::{Side, Sink};
+use crate::table::CodeRow;
+
+impl<S: Sink> Interpreter<'_, S> {
+    /// What the control shows, with the block's number put in.
+    pub(super) fn alarm_text(&self, code: Code, delta: Option<String>) -> Option<String> {
+        let text = self.control.table.alarm(code)?;
+        let n = self.sequence.map_or("?".to_string(), |number| number.to_string());
+        let text = text.replace("{n}", &n).replace("{delta}", &delta.unwrap_or_default());
+        Some(format!("{}: {text}", self.control.table.title))
+    }
+
+    /// The span of the first word of some letters, or of the whole block.
+    pub(super) fn words_span(&self, block: &Block, letters: Letters) -> Span {
+        let mut range: Option<TextRange> = None;
+        for word in &block.words {
+            if letters.has(word.letter) {
+                range = Some(range.map_or(word.range, |r| r.cover(word.range)));
+            }
+        }
+        self.span(range.unwrap_or(block.range))
+    }
+
+    pub(super) fn unknown_code(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        let Some(number) = self.literal(word) else { return };
+        let title = self.control.table.title;
+        let code = code_number(number);
+        let others: Vec<&str> = crate::CONTROLS
+            .iter()
+            .filter(|table| {
+                code.is_some_and(|code| match word.letter {
+                    b'G' => table.g_code(code).is_some(),
+                    _ => table.m_code(code).is_some(),
+                })
+            })
+            .map(|table| table.title)
+            .collect();
+        let mut diagnostic = Diagnostic::new(
+            Code::UnknownCode,
+            self.span(word.range),
+            format!("{title} has no {letter}{number}"),
+        )
+        .label("unknown code");
+        diagnostic = if others.is_empty() {
+            diagnostic.help("look for a slip in the number")
+        } else {
+            diagnostic.help(format!("{} has it: is the machine right?", others.join(", ")))
+        };
+        self.report(diagnostic);
+    }
+
+    pub(super) fn same_group(
+        &mut self,
+        block: &Block,
+        (first, first_at): (&CodeRow, usize),
+        (second, second_at): (&CodeRow, usize),
+    ) {
+        let (a, b) = (&block.words[first_at], &block.words[second_at]);
+        let name = |word: &Word, row: &CodeRow| {
+            format!("{}{} ({})", word.letter as char, decimal_code(row.code), row.title)
+        };
+        let (one, two) = (name(a, first), name(b, second));
+        self.report(
+            Diagnostic::new(
+                Code::SameGroup,
+                self.span(b.range),
+                format!("{one} and {two} exclude each other"),
+            )
+            .label("the second of its group")
+            .also(self.span(a.range), "the first")
+            .help("keep one of them, or write two blocks"),
+        );
+    }
+
+    pub(super) fn unused_word(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        self.report(
+            Diagnostic::new(
+                Code::UnusedWord,
+                self.span(word.range),
+                format!("`{letter}` has no effect in this block"),
+            )
+            .label("nothing here takes it")
+            .help("take it out, or look for the code that it was meant for"),
+        );
+    }
+
+    pub(super) fn not_simulated(&mut self, word: &Word, row: &CodeRow) {
+        let name = format!("{}{}", word.letter as char, decimal_code(row.code));
+        self.report(Diagnostic::new(
+            Code::NotSimulated,
+            self.span(word.range),
+            format!("{name} ({}) is not simulated", row.title),
+        ));
+    }
+
+    pub(super) fn missing_word(&mut self, at: Span, message: String, help: &str) {
+        self.report(Diagnostic::new(Code::MissingWord, at, message).help(help));
+    }
+
+    pub(super) fn report_macro(&mut self, range: TextRange) {
+        self.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(range),
+                "macro statements are not carried out by this version",
+            )
+            .label("passed over")
+            .severity(chordal_diagnostics::Severity::Warning),
+        );
+    }
+
+    pub(super) fn report_missing_end(&mut self) {
+        if !self.carried_out {
+            return;
+        }
+        let end = self.origin.span;
+        let title = self.control.table.title;
+        self.report(
+            Diagnostic::new(Code::ProgramWithoutEnd, end, "the program ends without M30 or M2")
+                .label("the last block")
+                .help("put `M30` at the end")
+                .note(format!("{title} needs an end code to stop spindle and coolant")),
+        );
+    }
+
+    pub(super) fn report_compensation_at_end(&mut self) {
+        if self.state.side == Side::Off {
+            return;
+        }
+        self.report(
+            Diagnostic::new(
+                Code::CompensationAtEnd,
+                self.origin.span,
+                "cutter compensation is still on where the program ends",
+            )
+            .help("put G40 on the move away from the contour"),
+        );
+    }
+}
+
+/// Ten times a code's number, where it has at most one decimal.
+pub(super) fn code_number(number: chordal_syntax::Decimal) -> Option<u16> {
+    let tenths = match number.scale {
+        0 => number.mantissa.checked_mul(10)?,
+        1 => number.mantissa,
+        scale => {
+            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
+            if number.mantissa % power != 0 {
+                return None;
+            }
+            number.mantissa / power
+        }
+    };
+    u16::try_from(tenths).ok()
+}
+
+/// `541` → `54.1`.
+pub(super) fn decimal_code(code: u16) -> String {
+    if code.is_multiple_of(10) { (code / 10).to_string() } else { format!("{}.{}", code / 10, code % 10) }
+}

@@ -1,0 +1,28 @@
+//! What a control makes of a block: one table per control, modal state, calls and cycles;
+//! the result is a stream of canonical [`Command`]s.
+//!
+//! A control is data: [`table::ControlTable`] lists its codes, habits, settings and alarms,
+//! and the interpreter asks the table. See `controls/` for the five tables.
+
+#![forbid(unsafe_code)]
+
+mod command;
+mod control;
+mod controls;
+mod interpreter;
+mod library;
+mod offsets;
+mod parameters;
+mod recognize;
+mod settings;
+mod state;
+pub mod table;
+
+pub use command::*;
+pub use control::Control;
+pub use controls::{ALL as CONTROLS, table};
+pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
+pub use library::{Library, Program, referenced_programs};
+pub use parameters::*;
+pub use recognize::{Recognition, recognize};
+pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text};

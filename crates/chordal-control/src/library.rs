@@ -1,0 +1,164 @@
+//! The programs that a run can reach.
+
+use std::collections::HashMap;
+
+use chordal_diagnostics::{Code, Diagnostic, FileId, SourceMap, Span};
+use chordal_syntax::{Block, BlockReader, Lexicon, ProgramHead, find_programs};
+
+/// A program of one of the texts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Program {
+    /// The text it stands in.
+    pub file: FileId,
+    /// Its head and its range.
+    pub head: ProgramHead,
+}
+
+/// All programs of a job by number. The first of a number counts.
+#[derive(Debug)]
+pub struct Library<'a> {
+    sources: &'a SourceMap<'a>,
+    programs: Vec<Program>,
+    by_number: HashMap<u32, usize>,
+    duplicates: Vec<(usize, usize)>,
+}
+
+impl<'a> Library<'a> {
+    /// Finds the programs of all texts.
+    pub fn new(sources: &'a SourceMap<'a>, lexicon: &Lexicon) -> Library<'a> {
+        let mut library =
+            Library { sources, programs: Vec::new(), by_number: HashMap::new(), duplicates: vec![] };
+        for (file, source) in sources.iter() {
+            for head in find_programs(source.text(), lexicon) {
+                let index = library.programs.len();
+                library.programs.push(Program { file, head });
+                if let Some(number) = head.number {
+                    let first = *library.by_number.entry(number).or_insert(index);
+                    if first != index && library.programs[first].file == file {
+                        library.duplicates.push((first, index));
+                    }
+                }
+            }
+        }
+        library
+    }
+
+    /// The texts.
+    pub fn sources(&self) -> &'a SourceMap<'a> {
+        self.sources
+    }
+
+    /// All programs in order.
+    pub fn programs(&self) -> &[Program] {
+        &self.programs
+    }
+
+    /// The text of a file.
+    pub fn text(&self, file: FileId) -> &'a [u8] {
+        let sources: &'a SourceMap<'a> = self.sources;
+        sources.get(file).map_or(&[], |source| source.text())
+    }
+
+    /// The program of a number; one of `near` (the caller's file) comes before others.
+    pub fn find(&self, number: u32, near: FileId) -> Option<usize> {
+        let first = *self.by_number.get(&number)?;
+        if self.programs[first].file == near {
+            return Some(first);
+        }
+        let here = self
+            .programs
+            .iter()
+            .position(|program| program.file == near && program.head.number == Some(number));
+        here.or(Some(first))
+    }
+
+    /// Programs that no other program of the same file calls: the mains. When every one is
+    /// called, the first.
+    pub fn mains(&self, lexicon: &Lexicon) -> Vec<usize> {
+        let here: Vec<usize> =
+            (0..self.programs.len()).filter(|i| self.programs[*i].file == FileId(0)).collect();
+        if here.len() <= 1 {
+            return here;
+        }
+        let called = referenced_programs(self.text(FileId(0)), lexicon);
+        let mains: Vec<usize> = here
+            .iter()
+            .copied()
+            .filter(|i| self.programs[*i].head.number.is_none_or(|n| !called.contains(&n)))
+            .collect();
+        if mains.is_empty() { here[..1].to_vec() } else { mains }
+    }
+
+    /// A reader of one program.
+    pub(crate) fn reader(&self, program: usize, lexicon: Lexicon) -> BlockReader<'a> {
+        let Program { file, head } = self.programs[program];
+        let mut reader = BlockReader::new(self.text(file), file, lexicon);
+        reader.seek(head.start);
+        reader.limit(head.end);
+        reader
+    }
+
+    /// Numbers that stand twice in one file.
+    pub fn duplicate_diagnostics(&self) -> impl Iterator<Item = Diagnostic> + '_ {
+        self.duplicates.iter().map(|(first, again)| {
+            let span = |index: usize| -> Span {
+                self.programs[index].head.head.in_file(self.programs[index].file)
+            };
+            let number = self.programs[*again].head.number.unwrap_or(0);
+            Diagnostic::new(
+                Code::DuplicateProgram,
+                span(*again),
+                format!("program O{number} is there twice"),
+            )
+            .label("this one is never called")
+            .also(span(*first), "the first one")
+            .help("give one of them another number")
+        })
+    }
+}
+
+/// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`, packed
+/// repeats (`P51000`) read both ways.
+pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
+    let mut numbers = Vec::new();
+    for at in memchr::memmem::find_iter(text, b"98") {
+        call_at(text, at, b'M', lexicon, &mut numbers);
+    }
+    for code in [b"65".as_slice(), b"66"] {
+        for at in memchr::memmem::find_iter(text, code) {
+            call_at(text, at, b'G', lexicon, &mut numbers);
+        }
+    }
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+}
+
+/// Reads the block around a call code at `at` and notes the P words.
+fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut Vec<u32>) {
+    let mut back = at;
+    while back > 0 && matches!(text[back - 1], b' ' | b'0') {
+        back -= 1;
+    }
+    if back == 0 || text[back - 1].to_ascii_uppercase() != letter {
+        return;
+    }
+    let start = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
+    let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |i| at + i);
+    if end - start > 4096 {
+        return;
+    }
+    let mut reader = BlockReader::new(&text[start..end], FileId(0), *lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        for word in block.all(b'P') {
+            let number = word.number().and_then(|d| d.to_integer());
+            if let Some(number) = number.and_then(|n| u32::try_from(n).ok()) {
+                numbers.push(number);
+                if number > 9999 {
+                    numbers.push(number % 10_000);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! The numbers and habits of a control that may differ from machine to machine.
+
+use crate::command::{FeedAlong, RapidPath, Units};
+
+/// How a number without a decimal point is read.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum DecimalPoint {
+    /// `X10` is ten units, as on a pocket calculator.
+    Calculator,
+    /// `X10` is ten least increments (0.001 mm, 0.0001 in, 0.001°).
+    LeastIncrement,
+}
+
+/// What I, J and K say.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ArcCenter {
+    /// The way from the start to the centre, in G90 and G91.
+    FromStart,
+    /// The centre in program coordinates.
+    Absolute,
+    /// The way from the centre to the start.
+    FromCenter,
+}
+
+/// Which plane G18 and G19 choose.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum PlaneCodes {
+    /// G18 is ZX and G19 is YZ, as every control has it.
+    Standard,
+    /// G18 is YZ and G19 is ZX, as one textbook prints it.
+    Swapped,
+}
+
+/// What happens when the end is off the arc by less than the tolerance.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ArcMismatch {
+    /// The radius goes linearly with the angle, so that the end is met.
+    Spiral,
+    /// The arc keeps its radius to the angle of the end; a straight move follows.
+    ArcThenLine,
+}
+
+/// The spiral commands that a control has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum SpiralForm {
+    /// None.
+    None,
+    /// G2.1 and G3.1 with P (Mitsubishi type 1).
+    Pitches,
+    /// G2 and G3 with Q, K or L, in this precedence (Mitsubishi type 2).
+    IncrementHeightCount,
+    /// G2 and G3 with Q and L, the count rounded up (Fanuc).
+    IncrementCount,
+}
+
+/// What an R word does beside I, J or K.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum CenterAndRadius {
+    /// R is followed.
+    RadiusWins,
+    /// The control refuses the block.
+    Refused,
+}
+
+/// What happens to a full circle given by R.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FullCircleByRadius {
+    /// The control alarms.
+    Refused,
+    /// Nothing moves.
+    NoMotion,
+}
+
+/// What counts when a radius value is in the offset table.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum OffsetKind {
+    /// The table holds diameters.
+    Diameter,
+    /// The table holds radii.
+    Radius,
+}
+
+/// The parameters of a control, as the tables set them and a machine file may change them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Parameters {
+    /// Units at power-on.
+    pub units: Units,
+    /// G1, not G0, at power-on.
+    pub starts_linear: bool,
+    /// G91, not G90, at power-on.
+    pub starts_incremental: bool,
+    /// How axis words without a point are read.
+    pub decimal_point: DecimalPoint,
+    /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
+    pub increment_digits_inch: u8,
+    /// The same in millimetres (3: 0.001 mm).
+    pub increment_digits_mm: u8,
+    /// Digits behind the point that an F without one has, in inch.
+    pub feed_digits_inch: u8,
+    /// What I, J and K say.
+    pub arc_center: ArcCenter,
+    /// Which plane G18 and G19 choose.
+    pub plane_codes: PlaneCodes,
+    /// Largest difference of the radii at start and end of an arc, mm.
+    pub radius_error_tolerance_mm: f64,
+    /// Above the tolerance a difference is still accepted up to this part of the radius
+    /// (LinuxCNC 0.001), and never above the limit. 0 where the control has no such rule.
+    pub radius_error_relative: f64,
+    /// See `radius_error_relative`, mm.
+    pub radius_error_limit_mm: f64,
+    /// What happens within the tolerance.
+    pub arc_mismatch: ArcMismatch,
+    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
+    pub semicircle_tolerance_mm: f64,
+    /// Points closer than this are one point, mm: far below any least increment, far above
+    /// rounding.
+    pub coincidence_mm: f64,
+    /// Along what F is measured on a helix.
+    pub helix_feed: FeedAlong,
+    /// Spiral commands.
+    pub spiral: SpiralForm,
+    /// Largest distance of a computed spiral end from the programmed one, mm.
+    pub spiral_end_tolerance_mm: f64,
+    /// R beside I, J, K.
+    pub center_and_radius: CenterAndRadius,
+    /// Full circle by R.
+    pub full_circle_by_radius: FullCircleByRadius,
+    /// Rapids.
+    pub rapid: RapidPath,
+    /// Largest radius, mm.
+    pub max_radius_mm: f64,
+    /// Largest radius with compensation, mm.
+    pub max_radius_compensated_mm: f64,
+    /// Largest turn of a rotary axis in a block, rad.
+    pub max_rotary_per_block_rad: f64,
+    /// What the radius offsets of the table are.
+    pub radius_offsets: OffsetKind,
+    /// H brings the length offset into force by itself (Fadal Format 1).
+    pub length_by_h_alone: bool,
+    /// How deep calls may be nested.
+    pub nesting: u32,
+    /// Largest count of a repeat or a call.
+    pub max_repeats: u32,
+    /// Repeats and program number share one P (`P100013`: 10 × O0013).
+    pub packed_calls: bool,
+    /// Lift of a chip-breaking peck (G73), mm.
+    pub chip_break_mm: f64,
+    /// Clearance of a full-retract peck (G83), mm.
+    pub peck_clearance_mm: f64,
+    /// H differing from the tool number is an alarm (Haas Setting 15).
+    pub length_must_match_tool: bool,
+    /// Units are chosen by G70 and G71 instead of G20 and G21.
+    pub units_by_g70: bool,
+    /// `M98 P` looks only for a program of the file, not in the folder.
+    pub calls_within_file: bool,
+    /// G28 without axis words sends all axes home.
+    pub bare_home_moves_all: bool,
+    /// `M99 P` jumps in the running program instead of the calling one.
+    pub return_label_in_callee: bool,
+}
+
+impl Parameters {
+    /// What most controls share; a table names only what it has otherwise.
+    pub const COMMON: Parameters = Parameters {
+        units: Units::Inch,
+        starts_linear: false,
+        starts_incremental: false,
+        decimal_point: DecimalPoint::LeastIncrement,
+        increment_digits_inch: 4,
+        increment_digits_mm: 3,
+        feed_digits_inch: 0,
+        arc_center: ArcCenter::FromStart,
+        plane_codes: PlaneCodes::Standard,
+        radius_error_tolerance_mm: 0.0127,
+        radius_error_relative: 0.0,
+        radius_error_limit_mm: 0.0,
+        arc_mismatch: ArcMismatch::Spiral,
+        semicircle_tolerance_mm: 0.002,
+        coincidence_mm: 1e-6,
+        helix_feed: FeedAlong::Path,
+        spiral: SpiralForm::None,
+        spiral_end_tolerance_mm: 0.01,
+        center_and_radius: CenterAndRadius::RadiusWins,
+        full_circle_by_radius: FullCircleByRadius::Refused,
+        rapid: RapidPath::DogLeg,
+        max_radius_mm: f64::INFINITY,
+        max_radius_compensated_mm: f64::INFINITY,
+        max_rotary_per_block_rad: f64::INFINITY,
+        radius_offsets: OffsetKind::Radius,
+        length_by_h_alone: false,
+        nesting: 4,
+        max_repeats: 9999,
+        packed_calls: false,
+        chip_break_mm: 0.254,
+        peck_clearance_mm: 0.254,
+        length_must_match_tool: false,
+        units_by_g70: false,
+        calls_within_file: false,
+        bare_home_moves_all: false,
+        return_label_in_callee: false,
+    };
+}

@@ -1,0 +1,381 @@
+//! Settings of a machine file: the control's own parameters under their own names.
+
+use chordal_machine::{Machine, Setting as Given, SettingValue};
+
+use crate::command::{FeedAlong, RapidPath, Units};
+use crate::parameters::{
+    ArcCenter, ArcMismatch, CenterAndRadius, DecimalPoint, FullCircleByRadius, OffsetKind,
+    Parameters, PlaneCodes, SpiralForm,
+};
+
+/// How sure a default is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Certainty {
+    /// A manual says so.
+    Documented,
+    /// Inferred from examples or computed.
+    Inferred,
+    /// Known in the trade, no text found.
+    Trade,
+    /// Not known: the value is a choice.
+    Unknown,
+}
+
+/// The parameter that a setting changes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+#[allow(missing_docs, reason = "each names a field of `Parameters`")]
+pub enum Field {
+    Units,
+    StartMotion,
+    StartDistance,
+    DecimalPoint,
+    FeedDigits,
+    ArcCenter,
+    PlaneCodes,
+    RadiusErrorTolerance,
+    ArcMismatch,
+    SemicircleTolerance,
+    HelixFeed,
+    Spiral,
+    SpiralEndTolerance,
+    CenterAndRadius,
+    FullCircleByRadius,
+    Rapid,
+    MaxRadius,
+    MaxRadiusCompensated,
+    RadiusOffsets,
+    LengthByHAlone,
+    Nesting,
+    PackedCalls,
+    ChipBreak,
+    PeckClearance,
+    LengthMustMatchTool,
+    UnitsByG70,
+    ReturnLabelInCallee,
+}
+
+/// A setting of a control's table.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The name in the manual, or a plain one that all controls share.
+    pub name: &'static str,
+    /// What it changes.
+    pub field: Field,
+    /// Each value's own word and the common word it stands for (`"1"` → `"plane"`); empty
+    /// where the common words or a quantity are written.
+    pub values: &'static [(&'static str, &'static str)],
+    /// What it does.
+    pub text: &'static str,
+    /// How sure the default is.
+    pub certainty: Certainty,
+    /// Manual and section.
+    pub source: &'static str,
+}
+
+/// The settings that every control has, under plain names.
+pub const COMMON: &[Setting] = &[
+    common("units", Field::Units, "units at power-on: `inch` or `mm`"),
+    common("start_motion", Field::StartMotion, "motion at power-on: `rapid` or `linear`"),
+    common("start_distance", Field::StartDistance, "`absolute` or `incremental` at power-on"),
+    common(
+        "decimal_point",
+        Field::DecimalPoint,
+        "a number without a point: `least-increment` (X10 is 0.001 in) or `calculator` (X10 is ten)",
+    ),
+    common("feed_digits_inch", Field::FeedDigits, "decimals of an inch F written without a point"),
+    common("arc_center", Field::ArcCenter, "I J K: `from-start`, `absolute` or `from-center`"),
+    common("plane_codes", Field::PlaneCodes, "`standard`, or `swapped` (G18 is YZ, G19 is ZX)"),
+    common(
+        "radius_error_tolerance",
+        Field::RadiusErrorTolerance,
+        "largest difference of an arc's radii at start and end",
+    ),
+    common(
+        "arc_mismatch",
+        Field::ArcMismatch,
+        "within the tolerance: `spiral` to the end, or `arc-then-line`",
+    ),
+    common(
+        "semicircle_tolerance",
+        Field::SemicircleTolerance,
+        "|2R - chord| up to here puts the centre in the middle of the chord",
+    ),
+    common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
+    common(
+        "spiral",
+        Field::Spiral,
+        "spiral commands: `none`, `pitches`, `increment-height-count` or `increment-count`",
+    ),
+    common(
+        "spiral_end_tolerance",
+        Field::SpiralEndTolerance,
+        "largest distance of a computed spiral end from the programmed one",
+    ),
+    common("center_and_radius", Field::CenterAndRadius, "both in a block: `radius-wins` or `refused`"),
+    common("full_circle_by_radius", Field::FullCircleByRadius, "`refused` or `no-motion`"),
+    common("rapid", Field::Rapid, "rapids: `dog-leg` or `straight`"),
+    common("max_radius", Field::MaxRadius, "largest radius of an arc"),
+    common(
+        "max_radius_compensated",
+        Field::MaxRadiusCompensated,
+        "largest radius of an arc with cutter compensation",
+    ),
+    common("radius_offsets", Field::RadiusOffsets, "the offset table holds `diameter` or `radius`"),
+    common("nesting", Field::Nesting, "how deep calls may be nested"),
+    common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
+    common("peck_clearance", Field::PeckClearance, "clearance of a full-retract peck (G83)"),
+];
+
+const fn common(name: &'static str, field: Field, text: &'static str) -> Setting {
+    Setting { name, field, values: &[], text, certainty: Certainty::Documented, source: "" }
+}
+
+/// Writes a row of a control's own settings.
+pub const fn setting(
+    name: &'static str,
+    field: Field,
+    values: &'static [(&'static str, &'static str)],
+    text: &'static str,
+    certainty: Certainty,
+    source: &'static str,
+) -> Setting {
+    Setting { name, field, values, text, certainty, source }
+}
+
+/// Why a setting was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SettingError {
+    /// Its name in the machine file.
+    pub name: String,
+    /// What is wrong.
+    pub message: String,
+    /// What to write.
+    pub help: Option<String>,
+}
+
+/// The setting of a table by name, without regard to case.
+pub fn find<'t>(own: &'t [Setting], name: &str) -> Option<&'t Setting> {
+    own.iter().chain(COMMON).find(|setting| setting.name.eq_ignore_ascii_case(name))
+}
+
+/// The parameters of a machine: the table's, changed by the machine file's settings.
+pub fn resolve(own: &[Setting], table: &Parameters, machine: &Machine) -> (Parameters, Vec<SettingError>) {
+    let mut parameters = *table;
+    if let Some(shape) = machine.rapid {
+        parameters.rapid = match shape {
+            chordal_machine::RapidShape::DogLeg => RapidPath::DogLeg,
+            chordal_machine::RapidShape::Straight => RapidPath::Straight,
+        };
+    }
+    let mut errors = Vec::new();
+    for (name, given) in &machine.settings {
+        if let Err(error) = apply(own, &mut parameters, name, given) {
+            errors.push(error);
+        }
+    }
+    (parameters, errors)
+}
+
+fn apply(
+    own: &[Setting],
+    parameters: &mut Parameters,
+    name: &str,
+    given: &Given,
+) -> Result<(), SettingError> {
+    let refuse = |message: String, help: Option<String>| SettingError {
+        name: name.to_string(),
+        message,
+        help,
+    };
+    let Some(setting) = find(own, name) else {
+        let near = own
+            .iter()
+            .chain(COMMON)
+            .map(|setting| (strsim::jaro_winkler(setting.name, name), setting.name))
+            .filter(|(likeness, _)| *likeness > 0.8)
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        return Err(refuse(
+            format!("this control has no setting `{name}`"),
+            near.map(|(_, near)| format!("did you mean `{near}`?")),
+        ));
+    };
+    let written = shown(&given.value);
+    let word = setting
+        .values
+        .iter()
+        .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
+        .map_or(written.as_str(), |(_, word)| word);
+    set(parameters, setting.field, word, &given.value)
+        .map_err(|wanted| refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}"))))
+}
+
+fn shown(value: &SettingValue) -> String {
+    match value {
+        SettingValue::Text(text) => text.clone(),
+        SettingValue::Integer(number) => number.to_string(),
+        SettingValue::Float(number) => number.to_string(),
+        SettingValue::Bool(flag) => if *flag { "on" } else { "off" }.to_string(),
+    }
+}
+
+/// Sets one parameter; the error says what it takes.
+fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Result<(), String> {
+    let length = || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.0005 in\"".to_string());
+    let count = || match value {
+        SettingValue::Integer(number) if (0..=100_000).contains(number) => Ok(*number as u32),
+        _ => Err("a whole number".to_string()),
+    };
+    let flag = || match word {
+        "on" | "1" | "true" => Ok(true),
+        "off" | "0" | "false" => Ok(false),
+        _ => Err("`on` or `off`".to_string()),
+    };
+    match field {
+        Field::Units => p.units = choose(word, &[("inch", Units::Inch), ("mm", Units::Millimetre)])?,
+        Field::StartMotion => p.starts_linear = choose(word, &[("rapid", false), ("linear", true)])?,
+        Field::StartDistance => {
+            p.starts_incremental = choose(word, &[("absolute", false), ("incremental", true)])?;
+        }
+        Field::DecimalPoint => p.decimal_point = choose(word, DECIMAL_POINTS)?,
+        Field::FeedDigits => p.feed_digits_inch = count()?.min(6) as u8,
+        Field::ArcCenter => p.arc_center = choose(word, ARC_CENTERS)?,
+        Field::PlaneCodes => {
+            p.plane_codes = choose(
+                word,
+                &[("standard", PlaneCodes::Standard), ("swapped", PlaneCodes::Swapped)],
+            )?;
+        }
+        Field::RadiusErrorTolerance => p.radius_error_tolerance_mm = length()?,
+        Field::ArcMismatch => {
+            p.arc_mismatch = choose(
+                word,
+                &[("spiral", ArcMismatch::Spiral), ("arc-then-line", ArcMismatch::ArcThenLine)],
+            )?;
+        }
+        Field::SemicircleTolerance => p.semicircle_tolerance_mm = length()?,
+        Field::HelixFeed => {
+            p.helix_feed =
+                choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
+        }
+        Field::Spiral => p.spiral = choose(word, SPIRALS)?,
+        Field::SpiralEndTolerance => p.spiral_end_tolerance_mm = length()?,
+        Field::CenterAndRadius => {
+            p.center_and_radius = choose(
+                word,
+                &[
+                    ("radius-wins", CenterAndRadius::RadiusWins),
+                    ("refused", CenterAndRadius::Refused),
+                ],
+            )?;
+        }
+        Field::FullCircleByRadius => {
+            p.full_circle_by_radius = choose(
+                word,
+                &[
+                    ("refused", FullCircleByRadius::Refused),
+                    ("no-motion", FullCircleByRadius::NoMotion),
+                ],
+            )?;
+        }
+        Field::Rapid => {
+            p.rapid =
+                choose(word, &[("dog-leg", RapidPath::DogLeg), ("straight", RapidPath::Straight)])?;
+        }
+        Field::MaxRadius => p.max_radius_mm = length()?,
+        Field::MaxRadiusCompensated => p.max_radius_compensated_mm = length()?,
+        Field::RadiusOffsets => {
+            p.radius_offsets =
+                choose(word, &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)])?;
+        }
+        Field::LengthByHAlone => p.length_by_h_alone = flag()?,
+        Field::Nesting => p.nesting = count()?.clamp(1, 100),
+        Field::PackedCalls => p.packed_calls = flag()?,
+        Field::ChipBreak => p.chip_break_mm = length()?,
+        Field::PeckClearance => p.peck_clearance_mm = length()?,
+        Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
+        Field::UnitsByG70 => p.units_by_g70 = flag()?,
+        Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+    }
+    Ok(())
+}
+
+/// The present value of a parameter, as a machine file writes it.
+pub fn value_text(p: &Parameters, field: Field) -> String {
+    let mm = |value: f64| {
+        if value.is_finite() { format!("{value} mm") } else { "no limit".to_string() }
+    };
+    let on = |flag: bool| if flag { "on" } else { "off" }.to_string();
+    match field {
+        Field::Units => if p.units == Units::Inch { "inch" } else { "mm" }.into(),
+        Field::StartMotion => if p.starts_linear { "linear" } else { "rapid" }.into(),
+        Field::StartDistance => {
+            if p.starts_incremental { "incremental" } else { "absolute" }.into()
+        }
+        Field::DecimalPoint => name_of(p.decimal_point, DECIMAL_POINTS),
+        Field::FeedDigits => p.feed_digits_inch.to_string(),
+        Field::ArcCenter => name_of(p.arc_center, ARC_CENTERS),
+        Field::PlaneCodes => {
+            if p.plane_codes == PlaneCodes::Standard { "standard" } else { "swapped" }.into()
+        }
+        Field::RadiusErrorTolerance => mm(p.radius_error_tolerance_mm),
+        Field::ArcMismatch => {
+            if p.arc_mismatch == ArcMismatch::Spiral { "spiral" } else { "arc-then-line" }.into()
+        }
+        Field::SemicircleTolerance => mm(p.semicircle_tolerance_mm),
+        Field::HelixFeed => if p.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into(),
+        Field::Spiral => name_of(p.spiral, SPIRALS),
+        Field::SpiralEndTolerance => mm(p.spiral_end_tolerance_mm),
+        Field::CenterAndRadius => {
+            let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
+            if wins { "radius-wins" } else { "refused" }.into()
+        }
+        Field::FullCircleByRadius => {
+            let refused = p.full_circle_by_radius == FullCircleByRadius::Refused;
+            if refused { "refused" } else { "no-motion" }.into()
+        }
+        Field::Rapid => if p.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into(),
+        Field::MaxRadius => mm(p.max_radius_mm),
+        Field::MaxRadiusCompensated => mm(p.max_radius_compensated_mm),
+        Field::RadiusOffsets => {
+            if p.radius_offsets == OffsetKind::Diameter { "diameter" } else { "radius" }.into()
+        }
+        Field::LengthByHAlone => on(p.length_by_h_alone),
+        Field::Nesting => p.nesting.to_string(),
+        Field::PackedCalls => on(p.packed_calls),
+        Field::ChipBreak => mm(p.chip_break_mm),
+        Field::PeckClearance => mm(p.peck_clearance_mm),
+        Field::LengthMustMatchTool => on(p.length_must_match_tool),
+        Field::UnitsByG70 => on(p.units_by_g70),
+        Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+    }
+}
+
+const DECIMAL_POINTS: &[(&str, DecimalPoint)] = &[
+    ("least-increment", DecimalPoint::LeastIncrement),
+    ("calculator", DecimalPoint::Calculator),
+];
+
+const ARC_CENTERS: &[(&str, ArcCenter)] = &[
+    ("from-start", ArcCenter::FromStart),
+    ("absolute", ArcCenter::Absolute),
+    ("from-center", ArcCenter::FromCenter),
+];
+
+const SPIRALS: &[(&str, SpiralForm)] = &[
+    ("none", SpiralForm::None),
+    ("pitches", SpiralForm::Pitches),
+    ("increment-height-count", SpiralForm::IncrementHeightCount),
+    ("increment-count", SpiralForm::IncrementCount),
+];
+
+fn choose<T: Copy>(word: &str, choices: &[(&str, T)]) -> Result<T, String> {
+    let found = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let names: Vec<String> = choices.iter().map(|(name, _)| format!("`{name}`")).collect();
+        names.join(" or ")
+    })
+}
+
+fn name_of<T: Copy + PartialEq>(value: T, choices: &[(&str, T)]) -> String {
+    choices.iter().find(|(_, v)| *v == value).map_or("?", |(name, _)| name).to_string()
+}

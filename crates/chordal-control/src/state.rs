@@ -1,0 +1,176 @@
+//! The modal state of a control.
+
+use chordal_geometry::{Direction, Plane};
+use chordal_syntax::Decimal;
+
+use crate::command::{AxisMask, Coolant, FeedMode, Position, Side, SpindleState, Units};
+use crate::offsets::Offsets;
+use crate::parameters::{ArcCenter, DecimalPoint, Parameters};
+use crate::table::CycleKind;
+
+/// The motion that a block without a motion code makes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Motion {
+    Rapid,
+    Linear,
+    Arc(Direction),
+    Spiral(Direction),
+}
+
+/// A canned cycle in force: its kind and the words that stay.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct CycleState {
+    pub kind: CycleKind,
+    /// Level of the drilling axis when the cycle began.
+    pub initial: f64,
+    pub r: Option<f64>,
+    pub z: Option<f64>,
+    pub q: Option<f64>,
+    pub dwell_s: f64,
+}
+
+/// How literals become millimetres: `mantissa · factor / 10^(scale + extra)`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Scale {
+    factor: i64,
+    with_point: u8,
+    without_point: u8,
+    angle_without_point: u8,
+}
+
+impl Scale {
+    pub fn new(units: Units, parameters: &Parameters) -> Scale {
+        let whole = parameters.decimal_point == DecimalPoint::Calculator;
+        let digits = |digits: u8| if whole { 0 } else { digits };
+        match units {
+            Units::Inch => Scale {
+                factor: 254,
+                with_point: 1,
+                without_point: 1 + digits(parameters.increment_digits_inch),
+                angle_without_point: digits(3),
+            },
+            Units::Millimetre => Scale {
+                factor: 1,
+                with_point: 0,
+                without_point: digits(parameters.increment_digits_mm),
+                angle_without_point: digits(3),
+            },
+        }
+    }
+
+    /// A length in mm.
+    #[inline]
+    pub fn length(&self, number: Decimal) -> f64 {
+        let extra = if number.has_point { self.with_point } else { self.without_point };
+        number.times(self.factor, extra)
+    }
+
+    /// An angle in rad.
+    #[inline]
+    pub fn angle(&self, number: Decimal) -> f64 {
+        let extra = if number.has_point { 0 } else { self.angle_without_point };
+        number.times(1, extra).to_radians()
+    }
+}
+
+/// Everything a control remembers from block to block.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    /// The tool tip in program coordinates.
+    pub position: Position,
+    /// The axes whose program coordinate is known.
+    pub known: AxisMask,
+    /// The axes whose machine coordinate is known.
+    pub machine_known: AxisMask,
+    pub offsets: Offsets,
+    pub units: Units,
+    pub scale: Scale,
+    pub plane: Plane,
+    pub incremental: bool,
+    pub motion: Motion,
+    pub armed: Option<Direction>,
+    pub arc_center: ArcCenter,
+    pub feed_mode: FeedMode,
+    /// F as the mode counts it: mm/s, 1/s, mm per revolution; NaN before any F.
+    pub feed: f64,
+    /// F of rotary moves alone, rad/s.
+    pub feed_angular: f64,
+    pub spindle: SpindleState,
+    pub rpm: f64,
+    pub coolant: Coolant,
+    pub tool: u32,
+    pub selected_tool: Option<u32>,
+    pub side: Side,
+    pub radius_offset: Option<u32>,
+    pub return_to_r: bool,
+    pub cycle: Option<CycleState>,
+    pub registers: [Decimal; 10],
+}
+
+impl State {
+    pub fn new(parameters: &Parameters, offsets: Offsets, home: Position) -> State {
+        let mut position = home;
+        let known = offsets.known();
+        let total = offsets.total();
+        for axis in 0..6 {
+            position[axis] -= total[axis];
+        }
+        State {
+            position,
+            known,
+            machine_known: AxisMask::ALL,
+            offsets,
+            units: parameters.units,
+            scale: Scale::new(parameters.units, parameters),
+            plane: Plane::Xy,
+            incremental: parameters.starts_incremental,
+            motion: if parameters.starts_linear { Motion::Linear } else { Motion::Rapid },
+            armed: None,
+            arc_center: parameters.arc_center,
+            feed_mode: FeedMode::PerTime,
+            feed: f64::NAN,
+            feed_angular: f64::NAN,
+            spindle: SpindleState::Off,
+            rpm: 0.0,
+            coolant: Coolant::default(),
+            tool: 0,
+            selected_tool: None,
+            side: Side::Off,
+            radius_offset: None,
+            return_to_r: false,
+            cycle: None,
+            registers: [Decimal::integer(0); 10],
+        }
+    }
+
+    /// The machine coordinate of an axis.
+    pub fn machine_position(&self, axis: usize) -> f64 {
+        self.position[axis] + self.offsets.total()[axis]
+    }
+
+    /// Changes the offsets: the machine stands still and the program coordinates change.
+    pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
+        let old_total = self.offsets.total();
+        let old_known = self.offsets.known();
+        let old_identity = self.offsets.identity();
+        change(&mut self.offsets);
+        self.offsets.update();
+        let new_total = self.offsets.total();
+        let new_known = self.offsets.known();
+        let same = old_identity == self.offsets.identity();
+        for axis in 0..6 {
+            let unchanged = new_total[axis] == old_total[axis]
+                && old_known.has(axis) == new_known.has(axis)
+                && (same || new_known.has(axis));
+            if unchanged {
+                continue;
+            }
+            self.position[axis] += old_total[axis] - new_total[axis];
+            if self.machine_known.has(axis) && new_known.has(axis) {
+                self.known.insert(axis);
+            } else {
+                self.known = self.known.without(AxisMask(1 << axis));
+            }
+        }
+    }
+}

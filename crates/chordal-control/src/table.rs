@@ -1,0 +1,358 @@
+//! A control as data: its codes, its words, its alarms, its settings.
+
+use chordal_diagnostics::Code;
+use chordal_syntax::Lexicon;
+
+use crate::parameters::Parameters;
+use crate::settings::Setting;
+
+/// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum Group {
+    OneShot,
+    Motion,
+    Plane,
+    Distance,
+    ArcDistance,
+    FeedMode,
+    Units,
+    Compensation,
+    ToolLength,
+    Cycle,
+    ReturnLevel,
+    Scaling,
+    WorkOffset,
+    PathMode,
+    Rotation,
+    Mirror,
+    ModalCall,
+    FeedRamp,
+    /// M codes.
+    Stopping,
+    Spindle,
+    Coolant,
+    ToolChange,
+    Calling,
+    Auxiliary,
+}
+
+/// Stopping, turning, calling: what a code does. Closed, so that the interpreter answers
+/// for every one.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum Action {
+    Rapid,
+    Linear,
+    ArcCw,
+    ArcCcw,
+    SpiralCw,
+    SpiralCcw,
+    Dwell,
+    /// A stop at the end of this block.
+    ExactStopOnce,
+    SetData,
+    /// Over a point to reference point 1 (G28) or the one that P names (G30).
+    ReturnToReference { second: bool },
+    ReturnFromReference,
+    MachineCoordinates,
+    LocalShift,
+    PresetPosition,
+    ClearPreset { keep: bool },
+    RestorePreset,
+    PlaneXy,
+    PlaneZx,
+    PlaneYz,
+    Inch,
+    Millimetre,
+    Absolute,
+    Incremental,
+    ArcCenterAbsolute,
+    ArcCenterIncremental,
+    FeedPerTime,
+    FeedInverseTime,
+    FeedPerRevolution,
+    CompensationOff,
+    CompensationLeft,
+    CompensationRight,
+    LengthPlus,
+    LengthMinus,
+    LengthCancel,
+    WorkOffset(u16),
+    WorkOffsetPoint(u16),
+    WorkOffsetExtended,
+    /// An extended work offset by a code of its own (Haas G110 is G154 P1).
+    WorkOffsetNumbered(u16),
+    ReturnInitial,
+    ReturnToR,
+    CancelCycle,
+    Cycle(CycleKind),
+    PathExact,
+    PathExactStop,
+    PathContinuous,
+    ProgramStop,
+    OptionalStop,
+    ProgramEnd { rewind: bool },
+    SpindleCw,
+    SpindleCcw,
+    SpindleStop,
+    SpindleOrient,
+    ToolChange,
+    CoolantMist,
+    CoolantFlood,
+    CoolantThroughTool,
+    CoolantThroughToolOff,
+    CoolantOff,
+    CallProgram,
+    CallLabel,
+    Return,
+    SubroutineEnd,
+    RunCycleHere,
+    ModalCallOff,
+    /// Carried out without effect on path or time.
+    NoEffect,
+    /// The control carries it out and Chordal does not.
+    NotSimulated,
+}
+
+/// Canned cycles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+#[allow(missing_docs, reason = "named by their common codes")]
+pub enum CycleKind {
+    ChipBreak,
+    LeftTap,
+    FineBore,
+    Drill,
+    DrillDwell,
+    Peck,
+    Tap,
+    BoreFeedOut,
+    BoreStop,
+    BackBore,
+    BoreManual,
+    BoreDwell,
+}
+
+/// One G or M code of a control.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeRow {
+    /// Ten times the number: G54.1 is 541.
+    pub code: u16,
+    /// Codes of one group exclude each other.
+    pub group: Group,
+    /// What it does.
+    pub action: Action,
+    /// Letters beside the axes and F that it takes.
+    pub words: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+}
+
+/// Writes a row of a code table.
+pub const fn row(
+    code: u16,
+    group: Group,
+    action: Action,
+    words: &'static str,
+    title: &'static str,
+) -> CodeRow {
+    CodeRow { code, group, action, words, title }
+}
+
+/// Where an L word repeats its block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LineRepeat {
+    /// Nowhere.
+    None,
+    /// In the main program only.
+    MainProgram,
+    /// Everywhere.
+    Anywhere,
+}
+
+/// How subroutines are written beside M98.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Subroutines {
+    /// There are none.
+    None,
+    /// Sections `L100`, `L200`, … before the main program, ended by M17, the whole by M30;
+    /// called by `L201` (subroutine, two digits of repeats).
+    LetterL,
+}
+
+/// How motion codes are modal.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MotionModality {
+    /// Each cancels the others.
+    Exclusive,
+    /// G0 and G1 cancel each other; G2 and G3 arm a direction, which a block takes when it
+    /// has a centre or a radius.
+    Armed,
+}
+
+/// What `G10 L…` writes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DataTarget {
+    /// Work offset P (0 the external one).
+    WorkOffset,
+    /// Work offset P, so that the present position gets the given coordinates.
+    WorkOffsetFromPosition,
+    /// Extended work offset P.
+    ExtendedWorkOffset,
+    /// Length of tool P.
+    Length,
+    /// Wear of the length of tool P.
+    LengthWear,
+    /// Radius (or diameter) of tool P.
+    Radius,
+    /// Its wear.
+    RadiusWear,
+    /// Length and radius by the letters Z and R (LinuxCNC).
+    ToolTable,
+    /// A register R0 … R9 (Fadal L100–L109).
+    Register,
+    /// Something that is not simulated.
+    Other,
+}
+
+/// Time words of a dwell.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DwellWord {
+    /// The letter.
+    pub letter: u8,
+    /// Seconds in one unit without a decimal point.
+    pub integer_s: f64,
+    /// Seconds in one unit with a decimal point.
+    pub point_s: f64,
+}
+
+/// A sign in the text that speaks for a control.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Sign {
+    /// A G code (ten times the number).
+    G(u16),
+    /// An M code (ten times the number).
+    M(u16),
+    /// A block with all these letters and no G or M word.
+    Letters(&'static str),
+    /// A block with these letters.
+    With(&'static str),
+    /// `R0+1.`: a register word.
+    Register,
+    /// A comment left open.
+    OpenComment,
+    /// A comment behind a semicolon.
+    SemicolonComment,
+    /// A program number of five digits.
+    FiveDigitProgram,
+    /// `o100 sub`.
+    OWord,
+    /// `L100` alone in its block.
+    SubroutineHead,
+    /// A macro statement with `#` or brackets.
+    MacroStatement,
+    /// G53 beside another G code in one block.
+    MachineCoordinatesWithOthers,
+}
+
+/// A sign and how strongly it speaks.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence {
+    /// What to look for.
+    pub sign: Sign,
+    /// How much it says.
+    pub weight: u32,
+    /// For people: `G154 chooses an extended work offset`.
+    pub reason: &'static str,
+}
+
+/// Everything that makes a control.
+#[derive(Debug)]
+pub struct ControlTable {
+    /// Name in machine files.
+    pub name: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// Where its facts come from.
+    pub source: &'static str,
+    /// How its text is written.
+    pub lexicon: Lexicon,
+    /// Its G codes in order.
+    pub g_codes: &'static [CodeRow],
+    /// Its M codes in order.
+    pub m_codes: &'static [CodeRow],
+    /// Its numbers and habits.
+    pub parameters: Parameters,
+    /// The settings that a machine file may name.
+    pub settings: &'static [Setting],
+    /// What it shows for a diagnostic; `{n}` is the block's N number.
+    pub alarms: &'static [(Code, &'static str)],
+    /// How motion codes are modal.
+    pub motion: MotionModality,
+    /// G90 and G91 act from left to right within the block.
+    pub distance_left_to_right: bool,
+    /// G90 and G91 may stand in one block.
+    pub line_repeat: LineRepeat,
+    /// Subroutines beside M98.
+    pub subroutines: Subroutines,
+    /// Letters of axes that words may name.
+    pub axis_letters: &'static str,
+    /// A word E chooses the work offset.
+    pub work_offset_by_e: bool,
+    /// P on an arc: further full turns (`extra`) or all turns.
+    pub arc_turns: ArcTurns,
+    /// Centre words outside the plane are an alarm, not passed over.
+    pub strict_center_words: bool,
+    /// G10's targets by L.
+    pub set_data: &'static [(u16, DataTarget)],
+    /// Time words of G4.
+    pub dwell: &'static [DwellWord],
+    /// Time word P in cycles: seconds in one unit.
+    pub cycle_dwell_s: f64,
+    /// Repeat letter of cycles.
+    pub cycle_repeat: u8,
+    /// G91: R counts from the initial level, Z from R.
+    pub cycle_levels_incremental: bool,
+    /// R levels of cycles come from the register word R0.
+    pub cycle_r_register: bool,
+    /// Codes that must be the only G code of their block.
+    pub alone: &'static [u16],
+    /// M6 stops the spindle by itself.
+    pub spindle_stops_at_tool_change: bool,
+    /// The code of extended work offsets in machine files (`G54.1`, `G154`).
+    pub extended_offset_code: &'static str,
+    /// Start label word of M98 (Mitsubishi H).
+    pub call_start_label: Option<u8>,
+    /// Signs by which its programs are recognized.
+    pub evidence: &'static [Evidence],
+}
+
+/// What P means on an arc.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ArcTurns {
+    /// Nothing.
+    None,
+    /// Further full turns beside the arc's own.
+    Extra,
+    /// All turns, the arc's own counted as one.
+    Total,
+}
+
+impl ControlTable {
+    /// The row of a G code (ten times its number).
+    pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
+        let index = self.g_codes.binary_search_by_key(&code, |row| row.code).ok()?;
+        Some(&self.g_codes[index])
+    }
+
+    /// The row of an M code (ten times its number).
+    pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
+        let index = self.m_codes.binary_search_by_key(&code, |row| row.code).ok()?;
+        Some(&self.m_codes[index])
+    }
+
+    /// What the control shows for a diagnostic.
+    pub fn alarm(&self, code: Code) -> Option<&'static str> {
+        self.alarms.iter().find(|(condition, _)| *condition == code).map(|(_, text)| *text)
+    }
+}

@@ -1,0 +1,110 @@
+use std::collections::{BTreeMap, HashSet};
+
+use crate::{Code, Diagnostic, Severity, Span};
+
+/// How many diagnostics of each severity there were, the uncollected ones included.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Counts {
+    /// Errors.
+    pub errors: u64,
+    /// Warnings.
+    pub warnings: u64,
+    /// Notes.
+    pub notes: u64,
+}
+
+impl Counts {
+    /// Adds one.
+    pub fn add(&mut self, severity: Severity) {
+        match severity {
+            Severity::Error => self.errors += 1,
+            Severity::Warning => self.warnings += 1,
+            Severity::Note => self.notes += 1,
+        }
+    }
+}
+
+/// Collects diagnostics within bounded memory: of each code only the first few are kept,
+/// and a place is told once however often a repeat or a call comes through it.
+#[derive(Debug)]
+pub struct Collector {
+    limit_per_code: usize,
+    kept: Vec<Diagnostic>,
+    kept_per_code: BTreeMap<Code, usize>,
+    dropped: BTreeMap<Code, u64>,
+    told: HashSet<(Code, Span)>,
+    counts: Counts,
+}
+
+impl Collector {
+    /// Keeps at most `limit_per_code` diagnostics of each code.
+    pub fn new(limit_per_code: usize) -> Collector {
+        Collector {
+            limit_per_code,
+            kept: Vec::new(),
+            kept_per_code: BTreeMap::new(),
+            dropped: BTreeMap::new(),
+            told: HashSet::new(),
+            counts: Counts::default(),
+        }
+    }
+
+    /// Takes one.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        let code = diagnostic.code;
+        let kept = self.kept_per_code.entry(code).or_insert(0);
+        if self.told.contains(&(code, diagnostic.primary.span)) {
+            return;
+        }
+        self.counts.add(diagnostic.severity);
+        if *kept >= self.limit_per_code {
+            *self.dropped.entry(code).or_insert(0) += 1;
+            return;
+        }
+        *kept += 1;
+        self.told.insert((code, diagnostic.primary.span));
+        self.kept.push(diagnostic);
+    }
+
+    /// What was kept, in the order it came.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.kept
+    }
+
+    /// How many of each code were told but not kept.
+    pub fn dropped(&self) -> impl Iterator<Item = (Code, u64)> + '_ {
+        self.dropped.iter().map(|(&code, &count)| (code, count))
+    }
+
+    /// All counted.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// What was kept, by place.
+    pub fn into_sorted(mut self) -> Vec<Diagnostic> {
+        self.kept.sort_by_key(|d| (d.primary.span.file, d.primary.span.range.start));
+        self.kept
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::FileId;
+
+    fn at(start: u32) -> Diagnostic {
+        Diagnostic::new(Code::BadNumber, Span::new(FileId(0), start, start + 1), "x")
+    }
+
+    #[test]
+    fn a_place_is_told_once_and_a_code_is_bounded() {
+        let mut collector = Collector::new(2);
+        for start in [1, 1, 2, 3, 4] {
+            collector.push(at(start));
+        }
+        assert_eq!(collector.diagnostics().len(), 2);
+        assert_eq!(collector.dropped().collect::<Vec<_>>(), [(Code::BadNumber, 2)]);
+        assert_eq!(collector.counts().errors, 4);
+    }
+}

@@ -1,0 +1,143 @@
+//! The codes of all diagnostics. A code never changes its meaning and is never used again.
+//!
+//! One file per family; each entry holds the number, the name, the severity, one line that
+//! says what it is, and the text that `chordal explain` prints.
+
+mod compensation;
+mod machine;
+mod motion;
+mod program;
+mod reading;
+mod words;
+
+use crate::Severity;
+
+/// What the registry knows of a code.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeInfo {
+    /// The code itself.
+    pub code: Code,
+    /// Stable number, `CH401`.
+    pub id: &'static str,
+    /// Stable name, `radius-mismatch`.
+    pub name: &'static str,
+    /// Severity unless a control makes it another.
+    pub severity: Severity,
+    /// One line.
+    pub summary: &'static str,
+    /// Paragraphs: what it means, why it matters, what to do, an example.
+    pub explanation: &'static str,
+}
+
+/// Declares the enum and checks at compile time that each variant has its entry.
+macro_rules! codes {
+    ($($variant:ident => $family:ident :: $entry:ident,)*) => {
+        /// The code of a diagnostic.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+        #[allow(missing_docs, reason = "each entry of the registry is the documentation")]
+        pub enum Code { $($variant,)* }
+
+        impl Code {
+            /// All codes in the order of their numbers.
+            pub const ALL: &'static [Code] = &[$(Code::$variant,)*];
+
+            /// What the registry knows of it.
+            pub fn info(self) -> &'static CodeInfo {
+                match self { $(Code::$variant => &$family::$entry,)* }
+            }
+        }
+    };
+}
+
+codes! {
+    BadNumber => reading::BAD_NUMBER,
+    MissingAddress => reading::MISSING_ADDRESS,
+    LetterForDigit => reading::LETTER_FOR_DIGIT,
+    UnclosedComment => reading::UNCLOSED_COMMENT,
+    UnexpectedCharacter => reading::UNEXPECTED_CHARACTER,
+    RepeatedWord => reading::REPEATED_WORD,
+    NotAProgram => reading::NOT_A_PROGRAM,
+    EmptyProgram => reading::EMPTY_PROGRAM,
+    MissingValue => reading::MISSING_VALUE,
+    MissingSubprogram => program::MISSING_SUBPROGRAM,
+    MissingLabel => program::MISSING_LABEL,
+    NestingTooDeep => program::NESTING_TOO_DEEP,
+    EndlessLoop => program::ENDLESS_LOOP,
+    ProgramWithoutEnd => program::PROGRAM_WITHOUT_END,
+    RepeatNotAllowed => program::REPEAT_NOT_ALLOWED,
+    CallNotAllowed => program::CALL_NOT_ALLOWED,
+    ReturnWithoutCall => program::RETURN_WITHOUT_CALL,
+    DuplicateProgram => program::DUPLICATE_PROGRAM,
+    HeaderOutOfPlace => program::HEADER_OUT_OF_PLACE,
+    BudgetReached => program::BUDGET_REACHED,
+    UnknownCode => words::UNKNOWN_CODE,
+    SameGroup => words::SAME_GROUP,
+    BadWordValue => words::BAD_WORD_VALUE,
+    UnusedWord => words::UNUSED_WORD,
+    MissingDecimalPoint => words::MISSING_DECIMAL_POINT,
+    NotSimulated => words::NOT_SIMULATED,
+    NotAlone => words::NOT_ALONE,
+    MissingWord => words::MISSING_WORD,
+    NoSuchAxis => words::NO_SUCH_AXIS,
+    RadiusMismatch => motion::RADIUS_MISMATCH,
+    RadiusTooShort => motion::RADIUS_TOO_SHORT,
+    FullCircleByRadius => motion::FULL_CIRCLE_BY_RADIUS,
+    CenterOutsidePlane => motion::CENTER_OUTSIDE_PLANE,
+    NoCenter => motion::NO_CENTER,
+    MissingFeed => motion::MISSING_FEED,
+    FeedOverLimit => motion::FEED_OVER_LIMIT,
+    RadiusOverLimit => motion::RADIUS_OVER_LIMIT,
+    CenterAndRadius => motion::CENTER_AND_RADIUS,
+    SpiralTurns => motion::SPIRAL_TURNS,
+    NoSpirals => motion::NO_SPIRALS,
+    ZeroRadius => motion::ZERO_RADIUS,
+    SpindleStopped => motion::SPINDLE_STOPPED,
+    NearlyTangent => motion::NEARLY_TANGENT,
+    RotaryOverLimit => motion::ROTARY_OVER_LIMIT,
+    CompensationOnArc => compensation::ON_ARC,
+    CompensationNotCarriedOut => compensation::NOT_CARRIED_OUT,
+    CompensationWithoutOffset => compensation::WITHOUT_OFFSET,
+    PlaneChangeInCompensation => compensation::PLANE_CHANGE,
+    CompensationAtEnd => compensation::AT_END,
+    TravelExceeded => machine::TRAVEL_EXCEEDED,
+    RapidIntoPart => machine::RAPID_INTO_PART,
+    OffsetNotSet => machine::OFFSET_NOT_SET,
+    LengthOffsetOfOtherTool => machine::LENGTH_OFFSET_OF_OTHER_TOOL,
+    BadSetting => machine::BAD_SETTING,
+    SpindleOverLimit => machine::SPINDLE_OVER_LIMIT,
+    InternalError => machine::INTERNAL_ERROR,
+}
+
+impl Code {
+    /// Finds a code by its number (`CH401`, any case) or name (`radius-mismatch`).
+    pub fn find(text: &str) -> Option<Code> {
+        let matches = |code: &&Code| {
+            let info = code.info();
+            info.id.eq_ignore_ascii_case(text) || info.name.eq_ignore_ascii_case(text)
+        };
+        Code::ALL.iter().find(matches).copied()
+    }
+
+    /// The stable number, `CH401`.
+    pub fn id(self) -> &'static str {
+        self.info().id
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_names_are_unique_and_ordered() {
+        let ids: Vec<_> = Code::ALL.iter().map(|c| c.id()).collect();
+        assert!(ids.windows(2).all(|pair| pair[0] < pair[1]), "{ids:?}");
+        let mut names: Vec<_> = Code::ALL.iter().map(|c| c.info().name).collect();
+        names.sort_unstable();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]));
+        for code in Code::ALL {
+            assert_eq!(code.info().code, *code);
+            assert!(!code.info().explanation.trim().is_empty());
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Motion.
+
+use super::{Code, CodeInfo};
+use crate::Severity;
+
+pub(super) const RADIUS_MISMATCH: CodeInfo = CodeInfo {
+    code: Code::RadiusMismatch,
+    id: "CH401",
+    name: "radius-mismatch",
+    severity: Severity::Error,
+    summary: "start and end of an arc lie at different distances from its centre",
+    explanation: r#"An arc by centre states the same circle twice: the start point is on it, and so must the end point be.
+When the two distances differ by more than the control's tolerance, one of the numbers is wrong.
+
+    G18
+    G1 X-3.4585 Z-1.168
+    G2 X-2.9928 Z-.952 I-.48 K.8314      radii 0.9600 and 1.1283
+
+The message gives the two radii, the difference, and the tolerance of this control
+(`radius_error_tolerance`, on Fanuc No. 3410, on Mitsubishi #1084 RadErr). Look for swapped
+digits and lost signs in the end point of this block *and of the block before*, then in the
+centre words. Common further causes: centre words that another control reads as absolute, and
+an R0 or I0 that was typed as another number."#,
+};
+
+pub(super) const RADIUS_TOO_SHORT: CodeInfo = CodeInfo {
+    code: Code::RadiusTooShort,
+    id: "CH402",
+    name: "radius-too-short",
+    severity: Severity::Error,
+    summary: "the radius does not reach from start to end",
+    explanation: r#"The distance from start to end is more than twice the radius, so no circle of that radius passes
+through both. Chordal shows the shortest radius that would do."#,
+};
+
+pub(super) const FULL_CIRCLE_BY_RADIUS: CodeInfo = CodeInfo {
+    code: Code::FullCircleByRadius,
+    id: "CH403",
+    name: "full-circle-by-radius",
+    severity: Severity::Error,
+    summary: "a full circle cannot be given by its radius",
+    explanation: r#"Through one point pass endless circles of a radius. Give the centre instead (I, J or K), and leave the
+end point out."#,
+};
+
+pub(super) const CENTER_OUTSIDE_PLANE: CodeInfo = CodeInfo {
+    code: Code::CenterOutsidePlane,
+    id: "CH404",
+    name: "center-outside-plane",
+    severity: Severity::Error,
+    summary: "a centre word does not belong to the plane",
+    explanation: r#"In G17 the centre is given by I and J, in G18 by I and K, in G19 by J and K. The third letter has
+no meaning there: either the plane or the letter is wrong."#,
+};
+
+pub(super) const NO_CENTER: CodeInfo = CodeInfo {
+    code: Code::NoCenter,
+    id: "CH405",
+    name: "no-center",
+    severity: Severity::Error,
+    summary: "an arc has neither centre nor radius",
+    explanation: r#"G2 and G3 need the centre (I, J, K) or the radius (R). On a Fadal a block without them is a straight
+line, and Chordal warns only where G2 or G3 stands in that very block."#,
+};
+
+pub(super) const MISSING_FEED: CodeInfo = CodeInfo {
+    code: Code::MissingFeed,
+    id: "CH406",
+    name: "missing-feed",
+    severity: Severity::Error,
+    summary: "a cutting move before any feed was given",
+    explanation: r#"G1, G2 and G3 need a feed. Before the first F the control alarms (or keeps the feed of the program
+that ran before: worse). In inverse time (G93) every block needs its own F."#,
+};
+
+pub(super) const FEED_OVER_LIMIT: CodeInfo = CodeInfo {
+    code: Code::FeedOverLimit,
+    id: "CH407",
+    name: "feed-over-limit",
+    severity: Severity::Error,
+    summary: "the feed is above what the machine allows",
+    explanation: r#"The machine file says how fast the machine may cut. Controls alarm, or cut at their maximum without
+saying so: the program takes longer than it says."#,
+};
+
+pub(super) const RADIUS_OVER_LIMIT: CodeInfo = CodeInfo {
+    code: Code::RadiusOverLimit,
+    id: "CH408",
+    name: "radius-over-limit",
+    severity: Severity::Error,
+    summary: "the radius is larger than the control can interpolate",
+    explanation: r#"Controls have a largest radius: a Fadal 399.9999 in, with cutter compensation 99.9999 in. Cut a
+larger one as a line or in pieces."#,
+};
+
+pub(super) const CENTER_AND_RADIUS: CodeInfo = CodeInfo {
+    code: Code::CenterAndRadius,
+    id: "CH409",
+    name: "center-and-radius",
+    severity: Severity::Error,
+    summary: "an arc has both a centre and a radius",
+    explanation: r#"Centre and radius say the same thing twice. Where both stand in a block, Fanuc-style controls follow
+R and pass over the centre; LinuxCNC refuses."#,
+};
+
+pub(super) const SPIRAL_TURNS: CodeInfo = CodeInfo {
+    code: Code::SpiralTurns,
+    id: "CH410",
+    name: "spiral-turns",
+    severity: Severity::Error,
+    summary: "the turns of a spiral do not fit its ends",
+    explanation: r#"Start, end and centre fix the angle of a spiral up to whole turns. A radius change per turn (Q) or a
+height per turn (K) gives a number of turns that must agree with that angle; a count (L, P) may
+contradict Q. The message gives the turns that follow from each."#,
+};
+
+pub(super) const NO_SPIRALS: CodeInfo = CodeInfo {
+    code: Code::NoSpirals,
+    id: "CH411",
+    name: "no-spirals",
+    severity: Severity::Error,
+    summary: "this control has no spiral command",
+    explanation: r#"The block asks for a spiral or a cone, which this control cannot interpolate. A conversion would cut
+it in arcs or chords."#,
+};
+
+pub(super) const ZERO_RADIUS: CodeInfo = CodeInfo {
+    code: Code::ZeroRadius,
+    id: "CH412",
+    name: "zero-radius",
+    severity: Severity::Error,
+    summary: "the centre of an arc is its start point",
+    explanation: r#"All centre words are zero, or the centre given in absolute coordinates is where the tool stands. There
+is no circle to follow."#,
+};
+
+pub(super) const SPINDLE_STOPPED: CodeInfo = CodeInfo {
+    code: Code::SpindleStopped,
+    id: "CH413",
+    name: "spindle-stopped",
+    severity: Severity::Warning,
+    summary: "a cutting move with the spindle stopped",
+    explanation: r#"The program feeds along a path and no M3 or M4 came before, or the spindle was stopped since. Told
+once for each tool."#,
+};
+
+pub(super) const NEARLY_TANGENT: CodeInfo = CodeInfo {
+    code: Code::NearlyTangent,
+    id: "CH414",
+    name: "nearly-tangent",
+    severity: Severity::Note,
+    summary: "an arc joins its neighbour almost, but not quite, tangentially",
+    explanation: r#"The direction turns by a small angle where an arc begins or ends. Rounding of coordinates makes
+hundredths of a degree; tenths are usually a slip in a number. It leaves a visible mark."#,
+};
+
+pub(super) const ROTARY_OVER_LIMIT: CodeInfo = CodeInfo {
+    code: Code::RotaryOverLimit,
+    id: "CH415",
+    name: "rotary-over-limit",
+    severity: Severity::Error,
+    summary: "a rotary axis turns further in one block than the control allows",
+    explanation: r#"Controls limit how far a rotary axis may turn in one block; a Fadal allows 1080 degrees. Divide the
+move."#,
+};

@@ -1,0 +1,237 @@
+//! The circular arc and the helix.
+
+use crate::winding::Winding;
+use crate::{
+    Aabb, ArcFit, ChordError, Chords, Direction, Frame, Nearest, ParamCurve, Placement, Plane,
+    Transform, Vec3, arc_from_center, math,
+};
+
+/// A circular arc in any plane or, when `rise` is not zero, a helix; of any number of turns.
+///
+/// Between its ends the curve is `center + radius·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with
+/// `v = w × u` and φ running from 0 to `sweep`. The ends themselves are kept as they were given, so
+/// that neighbours in a program meet exactly; they may differ from the formula by rounding, or by
+/// whatever the caller accepted as equal radii (see [`arc_from_center`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Centre at the height of the start, mm.
+    pub center: Vec3,
+    /// Unit vector from the centre towards the start.
+    pub u: Vec3,
+    /// Unit vector of the axis.
+    pub w: Vec3,
+    /// Radius, mm, not negative.
+    pub radius: f64,
+    /// Angle travelled about `w`, radians: positive counter-clockwise, of any size.
+    pub sweep: f64,
+    /// Movement along `w` over the whole sweep, mm.
+    pub rise: f64,
+    /// The start as it was given, mm.
+    pub start: Vec3,
+    /// The end as it was given, mm.
+    pub end: Vec3,
+}
+
+impl Arc {
+    /// The arc that starts at `radius` mm along `frame.u`, turns about `frame.w` by `sweep`
+    /// radians and rises by `rise` mm. The ends follow from these.
+    #[must_use]
+    pub fn new(frame: Frame, radius: f64, sweep: f64, rise: f64) -> Self {
+        let winding = Winding::new(frame.origin, frame.u, frame.w, (radius, radius), sweep, rise);
+        Self {
+            center: frame.origin,
+            u: frame.u,
+            w: frame.w,
+            radius,
+            sweep,
+            rise,
+            start: winding.point(0.0),
+            end: winding.point(1.0),
+        }
+    }
+
+    /// The same as [`arc_from_center`].
+    #[must_use]
+    pub fn from_center(
+        plane: Plane,
+        start: Vec3,
+        end: Vec3,
+        center: (f64, f64),
+        direction: Direction,
+        extra_turns: u32,
+        radius_tolerance: f64,
+    ) -> ArcFit {
+        arc_from_center(plane, start, end, center, direction, extra_turns, radius_tolerance)
+    }
+
+    /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` when the
+    /// three lie on a line, so far as doubles can tell, or two of them coincide.
+    #[must_use]
+    pub fn through(start: Vec3, via: Vec3, end: Vec3) -> Option<Self> {
+        let (a, b) = (via - start, end - start);
+        let normal = a.cross(b);
+        let w = normal.normalized()?;
+        let to_center = (b * a.length_squared() - a * b.length_squared()).cross(normal)
+            / (2.0 * normal.length_squared());
+        let radius = to_center.length();
+        let u = (-to_center).normalized()?;
+        if !radius.is_finite() {
+            return None;
+        }
+        let to_end = b - to_center;
+        let angle = math::atan2(to_end.dot(w.cross(u)), to_end.dot(u));
+        let sweep = if angle <= 0.0 { angle + math::TAU } else { angle };
+        Some(Self { center: start + to_center, u, w, radius, sweep, rise: 0.0, start, end })
+    }
+
+    /// Angle travelled from the start at `s` mm, radians, with the sign of `sweep`.
+    #[must_use]
+    pub fn angle_at(&self, s: f64) -> f64 {
+        self.sweep * self.fraction(s)
+    }
+
+    /// Movement along the axis for each radian, mm; zero for a plane arc.
+    #[must_use]
+    pub fn rise_per_radian(&self) -> f64 {
+        if self.sweep == 0.0 { 0.0 } else { self.rise / self.sweep }
+    }
+
+    /// Whether the sense of turning about `w` is counter-clockwise.
+    #[must_use]
+    pub fn direction(&self) -> Direction {
+        if self.sweep < 0.0 { Direction::Cw } else { Direction::Ccw }
+    }
+
+    pub(crate) fn winding(&self) -> Winding {
+        let radii = (self.radius, self.radius);
+        Winding::new(self.center, self.u, self.w, radii, self.sweep, self.rise)
+    }
+
+    /// Fraction of the sweep at `s` mm, clamped to 0..=1.
+    fn fraction(&self, s: f64) -> f64 {
+        let length = self.length();
+        if s <= 0.0 {
+            0.0
+        } else if s >= length {
+            1.0
+        } else {
+            s / length
+        }
+    }
+
+    fn at_fraction(&self, t: f64) -> Vec3 {
+        if t <= 0.0 {
+            self.start
+        } else if t >= 1.0 {
+            self.end
+        } else {
+            self.winding().point(t)
+        }
+    }
+
+    /// The part between two fractions, `t0 <= t1`.
+    fn part(&self, t0: f64, t1: f64) -> Self {
+        let p = self.winding().part(t0, t1);
+        Self {
+            center: p.center,
+            u: p.u,
+            w: self.w,
+            radius: self.radius,
+            sweep: self.sweep * (t1 - t0),
+            rise: p.rise,
+            start: self.at_fraction(t0),
+            end: self.at_fraction(t1),
+        }
+    }
+}
+
+impl ParamCurve for Arc {
+    fn start(&self) -> Vec3 {
+        self.start
+    }
+
+    fn end(&self) -> Vec3 {
+        self.end
+    }
+
+    fn length(&self) -> f64 {
+        let around = self.radius * self.sweep;
+        if self.rise == 0.0 {
+            around.abs()
+        } else {
+            (around * around + self.rise * self.rise).sqrt()
+        }
+    }
+
+    fn point_at(&self, s: f64) -> Vec3 {
+        self.at_fraction(self.fraction(s))
+    }
+
+    fn tangent_at(&self, s: f64) -> Vec3 {
+        self.winding().intrinsic(self.fraction(s)).tangent
+    }
+
+    fn curvature_at(&self, s: f64) -> Vec3 {
+        self.winding().intrinsic(self.fraction(s)).curvature
+    }
+
+    fn curvature_derivative_at(&self, s: f64) -> Vec3 {
+        self.winding().intrinsic(self.fraction(s)).curvature_derivative
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.winding().interior_bounds().include(self.start).include(self.end)
+    }
+
+    fn reversed(&self) -> Self {
+        let (u, _) = self.winding().radial(1.0);
+        Self {
+            center: self.center + self.w * self.rise,
+            u,
+            sweep: -self.sweep,
+            rise: -self.rise,
+            start: self.end,
+            end: self.start,
+            ..*self
+        }
+    }
+
+    fn split_at(&self, s: f64) -> (Self, Self) {
+        let t = self.fraction(s);
+        (self.part(0.0, t), self.part(t, 1.0))
+    }
+
+    fn subsegment(&self, s0: f64, s1: f64) -> Self {
+        let (t0, t1) = (self.fraction(s0), self.fraction(s1));
+        if t1 < t0 { self.part(t1, t0).reversed() } else { self.part(t0, t1) }
+    }
+
+    fn transformed(&self, transform: &Transform) -> Self {
+        let sense = if transform.is_reflection() { -1.0 } else { 1.0 };
+        let scale = transform.scale_factor();
+        Self {
+            center: transform.apply_point(self.center),
+            u: transform.apply_direction(self.u),
+            w: transform.apply_direction(self.w),
+            radius: self.radius * scale,
+            sweep: self.sweep * sense,
+            rise: self.rise * scale,
+            start: transform.apply_point(self.start),
+            end: transform.apply_point(self.end),
+        }
+    }
+
+    fn nearest(&self, p: Vec3) -> Nearest {
+        let (t, _) = self.winding().nearest_fraction(p);
+        let point = self.at_fraction(t);
+        Nearest { s: t * self.length(), point, distance: point.distance(p) }
+    }
+
+    fn max_curvature(&self) -> f64 {
+        self.winding().max_curvature()
+    }
+
+    fn chords(&self, tolerance: f64, placement: Placement) -> Result<Chords, ChordError> {
+        Chords::around(self.winding(), self.start, self.end, tolerance, placement)
+    }
+}

@@ -1,0 +1,226 @@
+//! From what a program says about an arc (ends, centre or radius, sense) to the curve.
+
+use crate::{Arc, Curve, Direction, Plane, Spiral, Vec2, Vec3, math};
+
+/// The curve of an arc command, with the numbers a caller judges it by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArcFit {
+    /// Distance from the centre to the start in the plane, mm.
+    pub radius_start: f64,
+    /// Distance from the centre to the end in the plane, mm.
+    pub radius_end: f64,
+    /// Angle travelled, radians, positive counter-clockwise.
+    pub sweep: f64,
+    /// The curve: an arc where the radii agree, otherwise a spiral.
+    pub curve: Curve,
+}
+
+impl ArcFit {
+    /// End radius minus start radius, mm.
+    #[must_use]
+    pub fn radius_error(&self) -> f64 {
+        self.radius_end - self.radius_start
+    }
+}
+
+/// The curve from `start` to `end` (mm) about `center` (mm, in the plane's own two coordinates).
+///
+/// The sweep lies in `(0, 2π]` in the sense of `direction`, plus `extra_turns` full turns. An end on
+/// the ray of the start, coinciding ends among them, is therefore a full turn. Beware what follows
+/// for a centre known to a few digits only: an end that misses that ray by rounding, on the wrong
+/// side, sweeps almost nothing instead of almost everything, or the reverse.
+///
+/// The height along the normal changes evenly with the angle. Radii that differ by at most
+/// `radius_tolerance` (mm) give an [`Arc`] with the start's radius, whose given end then lies off
+/// the circle by that difference; it is meant for differences of rounding, where the gap means
+/// nothing. Beyond it the curve is a [`Spiral`], which is continuous whatever the difference.
+///
+/// ```
+/// use chordal_geometry::{arc_from_center, Curve, Direction, ParamCurve, Plane, Vec3};
+///
+/// let (start, end) = (Vec3::new(10.0, 0.0, 0.0), Vec3::new(0.0, 10.0, 0.0));
+/// let fit = arc_from_center(Plane::Xy, start, end, (0.0, 0.0), Direction::Ccw, 0, 1e-9);
+/// assert!(matches!(fit.curve, Curve::Arc(_)));
+/// assert_eq!(fit.curve.length(), 5.0 * core::f64::consts::PI);
+/// ```
+#[must_use]
+pub fn arc_from_center(
+    plane: Plane,
+    start: Vec3,
+    end: Vec3,
+    center: (f64, f64),
+    direction: Direction,
+    extra_turns: u32,
+    radius_tolerance: f64,
+) -> ArcFit {
+    let ends = Ends::new(plane, start, end, center);
+    let sign = direction.sign();
+    // The multiplication by ±1 is exact. Both products in the cross product of coinciding ends are
+    // the same, so its zero is exact as well and needs no case of its own.
+    let angle = math::atan2(sign * ends.from.cross(ends.to), ends.from.dot(ends.to));
+    let directed = if angle <= 0.0 { angle + math::TAU } else { angle };
+    ends.fit(sign * (directed + f64::from(extra_turns) * math::TAU), radius_tolerance)
+}
+
+/// The curve from `start` to `end` (mm) about `center` (mm, in plane coordinates) with a sweep that
+/// the program gives: `sweep` radians, positive counter-clockwise, of any size.
+///
+/// The ends and the centre fix the angle up to full turns already. The result has the angle nearest
+/// to `sweep` that leads from the start to the end, so the curve is continuous however roughly
+/// `sweep` was rounded; compare [`ArcFit::sweep`] with it to see by how much the two disagree.
+/// `radius_tolerance` (mm) is that of [`arc_from_center`].
+#[must_use]
+pub fn spiral_from_center(
+    plane: Plane,
+    start: Vec3,
+    end: Vec3,
+    center: (f64, f64),
+    sweep: f64,
+    radius_tolerance: f64,
+) -> ArcFit {
+    let ends = Ends::new(plane, start, end, center);
+    let fixed = if ends.radius_start > 0.0 && ends.radius_end > 0.0 {
+        let angle = math::atan2(ends.from.cross(ends.to), ends.from.dot(ends.to));
+        angle + math::TAU * ((sweep - angle) / math::TAU).round()
+    } else {
+        // An end at the centre has no direction to agree with.
+        sweep
+    };
+    ends.fit(fixed, radius_tolerance)
+}
+
+/// Start and end seen from the centre.
+struct Ends {
+    plane: Plane,
+    start: Vec3,
+    end: Vec3,
+    center: Vec2,
+    from: Vec2,
+    to: Vec2,
+    radius_start: f64,
+    radius_end: f64,
+}
+
+impl Ends {
+    fn new(plane: Plane, start: Vec3, end: Vec3, center: (f64, f64)) -> Self {
+        let center = Vec2::from(center);
+        let from = plane.project(start) - center;
+        let to = plane.project(end) - center;
+        let (radius_start, radius_end) = (from.length(), to.length());
+        Self { plane, start, end, center, from, to, radius_start, radius_end }
+    }
+
+    fn fit(&self, sweep: f64, radius_tolerance: f64) -> ArcFit {
+        let &Self { plane, start, end, radius_start, radius_end, .. } = self;
+        let height = plane.height(start);
+        let center = plane.point(self.center, height);
+        let u = plane.point(self.start_direction(sweep), 0.0);
+        let w = plane.normal();
+        let rise = plane.height(end) - height;
+        let curve = if (radius_end - radius_start).abs() <= radius_tolerance {
+            Curve::Arc(Arc { center, u, w, radius: radius_start, sweep, rise, start, end })
+        } else {
+            Curve::Spiral(Spiral {
+                center,
+                u,
+                w,
+                radius_start,
+                radius_end,
+                sweep,
+                rise,
+                start,
+                end,
+            })
+        };
+        ArcFit { radius_start, radius_end, sweep, curve }
+    }
+
+    /// Unit vector from the centre to the start. A start in the centre has none of its own; then it
+    /// is the one from which the sweep leads to the end.
+    fn start_direction(&self, sweep: f64) -> Vec2 {
+        if self.radius_start > 0.0 {
+            return self.from * (1.0 / self.radius_start);
+        }
+        if self.radius_end > 0.0 {
+            let to = self.to * (1.0 / self.radius_end);
+            let (sin, cos) = math::sin_cos(sweep);
+            return Vec2::new(to.a * cos + to.b * sin, to.b * cos - to.a * sin);
+        }
+        Vec2::new(1.0, 0.0)
+    }
+}
+
+/// Why a radius gives no centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RadiusError {
+    /// Start and end coincide in the plane: every centre at that distance would do.
+    FullCircle,
+    /// The radius is too small to reach from start to end.
+    TooShort {
+        /// Distance between start and end in the plane, mm.
+        chord: f64,
+        /// The radius without its sign, mm.
+        radius: f64,
+        /// By how much the radius falls short of half the chord, mm.
+        short_by: f64,
+    },
+    /// A coordinate or the radius is NaN or infinite.
+    NotFinite,
+}
+
+impl core::fmt::Display for RadiusError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            RadiusError::FullCircle => {
+                f.write_str("start and end coincide: a radius does not determine the centre")
+            }
+            RadiusError::TooShort { chord, radius, short_by } => {
+                write!(f, "radius {radius} is short by {short_by}: start and end are {chord} apart")
+            }
+            RadiusError::NotFinite => f.write_str("a coordinate or the radius is not finite"),
+        }
+    }
+}
+
+impl core::error::Error for RadiusError {}
+
+/// The centre (mm, in plane coordinates) of the arc from `start` to `end` with a signed radius, mm:
+/// positive for the arc of at most half a turn, negative for the one of more.
+///
+/// Where twice the radius and the chord differ by at most `midpoint_tolerance` (mm), in either
+/// sense, the centre is the middle of the chord: that is how a half circle with a rounded radius
+/// arrives.
+///
+/// # Errors
+/// See [`RadiusError`].
+pub fn center_from_radius(
+    plane: Plane,
+    start: Vec3,
+    end: Vec3,
+    radius: f64,
+    direction: Direction,
+    midpoint_tolerance: f64,
+) -> Result<(f64, f64), RadiusError> {
+    let from = plane.project(start);
+    let along = plane.project(end) - from;
+    let chord = along.length();
+    let size = radius.abs();
+    if !(chord.is_finite() && size.is_finite()) {
+        return Err(RadiusError::NotFinite);
+    }
+    if chord == 0.0 {
+        return Err(RadiusError::FullCircle);
+    }
+    let half = 0.5 * chord;
+    let middle = from + along * 0.5;
+    if (2.0 * size - chord).abs() <= midpoint_tolerance {
+        return Ok(middle.into());
+    }
+    if size < half {
+        return Err(RadiusError::TooShort { chord, radius: size, short_by: half - size });
+    }
+    // As a product: the difference of squares would lose half the digits near a half circle.
+    let height = ((size - half) * (size + half)).sqrt();
+    let side = if radius < 0.0 { -direction.sign() } else { direction.sign() };
+    Ok((middle + along.turned_left() * (side * height / chord)).into())
+}

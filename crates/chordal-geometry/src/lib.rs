@@ -1,0 +1,62 @@
+//! The exact curves of machine motion: line, circular arc, helix, Archimedean spiral and cone.
+//!
+//! A curve stays exact until somebody asks for chords, and every tolerance is an argument. Lengths
+//! are in millimetres by convention (nothing here depends on it), angles in radians, all `f64`. The
+//! crate knows no program language and no machine. Results are the same to the bit on every
+//! platform: transcendental functions come from `libm`, in one module.
+//!
+//! ```
+//! use chordal_geometry::{Arc, ParamCurve, Placement, Plane};
+//!
+//! // One turn of radius 10 that rises by 3.
+//! let helix = Arc::new(Plane::Xy.frame(), 10.0, core::f64::consts::TAU, 3.0);
+//! let exact = ((core::f64::consts::TAU * 10.0).powi(2) + 9.0).sqrt();
+//! assert!((helix.length() - exact).abs() < 1e-12);
+//! assert_eq!(helix.bounds().max.z, 3.0);
+//!
+//! let corners = helix.chords(0.001, Placement::Balanced)?;
+//! assert_eq!(corners.count(), 159);
+//! # Ok::<(), chordal_geometry::ChordError>(())
+//! ```
+//!
+//! | to | see |
+//! |---|---|
+//! | ask a curve for points, lengths, curvature, boxes, parts | [`ParamCurve`] |
+//! | make a curve of an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
+//! | cut it into chords | [`ParamCurve::chords`], [`Chords`] |
+//! | intersect and offset | [`line_line`], [`line_circle`], [`circle_circle`], [`Line::offset`], [`Arc::offset`] |
+
+#![forbid(unsafe_code)]
+
+mod aabb;
+mod arc;
+mod chords;
+mod curve;
+mod fit;
+mod frame;
+mod intersect;
+mod line;
+mod math;
+mod offset;
+mod plane;
+mod solve;
+mod spiral;
+mod transform;
+mod vec2;
+mod vec3;
+mod winding;
+mod winding_search;
+
+pub use aabb::Aabb;
+pub use arc::Arc;
+pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
+pub use curve::{Curve, Nearest, ParamCurve};
+pub use fit::{ArcFit, RadiusError, arc_from_center, center_from_radius, spiral_from_center};
+pub use frame::Frame;
+pub use intersect::{Circle2, Line2, LineCrossing, Meeting, circle_circle, line_circle, line_line};
+pub use line::Line;
+pub use plane::{Direction, Plane};
+pub use spiral::Spiral;
+pub use transform::Transform;
+pub use vec2::Vec2;
+pub use vec3::Vec3;

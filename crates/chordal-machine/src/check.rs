@@ -1,0 +1,445 @@
+//! Keys and values against the schema, and the good ones into the machine.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::error::{MachineError, Source};
+use crate::machine::Machine;
+use crate::quantity::{Dimension, QuantityError, parse_quantity};
+use crate::schema::{self, Keys, ROWS, Row, Sign, Slot};
+use crate::suggest;
+use crate::value::{Setting, SettingValue};
+
+/// A place in the schema: the path as the schema has it, and as the file has it.
+#[derive(Clone, Default)]
+pub(crate) struct At {
+    path: String,
+    shown: String,
+    keys: Keys,
+}
+
+impl At {
+    /// One key further.
+    pub(crate) fn step(
+        &self,
+        key: &str,
+        span: Range<usize>,
+        source: &Source,
+    ) -> Result<At, MachineError> {
+        let children = schema::children(&self.path);
+        let mut keys = self.keys.clone();
+        let name = match children[..] {
+            [name] if name.starts_with('<') => {
+                if let Err((message, help)) = schema::bind(name, key, &mut keys) {
+                    let help = self.forgotten_quotes(key).unwrap_or(help);
+                    return Err(source.error(Some(span), message, Some(help)));
+                }
+                name
+            }
+            _ => match children.iter().find(|name| **name == key) {
+                Some(name) => name,
+                None => return Err(self.unknown(key, span, &children, source)),
+            },
+        };
+        let join = |before: &str, name: &str| match before {
+            "" => name.to_string(),
+            _ => format!("{before}.{name}"),
+        };
+        Ok(At { path: join(&self.path, name), shown: join(&self.shown, &key_text(key)), keys })
+    }
+
+    /// The schema's row here, if the place is a key or a table with a meaning of its own.
+    pub(crate) fn row(&self) -> Option<&'static Row> {
+        schema::row(&self.path)
+    }
+
+    /// `[work_offsets.G59.1]` is a table `1` in a table `G59`.
+    fn forgotten_quotes(&self, key: &str) -> Option<String> {
+        let digits = key.starts_with(|c: char| c.is_ascii_digit());
+        let offset = self.shown.strip_prefix("work_offsets.").filter(|_| digits)?;
+        Some(format!("a name with a point needs quotes: `work_offsets.\"{offset}.{key}\"`"))
+    }
+
+    fn unknown(
+        &self,
+        key: &str,
+        span: Range<usize>,
+        children: &[&'static str],
+        source: &Source,
+    ) -> MachineError {
+        // `max_velocity` in `[feed]`: the key is `max`, and the rest says what the table says.
+        let longer = children
+            .iter()
+            .copied()
+            .find(|name| key.strip_prefix(name).is_some_and(|rest| rest.starts_with(['_', '-'])));
+        let near = longer.or_else(|| suggest::nearest(key, children.iter().copied()));
+        let near = near.map(|near| {
+            if self.shown.is_empty() { near.to_string() } else { format!("{}.{near}", self.shown) }
+        });
+        let near = near.or_else(|| elsewhere(key).map(str::to_string));
+        let (message, takes) = match self.shown.as_str() {
+            "" => (format!("a machine file has no key `{key}`"), "its keys are".to_string()),
+            shown => (format!("`{shown}` has no key `{key}`"), "it takes".to_string()),
+        };
+        let help = match near {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => {
+                let names: Vec<String> = children.iter().map(|name| format!("`{name}`")).collect();
+                format!("{takes} {}", names.join(", "))
+            }
+        };
+        source.error(Some(span), message, Some(help))
+    }
+}
+
+/// The key of another table that somebody may have meant.
+fn elsewhere(key: &str) -> Option<&'static str> {
+    let same_name = ROWS.iter().find(|row| row.name().eq_ignore_ascii_case(key));
+    let joined = || {
+        let key = key.replace(['-', ' '], "_");
+        let paths: Vec<String> = ROWS.iter().map(|row| row.path.replace('.', "_")).collect();
+        let near = suggest::nearest(&key, paths.iter().map(String::as_str))?;
+        ROWS.iter().find(|row| row.path.replace('.', "_") == near)
+    };
+    same_name.or_else(joined).map(|row| row.path)
+}
+
+/// A key as TOML writes it: bare where it may be, else quoted.
+pub(crate) fn key_text(key: &str) -> String {
+    let bare = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-';
+    if !key.is_empty() && key.bytes().all(bare) { key.to_string() } else { string_text(key) }
+}
+
+/// A text as TOML writes it.
+pub(crate) fn string_text(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// Puts a table's keys into a machine.
+pub(crate) fn put_table(
+    machine: &mut Machine,
+    at: &At,
+    table: &DeTable<'_>,
+    source: &Source,
+    errors: &mut Vec<MachineError>,
+) {
+    for (key, value) in table {
+        // Which file to inherit from has been read before.
+        if at.path.is_empty() && key.get_ref() == "inherits" {
+            continue;
+        }
+        match at.step(key.get_ref(), key.span(), source) {
+            Ok(at) => put(machine, &at, value, source, errors),
+            Err(error) => errors.push(error),
+        }
+    }
+}
+
+/// Puts a value or a table into a machine.
+pub(crate) fn put(
+    machine: &mut Machine,
+    at: &At,
+    value: &Spanned<DeValue<'_>>,
+    source: &Source,
+    errors: &mut Vec<MachineError>,
+) {
+    let children = schema::children(&at.path);
+    match (value.get_ref(), at.row()) {
+        (DeValue::Table(table), row) if !children.is_empty() => {
+            match row.map(|row| &row.slot) {
+                Some(Slot::Table(create)) => create(machine, &at.keys),
+                Some(Slot::Axis) => set_axis(machine, &at.keys, true),
+                _ => {}
+            }
+            put_table(machine, at, table, source, errors);
+        }
+        (_, Some(row)) => {
+            let value = Value { row, at, value, source };
+            if let Err(error) = value.put(machine) {
+                errors.push(error);
+            }
+        }
+        (other, None) => errors.push(is_a_table(at, other, value.span(), &children, source)),
+    }
+}
+
+fn is_a_table(
+    at: &At,
+    value: &DeValue<'_>,
+    span: Range<usize>,
+    children: &[&str],
+    source: &Source,
+) -> MachineError {
+    let message = format!("`{}` is a table; this is {}", at.shown, article(value));
+    let first = children.first().copied().unwrap_or("key");
+    source.error(Some(span), message, Some(format!("write `{}.{first} = …`", at.shown)))
+}
+
+fn set_axis(machine: &mut Machine, keys: &Keys, there: bool) {
+    if let Some(axis) = keys.axis {
+        let slot = &mut machine.axes[axis as usize];
+        *slot = there.then(|| slot.unwrap_or_default());
+    }
+}
+
+/// A value with all that is needed to say what is wrong with it.
+struct Value<'v> {
+    row: &'static Row,
+    at: &'v At,
+    value: &'v Spanned<DeValue<'v>>,
+    source: &'v Source,
+}
+
+impl Value<'_> {
+    fn put(&self, machine: &mut Machine) -> Result<(), MachineError> {
+        let keys = &self.at.keys;
+        let value = self.value.get_ref();
+        match &self.row.slot {
+            Slot::Quantity { dimension, sign, place } => {
+                *place(machine, keys) = Some(self.quantity(self.value, *dimension, *sign)?);
+            }
+            Slot::Range { dimension, place } => {
+                *place(machine, keys) = Some(self.range(*dimension)?);
+            }
+            Slot::Text(place) => *place(machine, keys) = self.text(self.value)?,
+            Slot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
+            Slot::TextList(place) => {
+                *place(machine, keys) = match value {
+                    DeValue::Array(items) => {
+                        items.iter().map(|item| self.text(item)).collect::<Result<_, _>>()?
+                    }
+                    _ => vec![self.text(self.value)?],
+                };
+            }
+            Slot::Word { what, words, set } => set(machine, self.word(what, words)?),
+            Slot::Flag(place) => match value {
+                DeValue::Boolean(flag) => *place(machine, keys) = *flag,
+                _ => return Err(self.takes("`true` or `false`", None)),
+            },
+            Slot::Switches => machine.switches.block_delete = self.switches()?,
+            Slot::Setting => {
+                let location = Some(self.source.location(self.value.span()));
+                let setting = Setting { value: self.setting()?, location };
+                // A later spelling replaces an earlier one: case does not matter to a control.
+                machine.settings.retain(|name, _| !name.eq_ignore_ascii_case(&keys.name));
+                machine.settings.insert(keys.name.clone(), setting);
+            }
+            Slot::Axis => match value {
+                DeValue::Boolean(there) => set_axis(machine, keys, *there),
+                _ => return Err(self.is_a_table()),
+            },
+            Slot::Table(_) => return Err(self.is_a_table()),
+            Slot::Inherits => {
+                let message = "`inherits` stands in a machine file and cannot be changed later";
+                return Err(self.error(message, None));
+            }
+        }
+        Ok(())
+    }
+
+    fn error(&self, message: impl Into<String>, help: Option<String>) -> MachineError {
+        self.source.error(Some(self.value.span()), message, help)
+    }
+
+    fn is_a_table(&self) -> MachineError {
+        let children = schema::children(&self.at.path);
+        is_a_table(self.at, self.value.get_ref(), self.value.span(), &children, self.source)
+    }
+
+    /// "`travel` takes two lengths; this is a whole number".
+    fn takes(&self, what: &str, help: Option<String>) -> MachineError {
+        let found = article(self.value.get_ref());
+        self.error(format!("`{}` takes {what}; this is {found}", self.name()), help)
+    }
+
+    /// What messages call the key: its name, or the whole path where that alone says too little.
+    fn name(&self) -> &str {
+        let name = self.row.name();
+        let alone = ROWS.iter().filter(|row| row.name() == name).count() == 1;
+        if alone && !self.row.path.ends_with('>') { name } else { &self.at.shown }
+    }
+
+    fn quantity(
+        &self,
+        value: &Spanned<DeValue<'_>>,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Result<f64, MachineError> {
+        let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
+        let dimension = if rotary { dimension.of_rotary() } else { dimension };
+        let result = match value.get_ref() {
+            DeValue::String(text) => parse_quantity(text, dimension),
+            DeValue::Integer(number) => {
+                Err(QuantityError::NoUnit { text: number.to_string(), dimension })
+            }
+            DeValue::Float(number) => {
+                Err(QuantityError::NoUnit { text: number.to_string(), dimension })
+            }
+            other => {
+                let (noun, units) = (dimension.noun(), dimension.units());
+                let help = format!("{noun} is a number with a unit: {}", suggest::or_list(units));
+                let found = article(other);
+                let message = format!("`{}` takes {noun}; this is {found}", self.name());
+                return Err(self.source.error(Some(value.span()), message, Some(help)));
+            }
+        };
+        let fault = |message: String, help: Option<String>| {
+            Err(self.source.error(Some(value.span()), message, help))
+        };
+        match result {
+            Err(error) => fault(
+                format!("`{}` takes {}; {}", self.name(), dimension.noun(), error.fault()),
+                error.help(),
+            ),
+            Ok(number) if sign == Sign::Positive && number <= 0.0 => {
+                fault(format!("`{}` must be more than zero", self.name()), None)
+            }
+            Ok(number) if sign == Sign::NotNegative && number < 0.0 => {
+                fault(format!("`{}` cannot be negative", self.name()), None)
+            }
+            Ok(number) => Ok(number),
+        }
+    }
+
+    fn range(&self, dimension: Dimension) -> Result<(f64, f64), MachineError> {
+        let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
+        let (what, example) = match rotary {
+            true => ("two angles", "[\"-110 deg\", \"30 deg\"]"),
+            false => ("two lengths", "[\"0 mm\", \"762 mm\"]"),
+        };
+        let help = Some(format!("write the lower and the higher end: `{example}`"));
+        let DeValue::Array(items) = self.value.get_ref() else {
+            return Err(self.takes(what, help));
+        };
+        let (Some(low), Some(high), 2) = (items.first(), items.get(1), items.len()) else {
+            let message = format!("`{}` takes {what}, not {}", self.name(), items.len());
+            return Err(self.error(message, help));
+        };
+        let from = self.quantity(low, dimension, Sign::Any)?;
+        let to = self.quantity(high, dimension, Sign::Any)?;
+        if from < to {
+            return Ok((from, to));
+        }
+        let written = |item: &Spanned<DeValue<'_>>| match item.get_ref() {
+            DeValue::String(text) => text.to_string(),
+            _ => String::new(),
+        };
+        let (low, high) = (written(low), written(high));
+        if from > to {
+            let message = format!("`{}` is reversed: `{low}` is above `{high}`", self.name());
+            return Err(self.error(message, Some(format!("write `[\"{high}\", \"{low}\"]`"))));
+        }
+        Err(self.error(format!("`{}` has no room: both ends are `{low}`", self.name()), None))
+    }
+
+    fn text(&self, value: &Spanned<DeValue<'_>>) -> Result<String, MachineError> {
+        match value.get_ref() {
+            DeValue::String(text) => Ok(text.to_string()),
+            other => {
+                let message = format!("`{}` takes a text; this is {}", self.name(), article(other));
+                let help = "put it in quotes".to_string();
+                Err(self.source.error(Some(value.span()), message, Some(help)))
+            }
+        }
+    }
+
+    fn word(&self, what: &str, words: &[&'static str]) -> Result<&'static str, MachineError> {
+        let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+        let all = suggest::or_list(&quoted);
+        let DeValue::String(text) = self.value.get_ref() else {
+            return Err(self.takes(&all, None));
+        };
+        if let Some(word) = words.iter().find(|word| word.eq_ignore_ascii_case(text)) {
+            return Ok(word);
+        }
+        let help = match suggest::nearest(text, words.iter().copied()) {
+            Some(near) => format!("did you mean \"{near}\"?"),
+            None => format!("it is one of {all}"),
+        };
+        Err(self.error(format!("`{text}` is not a {what}"), Some(help)))
+    }
+
+    fn switches(&self) -> Result<[bool; 10], MachineError> {
+        let wanted = "`true`, `false` or a list of switch numbers from 1 to 9";
+        match self.value.get_ref() {
+            DeValue::Boolean(all) => Ok([*all; 10]),
+            DeValue::Array(items) => {
+                let mut switches = [false; 10];
+                for item in items {
+                    let number = match item.get_ref() {
+                        DeValue::Integer(_) => integer(item.get_ref()),
+                        _ => None,
+                    };
+                    match number.and_then(|number| usize::try_from(number).ok()) {
+                        Some(number @ 1..=9) => switches[number] = true,
+                        _ => {
+                            let message = format!("`{}` takes {wanted}", self.name());
+                            return Err(self.source.error(Some(item.span()), message, None));
+                        }
+                    }
+                }
+                switches[0] = switches[1];
+                Ok(switches)
+            }
+            _ => Err(self.takes(wanted, None)),
+        }
+    }
+
+    fn setting(&self) -> Result<SettingValue, MachineError> {
+        match self.value.get_ref() {
+            DeValue::String(text) => Ok(SettingValue::Text(text.to_string())),
+            DeValue::Boolean(flag) => Ok(SettingValue::Bool(*flag)),
+            value @ DeValue::Integer(number) => integer(value)
+                .map(SettingValue::Integer)
+                .ok_or_else(|| self.error(format!("`{number}` is out of range"), None)),
+            DeValue::Float(number) => number
+                .as_str()
+                .parse::<f64>()
+                .ok()
+                .filter(|number| number.is_finite())
+                .map(SettingValue::Float)
+                .ok_or_else(|| {
+                    self.error(
+                        format!("`{}` is no number a control can hold", number.as_str()),
+                        None,
+                    )
+                }),
+            DeValue::Table(_) => {
+                let help = "a name with a point needs quotes, as `\"No. 3410\" = 5`".to_string();
+                Err(self.takes("a text, a number or `true`/`false`", Some(help)))
+            }
+            _ => Err(self.takes("a text, a number or `true`/`false`", None)),
+        }
+    }
+}
+
+fn integer(value: &DeValue<'_>) -> Option<i64> {
+    let number = value.as_integer()?;
+    i64::from_str_radix(number.as_str(), number.radix()).ok()
+}
+
+fn article(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "a whole number",
+        DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

@@ -1,0 +1,104 @@
+//! What is wrong with a machine file, with all that is needed to underline it.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A problem in a machine file, an assignment or a tool table.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}: {message}", self.place())]
+pub struct MachineError {
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead.
+    pub help: Option<String>,
+    /// The file's name, as the caller gave it.
+    pub file: String,
+    /// The bytes of `text` to underline; `None` where something is missing altogether.
+    pub span: Option<Range<usize>>,
+    /// The whole text of the file.
+    pub text: Arc<str>,
+}
+
+impl MachineError {
+    /// The line of the span's start, from 1.
+    pub fn line(&self) -> Option<usize> {
+        let before = &self.text.as_bytes()[..self.span.as_ref()?.start.min(self.text.len())];
+        Some(1 + before.iter().filter(|byte| **byte == b'\n').count())
+    }
+
+    /// `file:line`.
+    fn place(&self) -> String {
+        match self.line() {
+            Some(line) => format!("{}:{line}", self.file),
+            None => self.file.clone(),
+        }
+    }
+
+    /// The text that the span underlines; empty without a span.
+    pub fn underlined(&self) -> &str {
+        self.span.clone().and_then(|span| self.text.get(span)).unwrap_or("")
+    }
+}
+
+/// Where something was written.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Location {
+    /// The file's name.
+    pub file: Arc<str>,
+    /// The bytes of `text`.
+    pub span: Range<usize>,
+    /// The whole text of the file.
+    pub text: Arc<str>,
+}
+
+impl fmt::Debug for Location {
+    /// Leaves the file's text out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}..{}", self.file, self.span.start, self.span.end)
+    }
+}
+
+/// A text that errors point into. Spans given to it count from `shift`.
+#[derive(Clone)]
+pub(crate) struct Source {
+    pub(crate) file: Arc<str>,
+    pub(crate) text: Arc<str>,
+    pub(crate) shift: usize,
+}
+
+impl Source {
+    pub(crate) fn new(file: &str, text: &str) -> Self {
+        Source { file: file.into(), text: text.into(), shift: 0 }
+    }
+
+    /// The span in the whole text, held to its bounds and to whole characters.
+    pub(crate) fn span(&self, span: Range<usize>) -> Range<usize> {
+        let held = |at: usize| {
+            let at = (at + self.shift).min(self.text.len());
+            (0..=at).rev().find(|at| self.text.is_char_boundary(*at)).unwrap_or(0)
+        };
+        let start = held(span.start);
+        start..held(span.end).max(start)
+    }
+
+    pub(crate) fn error(
+        &self,
+        span: Option<Range<usize>>,
+        message: impl Into<String>,
+        help: Option<String>,
+    ) -> MachineError {
+        let span = span.map(|span| self.span(span));
+        MachineError {
+            message: message.into(),
+            help,
+            file: self.file.to_string(),
+            span,
+            text: self.text.clone(),
+        }
+    }
+
+    pub(crate) fn location(&self, span: Range<usize>) -> Location {
+        Location { file: self.file.clone(), span: self.span(span), text: self.text.clone() }
+    }
+}

@@ -1,0 +1,56 @@
+//! What a shop knows of a machine: axes and their limits, feeds, tools, work offsets and the
+//! control's own settings, as plain data read from TOML.
+//!
+//! Inside, lengths are millimetres, times are seconds and angles are radians. In a machine file
+//! every quantity is a text with its unit (`"0.5 in"`, `"25 m/min"`), so no number is ever read
+//! in the wrong unit, and each conversion is exact to the last bit: one rounding, at the end.
+//!
+//! One table of rows ([`schema_reference`] prints it) says which keys a machine file may have.
+//! Checking, suggestions for misspelt keys, [`Machine::set`] and the reference come from it.
+//!
+//! ```
+//! use chordal_machine::Machine;
+//!
+//! let text = "inherits = 'haas-vf2'\n[tools.5]\ndiameter = '0.5 in'";
+//! let no_files = |name: &str| Err(format!("no file {name}"));
+//! let mut machine = Machine::from_toml("mine.toml", text, &no_files).unwrap();
+//! assert_eq!(machine.tools[&5].diameter_mm, Some(12.7));
+//!
+//! machine.set("feed.max = 300 in/min").unwrap();
+//! assert_eq!(machine.feed.max_mm_per_s, Some(127.0));
+//!
+//! let error = machine.set("feed.max = 300").unwrap_err();
+//! assert_eq!(error.message, "`feed.max` takes a velocity; `300` has no unit");
+//! ```
+//!
+//! The crate touches no file: who calls gives the text, and a `loader` for the files that
+//! `inherits` names.
+#![forbid(unsafe_code)]
+
+mod assign;
+mod axis;
+mod builtin;
+mod check;
+mod control;
+mod decimal;
+mod error;
+mod machine;
+mod offset;
+mod quantity;
+mod read;
+mod schema;
+mod suggest;
+mod tool_tbl;
+mod value;
+mod write;
+
+pub use axis::Axis;
+pub use builtin::{builtin, builtin_names};
+pub use control::{ControlName, UnknownControl};
+pub use error::{Location, MachineError};
+pub use machine::{AxisLimits, FeedLimits, Machine, RapidShape, Switches, Times, Tool, WorkOffset};
+pub use offset::work_offset_name;
+pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use schema::schema_reference;
+pub use tool_tbl::read_tool_tbl;
+pub use value::{Setting, SettingValue};

@@ -1,0 +1,171 @@
+//! The machine as plain data. Millimetres, seconds and radians.
+
+use std::collections::BTreeMap;
+
+use crate::axis::Axis;
+use crate::control::ControlName;
+use crate::value::Setting;
+
+/// A machine and what its shop has set on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Machine {
+    /// The name it is called by: the file's name without folder and ending, unless it says one.
+    pub name: String,
+    /// A name for people; the same as `name` where the file gives none.
+    pub title: String,
+    /// Remarks.
+    pub notes: Vec<String>,
+    /// Whose rules its programs are read by.
+    pub control: ControlName,
+    /// The axes by `axis as usize`; `None`: the machine has no such axis.
+    pub axes: [Option<AxisLimits>; 6],
+    /// The fastest feeds that may be programmed.
+    pub feed: FeedLimits,
+    /// The path of a rapid move; `None`: the control's default.
+    pub rapid: Option<RapidShape>,
+    /// The fastest spindle speed, revolutions per minute.
+    pub spindle_max_rpm: Option<f64>,
+    /// The tools by number.
+    pub tools: BTreeMap<u32, Tool>,
+    /// The work offsets by the names that [`work_offset_name`](crate::work_offset_name) gives.
+    pub work_offsets: BTreeMap<String, WorkOffset>,
+    /// The control's own settings, by the names its manual uses.
+    pub settings: BTreeMap<String, Setting>,
+    /// Reference point 1, in machine coordinates.
+    pub home: [Option<f64>; 6],
+    /// Reference points 2, 3 and 4, in machine coordinates.
+    pub reference_points: [[Option<f64>; 6]; 3],
+    /// The switches of the operator's panel.
+    pub switches: Switches,
+    /// The plane above which rapids may move freely, Z in work coordinates.
+    pub clearance_mm: Option<f64>,
+    /// What takes time besides moving.
+    pub times: Times,
+}
+
+/// The limits of an axis: millimetres, or radians on a rotary axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxisLimits {
+    /// The lowest and the highest position, machine coordinates, mm or rad.
+    pub travel: Option<(f64, f64)>,
+    /// Rapid speed, mm/s or rad/s.
+    pub max_velocity: Option<f64>,
+    /// mm/s² or rad/s².
+    pub max_acceleration: Option<f64>,
+    /// mm/s³ or rad/s³.
+    pub max_jerk: Option<f64>,
+}
+
+/// The fastest feeds that may be programmed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FeedLimits {
+    /// Of a move with a linear axis in it, mm/s.
+    pub max_mm_per_s: Option<f64>,
+    /// Of a move of rotary axes alone, rad/s.
+    pub max_rad_per_s: Option<f64>,
+}
+
+/// The path of a rapid move of several axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RapidShape {
+    /// Every axis at its own speed until it arrives.
+    DogLeg,
+    /// A straight line, as fast as the slowest axis allows.
+    Straight,
+}
+
+impl RapidShape {
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            RapidShape::DogLeg => "dog-leg",
+            RapidShape::Straight => "straight",
+        }
+    }
+}
+
+/// A tool and its offsets.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tool {
+    /// The diameter.
+    pub diameter_mm: Option<f64>,
+    /// What is added to the diameter.
+    pub diameter_wear_mm: Option<f64>,
+    /// The length offset.
+    pub length_mm: Option<f64>,
+    /// What is added to the length.
+    pub length_wear_mm: Option<f64>,
+    /// The radius of the corner between side and end.
+    pub corner_radius_mm: Option<f64>,
+    /// Free text, as `end mill`.
+    pub kind: Option<String>,
+    /// Free text.
+    pub comment: Option<String>,
+}
+
+/// A work offset: where the zero of a work coordinate system is, in machine coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WorkOffset {
+    /// By `axis as usize`, mm or rad; `None`: not given.
+    pub values: [Option<f64>; 6],
+}
+
+/// The switches of the operator's panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Switches {
+    /// Block delete: `/1` to `/9` by number. Number 0 is the bare `/` and equals number 1.
+    pub block_delete: [bool; 10],
+    /// Optional stop: M01 stops.
+    pub optional_stop: bool,
+}
+
+/// What takes time besides moving.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Times {
+    /// A change of tool, from M06 to the next move.
+    pub tool_change_s: Option<f64>,
+}
+
+impl Machine {
+    /// A machine of which only the control is known: X, Y and Z without limits.
+    pub fn new(name: &str, control: ControlName) -> Machine {
+        let mut machine = Machine::without_axes(name, control);
+        machine.give_default_axes();
+        machine
+    }
+
+    pub(crate) fn without_axes(name: &str, control: ControlName) -> Machine {
+        Machine {
+            name: name.to_string(),
+            title: name.to_string(),
+            notes: Vec::new(),
+            control,
+            axes: [None; 6],
+            feed: FeedLimits::default(),
+            rapid: None,
+            spindle_max_rpm: None,
+            tools: BTreeMap::new(),
+            work_offsets: BTreeMap::new(),
+            settings: BTreeMap::new(),
+            home: [None; 6],
+            reference_points: [[None; 6]; 3],
+            switches: Switches::default(),
+            clearance_mm: None,
+            times: Times::default(),
+        }
+    }
+
+    /// X, Y and Z without limits, where no axis is known.
+    pub(crate) fn give_default_axes(&mut self) {
+        if self.axes.iter().all(Option::is_none) {
+            for axis in [Axis::X, Axis::Y, Axis::Z] {
+                self.axes[axis as usize] = Some(AxisLimits::default());
+            }
+        }
+    }
+
+    /// The limits of an axis; `None`: the machine has no such axis.
+    pub fn axis(&self, axis: Axis) -> Option<&AxisLimits> {
+        self.axes[axis as usize].as_ref()
+    }
+}

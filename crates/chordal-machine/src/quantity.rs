@@ -1,0 +1,355 @@
+//! Quantities: texts with a unit, read exactly.
+
+use crate::decimal::{Decimal, Factor};
+use crate::suggest;
+
+/// What kind of quantity is due, and with it the unit it is read into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dimension {
+    /// Millimetres.
+    Length,
+    /// Radians.
+    Angle,
+    /// Seconds.
+    Time,
+    /// Millimetres per second.
+    Velocity,
+    /// Radians per second.
+    AngularVelocity,
+    /// mm/s².
+    Acceleration,
+    /// rad/s².
+    AngularAcceleration,
+    /// mm/s³.
+    Jerk,
+    /// rad/s³.
+    AngularJerk,
+    /// Revolutions per minute, as spindles are rated.
+    SpindleSpeed,
+}
+
+impl Dimension {
+    /// Its name with an article: `a length`.
+    pub const fn noun(self) -> &'static str {
+        match self {
+            Dimension::Length => "a length",
+            Dimension::Angle => "an angle",
+            Dimension::Time => "a time",
+            Dimension::Velocity => "a velocity",
+            Dimension::AngularVelocity => "an angular velocity",
+            Dimension::Acceleration => "an acceleration",
+            Dimension::AngularAcceleration => "an angular acceleration",
+            Dimension::Jerk => "a jerk",
+            Dimension::AngularJerk => "an angular jerk",
+            Dimension::SpindleSpeed => "a spindle speed",
+        }
+    }
+
+    /// The units to show somebody who wrote none.
+    pub const fn units(self) -> &'static [&'static str] {
+        match self {
+            Dimension::Length => &["in", "mm"],
+            Dimension::Angle => &["deg", "rad"],
+            Dimension::Time => &["s", "ms", "min"],
+            Dimension::Velocity => &["in/min", "mm/min", "m/min", "mm/s"],
+            Dimension::AngularVelocity => &["deg/s", "deg/min", "rpm"],
+            Dimension::Acceleration => &["mm/s^2", "m/s^2", "in/s^2"],
+            Dimension::AngularAcceleration => &["deg/s^2", "rad/s^2"],
+            Dimension::Jerk => &["mm/s^3", "m/s^3", "in/s^3"],
+            Dimension::AngularJerk => &["deg/s^3", "rad/s^3"],
+            Dimension::SpindleSpeed => &["rpm"],
+        }
+    }
+
+    /// The unit a quantity is read into.
+    pub const fn inside(self) -> &'static str {
+        match self {
+            Dimension::Length => "mm",
+            Dimension::Angle => "rad",
+            Dimension::Time => "s",
+            Dimension::Velocity => "mm/s",
+            Dimension::AngularVelocity => "rad/s",
+            Dimension::Acceleration => "mm/s^2",
+            Dimension::AngularAcceleration => "rad/s^2",
+            Dimension::Jerk => "mm/s^3",
+            Dimension::AngularJerk => "rad/s^3",
+            Dimension::SpindleSpeed => "rpm",
+        }
+    }
+
+    /// The same of a rotary axis: an angle for a length, and so on.
+    pub const fn of_rotary(self) -> Dimension {
+        match self {
+            Dimension::Length => Dimension::Angle,
+            Dimension::Velocity => Dimension::AngularVelocity,
+            Dimension::Acceleration => Dimension::AngularAcceleration,
+            Dimension::Jerk => Dimension::AngularJerk,
+            other => other,
+        }
+    }
+
+    /// The dimension of a base over a power of time; `None`: nothing a machine has.
+    const fn of(base: Base, per_time: i64) -> Option<Dimension> {
+        match (base, per_time) {
+            (Base::Length, 0) => Some(Dimension::Length),
+            (Base::Length, 1) => Some(Dimension::Velocity),
+            (Base::Length, 2) => Some(Dimension::Acceleration),
+            (Base::Length, 3) => Some(Dimension::Jerk),
+            (Base::Angle | Base::Turn, 0) => Some(Dimension::Angle),
+            (Base::Angle | Base::Turn, 1) => Some(Dimension::AngularVelocity),
+            (Base::Angle | Base::Turn, 2) => Some(Dimension::AngularAcceleration),
+            (Base::Angle | Base::Turn, 3) => Some(Dimension::AngularJerk),
+            (Base::Time, 0) => Some(Dimension::Time),
+            _ => None,
+        }
+    }
+}
+
+/// Why a text is not the quantity that is due.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{} is due; {}", self.dimension().noun(), self.fault())]
+pub enum QuantityError {
+    /// It does not start with a number.
+    NotANumber {
+        /// The text.
+        text: String,
+        /// What was due.
+        dimension: Dimension,
+    },
+    /// A number without a unit.
+    NoUnit {
+        /// The number.
+        text: String,
+        /// What was due.
+        dimension: Dimension,
+    },
+    /// An unknown unit.
+    UnknownUnit {
+        /// The text.
+        text: String,
+        /// The unit in it.
+        unit: String,
+        /// What was due.
+        dimension: Dimension,
+    },
+    /// Another kind of quantity.
+    WrongDimension {
+        /// The text.
+        text: String,
+        /// What it is; `None`: nothing a machine has.
+        found: Option<Dimension>,
+        /// What was due.
+        dimension: Dimension,
+    },
+    /// A number too large to hold.
+    OutOfRange {
+        /// The text.
+        text: String,
+        /// What was due.
+        dimension: Dimension,
+    },
+}
+
+impl QuantityError {
+    /// What was due.
+    pub const fn dimension(&self) -> Dimension {
+        match self {
+            QuantityError::NotANumber { dimension, .. }
+            | QuantityError::NoUnit { dimension, .. }
+            | QuantityError::UnknownUnit { dimension, .. }
+            | QuantityError::WrongDimension { dimension, .. }
+            | QuantityError::OutOfRange { dimension, .. } => *dimension,
+        }
+    }
+
+    /// What is wrong with the text, without what was due.
+    pub fn fault(&self) -> String {
+        match self {
+            QuantityError::NotANumber { text, .. } => {
+                format!("`{text}` does not start with a number")
+            }
+            QuantityError::NoUnit { text, .. } => format!("`{text}` has no unit"),
+            QuantityError::UnknownUnit { unit, .. } => format!("`{unit}` is not a unit"),
+            QuantityError::WrongDimension { text, found: Some(found), .. } => {
+                format!("`{text}` is {}", found.noun())
+            }
+            QuantityError::WrongDimension { text, found: None, .. } => {
+                format!("`{text}` is no quantity of a machine")
+            }
+            QuantityError::OutOfRange { text, .. } => format!("`{text}` is out of range"),
+        }
+    }
+
+    /// What to write instead.
+    pub fn help(&self) -> Option<String> {
+        let number = match self {
+            QuantityError::NoUnit { text, .. } => text.as_str(),
+            QuantityError::UnknownUnit { text, unit, dimension } => {
+                let near = suggest::nearest(unit, dimension.units().iter().copied());
+                let number = text.strip_suffix(unit.as_str()).unwrap_or("1").trim_end();
+                if let Some(near) = near {
+                    return Some(format!("did you mean \"{number} {near}\"?"));
+                }
+                number
+            }
+            QuantityError::OutOfRange { .. } => return None,
+            QuantityError::NotANumber { .. } | QuantityError::WrongDimension { .. } => "",
+        };
+        if number.is_empty() {
+            let (noun, units) = (self.dimension().noun(), self.dimension().units());
+            return Some(format!("{noun} is a number with a unit: {}", suggest::or_list(units)));
+        }
+        let forms: Vec<String> =
+            self.dimension().units().iter().map(|unit| format!("\"{number} {unit}\"")).collect();
+        Some(format!("write it with its unit: {}", suggest::or_list(&forms)))
+    }
+}
+
+/// What a unit measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Base {
+    Length,
+    Angle,
+    /// An angle counted in revolutions.
+    Turn,
+    Time,
+}
+
+struct Unit {
+    names: &'static [&'static str],
+    base: Base,
+    factor: Factor,
+}
+
+/// π to 79 decimals.
+const PI: &str = "31415926535897932384626433832795028841971693993751058209749445923078164062862090";
+/// 2π to 79 decimals.
+const TWO_PI: &str =
+    "62831853071795864769252867665590057683943387987502116419498891846156328125724180";
+const PI_DECIMALS: i64 = 79;
+
+const fn unit(
+    names: &'static [&'static str],
+    base: Base,
+    digits: &'static str,
+    exponent: i64,
+    denominator: u64,
+) -> Unit {
+    Unit { names, base, factor: Factor { digits, exponent, denominator } }
+}
+
+/// The units, in millimetres, radians and seconds. Case does not matter: there is no mega-metre
+/// and no mega-second on a machine.
+const UNITS: &[Unit] = &[
+    unit(
+        &["mm", "millimetre", "millimetres", "millimeter", "millimeters"],
+        Base::Length,
+        "1",
+        0,
+        1,
+    ),
+    unit(&["in", "inch", "inches", "\""], Base::Length, "254", -1, 1),
+    unit(&["ft", "foot", "feet"], Base::Length, "3048", -1, 1),
+    unit(&["m"], Base::Length, "1", 3, 1),
+    unit(&["cm"], Base::Length, "1", 1, 1),
+    // The two code points of the Greek letter: the micro sign and the letter mu.
+    unit(&["um", "\u{b5}m", "\u{3bc}m"], Base::Length, "1", -3, 1),
+    unit(&["rad"], Base::Angle, "1", 0, 1),
+    unit(&["deg", "degree", "degrees", "\u{b0}"], Base::Angle, PI, -PI_DECIMALS, 180),
+    unit(&["rev", "turn", "turns"], Base::Turn, TWO_PI, -PI_DECIMALS, 1),
+    unit(&["s", "sec", "second", "seconds"], Base::Time, "1", 0, 1),
+    unit(&["ms"], Base::Time, "1", -3, 1),
+    unit(&["min", "minute", "minutes"], Base::Time, "6", 1, 1),
+];
+
+/// Units with a name of their own for something over a time.
+const SHORT: &[(&str, &str)] = &[("rpm", "rev/min"), ("ipm", "in/min")];
+
+fn find_unit(name: &str) -> Option<&'static Unit> {
+    let name = name.trim();
+    UNITS.iter().find(|unit| unit.names.iter().any(|own| own.eq_ignore_ascii_case(name)))
+}
+
+/// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
+/// ([`Dimension::inside`]). The digits are converted exactly and rounded once.
+pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    let text = text.trim();
+    let own = || text.to_string();
+    let Some((number, rest)) = Decimal::read(text) else {
+        return Err(QuantityError::NotANumber { text: own(), dimension });
+    };
+    let written = rest.trim();
+    if written.is_empty() {
+        return Err(QuantityError::NoUnit { text: own(), dimension });
+    }
+    let Some((base, per_time, factor)) = read_unit(written) else {
+        return Err(QuantityError::UnknownUnit {
+            text: own(),
+            unit: written.to_string(),
+            dimension,
+        });
+    };
+    let found = Dimension::of(base, per_time);
+    let factor = match dimension {
+        // In revolutions per minute: π does not come into it.
+        Dimension::SpindleSpeed if base == Base::Turn && per_time == 1 => {
+            Factor { digits: "60", exponent: factor.exponent + PI_DECIMALS, ..factor }
+        }
+        _ if found == Some(dimension) => factor,
+        _ => return Err(QuantityError::WrongDimension { text: own(), found, dimension }),
+    };
+    let value = number.times(factor);
+    if !value.is_finite() {
+        return Err(QuantityError::OutOfRange { text: own(), dimension });
+    }
+    Ok(value)
+}
+
+/// A decimal number in inches or millimetres, exactly, in millimetres.
+pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
+    let (number, rest) = Decimal::read(text)?;
+    let (digits, exponent) = if millimetres { ("1", 0) } else { ("254", -1) };
+    let value = number.times(Factor { digits, exponent, denominator: 1 });
+    (rest.is_empty() && value.is_finite()).then_some(value)
+}
+
+/// What a unit measures, over which power of time, and its factor.
+fn read_unit(text: &str) -> Option<(Base, i64, Factor)> {
+    let text = SHORT
+        .iter()
+        .find(|(short, _)| short.eq_ignore_ascii_case(text))
+        .map_or(text, |(_, long)| long);
+    let mut parts = text.split('/');
+    let top = find_unit(parts.next()?)?;
+    let mut factor = top.factor;
+    let mut per_time = 0;
+    for part in parts {
+        let (name, power) = read_power(part.trim());
+        let below = find_unit(name)?;
+        per_time += power;
+        if below.base != Base::Time || per_time > 3 {
+            return None;
+        }
+        for _ in 0..power {
+            // A minute is 6 tens of seconds, a millisecond is 10^-3: over the digits (1 or 6).
+            let digits: u64 = below.factor.digits.parse().ok()?;
+            factor.denominator *= digits;
+            factor.exponent -= below.factor.exponent;
+        }
+    }
+    Some((top.base, per_time, factor))
+}
+
+/// `s^2`, `s²`, `s2` or `s`: the name and the power.
+fn read_power(text: &str) -> (&str, i64) {
+    for (endings, power) in
+        [(["^2", "\u{b2}", "2"], 2), (["^3", "\u{b3}", "3"], 3), (["^1", "\u{b9}", "1"], 1)]
+    {
+        for ending in endings {
+            if let Some(name) = text.strip_suffix(ending) {
+                return (name, power);
+            }
+        }
+    }
+    (text, 1)
+}

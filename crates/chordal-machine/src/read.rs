@@ -1,0 +1,223 @@
+//! Machine files: what they inherit first, then their own keys.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::builtin::{builtin, builtin_names};
+use crate::check::{At, put_table};
+use crate::control::ControlName;
+use crate::error::{MachineError, Source};
+use crate::machine::Machine;
+use crate::suggest;
+
+/// How many files may inherit from each other in a row.
+const DEEPEST: usize = 16;
+
+/// Gives the text of a file by name, or why it cannot.
+type Loader<'l> = &'l dyn Fn(&str) -> Result<String, String>;
+
+impl Machine {
+    /// A built-in machine.
+    pub fn from_builtin(name: &str) -> Result<Machine, Vec<MachineError>> {
+        let Some(text) = builtin(name) else {
+            let help = builtin_help(name);
+            let message = format!("no machine named `{name}` is built in");
+            return Err(vec![Source::new(name, "").error(None, message, Some(help))]);
+        };
+        read(&builtin_file(name), text, &|_| Err("built-in machines inherit built-in ones".into()))
+    }
+
+    /// Reads a machine file. `inherits` names a built-in machine, or else a file, which `loader`
+    /// turns into its text: it is asked by the name joined to the folder of the file that says
+    /// it, so both are relative to the same place as `file_name`. Every error of every file is
+    /// reported.
+    pub fn from_toml(
+        file_name: &str,
+        text: &str,
+        loader: &dyn Fn(&str) -> Result<String, String>,
+    ) -> Result<Machine, Vec<MachineError>> {
+        read(file_name, text, loader)
+    }
+}
+
+fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<MachineError>> {
+    let mut reader = Reader {
+        loader,
+        // The control stands in until a file says one; no machine gets out without.
+        machine: Machine::without_axes("", ControlName::Fanuc),
+        control_said: false,
+        parts_missing: false,
+        errors: Vec::new(),
+        chain: Vec::new(),
+    };
+    reader.machine.title.clear();
+    reader.load(file, text);
+    if !reader.control_said && !reader.parts_missing {
+        let names: Vec<&str> = ControlName::ALL.iter().map(|control| control.as_str()).collect();
+        let help = format!("write `control = \"…\"` with {}", suggest::or_list(&names));
+        let message = "the machine's control is not said";
+        reader.errors.push(Source::new(file, text).error(None, message, Some(help)));
+    }
+    if !reader.errors.is_empty() {
+        return Err(reader.errors);
+    }
+    let mut machine = reader.machine;
+    if machine.title.is_empty() {
+        machine.title = machine.name.clone();
+    }
+    machine.give_default_axes();
+    Ok(machine)
+}
+
+struct Reader<'l> {
+    loader: Loader<'l>,
+    machine: Machine,
+    control_said: bool,
+    /// Something could not be read, so what is missing may be in there.
+    parts_missing: bool,
+    errors: Vec<MachineError>,
+    /// The files being read, each inheriting from the next.
+    chain: Vec<String>,
+}
+
+impl Reader<'_> {
+    fn load(&mut self, file: &str, text: &str) {
+        let source = Source::new(file, text);
+        let (document, syntax) = DeTable::parse_recoverable(text);
+        let document = document.into_inner();
+        self.chain.push(normal(file));
+        if let Some(parent) = document.get("inherits") {
+            self.inherit(parent, file, &source);
+        }
+        self.machine.name = stem(file).to_string();
+        self.control_said |= document.contains_key("control");
+
+        let mut errors = Vec::new();
+        put_table(&mut self.machine, &At::default(), &document, &source, &mut errors);
+        if !syntax.is_empty() {
+            self.parts_missing = true;
+            let mut syntax: Vec<MachineError> = syntax
+                .iter()
+                .map(|error| source.error(error.span(), error.message(), None))
+                .collect();
+            syntax.sort_by_key(MachineError::line);
+            syntax.dedup_by_key(|error| error.line());
+            // After a slip of syntax the keys may not be what they were meant to be; values
+            // made up in recovery have no place at all.
+            let first = syntax[0].line().unwrap_or(0);
+            errors.retain(|error| {
+                error.line().is_some_and(|line| line < first) && !error.underlined().is_empty()
+            });
+            errors.extend(syntax);
+        }
+        errors.sort_by_key(|error| error.span.as_ref().map(|span| (span.start, span.end)));
+        self.errors.append(&mut errors);
+        self.chain.pop();
+    }
+
+    fn inherit(&mut self, parent: &Spanned<DeValue<'_>>, file: &str, source: &Source) {
+        let refuse = |message: String, help: Option<String>| {
+            source.error(Some(parent.span()), message, help)
+        };
+        let DeValue::String(name) = parent.get_ref() else {
+            self.parts_missing = true;
+            let help = "write `inherits = \"haas-vf2\"`".to_string();
+            let message = "`inherits` takes the name of a machine or of a file".to_string();
+            self.errors.push(refuse(message, Some(help)));
+            return;
+        };
+        let (parent_file, inside) = match builtin(name) {
+            Some(text) => (builtin_file(name), Some(text)),
+            None => (beside(file, name), None),
+        };
+        let problem = if self.chain.contains(&normal(&parent_file)) {
+            let round: Vec<&str> =
+                self.chain.iter().map(String::as_str).chain([parent_file.as_str()]).collect();
+            Some(refuse(format!("`inherits` goes in a circle: {}", round.join(" -> ")), None))
+        } else if self.chain.len() >= DEEPEST {
+            Some(refuse(format!("more than {DEEPEST} files inherit from each other"), None))
+        } else {
+            match inside.map_or_else(|| (self.loader)(&parent_file), |text| Ok(text.to_string())) {
+                Ok(text) => {
+                    self.load(&parent_file, &text);
+                    None
+                }
+                Err(why) => Some(refuse(
+                    format!(
+                        "`{name}` is neither a built-in machine nor a file that can be read: {why}"
+                    ),
+                    Some(builtin_help(name)),
+                )),
+            }
+        };
+        if let Some(problem) = problem {
+            self.parts_missing = true;
+            self.errors.push(problem);
+        }
+    }
+}
+
+/// What errors call the file of a built-in machine.
+fn builtin_file(name: &str) -> String {
+    format!("built-in/{name}.toml")
+}
+
+fn builtin_help(name: &str) -> String {
+    match suggest::nearest(name, builtin_names().iter().copied()) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("the built-in machines are {}", builtin_names().join(", ")),
+    }
+}
+
+fn is_separator(c: char) -> bool {
+    c == '/' || c == '\\'
+}
+
+/// A file's name without folder and ending.
+fn stem(file: &str) -> &str {
+    let name = file.rsplit(is_separator).next().unwrap_or(file);
+    name.strip_suffix(".toml").filter(|name| !name.is_empty()).unwrap_or(name)
+}
+
+/// A name in the folder of a file, unless it says its own root.
+fn beside(file: &str, name: &str) -> String {
+    let rooted = name.starts_with(is_separator) || name.as_bytes().get(1) == Some(&b':');
+    match file.rfind(is_separator) {
+        Some(end) if !rooted => format!("{}{name}", &file[..=end]),
+        _ => name.to_string(),
+    }
+}
+
+/// The name with `.` and `..` worked off, so that a circle is seen.
+fn normal(file: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in file.split(is_separator) {
+        match part {
+            "." => {}
+            ".." if parts.last().is_some_and(|last| !last.is_empty() && *last != "..") => {
+                parts.pop();
+            }
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files() {
+        assert_eq!(stem("shop/vmc.toml"), "vmc");
+        assert_eq!(stem("C:\\shop\\vmc.toml"), "vmc");
+        assert_eq!(stem("vmc"), "vmc");
+        assert_eq!(stem(".toml"), ".toml");
+        assert_eq!(beside("shop/vmc.toml", "base.toml"), "shop/base.toml");
+        assert_eq!(beside("vmc.toml", "base.toml"), "base.toml");
+        assert_eq!(beside("shop/vmc.toml", "/base.toml"), "/base.toml");
+        assert_eq!(beside("shop/vmc.toml", "C:/base.toml"), "C:/base.toml");
+        assert_eq!(normal("shop/../shop/./vmc.toml"), "shop/vmc.toml");
+        assert_eq!(normal("../vmc.toml"), "../vmc.toml");
+    }
+}

@@ -1,0 +1,53 @@
+//! The control's own settings, raw: what they mean is the control's business.
+
+use crate::error::Location;
+use crate::quantity::{Dimension, QuantityError, parse_quantity};
+
+/// A setting's value as written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SettingValue {
+    /// A text, often a word or a quantity.
+    Text(String),
+    /// A whole number.
+    Integer(i64),
+    /// A number with a fraction; finite.
+    Float(f64),
+    /// `true` or `false`.
+    Bool(bool),
+}
+
+impl SettingValue {
+    /// The value as a length in millimetres; it must be a text with a unit of length.
+    pub fn as_length_mm(&self) -> Result<f64, QuantityError> {
+        self.as_quantity(Dimension::Length)
+    }
+
+    /// The value as a quantity, in the crate's unit of that dimension.
+    pub fn as_quantity(&self, dimension: Dimension) -> Result<f64, QuantityError> {
+        let bare = match self {
+            SettingValue::Text(text) => return parse_quantity(text, dimension),
+            SettingValue::Integer(number) => number.to_string(),
+            SettingValue::Float(number) => number.to_string(),
+            SettingValue::Bool(flag) => {
+                return Err(QuantityError::NotANumber { text: flag.to_string(), dimension });
+            }
+        };
+        Err(QuantityError::NoUnit { text: bare, dimension })
+    }
+}
+
+/// A setting of the control.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// Its value as written.
+    pub value: SettingValue,
+    /// Where it was written.
+    pub location: Option<Location>,
+}
+
+impl PartialEq for Setting {
+    /// Settings of equal value are equal, wherever they were written.
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}

@@ -1,0 +1,160 @@
+//! A machine as the file that would give it, with nothing left to inherit.
+
+use std::fmt::Write;
+
+use crate::axis::Axis;
+use crate::check::{key_text, string_text};
+use crate::machine::Machine;
+use crate::quantity::Dimension;
+use crate::value::SettingValue;
+
+impl Machine {
+    /// The machine file that gives this machine, every inherited key in it, in millimetres,
+    /// seconds and radians: reading it back gives the same bits.
+    pub fn to_toml(&self) -> String {
+        let mut out = Out(String::new());
+        out.line("name", &string_text(&self.name));
+        out.line("title", &string_text(&self.title));
+        if !self.notes.is_empty() {
+            let notes: Vec<String> = self.notes.iter().map(|note| string_text(note)).collect();
+            out.line("notes", &format!("[{}]", notes.join(", ")));
+        }
+        out.line("control", &string_text(self.control.as_str()));
+        self.write_axes(&mut out);
+        if self.feed != Default::default() {
+            out.table("feed");
+            out.quantity("max", self.feed.max_mm_per_s, Dimension::Velocity);
+            out.quantity("max_rotary", self.feed.max_rad_per_s, Dimension::AngularVelocity);
+        }
+        if let Some(shape) = self.rapid {
+            out.table("rapid");
+            out.line("shape", &string_text(shape.as_str()));
+        }
+        if self.spindle_max_rpm.is_some() {
+            out.table("spindle");
+            out.quantity("max", self.spindle_max_rpm, Dimension::SpindleSpeed);
+        }
+        out.positions("home", &self.home);
+        for (at, point) in self.reference_points.iter().enumerate() {
+            out.positions(&format!("reference_points.{}", at + 2), point);
+        }
+        self.write_switches(&mut out);
+        if self.clearance_mm.is_some() {
+            out.table("program");
+            out.quantity("clearance", self.clearance_mm, Dimension::Length);
+        }
+        if self.times != Default::default() {
+            out.table("times");
+            out.quantity("tool_change", self.times.tool_change_s, Dimension::Time);
+        }
+        self.write_tools(&mut out);
+        for (name, offset) in &self.work_offsets {
+            out.table(&format!("work_offsets.{}", key_text(name)));
+            out.values(&offset.values);
+        }
+        if !self.settings.is_empty() {
+            out.table("settings");
+            for (name, setting) in &self.settings {
+                let value = match &setting.value {
+                    SettingValue::Text(text) => string_text(text),
+                    SettingValue::Integer(number) => number.to_string(),
+                    // `1.0`, not `1`, so that it stays a number with a fraction.
+                    SettingValue::Float(number) => format!("{number:?}"),
+                    SettingValue::Bool(flag) => flag.to_string(),
+                };
+                out.line(&key_text(name), &value);
+            }
+        }
+        out.0
+    }
+
+    fn write_axes(&self, out: &mut Out) {
+        for axis in Axis::ALL {
+            let Some(limits) = self.axis(axis) else { continue };
+            out.table(&format!("axes.{axis}"));
+            let of = |dimension: Dimension| match axis.is_rotary() {
+                true => dimension.of_rotary(),
+                false => dimension,
+            };
+            if let Some((low, high)) = limits.travel {
+                let unit = of(Dimension::Length).inside();
+                out.line("travel", &format!("[\"{low} {unit}\", \"{high} {unit}\"]"));
+            }
+            out.quantity("max_velocity", limits.max_velocity, of(Dimension::Velocity));
+            out.quantity("max_acceleration", limits.max_acceleration, of(Dimension::Acceleration));
+            out.quantity("max_jerk", limits.max_jerk, of(Dimension::Jerk));
+        }
+    }
+
+    fn write_switches(&self, out: &mut Out) {
+        let switches = &self.switches;
+        if *switches == Default::default() {
+            return;
+        }
+        out.table("switches");
+        let on: Vec<String> =
+            (1..10).filter(|at| switches.block_delete[*at]).map(|at| at.to_string()).collect();
+        match on.len() {
+            0 => {}
+            9 => out.line("block_delete", "true"),
+            _ => out.line("block_delete", &format!("[{}]", on.join(", "))),
+        }
+        if switches.optional_stop {
+            out.line("optional_stop", "true");
+        }
+    }
+
+    fn write_tools(&self, out: &mut Out) {
+        for (number, tool) in &self.tools {
+            out.table(&format!("tools.{number}"));
+            out.quantity("diameter", tool.diameter_mm, Dimension::Length);
+            out.quantity("diameter_wear", tool.diameter_wear_mm, Dimension::Length);
+            out.quantity("length", tool.length_mm, Dimension::Length);
+            out.quantity("length_wear", tool.length_wear_mm, Dimension::Length);
+            out.quantity("corner_radius", tool.corner_radius_mm, Dimension::Length);
+            for (key, text) in [("kind", &tool.kind), ("comment", &tool.comment)] {
+                if let Some(text) = text {
+                    out.line(key, &string_text(text));
+                }
+            }
+        }
+    }
+}
+
+struct Out(String);
+
+impl Out {
+    fn table(&mut self, name: &str) {
+        self.push(format_args!("\n[{name}]\n"));
+    }
+
+    fn line(&mut self, key: &str, value: &str) {
+        self.push(format_args!("{key} = {value}\n"));
+    }
+
+    fn quantity(&mut self, key: &str, value: Option<f64>, dimension: Dimension) {
+        if let Some(value) = value {
+            self.line(key, &format!("\"{value} {}\"", dimension.inside()));
+        }
+    }
+
+    /// A table of positions, if there are any.
+    fn positions(&mut self, name: &str, values: &[Option<f64>; 6]) {
+        if values.iter().any(Option::is_some) {
+            self.table(name);
+            self.values(values);
+        }
+    }
+
+    fn values(&mut self, values: &[Option<f64>; 6]) {
+        for axis in Axis::ALL {
+            let dimension = if axis.is_rotary() { Dimension::Angle } else { Dimension::Length };
+            self.quantity(&axis.to_string(), values[axis as usize], dimension);
+        }
+    }
+
+    fn push(&mut self, text: std::fmt::Arguments<'_>) {
+        // Writing into a string does not fail.
+        let _ = self.0.write_fmt(text);
+    }
+}

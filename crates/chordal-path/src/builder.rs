@@ -1,0 +1,131 @@
+use chordal_control::{
+    AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position,
+};
+use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_machine::Machine;
+
+use crate::frame::Frame;
+use crate::rapid;
+use crate::segment::{Segment, SegmentKind, curve_of, is_known, point};
+
+/// Turns commands into segments in one frame: the program coordinates of the first cut.
+/// What runs under another work offset is moved to where it lies relative to that.
+#[derive(Debug)]
+pub struct PathBuilder<'a> {
+    machine: &'a Machine,
+    frame: Frame,
+    base: Option<(Position, AxisMask)>,
+    tool: u32,
+}
+
+impl<'a> PathBuilder<'a> {
+    /// A builder for one run; `offset` and `known` as
+    /// [`initial_offset`](chordal_control::initial_offset) gives them.
+    pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
+        PathBuilder { machine, frame: Frame::new(offset, known), base: None, tool: 0 }
+    }
+
+    /// Follows a command and hands its segments on.
+    pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
+        if let CommandKind::Tool { number } = command.kind {
+            self.tool = number;
+        }
+        if self.frame.follow(command) {
+            return;
+        }
+        let Some(motion) = command.kind.motion() else { return };
+        let shift = self.shift(command.kind.feed().is_some());
+        match &command.kind {
+            CommandKind::Rapid { motion, path } => {
+                let mut at = motion.from;
+                rapid::corners(self.machine, *path, &motion.from, &motion.to, |corner, time| {
+                    let line = Curve::Line(Line { start: point(&at), end: point(corner) });
+                    let mut segment =
+                        self.segment(SegmentKind::Rapid, line, shift, command, motion, time);
+                    segment.rotary_from = [at[3], at[4], at[5]];
+                    segment.rotary_to = [corner[3], corner[4], corner[5]];
+                    push(&segment);
+                    at = *corner;
+                });
+            }
+            kind => {
+                let curve = curve_of(motion, kind.shape());
+                let time = match kind.feed() {
+                    Some(feed) => duration_s(feed, motion, &curve),
+                    None => 0.0,
+                };
+                let segment_kind = match kind {
+                    CommandKind::Arc { .. } => SegmentKind::Arc,
+                    CommandKind::Spiral { .. } => SegmentKind::Spiral,
+                    _ => SegmentKind::Line,
+                };
+                push(&self.segment(segment_kind, curve, shift, command, motion, time));
+            }
+        }
+    }
+
+    /// From the program coordinates in force to the frame of the run.
+    fn shift(&mut self, cuts: bool) -> Vec3 {
+        if cuts && self.base.is_none() {
+            self.base = Some((self.frame.work, self.frame.known));
+        }
+        let Some((base, base_known)) = self.base else { return Vec3::ZERO };
+        let known = base_known.and(self.frame.known);
+        let along = |axis: usize| if known.has(axis) { self.frame.work[axis] - base[axis] } else { 0.0 };
+        Vec3::new(along(0), along(1), along(2))
+    }
+
+    fn segment(
+        &self,
+        kind: SegmentKind,
+        curve: Curve,
+        shift: Vec3,
+        command: &Command,
+        motion: &Move,
+        duration_s: f64,
+    ) -> Segment {
+        let moved = shift != Vec3::ZERO;
+        let curve = if moved { curve.transformed(&Transform::translation(shift)) } else { curve };
+        Segment {
+            kind,
+            length_mm: curve.length(),
+            curve,
+            duration_s,
+            rotary_from: [motion.from[3], motion.from[4], motion.from[5]],
+            rotary_to: [motion.to[3], motion.to[4], motion.to[5]],
+            tool: self.tool,
+            known: is_known(motion),
+            origin: command.origin,
+        }
+    }
+}
+
+/// How long a cutting move takes at its feed, without acceleration, s. 0 without a feed.
+pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
+    let positive = feed.value > 0.0;
+    if !positive {
+        return 0.0;
+    }
+    let length = match (feed.along, curve) {
+        (FeedAlong::Path, _) => curve.length(),
+        (FeedAlong::Plane, Curve::Arc(arc)) => (arc.radius * arc.sweep).abs(),
+        (FeedAlong::Plane, Curve::Spiral(spiral)) => {
+            let flat = chordal_geometry::Spiral { rise: 0.0, ..*spiral };
+            flat.length()
+        }
+        (FeedAlong::Plane, Curve::Line(line)) => line.length(),
+    };
+    match feed.mode {
+        FeedMode::InverseTime => 1.0 / feed.value,
+        FeedMode::PerRevolution if feed.spindle_rev_per_s > 0.0 => {
+            length / (feed.value * feed.spindle_rev_per_s)
+        }
+        FeedMode::PerRevolution => 0.0,
+        FeedMode::PerTime if length > 0.0 => length / feed.value,
+        FeedMode::PerTime => {
+            // Rotary axes alone: the feed is an angle per time.
+            let turn = (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
+            turn.sqrt() / feed.value
+        }
+    }
+}

@@ -1,0 +1,303 @@
+//! Checks that need the path: travel, rapids into the part, nearly tangent joints.
+
+use chordal_control::{
+    AxisMask, Command, CommandKind, Move, Origin, Position, Units,
+};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_geometry::{Aabb, Curve, ParamCurve, Vec3};
+use chordal_machine::{Axis, Machine};
+
+use crate::frame::Frame;
+use crate::segment::{curve_of, is_known, point};
+
+/// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
+const TANGENT_RAD: f64 = 0.001_745;
+
+/// Joints that turn by more are corners on purpose, rad (2°).
+const CORNER_RAD: f64 = 0.034_9;
+
+/// Rapid plunges remembered until the region that is cut is known.
+const PLUNGES_KEPT: usize = 1000;
+
+/// Below the clearance plane by less is on it, mm.
+const ON_PLANE_MM: f64 = 1e-6;
+
+/// Watches the commands of a run.
+#[derive(Debug)]
+pub struct Checks<'a> {
+    machine: &'a Machine,
+    frame: Frame,
+    units: Units,
+    /// Tangent and place of the end of the last cut, and whether it was an arc.
+    last: Option<(Vec3, Vec3, bool)>,
+    /// What the program cuts, in program coordinates.
+    cut: Aabb,
+    plunges: Vec<(Vec3, f64, Origin)>,
+    /// Extent of each axis over known places, for machines whose offsets are not known.
+    extent: [(f64, f64); 6],
+    told_axes: AxisMask,
+}
+
+impl<'a> Checks<'a> {
+    /// Checks for one run that begins in these units.
+    pub fn new(
+        machine: &'a Machine,
+        offset: Position,
+        known: AxisMask,
+        units: Units,
+    ) -> Checks<'a> {
+        Checks {
+            machine,
+            frame: Frame::new(offset, known),
+            units,
+            last: None,
+            cut: Aabb::EMPTY,
+            plunges: Vec::new(),
+            extent: [(f64::INFINITY, f64::NEG_INFINITY); 6],
+            told_axes: AxisMask::NONE,
+        }
+    }
+
+    /// Follows a command.
+    #[inline]
+    pub fn command(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
+        match &command.kind {
+            CommandKind::Rapid { motion, .. } => {
+                self.last = None;
+                self.extend(&motion.to, motion.to_known);
+                self.travel(&motion.to, motion, command.origin, &mut report);
+                self.rapid(motion, command.origin, &mut report);
+            }
+            CommandKind::Line { motion, .. } => {
+                self.extend(&motion.to, motion.to_known);
+                self.travel(&motion.to, motion, command.origin, &mut report);
+                if is_known(motion) {
+                    self.cut = self.cut.include(point(&motion.from)).include(point(&motion.to));
+                }
+                self.joint_of_line(motion, command.origin, &mut report);
+            }
+            CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
+                let curve = curve_of(motion, Some(shape));
+                let bounds = curve.bounds();
+                for corner in [bounds.min, bounds.max] {
+                    let mut place = motion.to;
+                    place[..3].copy_from_slice(&corner.to_array());
+                    self.extend(&place, motion.to_known);
+                    self.travel(&place, motion, command.origin, &mut report);
+                }
+                if is_known(motion) {
+                    self.cut = self.cut.union(bounds);
+                }
+                self.joint_of_arc(&curve, command.origin, &mut report);
+            }
+            CommandKind::Units(units) => self.units = *units,
+            _ => {
+                self.frame.follow(command);
+            }
+        }
+    }
+
+    #[inline]
+    fn extend(&mut self, place: &Position, known: AxisMask) {
+        for axis in 0..6 {
+            if known.has(axis) {
+                let (low, high) = self.extent[axis];
+                self.extent[axis] = (low.min(place[axis]), high.max(place[axis]));
+            }
+        }
+    }
+
+    #[inline]
+    fn travel(
+        &mut self,
+        place: &Position,
+        motion: &Move,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        if self.frame.known == AxisMask::NONE {
+            return;
+        }
+        for axis in self.frame.known.and(motion.to_known).without(self.told_axes).iter() {
+            let limits = self.machine.axes[axis as usize].as_ref();
+            let Some((low, high)) = limits.and_then(|limits| limits.travel) else { continue };
+            let at = self.frame.machine(place, axis as usize);
+            let over = if at < low { low - at } else { at - high };
+            if over > ON_PLANE_MM {
+                self.told_axes.insert(axis as usize);
+                report(self.travel_exceeded(axis, at, (low, high), over, origin));
+            }
+        }
+    }
+
+    fn travel_exceeded(
+        &self,
+        axis: Axis,
+        at: f64,
+        (low, high): (f64, f64),
+        over: f64,
+        origin: Origin,
+    ) -> Diagnostic {
+        let text = |value: f64| self.axis_text(axis, value);
+        Diagnostic::new(
+            Code::TravelExceeded,
+            origin.span,
+            format!(
+                "{} goes to {} in machine coordinates, {} beyond its travel",
+                axis.letter(),
+                text(at),
+                text(over)
+            ),
+        )
+        .label(format!("travel is {} to {}", text(low), text(high)))
+        .help("check the work offset and the tool length in the machine file, then this block")
+    }
+
+    fn axis_text(&self, axis: Axis, value: f64) -> String {
+        if axis.is_rotary() {
+            return format!("{} deg", number(value.to_degrees(), 3));
+        }
+        match self.units {
+            Units::Inch => format!("{} in", number(value / 25.4, 4)),
+            Units::Millimetre => format!("{} mm", number(value, 3)),
+        }
+    }
+
+    /// A rapid that runs or ends below the clearance plane.
+    fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+        if !is_known(motion) {
+            return;
+        }
+        let plane = self.machine.clearance_mm.unwrap_or(0.0);
+        let (from, to) = (point(&motion.from), point(&motion.to));
+        let below = |z: f64| z < plane - ON_PLANE_MM;
+        if !below(to.z) {
+            return;
+        }
+        let sideways = (from.x, from.y) != (to.x, to.y);
+        if sideways {
+            let depth = self.axis_text(Axis::Z, plane - to.z);
+            report(self.rapid_into_part(
+                origin,
+                format!("a rapid runs sideways {depth} below the clearance plane"),
+            ));
+        } else if to.z < from.z && self.plunges.len() < PLUNGES_KEPT {
+            self.plunges.push((to, plane - to.z, origin));
+        }
+    }
+
+    fn rapid_into_part(&self, origin: Origin, message: String) -> Diagnostic {
+        let given = if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
+        Diagnostic::new(Code::RapidIntoPart, origin.span, message)
+            .label(format!("below {given} clearance plane"))
+            .help("cut there with G1, or lift the tool first")
+    }
+
+    fn joint_of_line(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+        let (from, to) = (point(&motion.from), point(&motion.to));
+        let way = to - from;
+        if let Some((before, place, true)) = self.last
+            && place == from
+            && let Some(tangent) = way.normalized()
+        {
+            self.joint(before, tangent, origin, report);
+        }
+        // The direction is needed only when an arc follows; it is cheaper kept as it is.
+        if way != Vec3::ZERO {
+            self.last = Some((way, to, false));
+        }
+    }
+
+    fn joint_of_arc(&mut self, curve: &Curve, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+        if let Some((before, place, _)) = self.last
+            && place == curve.start()
+            && let Some(before) = before.normalized()
+        {
+            self.joint(before, curve.tangent_at(0.0), origin, report);
+        }
+        self.last = Some((curve.tangent_at(curve.length()), curve.end(), true));
+    }
+
+    fn joint(
+        &self,
+        before: Vec3,
+        after: Vec3,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        let sine = before.cross(after).length();
+        if before.dot(after) <= 0.0 || !(TANGENT_RAD..CORNER_RAD).contains(&sine) {
+            return;
+        }
+        let degrees = sine.asin_degrees();
+        report(
+            Diagnostic::new(
+                Code::NearlyTangent,
+                origin.span,
+                format!("the path turns by {} degrees where this block begins", number(degrees, 2)),
+            )
+            .label("almost tangent to the block before")
+            .help("if the joint is meant to be smooth, compute the coordinates with more decimals"),
+        );
+    }
+
+    /// What can be judged only at the end of the run.
+    pub fn finish(&mut self, mut report: impl FnMut(Diagnostic)) {
+        for (place, depth, origin) in std::mem::take(&mut self.plunges) {
+            let inside = place.x > self.cut.min.x
+                && place.x < self.cut.max.x
+                && place.y > self.cut.min.y
+                && place.y < self.cut.max.y;
+            if inside {
+                let depth = self.axis_text(Axis::Z, depth);
+                report(self.rapid_into_part(
+                    origin,
+                    format!("a rapid plunges {depth} below the clearance plane, amid what is cut"),
+                ));
+            }
+        }
+        for axis in AxisMask::ALL.without(self.told_axes).without(self.frame.known).iter() {
+            let (low, high) = self.extent[axis as usize];
+            let limits = self.machine.axes[axis as usize].as_ref();
+            let Some((from, to)) = limits.and_then(|limits| limits.travel) else { continue };
+            let over = (high - low) - (to - from);
+            if over > ON_PLANE_MM {
+                report(
+                    Diagnostic::new(
+                        Code::TravelExceeded,
+                        Default::default(),
+                        format!(
+                            "the program runs over {} in {}, and the travel is {}",
+                            self.axis_text(axis, high - low),
+                            axis.letter(),
+                            self.axis_text(axis, to - from)
+                        ),
+                    )
+                    .severity(Severity::Error)
+                    .help("it fits with no work offset; choose a larger machine"),
+                );
+            }
+        }
+    }
+}
+
+trait Degrees {
+    fn asin_degrees(self) -> f64;
+}
+
+impl Degrees for f64 {
+    /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
+    fn asin_degrees(self) -> f64 {
+        let s = self;
+        (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()
+    }
+}
+
+fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    if !text.contains('.') {
+        return text;
+    }
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}

@@ -1,0 +1,18 @@
+//! From commands to the path of the tool tip, its times, and the checks that need the path.
+//!
+//! [`PathBuilder`] turns each motion command into exact curves in one frame for the whole
+//! run; [`Checks`] watches travel, rapids and tangency as the commands go by. Both keep a
+//! bounded state: nothing is collected here.
+
+#![forbid(unsafe_code)]
+
+mod builder;
+mod checks;
+mod frame;
+mod rapid;
+mod segment;
+
+pub use builder::{PathBuilder, duration_s};
+pub use checks::Checks;
+pub use frame::Frame;
+pub use segment::{Segment, SegmentKind, curve_of};

@@ -1,0 +1,50 @@
+//! The way of a rapid: straight, or each axis at its own speed.
+
+use chordal_control::{Position, RapidPath};
+use chordal_machine::Machine;
+
+/// Time of a rapid without acceleration, s. Axes without a known speed take none.
+pub(crate) fn rapid_time_s(machine: &Machine, from: &Position, to: &Position) -> f64 {
+    (0..6).map(|axis| axis_time_s(machine, axis, from, to)).fold(0.0, f64::max)
+}
+
+fn axis_time_s(machine: &Machine, axis: usize, from: &Position, to: &Position) -> f64 {
+    let speed = machine.axes[axis].as_ref().and_then(|limits| limits.max_velocity);
+    let way = (to[axis] - from[axis]).abs();
+    match speed {
+        Some(speed) if speed > 0.0 => way / speed,
+        _ => 0.0,
+    }
+}
+
+/// The corners of a rapid after its start: one point when it is straight, up to three when
+/// the axes arrive one after the other.
+pub(crate) fn corners(
+    machine: &Machine,
+    path: RapidPath,
+    from: &Position,
+    to: &Position,
+    mut push: impl FnMut(&Position, f64),
+) {
+    let total = rapid_time_s(machine, from, to);
+    let mut times: [f64; 6] = std::array::from_fn(|axis| axis_time_s(machine, axis, from, to));
+    if path == RapidPath::Straight || total == 0.0 {
+        return push(to, total);
+    }
+    let arrivals = times;
+    times.sort_unstable_by(f64::total_cmp);
+    let mut before = 0.0;
+    for time in times {
+        if time <= before {
+            continue;
+        }
+        let mut place = *to;
+        for axis in 0..6 {
+            if arrivals[axis] > time {
+                place[axis] = from[axis] + (to[axis] - from[axis]) * (time / arrivals[axis]);
+            }
+        }
+        push(&place, time - before);
+        before = time;
+    }
+}

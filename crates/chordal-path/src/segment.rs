@@ -1,0 +1,64 @@
+use chordal_control::{ArcShape, AxisMask, Move, Origin, Position};
+use chordal_geometry::{Curve, Line, Vec3, spiral_from_center};
+
+/// What a piece of path is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum SegmentKind {
+    /// A rapid.
+    Rapid,
+    /// A straight cut.
+    Line,
+    /// An arc or a helix.
+    Arc,
+    /// A spiral or a cone.
+    Spiral,
+}
+
+/// A piece of path: an exact curve of the tool tip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// What it is.
+    pub kind: SegmentKind,
+    /// The curve in the frame of the run, mm.
+    pub curve: Curve,
+    /// Its length, mm.
+    pub length_mm: f64,
+    /// How long it takes without acceleration, s; 0 where no feed is known.
+    pub duration_s: f64,
+    /// Rotary axes A B C at the start, rad.
+    pub rotary_from: [f64; 3],
+    /// Rotary axes A B C at the end, rad.
+    pub rotary_to: [f64; 3],
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// Both ends are known relative to the part, so that it can be drawn.
+    pub known: bool,
+    /// The block that says so.
+    pub origin: Origin,
+}
+
+/// X, Y and Z of a position.
+pub(crate) fn point(position: &Position) -> Vec3 {
+    Vec3::new(position[0], position[1], position[2])
+}
+
+/// A difference of radii below which an arc is an arc, mm: below what any control
+/// computes with, above rounding.
+const SAME_RADIUS_MM: f64 = 1e-9;
+
+/// The exact curve of a motion command in program coordinates.
+pub fn curve_of(motion: &Move, shape: Option<&ArcShape>) -> Curve {
+    let (from, to) = (point(&motion.from), point(&motion.to));
+    match shape {
+        None => Curve::Line(Line { start: from, end: to }),
+        Some(shape) => {
+            let center = (shape.center[0], shape.center[1]);
+            spiral_from_center(shape.plane, from, to, center, shape.sweep, SAME_RADIUS_MM).curve
+        }
+    }
+}
+
+/// True when X, Y and Z are known at both ends.
+pub(crate) fn is_known(motion: &Move) -> bool {
+    motion.from_known.and(motion.to_known).covers(AxisMask::LINEAR)
+}

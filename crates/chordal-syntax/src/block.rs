@@ -1,0 +1,225 @@
+use chordal_diagnostics::{Diagnostic, TextRange};
+
+use crate::Decimal;
+
+/// What stands behind an address letter.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Value {
+    /// A literal.
+    Number(Decimal),
+    /// The value of a register (`X+R3`), with its sign.
+    Register {
+        /// `R0` … `R9`.
+        index: u8,
+        /// `-R3`.
+        negative: bool,
+    },
+    /// A macro expression (`#101`, `[#1+2]`), by its text.
+    Expression(TextRange),
+    /// Nothing readable; the block holds the diagnostic.
+    Missing,
+}
+
+/// An address letter and its value.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Word {
+    /// Upper case, `A`–`Z`.
+    pub letter: u8,
+    /// The register number of a register word (`R0+1.` → 0), else `None`.
+    pub register: Option<u8>,
+    /// A comma stood before the letter (`,R1.`: corner radius).
+    pub comma: bool,
+    /// The value.
+    pub value: Value,
+    /// Letter and value in the text.
+    pub range: TextRange,
+}
+
+impl Word {
+    /// The literal, where the value is one.
+    #[inline]
+    pub fn number(&self) -> Option<Decimal> {
+        match self.value {
+            Value::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+/// A set of address letters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
+pub struct Letters(pub u32);
+
+impl Letters {
+    /// No letter.
+    pub const NONE: Letters = Letters(0);
+
+    /// The letters of an upper-case text.
+    pub const fn of(text: &str) -> Letters {
+        let bytes = text.as_bytes();
+        let (mut bits, mut at) = (0, 0);
+        while at < bytes.len() {
+            bits |= 1 << (bytes[at] - b'A');
+            at += 1;
+        }
+        Letters(bits)
+    }
+
+    /// True when `letter` is in the set.
+    #[inline]
+    pub const fn has(self, letter: u8) -> bool {
+        self.0 & (1 << (letter - b'A')) != 0
+    }
+
+    /// Adds a letter.
+    #[inline]
+    pub const fn insert(&mut self, letter: u8) {
+        self.0 |= 1 << (letter - b'A');
+    }
+
+    /// True when the sets share a letter.
+    #[inline]
+    pub const fn meets(self, other: Letters) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// True when every letter is in `other` too.
+    #[inline]
+    pub const fn within(self, other: Letters) -> bool {
+        self.0 & !other.0 == 0
+    }
+
+    /// The letters of both.
+    #[inline]
+    pub const fn union(self, other: Letters) -> Letters {
+        Letters(self.0 | other.0)
+    }
+}
+
+/// What sort of line a block is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum BlockKind {
+    /// Words, comments, or both.
+    #[default]
+    Words,
+    /// `%`, with whatever stands behind it.
+    Percent,
+    /// A folder line of a memory dump (`&F=/USER/`).
+    Folder,
+    /// A macro statement (`#1=2`, `IF[…]GOTO5`, `# IF V1 > 2 THEN …`), by its text.
+    Macro(TextRange),
+}
+
+/// Block delete: `/`, `/2`; from the first word or from the middle of the block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct BlockDelete {
+    /// The switch, 1 when none is written.
+    pub switch: u8,
+    /// Words from this one on are deleted.
+    pub from_word: usize,
+}
+
+/// One block. The reader fills it again and again.
+#[derive(Clone, Debug, Default)]
+pub struct Block {
+    /// The text of the block, without its line end.
+    pub range: TextRange,
+    /// Line of the file, from 1.
+    pub line: u32,
+    /// What sort of line it is.
+    pub kind: BlockKind,
+    /// Block delete, when there is a `/`.
+    pub delete: Option<BlockDelete>,
+    /// The words in order.
+    pub words: Vec<Word>,
+    /// Comments with their marks.
+    pub comments: Vec<TextRange>,
+    /// What could not be read.
+    pub problems: Vec<Diagnostic>,
+    letters: Letters,
+    repeated: Letters,
+    first: [u8; 26],
+}
+
+impl Block {
+    /// An empty block, to be filled by a reader.
+    pub fn new() -> Block {
+        Block::default()
+    }
+
+    pub(crate) fn clear(&mut self, start: u32, line: u32) {
+        self.range = TextRange::new(start, start);
+        self.line = line;
+        self.kind = BlockKind::Words;
+        self.delete = None;
+        self.words.clear();
+        self.comments.clear();
+        self.problems.clear();
+        self.letters = Letters::NONE;
+        self.repeated = Letters::NONE;
+    }
+
+    /// Adds a word. (Public so that a repeat or a cycle can build blocks of its own.)
+    #[inline]
+    pub fn push(&mut self, word: Word) {
+        if word.comma {
+            // `,R1.` and `,C1.` are no R and no C word: only a walk over all words meets them.
+        } else if self.letters.has(word.letter) {
+            self.repeated.insert(word.letter);
+        } else {
+            self.letters.insert(word.letter);
+            self.first[(word.letter - b'A') as usize] = self.words.len().min(255) as u8;
+        }
+        self.words.push(word);
+    }
+
+    /// Drops the words from `from` on (block delete in the middle of a block).
+    pub fn truncate(&mut self, from: usize) {
+        let kept: Vec<Word> = self.words.drain(..).take(from).collect();
+        self.letters = Letters::NONE;
+        self.repeated = Letters::NONE;
+        kept.into_iter().for_each(|word| self.push(word));
+    }
+
+    /// The letters that stand in the block.
+    #[inline]
+    pub const fn letters(&self) -> Letters {
+        self.letters
+    }
+
+    /// The letters that stand more than once.
+    #[inline]
+    pub const fn repeated(&self) -> Letters {
+        self.repeated
+    }
+
+    /// The first word of a letter.
+    #[inline]
+    pub fn word(&self, letter: u8) -> Option<&Word> {
+        if !self.letters.has(letter) {
+            return None;
+        }
+        let first = self.first[(letter - b'A') as usize] as usize;
+        if first < 255 { self.words.get(first) } else { self.all(letter).next() }
+    }
+
+    /// The last word of a letter: the one that counts when a letter is repeated.
+    #[inline]
+    pub fn last(&self, letter: u8) -> Option<&Word> {
+        if self.repeated.has(letter) {
+            self.words.iter().rev().find(|word| word.letter == letter && !word.comma)
+        } else {
+            self.word(letter)
+        }
+    }
+
+    /// All words of a letter in order.
+    pub fn all(&self, letter: u8) -> impl Iterator<Item = &Word> {
+        self.words.iter().filter(move |word| word.letter == letter && !word.comma)
+    }
+
+    /// True when the block holds nothing to carry out.
+    pub fn is_idle(&self) -> bool {
+        self.words.is_empty() && self.kind == BlockKind::Words
+    }
+}

@@ -1,0 +1,50 @@
+/// How a `(` comment ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ParenthesisComment {
+    /// At `)`, which must be on the same line.
+    Closed,
+    /// At the end of the line, with or without `)`.
+    ToEndOfLine,
+}
+
+/// What a semicolon is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Semicolon {
+    /// The end of the block; another block may follow on the line.
+    EndOfBlock,
+    /// A comment to the end of the line.
+    Comment,
+}
+
+/// How a control writes its text. Part of the control's table; the reader knows no control.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Lexicon {
+    /// How a `(` comment ends.
+    pub parenthesis: ParenthesisComment,
+    /// What a semicolon is.
+    pub semicolon: Semicolon,
+    /// `*` starts a comment to the end of the line.
+    pub star_comment: bool,
+    /// `R` is followed by a register digit, a sign and a value (`R0+1.5`), and a word may
+    /// take a register's value (`X+R3`).
+    pub registers: bool,
+    /// A line that begins with `#` is a macro line.
+    pub macro_lines: bool,
+    /// Blanks inside a number are passed over (`X1 2.5` is 12.5).
+    pub blanks_in_numbers: bool,
+    /// `O` words may be flow control (`o100 sub`), not only program heads.
+    pub o_words: bool,
+}
+
+impl Lexicon {
+    /// The common ground of Fanuc-style controls.
+    pub const FANUC_STYLE: Lexicon = Lexicon {
+        parenthesis: ParenthesisComment::Closed,
+        semicolon: Semicolon::EndOfBlock,
+        star_comment: false,
+        registers: false,
+        macro_lines: false,
+        blanks_in_numbers: false,
+        o_words: false,
+    };
+}

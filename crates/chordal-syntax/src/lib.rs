@@ -1,0 +1,21 @@
+//! Word-address text → blocks of words with spans.
+//!
+//! Blocks are read on demand into a buffer that is used again, so a text costs no memory
+//! beyond itself. Reading never fails: what cannot be read becomes a diagnostic of the
+//! block, and the rest of the block is there.
+
+#![forbid(unsafe_code)]
+
+mod block;
+mod decimal;
+mod encoding;
+mod lexicon;
+mod programs;
+mod reader;
+
+pub use block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
+pub use decimal::Decimal;
+pub use encoding::{Decoded, Encoding, decode};
+pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
+pub use programs::{ProgramHead, find_programs};
+pub use reader::{BlockReader, Position};

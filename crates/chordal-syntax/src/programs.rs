@@ -1,0 +1,123 @@
+use chordal_diagnostics::TextRange;
+
+use crate::lexicon::Lexicon;
+use crate::reader::Position;
+
+/// A program of a file: its head and the text up to the next head.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ProgramHead {
+    /// The number behind `O` or `:`; `None` for text before the first head.
+    pub number: Option<u32>,
+    /// The head's own words.
+    pub head: TextRange,
+    /// Where the program begins (its head's line).
+    pub start: Position,
+    /// Where it ends: the next head, or the end of the file.
+    pub end: u32,
+}
+
+/// Finds the programs of a text by their heads: `O1234` or `:1234` at the start of a line,
+/// an N number or blanks before it allowed. One pass that only stops at the letter `O`, so
+/// a gigabyte costs a fraction of a second.
+pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
+    let mut heads: Vec<ProgramHead> = Vec::new();
+    let mut counted = Position { offset: 0, line: 1 };
+    for at in memchr::memchr3_iter(b'O', b'o', b':', text) {
+        let Some((line_start, number, end)) = head_at(text, at, lexicon) else { continue };
+        counted = advance(text, counted, line_start as u32);
+        if let Some(last) = heads.last_mut() {
+            last.end = line_start as u32;
+        } else if holds_words(&text[..line_start]) {
+            heads.push(nameless(line_start as u32));
+        }
+        heads.push(ProgramHead {
+            number: Some(number),
+            head: TextRange::new(at as u32, end as u32),
+            start: counted,
+            end: text.len() as u32,
+        });
+    }
+    if heads.is_empty() {
+        heads.push(nameless(text.len() as u32));
+    }
+    heads
+}
+
+fn nameless(end: u32) -> ProgramHead {
+    let start = Position { offset: 0, line: 1 };
+    ProgramHead { number: None, head: TextRange::default(), start, end }
+}
+
+/// Line start, number and end of a head whose letter is at `at`, if it is one.
+fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usize)> {
+    let digits = text[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
+    if digits == 0 || digits > 9 {
+        return None;
+    }
+    let end = at + 1 + digits;
+    let number = std::str::from_utf8(&text[at + 1..end]).ok()?.parse().ok()?;
+    if lexicon.o_words {
+        // `o100 sub` is flow control.
+        let rest = &text[end..];
+        let word = rest.iter().find(|b| !matches!(b, b' ' | b'\t'));
+        if word.is_some_and(u8::is_ascii_alphabetic) {
+            return None;
+        }
+    }
+    // Back to the start of the line over blanks, NULs and one N number.
+    let mut back = at;
+    let mut seen_number = false;
+    while back > 0 {
+        match text[back - 1] {
+            b'\n' | b'\r' => break,
+            b' ' | b'\t' | 0 => {}
+            b'0'..=b'9' | b'.' => seen_number = true,
+            b'N' | b'n' if seen_number => {}
+            _ => return None,
+        }
+        back -= 1;
+    }
+    Some((back, number, end))
+}
+
+/// Counts the lines from a known position on.
+fn advance(text: &[u8], from: Position, to: u32) -> Position {
+    let part = &text[from.offset as usize..to as usize];
+    let ends = memchr::memchr2_iter(b'\n', b'\r', part)
+        .filter(|&at| !(part[at] == b'\r' && part.get(at + 1) == Some(&b'\n')))
+        .count();
+    Position { offset: to, line: from.line + ends as u32 }
+}
+
+/// True when a text holds words, not only comments, percent and folder lines.
+fn holds_words(text: &[u8]) -> bool {
+    text.split(|b| matches!(b, b'\n' | b'\r')).any(|line| {
+        let first = line.iter().find(|b| !matches!(b, b' ' | b'\t' | 0));
+        first.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'/' || *b == b'#')
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heads(text: &str) -> Vec<(Option<u32>, u32)> {
+        find_programs(text.as_bytes(), &Lexicon::FANUC_STYLE)
+            .iter()
+            .map(|head| (head.number, head.start.line))
+            .collect()
+    }
+
+    #[test]
+    fn heads_stand_at_the_start_of_a_line() {
+        let text = "%\n&F=/USER/\nO1 (NOT O2)\nG0 X1.\n(O3)\n:0097\nM99\nN5 O12\nM30\n%\n";
+        assert_eq!(heads(text), [(Some(1), 3), (Some(97), 6), (Some(12), 8)]);
+    }
+
+    #[test]
+    fn words_before_the_first_head_are_a_program() {
+        assert_eq!(heads("G0 X1.\nM30\nO5\nM99\n"), [(None, 1), (Some(5), 3)]);
+        assert_eq!(heads("G0 X1.\nM30\n"), [(None, 1)]);
+        assert_eq!(heads(""), [(None, 1)]);
+    }
+}

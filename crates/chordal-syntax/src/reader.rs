@@ -1,0 +1,560 @@
+use chordal_diagnostics::{Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange};
+
+use crate::block::{Block, BlockDelete, BlockKind, Value, Word};
+use crate::decimal::{self, Decimal};
+use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
+
+/// A place between two blocks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Position {
+    /// Offset in the text.
+    pub offset: u32,
+    /// Line of the file, from 1.
+    pub line: u32,
+}
+
+/// Reads blocks from a text, one at a time, into a buffer that the caller owns.
+#[derive(Clone, Debug)]
+pub struct BlockReader<'a> {
+    text: &'a [u8],
+    file: FileId,
+    lexicon: Lexicon,
+    at: usize,
+    line: u32,
+    end: usize,
+}
+
+/// How many unreadable places of one block are told; a megabyte of garbage on one line is
+/// one problem, not a million.
+const PROBLEMS_PER_BLOCK: usize = 8;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Class {
+    Letter,
+    Blank,
+    Digit,
+    Other,
+    LineEnd,
+}
+
+const CLASSES: [Class; 256] = {
+    let mut table = [Class::Other; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        table[byte] = match byte as u8 {
+            b'A'..=b'Z' | b'a'..=b'z' => Class::Letter,
+            // NUL pads tapes and memories; DC1–DC4 start and stop a punch; 1A ended files.
+            b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f => Class::Blank,
+            b'0'..=b'9' | b'.' | b'+' | b'-' => Class::Digit,
+            b'\n' | b'\r' => Class::LineEnd,
+            _ => Class::Other,
+        };
+        byte += 1;
+    }
+    table
+};
+
+impl<'a> BlockReader<'a> {
+    /// Reads `text` from its beginning.
+    pub fn new(text: &'a [u8], file: FileId, lexicon: Lexicon) -> BlockReader<'a> {
+        BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len() }
+    }
+
+    /// Where the next block begins.
+    pub fn position(&self) -> Position {
+        Position { offset: self.at as u32, line: self.line }
+    }
+
+    /// Goes to a place that [`position`](Self::position) gave.
+    pub fn seek(&mut self, position: Position) {
+        self.at = (position.offset as usize).min(self.end);
+        self.line = position.line;
+    }
+
+    /// Reads only up to `offset`.
+    pub fn limit(&mut self, offset: u32) {
+        self.end = (offset as usize).min(self.text.len());
+    }
+
+    /// The text that is read.
+    pub fn text(&self) -> &'a [u8] {
+        self.text
+    }
+
+    /// Fills `block` with the next block that holds anything; false at the end.
+    pub fn read(&mut self, block: &mut Block) -> bool {
+        loop {
+            if self.at >= self.end {
+                return false;
+            }
+            block.clear(self.at as u32, self.line);
+            self.read_block(block);
+            if !block.is_idle() || !block.comments.is_empty() || !block.problems.is_empty() {
+                return true;
+            }
+        }
+    }
+
+    #[inline]
+    fn peek(&self) -> u8 {
+        if self.at < self.end { self.text[self.at] } else { b'\n' }
+    }
+
+    fn read_block(&mut self, block: &mut Block) {
+        let text = &self.text[..self.end];
+        loop {
+            let Some(&byte) = text.get(self.at) else { break };
+            match CLASSES[byte as usize] {
+                Class::Letter => {
+                    if !self.read_word(block, byte & !0x20, false) {
+                        break;
+                    }
+                }
+                Class::Blank => self.at += 1,
+                Class::LineEnd => {
+                    block.range.end = self.at as u32;
+                    self.skip_line_end(byte);
+                    return;
+                }
+                Class::Digit => self.lone_number(block),
+                Class::Other => {
+                    if !self.read_mark(block, byte) {
+                        return;
+                    }
+                }
+            }
+        }
+        block.range.end = self.at as u32;
+    }
+
+    fn skip_line_end(&mut self, byte: u8) {
+        self.at += 1;
+        if byte == b'\r' && self.at < self.end && self.text[self.at] == b'\n' {
+            self.at += 1;
+        }
+        self.line += 1;
+    }
+
+    /// Anything but letters, numbers, blanks and line ends. False when the block is over.
+    fn read_mark(&mut self, block: &mut Block, byte: u8) -> bool {
+        let start = self.at;
+        match byte {
+            b'(' => self.parenthesis(block),
+            b';' if self.lexicon.semicolon == Semicolon::EndOfBlock => {
+                block.range.end = start as u32;
+                self.at += 1;
+                return false;
+            }
+            b';' => self.comment_to_line_end(block),
+            b'*' if self.lexicon.star_comment => self.comment_to_line_end(block),
+            b'\'' if self.lexicon.star_comment => self.comment_to_line_end(block),
+            b'%' if block.words.is_empty() => {
+                block.kind = BlockKind::Percent;
+                self.to_line_end();
+            }
+            b'&' if block.words.is_empty() => {
+                block.kind = BlockKind::Folder;
+                self.to_line_end();
+            }
+            b'/' => self.block_delete(block),
+            b':' if self.program_colon(block) => {
+                self.read_word(block, b'O', false);
+            }
+            b',' => self.comma_word(block),
+            b'#' | b'[' => {
+                self.to_line_end();
+                let range = TextRange::new(start as u32, self.at as u32);
+                block.kind = BlockKind::Macro(range);
+            }
+            _ => self.unexpected(block),
+        }
+        true
+    }
+
+    /// A colon heads a program (`:0097`) where nothing but an N number stands before it.
+    fn program_colon(&self, block: &Block) -> bool {
+        block.words.iter().all(|word| word.letter == b'N')
+            && self.text.get(self.at + 1).is_some_and(u8::is_ascii_digit)
+    }
+
+    fn to_line_end(&mut self) {
+        let rest = &self.text[self.at..self.end];
+        self.at += memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+    }
+
+    fn comment_to_line_end(&mut self, block: &mut Block) {
+        let start = self.at as u32;
+        self.to_line_end();
+        block.comments.push(TextRange::new(start, self.at as u32));
+    }
+
+    fn parenthesis(&mut self, block: &mut Block) {
+        if self.lexicon.parenthesis == ParenthesisComment::ToEndOfLine {
+            return self.comment_to_line_end(block);
+        }
+        let start = self.at;
+        let rest = &self.text[start..self.end];
+        match memchr::memchr3(b')', b'\n', b'\r', rest) {
+            Some(close) if rest[close] == b')' => self.at += close + 1,
+            other => {
+                self.at += other.unwrap_or(rest.len());
+                let line_end = self.at as u32;
+                self.problem(block, || {
+                    let open = Span::new(self.file, start as u32, start as u32 + 1);
+                    let end = Span::new(self.file, line_end, line_end);
+                    Diagnostic::new(
+                        Code::UnclosedComment,
+                        open,
+                        "this comment is not closed before the end of the line",
+                    )
+                    .label("opened here")
+                    .help("close the comment with `)`")
+                    .fix(Fix {
+                        title: "close the comment".into(),
+                        span: end,
+                        replacement: ")".into(),
+                        applicability: Applicability::Safe,
+                    })
+                });
+            }
+        }
+        block.comments.push(TextRange::new(start as u32, self.at as u32));
+    }
+
+    fn block_delete(&mut self, block: &mut Block) {
+        self.at += 1;
+        let switch = match self.peek() {
+            digit @ b'1'..=b'9' => {
+                self.at += 1;
+                digit - b'0'
+            }
+            _ => 1,
+        };
+        if block.delete.is_none() {
+            // An N number does not count: `/N10 …` and `N10 / …` delete the same.
+            let only_number = block.words.iter().all(|word| word.letter == b'N');
+            let from_word = if only_number { 0 } else { block.words.len() };
+            block.delete = Some(BlockDelete { switch, from_word });
+        }
+    }
+
+    fn comma_word(&mut self, block: &mut Block) {
+        let start = self.at;
+        self.at += 1;
+        let letter = self.peek();
+        if letter.is_ascii_alphabetic() {
+            self.read_word(block, letter & !0x20, true);
+        } else {
+            self.at = start;
+            self.unexpected(block);
+        }
+    }
+
+    /// Reads a word whose letter is at `self.at`. False when a macro statement took the
+    /// rest of the line.
+    #[inline]
+    fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
+        let start = self.at - usize::from(comma);
+        self.at += 1;
+        let mut register = None;
+        let text = &self.text[..self.end];
+        while let Some(&byte) = text.get(self.at)
+            && CLASSES[byte as usize] == Class::Blank
+        {
+            self.at += 1;
+        }
+        if letter == b'R' && self.lexicon.registers {
+            register = Some(self.register());
+        }
+        let value = match decimal::scan(&text[self.at..]) {
+            Some((number, length))
+                if !matches!(text.get(self.at + length), Some(b'.' | b'O' | b'o' | b'[' | b'#')) =>
+            {
+                self.at += length;
+                if self.lexicon.blanks_in_numbers {
+                    self.more_digits(number)
+                } else {
+                    Value::Number(number)
+                }
+            }
+            _ => match self.unusual_value(block, letter, start) {
+                Some(value) => value,
+                None => return false,
+            },
+        };
+        let range = TextRange::new(start as u32, self.at as u32);
+        block.push(Word { letter, register, comma, value, range });
+        true
+    }
+
+    /// The register digit of a register word; none is register 0 (`R+.1`).
+    fn register(&mut self) -> u8 {
+        let digit = self.peek();
+        let next = self.text.get(self.at + 1).copied().unwrap_or(b'\n');
+        // `R.05` and `R10.` without a sign are values of register 0.
+        if digit.is_ascii_digit() && !next.is_ascii_digit() && next != b'.' {
+            self.at += 1;
+            while CLASSES[self.peek() as usize] == Class::Blank && self.at < self.end {
+                self.at += 1;
+            }
+            return digit - b'0';
+        }
+        0
+    }
+
+    /// Digits behind blanks belong to the number where the lexicon says so.
+    #[cold]
+    fn more_digits(&mut self, number: Decimal) -> Value {
+        let line = &self.text[self.at..self.end];
+        let blanks = line.iter().take_while(|b| **b == b' ' || **b == b'\t').count();
+        let next = line.get(blanks).copied().unwrap_or(b'\n');
+        if blanks == 0 || !(next.is_ascii_digit() || next == b'.' && !number.has_point) {
+            return Value::Number(number);
+        }
+        let taken =
+            line.iter().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b' ' | b'\t'));
+        let taken = taken.count();
+        let digits: Vec<u8> = number
+            .to_string()
+            .into_bytes()
+            .into_iter()
+            .chain(line[..taken].iter().copied().filter(|b| !matches!(b, b' ' | b'\t')))
+            .collect();
+        match Decimal::parse(&digits) {
+            Some(whole) => {
+                self.at += taken;
+                Value::Number(whole)
+            }
+            None => Value::Number(number),
+        }
+    }
+
+    /// Everything behind a letter that is not a plain number. `None` when the line turned
+    /// out to be a macro statement.
+    #[cold]
+    fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<Value> {
+        let text = &self.text[..self.end];
+        let rest = &text[self.at..];
+        let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));
+        match rest.get(sign) {
+            Some(b'#' | b'[') => return Some(self.expression()),
+            Some(b'R' | b'r') if self.lexicon.registers => {
+                if let Some(digit) = rest.get(sign + 1).filter(|b| b.is_ascii_digit()) {
+                    self.at += sign + 2;
+                    return Some(Value::Register {
+                        index: digit - b'0',
+                        negative: rest[0] == b'-',
+                    });
+                }
+            }
+            _ => {}
+        }
+        if let Some(value) = self.letter_for_digit(block, start) {
+            return Some(value);
+        }
+        let begins_number = rest.first().is_some_and(|b| CLASSES[*b as usize] == Class::Digit);
+        if begins_number {
+            self.bad_number(block, start);
+            return Some(Value::Missing);
+        }
+        // Two letters in a row are a keyword (IF, WHILE, DPRNT, sub): a macro statement.
+        if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.keyword(start) {
+            self.at = start;
+            self.to_line_end();
+            let range = TextRange::new(start as u32, self.at as u32);
+            block.kind = BlockKind::Macro(range);
+            return None;
+        }
+        if letter == b'O' && rest.first() == Some(&b'<') && self.lexicon.o_words {
+            self.at = start;
+            self.to_line_end();
+            block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
+            return None;
+        }
+        self.problem(block, || {
+            let span = Span::new(self.file, start as u32, start as u32 + 1);
+            let name = letter as char;
+            Diagnostic::new(Code::MissingValue, span, format!("`{name}` has no number"))
+                .label("a number is due behind this letter")
+                .help(format!("write the number, or take the `{name}` out"))
+        });
+        Some(Value::Missing)
+    }
+
+    /// Keywords of macro languages, by the letters from `start`.
+    fn keyword(&self, start: usize) -> bool {
+        const KEYWORDS: [&str; 27] = [
+            "IF", "WHILE", "WH", "GOTO", "GO", "END", "DO", "THEN", "ELSE", "DPRNT", "BPRNT",
+            "POPEN", "PCLOS", "SETVN", "SUB", "ENDSUB", "CALL", "RETURN", "REPEAT", "PRINT",
+            "INPUT", "AX", "MSG", "BREAK", "CONTINUE", "ENDIF", "VC",
+        ];
+        let rest = &self.text[start..self.end];
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).take(12);
+        let word: String = letters.map(|b| b.to_ascii_uppercase() as char).collect();
+        KEYWORDS.iter().any(|keyword| word == *keyword)
+    }
+
+    /// `#12`, `#[…]`, `[…]`, with a sign; brackets are matched, the line end closes all.
+    fn expression(&mut self) -> Value {
+        let start = self.at;
+        let mut depth = 0usize;
+        while self.at < self.end {
+            match self.text[self.at] {
+                b'[' => depth += 1,
+                b']' => {
+                    depth = depth.saturating_sub(1);
+                    if depth == 0 {
+                        self.at += 1;
+                        break;
+                    }
+                }
+                b'\n' | b'\r' => break,
+                b'#' | b'+' | b'-' | b'.' | b'0'..=b'9' => {}
+                _ if depth == 0 => break,
+                _ => {}
+            }
+            self.at += 1;
+        }
+        Value::Expression(TextRange::new(start as u32, self.at as u32))
+    }
+
+    /// `X1O.5`, `XO`, `Xl.5`: the letter O for a zero, a small l for a one.
+    #[cold]
+    fn letter_for_digit(&mut self, block: &mut Block, start: usize) -> Option<Value> {
+        let rest = &self.text[self.at..self.end];
+        let numeric = |b: &u8| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-');
+        let token: Vec<u8> =
+            rest.iter().copied().take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l')).collect();
+        let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
+        // A keyword or an O word behind a blank is not a slip of the finger.
+        let next = rest.get(token.len()).copied().unwrap_or(b'\n');
+        if letters.next().is_none() || next.is_ascii_alphabetic() {
+            return None;
+        }
+        let mended: Vec<u8> = token
+            .iter()
+            .map(|b| match b {
+                b'O' | b'o' => b'0',
+                b'l' => b'1',
+                other => *other,
+            })
+            .collect();
+        let number = Decimal::parse(&mended)?;
+        self.at += token.len();
+        let range = TextRange::new(start as u32, self.at as u32);
+        let letter = self.text[start] as char;
+        let meant = format!("{letter}{}", String::from_utf8_lossy(&mended));
+        self.problem(block, || {
+            let span = range.in_file(self.file);
+            Diagnostic::new(Code::LetterForDigit, span, "a letter stands inside this number")
+                .label(format!("read as `{meant}`"))
+                .help(format!("write `{meant}`"))
+                .fix(Fix {
+                    title: format!("write `{meant}`"),
+                    span,
+                    replacement: meant.clone(),
+                    applicability: Applicability::Safe,
+                })
+        });
+        Some(Value::Number(number))
+    }
+
+    #[cold]
+    fn bad_number(&mut self, block: &mut Block, start: usize) {
+        let rest = &self.text[self.at..self.end];
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        self.at += token;
+        let words = &rest[..token];
+        let points = words.iter().filter(|b| **b == b'.').count();
+        let signs = words.iter().filter(|b| matches!(b, b'+' | b'-')).count();
+        let digits = words.iter().filter(|b| b.is_ascii_digit()).count();
+        let why = match (points, signs, digits) {
+            (_, _, 0) => "it has no digit".to_string(),
+            (_, _, 19..) => format!("it has {digits} digits, and no control keeps more than 18"),
+            (2.., _, _) => format!("it has {points} decimal points"),
+            (_, 2.., _) => format!("it has {signs} signs"),
+            _ => "the sign stands in the middle".to_string(),
+        };
+        let range = TextRange::new(start as u32, self.at as u32);
+        self.problem(block, || {
+            Diagnostic::new(
+                Code::BadNumber,
+                range.in_file(self.file),
+                format!("this is not a number: {why}"),
+            )
+            .label("the word is left out")
+            .help("a number is an optional sign, digits, and at most one decimal point")
+        });
+    }
+
+    /// A number without a letter: a lost letter, or an `I` typed as `1` (`12. J2.`).
+    #[cold]
+    fn lone_number(&mut self, block: &mut Block) {
+        let start = self.at;
+        let rest = &self.text[start..self.end];
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        self.at += token.max(1);
+        let words = &rest[..token];
+        let line_end = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+        let behind = &rest[token..line_end.min(token + 200)];
+        let has = |letter: u8| {
+            block.letters().has(letter) || behind.iter().any(|b| b.to_ascii_uppercase() == letter)
+        };
+        let one_for_i = words.len() > 1
+            && words[0] == b'1'
+            && !has(b'I')
+            && (has(b'J') || has(b'K'))
+            && Decimal::parse(&words[1..]).is_some();
+        let range = TextRange::new(start as u32, self.at as u32);
+        let shown = String::from_utf8_lossy(words).into_owned();
+        self.problem(block, || {
+            let span = range.in_file(self.file);
+            let problem = Diagnostic::new(
+                Code::MissingAddress,
+                span,
+                format!("`{shown}` has no address letter"),
+            )
+            .label("which axis or function is this?");
+            if one_for_i {
+                let meant = format!("I{}", &shown[1..]);
+                problem
+                    .help(format!("the letter I was typed as the digit 1: write `{meant}`"))
+                    .fix(Fix {
+                        title: format!("write `{meant}`"),
+                        span,
+                        replacement: meant,
+                        applicability: Applicability::Unsafe,
+                    })
+            } else {
+                problem.help("write the letter before the number, or take the number out")
+            }
+        });
+    }
+
+    #[cold]
+    fn unexpected(&mut self, block: &mut Block) {
+        let start = self.at;
+        let strange =
+            |b: &u8| CLASSES[*b as usize] == Class::Other && !matches!(b, b'(' | b';' | b'/' | b'%');
+        let rest = &self.text[start..self.end];
+        self.at += rest.iter().take_while(|b| strange(b)).count().max(1);
+        let range = TextRange::new(start as u32, self.at as u32);
+        self.problem(block, || {
+            let words = &self.text[start..self.at.min(start + 12)];
+            let shown = String::from_utf8_lossy(words).into_owned();
+            Diagnostic::new(
+                Code::UnexpectedCharacter,
+                range.in_file(self.file),
+                format!("`{shown}` means nothing here"),
+            )
+            .help("take it out, or put it into a comment")
+        });
+    }
+
+    #[cold]
+    fn problem(&self, block: &mut Block, make: impl FnOnce() -> Diagnostic) {
+        if block.problems.len() < PROBLEMS_PER_BLOCK {
+            block.problems.push(make());
+        }
+    }
+}

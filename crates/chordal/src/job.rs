@@ -1,0 +1,264 @@
+use chordal_control::{
+    AxisMask, Command, Control, Library, Outcome, RunOptions, SettingError, Sink, initial_offset,
+};
+use chordal_diagnostics::{
+    Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span,
+};
+use chordal_machine::Machine;
+use chordal_path::{Checks, PathBuilder, Segment};
+
+use crate::summary::{Summary, SummaryBuilder};
+
+/// Why there is no job.
+#[derive(Debug, thiserror::Error)]
+pub enum JobError {
+    /// Settings of the machine that its control does not have.
+    #[error("{} settings of the machine are not known to its control", .0.len())]
+    Settings(Vec<SettingError>),
+}
+
+/// How many diagnostics of one code are kept.
+const KEPT_PER_CODE: usize = 200;
+
+/// A program and a machine.
+#[derive(Debug)]
+pub struct Job<'a> {
+    sources: SourceMap<'a>,
+    machine: Machine,
+    control: Control,
+    options: RunOptions,
+    program: Option<u32>,
+}
+
+/// What a run tells beside its commands.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Numbers for people.
+    pub summary: Summary,
+    /// Problems, by place.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Problems that were told but not kept, by code.
+    pub dropped: Vec<(Code, u64)>,
+    /// All problems counted.
+    pub counts: Counts,
+    /// How each program that was run ended.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl<'a> Job<'a> {
+    /// A job of texts and a machine. The first text is the program; the others are where
+    /// its subprograms may be.
+    ///
+    /// # Errors
+    /// When the machine has settings that its control does not know.
+    pub fn new(sources: SourceMap<'a>, machine: Machine) -> Result<Job<'a>, JobError> {
+        let (control, errors) = Control::of(&machine);
+        if !errors.is_empty() {
+            return Err(JobError::Settings(errors));
+        }
+        Ok(Job { sources, machine, control, options: RunOptions::default(), program: None })
+    }
+
+    /// Runs only the program of this number.
+    pub fn program(mut self, number: Option<u32>) -> Job<'a> {
+        self.program = number;
+        self
+    }
+
+    /// Other budgets than the usual ones.
+    pub fn options(mut self, options: RunOptions) -> Job<'a> {
+        self.options = options;
+        self
+    }
+
+    /// The texts.
+    pub fn sources(&self) -> &SourceMap<'a> {
+        &self.sources
+    }
+
+    /// The machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The control with its parameters.
+    pub fn control(&self) -> &Control {
+        &self.control
+    }
+
+    /// Runs the main programs of the first text, one after the other, and pushes commands
+    /// and diagnostics into a sink.
+    pub fn run<S: Sink>(&self, sink: &mut S) -> Vec<Outcome> {
+        if !self.is_readable(sink) {
+            return Vec::new();
+        }
+        let library = Library::new(&self.sources, &self.control.table.lexicon);
+        library.duplicate_diagnostics().for_each(|diagnostic| sink.diagnostic(diagnostic));
+        let mains = match self.program {
+            Some(number) => library.find(number, FileId(0)).into_iter().collect(),
+            None => library.mains(&self.control.table.lexicon),
+        };
+        let mut outcomes = Vec::new();
+        for program in mains {
+            outcomes.push(chordal_control::run(
+                &library,
+                program,
+                &self.machine,
+                &self.control,
+                &self.options,
+                sink,
+            ));
+        }
+        if outcomes.iter().all(|outcome| outcome.blocks == 0) {
+            sink.diagnostic(Diagnostic::new(
+                Code::EmptyProgram,
+                Span::default(),
+                "there is no block to run",
+            ));
+        }
+        outcomes
+    }
+
+    fn is_readable<S: Sink>(&self, sink: &mut S) -> bool {
+        let text = self.sources.get(FileId(0)).map_or(&[][..], |source| source.text());
+        if chordal_syntax::decode(text).binary {
+            sink.diagnostic(
+                Diagnostic::new(
+                    Code::NotAProgram,
+                    Span::default(),
+                    "the file holds binary data, not an NC program",
+                )
+                .help("give the program's text file"),
+            );
+            return false;
+        }
+        true
+    }
+
+    /// Runs and pushes the exact path, segment by segment, in one frame.
+    pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
+        let (offset, known) = self.initial_offset();
+        let builder = PathBuilder::new(&self.machine, offset, known);
+        self.run(&mut PathSink { builder, push })
+    }
+
+    /// Runs with all checks and sums up; `observe` sees every command and its segments on
+    /// the way.
+    pub fn report_with(&self, mut observe: impl FnMut(&Command, &[Segment])) -> Report {
+        let (offset, known) = self.initial_offset();
+        let mut sink = ReportSink {
+            builder: PathBuilder::new(&self.machine, offset, known),
+            checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
+            summary: SummaryBuilder::new(&self.control),
+            collector: Collector::new(KEPT_PER_CODE),
+            segments: Vec::new(),
+            observe: &mut observe,
+        };
+        let outcomes = self.run(&mut sink);
+        sink.finish(outcomes)
+    }
+
+    /// Runs with all checks and sums up.
+    pub fn report(&self) -> Report {
+        self.report_with(|_, _| {})
+    }
+
+    /// Runs with the checks only: what `chordal check` asks.
+    pub fn check(&self) -> Report {
+        let (offset, known) = self.initial_offset();
+        let mut sink = CheckSink {
+            checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
+            collector: Collector::new(KEPT_PER_CODE),
+        };
+        let outcomes = self.run(&mut sink);
+        let CheckSink { mut checks, mut collector } = sink;
+        checks.finish(|diagnostic| collector.push(diagnostic));
+        Report::new(Summary::default(), collector, outcomes)
+    }
+
+    fn initial_offset(&self) -> ([f64; 6], AxisMask) {
+        initial_offset(&self.machine, &self.control)
+    }
+}
+
+impl Report {
+    fn new(summary: Summary, collector: Collector, outcomes: Vec<Outcome>) -> Report {
+        Report {
+            summary,
+            dropped: collector.dropped().collect(),
+            counts: collector.counts(),
+            diagnostics: collector.into_sorted(),
+            outcomes,
+        }
+    }
+
+    /// The gravest severity that occurred.
+    pub fn worst(&self) -> Option<Severity> {
+        match self.counts {
+            Counts { errors: 1.., .. } => Some(Severity::Error),
+            Counts { warnings: 1.., .. } => Some(Severity::Warning),
+            Counts { notes: 1.., .. } => Some(Severity::Note),
+            _ => None,
+        }
+    }
+}
+
+struct PathSink<'m, F> {
+    builder: PathBuilder<'m>,
+    push: F,
+}
+
+impl<F: FnMut(&Segment)> Sink for PathSink<'_, F> {
+    fn command(&mut self, command: &Command) {
+        self.builder.command(command, &mut self.push);
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+struct CheckSink<'m> {
+    checks: Checks<'m>,
+    collector: Collector,
+}
+
+impl Sink for CheckSink<'_> {
+    fn command(&mut self, command: &Command) {
+        self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.collector.push(diagnostic);
+    }
+}
+
+struct ReportSink<'m, F> {
+    builder: PathBuilder<'m>,
+    checks: Checks<'m>,
+    summary: SummaryBuilder,
+    collector: Collector,
+    segments: Vec<Segment>,
+    observe: F,
+}
+
+impl<F: FnMut(&Command, &[Segment])> Sink for ReportSink<'_, F> {
+    fn command(&mut self, command: &Command) {
+        self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+        self.segments.clear();
+        let segments = &mut self.segments;
+        self.builder.command(command, |segment| segments.push(*segment));
+        self.summary.command(command, &self.segments);
+        (self.observe)(command, &self.segments);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.collector.push(diagnostic);
+    }
+}
+
+impl<F> ReportSink<'_, F> {
+    fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
+        let collector = &mut self.collector;
+        self.checks.finish(|diagnostic| collector.push(diagnostic));
+        Report::new(self.summary.finish(), self.collector, outcomes)
+    }
+}

@@ -1,0 +1,36 @@
+//! Runs an NC program the way its control would run it.
+//!
+//! A [`Job`] is a program and a machine. It answers every question a shell asks: the
+//! commands, the path, the summary, the diagnostics. Plain data out; files, terminals and
+//! sockets are the business of the shells.
+//!
+//! ```
+//! use chordal::{Job, Machine, Source, SourceMap};
+//!
+//! let mut sources = SourceMap::new();
+//! sources.add(Source::new("arc.nc", b"G20 G90 S900 M3\nG1 X0 Y0 F10.\nG3 X1. Y1. R1.\nM30\n".as_slice()));
+//! let machine = Machine::from_builtin("haas-vf2").unwrap();
+//! let job = Job::new(sources, machine).unwrap();
+//! let report = job.report();
+//! assert_eq!(report.summary.arcs, 1);
+//! assert!((report.summary.feed_length_mm - 25.4 * std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod job;
+mod summary;
+
+pub use chordal_control as control;
+pub use chordal_diagnostics as diagnostics;
+pub use chordal_geometry as geometry;
+pub use chordal_machine as machine;
+pub use chordal_path as path;
+pub use chordal_syntax as syntax;
+
+pub use chordal_control::{Command, CommandKind, Control, Outcome, RunOptions, Sink};
+pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
+pub use chordal_machine::Machine;
+pub use chordal_path::{Segment, SegmentKind};
+pub use job::{Job, JobError, Report};
+pub use summary::{AxisTravel, ProgramUse, Summary, ToolUse};

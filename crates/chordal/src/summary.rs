@@ -1,0 +1,263 @@
+use std::collections::BTreeMap;
+
+use chordal_control::{Command, CommandKind, Control, Units};
+use chordal_geometry::{Aabb, ParamCurve};
+use chordal_path::{Segment, SegmentKind};
+
+/// What one tool does.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ToolUse {
+    /// Its number; 0 before any tool was changed.
+    pub number: u32,
+    /// Lines of the program between which it is in the spindle, in order.
+    pub lines: Vec<(u32, u32)>,
+    /// Length of its cuts, mm.
+    pub feed_length_mm: f64,
+    /// Time of its cuts, s.
+    pub feed_time_s: f64,
+    /// Time of its rapids, s.
+    pub rapid_time_s: f64,
+    /// Smallest and largest feed, mm/s, where there is one.
+    pub feeds_mm_per_s: Option<(f64, f64)>,
+    /// Spindle speeds, rpm.
+    pub speeds_rpm: Vec<f64>,
+}
+
+/// Where an axis goes, in the frame of the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisTravel {
+    /// Letter of the axis.
+    pub letter: char,
+    /// Lowest and highest place, mm or rad.
+    pub range: (f64, f64),
+    /// Lowest and highest place while cutting, where it cuts.
+    pub cut_range: Option<(f64, f64)>,
+    /// All ways added up, mm or rad.
+    pub way: f64,
+}
+
+/// A program number that occurs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProgramUse {
+    /// Its number, if it has one.
+    pub number: Option<u32>,
+}
+
+/// What a run comes to. Times are distance over feed, and rapids at rapid speed: without
+/// acceleration, so the machine will be slower.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Units of the last block: those for people.
+    pub inch: bool,
+    /// Straight cuts.
+    pub lines: u64,
+    /// Flat arcs.
+    pub arcs: u64,
+    /// Arcs that move along their axis too.
+    pub helices: u64,
+    /// Spirals and cones.
+    pub spirals: u64,
+    /// Rapids.
+    pub rapids: u64,
+    /// Dwells.
+    pub dwells: u64,
+    /// Length of all cuts, mm.
+    pub feed_length_mm: f64,
+    /// Length of all rapids, mm.
+    pub rapid_length_mm: f64,
+    /// Time of all cuts, s.
+    pub feed_time_s: f64,
+    /// Time of all rapids, s.
+    pub rapid_time_s: f64,
+    /// Time of all dwells, s.
+    pub dwell_time_s: f64,
+    /// Cuts of which the time is not known, because they have no feed.
+    pub cuts_without_time: u64,
+    /// Tools in the order of their first use.
+    pub tools: Vec<ToolUse>,
+    /// The axes that move.
+    pub axes: Vec<AxisTravel>,
+}
+
+impl Summary {
+    /// Time of everything that has one, s.
+    pub fn total_time_s(&self) -> f64 {
+        self.feed_time_s + self.rapid_time_s + self.dwell_time_s
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    low: f64,
+    high: f64,
+    cut_low: f64,
+    cut_high: f64,
+    way: f64,
+}
+
+/// Sums up while commands go by.
+pub(crate) struct SummaryBuilder {
+    summary: Summary,
+    tools: BTreeMap<u32, ToolUse>,
+    order: Vec<u32>,
+    tool: u32,
+    axes: [Extent; 6],
+}
+
+impl SummaryBuilder {
+    pub fn new(control: &Control) -> SummaryBuilder {
+        let empty = Extent {
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            cut_low: f64::INFINITY,
+            cut_high: f64::NEG_INFINITY,
+            way: 0.0,
+        };
+        let inch = control.parameters.units == Units::Inch;
+        SummaryBuilder {
+            summary: Summary { inch, ..Summary::default() },
+            tools: BTreeMap::new(),
+            order: Vec::new(),
+            tool: 0,
+            axes: [empty; 6],
+        }
+    }
+
+    pub fn command(&mut self, command: &Command, segments: &[Segment]) {
+        let line = command.origin.line;
+        match &command.kind {
+            CommandKind::Units(units) => self.summary.inch = *units == Units::Inch,
+            CommandKind::Tool { number } => self.tool = *number,
+            CommandKind::Dwell { seconds } => {
+                self.summary.dwells += 1;
+                self.summary.dwell_time_s += seconds;
+            }
+            CommandKind::Spindle { rpm, .. } if *rpm > 0.0 => {
+                let tool = self.tool_use(line);
+                if !tool.speeds_rpm.contains(rpm) {
+                    tool.speeds_rpm.push(*rpm);
+                }
+            }
+            CommandKind::Rapid { .. } => self.summary.rapids += 1,
+            CommandKind::Line { .. } => self.summary.lines += 1,
+            CommandKind::Arc { motion, shape, .. } => {
+                let (_, _, normal) = shape.plane.axes();
+                if motion.from[normal] == motion.to[normal] {
+                    self.summary.arcs += 1;
+                } else {
+                    self.summary.helices += 1;
+                }
+            }
+            CommandKind::Spiral { .. } => self.summary.spirals += 1,
+            _ => {}
+        }
+        if !segments.is_empty() {
+            self.segments(command, segments);
+        }
+    }
+
+    fn segments(&mut self, command: &Command, segments: &[Segment]) {
+        let speed = command.kind.feed().map(|feed| feed.value).filter(|value| *value > 0.0);
+        for segment in segments {
+            self.extend(segment);
+            if segment.kind == SegmentKind::Rapid {
+                if segment.known {
+                    self.summary.rapid_length_mm += segment.length_mm;
+                }
+                self.summary.rapid_time_s += segment.duration_s;
+                self.tool_use(command.origin.line).rapid_time_s += segment.duration_s;
+                continue;
+            }
+            self.summary.feed_length_mm += segment.length_mm;
+            self.summary.feed_time_s += segment.duration_s;
+            if segment.duration_s == 0.0 && segment.length_mm > 0.0 {
+                self.summary.cuts_without_time += 1;
+            }
+            let tool = self.tool_use(command.origin.line);
+            tool.feed_length_mm += segment.length_mm;
+            tool.feed_time_s += segment.duration_s;
+            if let Some(speed) = speed {
+                let (low, high) = tool.feeds_mm_per_s.unwrap_or((speed, speed));
+                tool.feeds_mm_per_s = Some((low.min(speed), high.max(speed)));
+            }
+        }
+    }
+
+    fn tool_use(&mut self, line: u32) -> &mut ToolUse {
+        let number = self.tool;
+        let changed = self.order.last() != Some(&number);
+        if changed {
+            self.order.push(number);
+        }
+        let tool = self
+            .tools
+            .entry(number)
+            .or_insert_with(|| ToolUse { number, ..ToolUse::default() });
+        match tool.lines.last_mut() {
+            // A subprogram may stand before its caller: the range holds both.
+            Some((first, last)) if !changed => {
+                *first = (*first).min(line);
+                *last = (*last).max(line);
+            }
+            _ => tool.lines.push((line, line)),
+        }
+        tool
+    }
+
+    fn extend(&mut self, segment: &Segment) {
+        let cuts = segment.kind != SegmentKind::Rapid;
+        if segment.known {
+            let bounds: Aabb = segment.curve.bounds();
+            let (start, end) = (segment.curve.start(), segment.curve.end());
+            let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
+            let (start, end) = (start.to_array(), end.to_array());
+            for axis in 0..3 {
+                self.axes[axis].take(min[axis], max[axis], cuts);
+                let way = match segment.kind {
+                    SegmentKind::Rapid | SegmentKind::Line => (end[axis] - start[axis]).abs(),
+                    _ => (max[axis] - min[axis]).abs(),
+                };
+                self.axes[axis].way += way;
+            }
+        }
+        for axis in 0..3 {
+            let (from, to) = (segment.rotary_from[axis], segment.rotary_to[axis]);
+            if from != to {
+                self.axes[axis + 3].take(from.min(to), from.max(to), cuts);
+                self.axes[axis + 3].way += (to - from).abs();
+            }
+        }
+    }
+
+    pub fn finish(self) -> Summary {
+        let mut summary = self.summary;
+        let mut tools = self.tools;
+        for number in self.order {
+            summary.tools.extend(tools.remove(&number));
+        }
+        for (axis, letter) in "XYZABC".chars().enumerate() {
+            let extent = self.axes[axis];
+            if extent.low <= extent.high {
+                let cut = (extent.cut_low, extent.cut_high);
+                summary.axes.push(AxisTravel {
+                    letter,
+                    range: (extent.low, extent.high),
+                    cut_range: (cut.0 <= cut.1).then_some(cut),
+                    way: extent.way,
+                });
+            }
+        }
+        summary
+    }
+}
+
+impl Extent {
+    fn take(&mut self, low: f64, high: f64, cuts: bool) {
+        self.low = self.low.min(low);
+        self.high = self.high.max(high);
+        if cuts {
+            self.cut_low = self.cut_low.min(low);
+            self.cut_high = self.cut_high.max(high);
+        }
+    }
+}
