@@ -1,1 +1,107 @@
-fn main() {}
+//! The `chordal` command: arguments and files in, text and files out.
+//!
+//! One file per subcommand; `input` finds and reads programs, `machine` chooses what runs
+//! them, `beside` looks for subprograms, `output` writes files whole or not at all.
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a shell: files, terminal and clock are its business, so that they are nobody else's"
+)]
+
+mod beside;
+mod check;
+mod chords;
+mod commands;
+mod completions;
+mod explain;
+mod explain_letter;
+mod failure;
+mod input;
+mod machine;
+mod machines;
+mod numbers;
+mod options;
+mod output;
+mod run;
+mod session;
+mod summary;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::{ColorChoice, Parser, Subcommand};
+
+use crate::failure::{Failure, Verdict};
+use crate::terminal::Terminal;
+
+const ABOUT: &str = "Runs CNC programs exactly as their control would";
+
+const LONG_ABOUT: &str = "\
+Runs CNC programs exactly as their control would: Fadal, Haas, Fanuc, Mitsubishi, LinuxCNC.
+
+Chordal reads the program with the rules of one control, says where that control would stop
+and why, and gives the exact path of the tool. It finds out from the text which control a
+program was written for; say --machine when you know better.";
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal run part.nc                        what it does, how long, where it would stop
+  chordal run part.nc -o part.svg            the same, and a picture
+  chordal check archive/                     problems of every program in a folder
+  chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
+  chordal explain CH401                      what a message means
+  chordal explain M17 --machine fadal-4020   what a code does
+  chordal machines haas-vf2                  a machine and its control's settings
+
+Exit code: 0 clean, 1 problems in the program, 2 wrong use or a file that cannot be read.";
+
+#[derive(Parser)]
+#[command(name = "chordal", version, about = ABOUT, long_about = LONG_ABOUT, after_help = EXAMPLES)]
+#[command(propagate_version = true, subcommand_required = true, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+
+    /// When to use colours [a terminal gets them, unless NO_COLOR is set]
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    #[arg(hide_default_value = true, display_order = 100)]
+    color: ColorChoice,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Args),
+    Check(check::Args),
+    Commands(commands::Args),
+    Chords(chords::Args),
+    Explain(explain::Args),
+    Machines(machines::Args),
+    Completions(completions::Args),
+}
+
+impl Command {
+    fn run(self, terminal: Terminal) -> Result<Verdict, Failure> {
+        match self {
+            Command::Run(args) => run::run(args, terminal),
+            Command::Check(args) => check::run(args, terminal),
+            Command::Commands(args) => commands::run(&args, terminal),
+            Command::Chords(args) => chords::run(&args, terminal),
+            Command::Explain(args) => explain::run(&args),
+            Command::Machines(args) => machines::run(&args),
+            Command::Completions(args) => completions::run(&args),
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let terminal = Terminal::new(cli.color);
+    match cli.command.run(terminal) {
+        Ok(verdict) => verdict.into(),
+        Err(failure) => {
+            terminal.failure(&failure);
+            failure.verdict().into()
+        }
+    }
+}

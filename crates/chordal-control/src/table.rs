@@ -1,7 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::Lexicon;
+use chordal_syntax::{Letters, Lexicon};
 
 use crate::parameters::Parameters;
 use crate::settings::Setting;
@@ -143,7 +143,7 @@ pub struct CodeRow {
     /// What it does.
     pub action: Action,
     /// Letters beside the axes and F that it takes.
-    pub words: &'static str,
+    pub words: Letters,
     /// One line for people.
     pub title: &'static str,
 }
@@ -156,7 +156,7 @@ pub const fn row(
     words: &'static str,
     title: &'static str,
 ) -> CodeRow {
-    CodeRow { code, group, action, words, title }
+    CodeRow { code, group, action, words: Letters::of(words), title }
 }
 
 /// Where an L word repeats its block.

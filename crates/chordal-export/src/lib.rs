@@ -1,1 +1,34 @@
-//! Under construction.
+//! What Chordal knows, in the formats that people and programs read: one file per format.
+//!
+//! | of | format | here |
+//! |---|---|---|
+//! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`Canon`] |
+//! | chords | CSV, JSON lines | [`ChordWriter`] |
+//! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
+//! | problems | text, JSON, GitHub, SARIF | [`report`] |
+//!
+//! Inside Chordal everything is millimetres, radians and millimetres per second; each
+//! format converts on the way out. Writers stream: they take any [`std::io::Write`], hold
+//! a line at a time, and open no file.
+
+#![forbid(unsafe_code)]
+
+mod canon;
+mod chords;
+mod command_csv;
+mod command_json;
+mod dxf;
+mod json;
+mod machine_error;
+mod motion;
+mod number;
+mod plot;
+pub mod report;
+
+pub use canon::Canon;
+pub use chords::ChordWriter;
+pub use command_csv::CommandCsv;
+pub use command_json::CommandJsonLines;
+pub use dxf::Dxf;
+pub use machine_error::machine_error_text;
+pub use plot::{Plot, PlotError, PlotOptions};

@@ -89,6 +89,11 @@ impl Letters {
         self.0 & !other.0 == 0
     }
 
+    /// The letters in alphabetical order.
+    pub fn iter(self) -> impl Iterator<Item = char> {
+        ('A'..='Z').filter(move |letter| self.has(*letter as u8))
+    }
+
     /// The letters of both.
     #[inline]
     pub const fn union(self, other: Letters) -> Letters {

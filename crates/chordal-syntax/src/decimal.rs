@@ -48,7 +48,9 @@ impl Decimal {
             && product.unsigned_abs() <= EXACT
         {
             // Both operands are exact, so the division rounds once.
-            return product as f64 / POWERS[(self.scale + extra_scale) as usize % 23];
+            if let Some(power) = POWERS.get((self.scale + extra_scale) as usize) {
+                return product as f64 / power;
+            }
         }
         self.times_slowly(factor, extra_scale)
     }
@@ -87,42 +89,115 @@ impl Decimal {
 
 /// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes.
 /// `None` when there is no digit, or more digits than 18 (no control keeps that many).
+#[inline]
 pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
-    let mut at = 0;
-    let negative = match text.first() {
-        Some(b'-') => {
-            at = 1;
-            true
-        }
-        Some(b'+') => {
-            at = 1;
-            false
-        }
-        _ => false,
-    };
-    let (mut value, mut digits, first) = (0u64, 0usize, at);
-    while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
-        value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
-        at += 1;
+    let sign = text.first().copied().unwrap_or(0);
+    let negative = sign == b'-';
+    let at = usize::from(negative || sign == b'+');
+    let Some(short) = scan_short(text, at) else { return scan_any(text, at, negative) };
+    let mantissa = if negative { -(short.value as i64) } else { short.value as i64 };
+    let Short { scale, has_point, length, .. } = short;
+    Some((Decimal { mantissa, scale, has_point, negative }, at + length))
+}
+
+struct Short {
+    value: u64,
+    scale: u8,
+    has_point: bool,
+    length: usize,
+}
+
+/// Numbers that end within eight bytes, point and all: nearly every number of a program.
+/// The eight bytes are taken at once and the point is squeezed out between the digits.
+#[inline]
+fn scan_short(text: &[u8], at: usize) -> Option<Short> {
+    let bytes: [u8; 8] = text.get(at..at + 8)?.try_into().ok()?;
+    let values = u64::from_le_bytes(bytes) ^ 0x3030_3030_3030_3030;
+    let strange = strange_bytes(values);
+    let first = strange.trailing_zeros();
+    if first == 64 {
+        return None;
     }
-    digits += at - first;
-    let mut scale = 0;
+    // The flag is the highest bit of its byte.
+    let bits = first - 7;
+    let has_point = (values >> bits) & 0xFF == u64::from(b'.' ^ 0x30);
+    if !has_point {
+        let value = if bits == 0 { return None } else { join(values << (64 - bits)) };
+        return Some(Short { value, scale: 0, has_point, length: bits as usize / 8 });
+    }
+    let rest = strange & (strange - 1);
+    if rest == 0 {
+        return None;
+    }
+    let end_bits = rest.trailing_zeros() - 7;
+    let digit_bits = end_bits - 8;
+    if digit_bits == 0 {
+        return None;
+    }
+    let before = (1 << bits) - 1;
+    let squeezed = (values & before) | ((values >> 8) & !before);
+    Some(Short {
+        value: join(squeezed << (64 - digit_bits)),
+        scale: ((digit_bits - bits) / 8) as u8,
+        has_point,
+        length: end_bits as usize / 8,
+    })
+}
+
+/// The highest bit of each byte that is not a digit; `values` are bytes less `0`.
+#[inline]
+const fn strange_bytes(values: u64) -> u64 {
+    // Without carries from byte to byte: seven bits are compared, the eighth is added.
+    (((values & 0x7F7F_7F7F_7F7F_7F7F) + 0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080
+}
+
+#[inline(never)]
+fn scan_any(text: &[u8], start: usize, negative: bool) -> Option<(Decimal, usize)> {
+    let mut at = start;
+    let (whole, whole_digits) = digits(text, at);
+    at += whole_digits;
+    let (mut value, mut scale) = (whole, 0);
     let has_point = text.get(at) == Some(&b'.');
     if has_point {
         at += 1;
-        let first = at;
-        while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
-            value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
-            at += 1;
-        }
-        scale = at - first;
-        digits += scale;
+        let (part, part_digits) = digits(text, at);
+        at += part_digits;
+        scale = part_digits;
+        value = value.wrapping_mul(TENS[scale.min(19)]).wrapping_add(part);
     }
-    if digits == 0 || digits > 18 {
+    let count = whole_digits + scale;
+    if count == 0 || count > 18 {
         return None;
     }
     let mantissa = if negative { -(value as i64) } else { value as i64 };
     Some((Decimal { mantissa, scale: scale as u8, has_point, negative }, at))
+}
+
+const TENS: [u64; 20] = {
+    let mut table = [1; 20];
+    let mut index = 1;
+    while index < 20 {
+        table[index] = table[index - 1] * 10;
+        index += 1;
+    }
+    table
+};
+
+/// The value and the count of the digits at `at`.
+fn digits(text: &[u8], at: usize) -> (u64, usize) {
+    let rest = text.get(at..).unwrap_or(&[]);
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit());
+    digits.fold((0, 0), |(value, count): (u64, usize), byte| {
+        (value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0')), count + 1)
+    })
+}
+
+/// The number of eight digits, one a byte, the first in the lowest byte.
+#[inline]
+const fn join(digits: u64) -> u64 {
+    let pairs = (digits.wrapping_mul(10).wrapping_add(digits >> 8)) & 0x00FF_00FF_00FF_00FF;
+    let fours = (pairs.wrapping_mul(100).wrapping_add(pairs >> 16)) & 0x0000_FFFF_0000_FFFF;
+    (fours.wrapping_mul(10_000).wrapping_add(fours >> 32)) & 0xFFFF_FFFF
 }
 
 impl fmt::Display for Decimal {
@@ -154,6 +229,22 @@ mod tests {
         for text in ["10.", "10", "-.5", "0.125", ".0357", "-0", "100000.0001"] {
             let shown = read(text).to_string();
             assert_eq!(read(&shown), read(text), "{text} shown as {shown}");
+        }
+        for digits in 1..=18 {
+            let text = &"123456789012345678"[..digits];
+            assert_eq!(read(text).mantissa.to_string(), text);
+            assert_eq!(read(&format!("-{text}.")).mantissa.to_string(), format!("-{text}"));
+            assert_eq!(scan(format!("{text}X1.2345678").as_bytes()).unwrap().1, digits);
+            // The same number wherever its point stands and whatever follows.
+            for point in 0..=digits {
+                let number = format!("{}.{}", &text[..point], &text[point..]);
+                for tail in ["", " ", "Y-1.", "\n\n\n\n\n\n\n\n", "\u{e9}9999999"] {
+                    let (read, length) = scan(format!("{number}{tail}").as_bytes()).unwrap();
+                    assert_eq!(length, number.len());
+                    assert_eq!(read.mantissa.to_string(), text);
+                    assert_eq!(usize::from(read.scale), digits - point);
+                }
+            }
         }
         for text in ["", "-", ".", "1..2", "1e5", "1234567890123456789"] {
             assert_eq!(Decimal::parse(text.as_bytes()), None, "{text}");

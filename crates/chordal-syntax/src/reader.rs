@@ -54,6 +54,18 @@ const CLASSES: [Class; 256] = {
     table
 };
 
+/// Bytes right behind a number that mean it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
+const STRANGE_BEHIND_NUMBER: [bool; 256] = {
+    let mut table = [false; 256];
+    let strange = b".Oo[#";
+    let mut index = 0;
+    while index < strange.len() {
+        table[strange[index] as usize] = true;
+        index += 1;
+    }
+    table
+};
+
 impl<'a> BlockReader<'a> {
     /// Reads `text` from its beginning.
     pub fn new(text: &'a [u8], file: FileId, lexicon: Lexicon) -> BlockReader<'a> {
@@ -268,7 +280,8 @@ impl<'a> BlockReader<'a> {
         }
         let value = match decimal::scan(&text[self.at..]) {
             Some((number, length))
-                if !matches!(text.get(self.at + length), Some(b'.' | b'O' | b'o' | b'[' | b'#')) =>
+                if !STRANGE_BEHIND_NUMBER
+                    [text.get(self.at + length).copied().unwrap_or(b'\n') as usize] =>
             {
                 self.at += length;
                 if self.lexicon.blanks_in_numbers {

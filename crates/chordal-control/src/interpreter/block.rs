@@ -14,8 +14,8 @@ use crate::parameters::{ArcCenter, PlaneCodes};
 use crate::state::{Motion, Scale};
 use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutines};
 
-/// Letters of a block that only moves on: no code, no table, no call.
-const PLAIN: Letters = Letters::of("NXYZABCFIJK");
+/// Letters of a block that only moves: no mode, no table, no call.
+const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 
 /// Letters that every block may have.
 const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
@@ -23,13 +23,7 @@ const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 impl<S: Sink> Interpreter<'_, S> {
     /// Carries out the words of a block.
     pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
-        if block.letters().within(PLAIN) && self.state.cycle.is_none() {
-            self.check_repeated_words(block);
-            if block.letters().has(b'F') {
-                self.take_feed(block);
-            }
-            self.check_modal_letters(block);
-            self.motion_block(block, None);
+        if self.plain_motion(block) {
             return Flow::Next;
         }
         let mut codes = std::mem::take(&mut self.codes);
@@ -38,6 +32,40 @@ impl<S: Sink> Interpreter<'_, S> {
         codes.clear();
         self.codes = codes;
         flow
+    }
+
+    /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
+    /// when there is more in the block than that.
+    #[inline]
+    fn plain_motion(&mut self, block: &Block) -> bool {
+        let letters = block.letters();
+        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE {
+            return false;
+        }
+        let words = match block.word(b'G') {
+            None => self.modal_arc_words().unwrap_or(Letters::NONE),
+            Some(word) => {
+                let code = word.number().and_then(code_number);
+                let row = code.and_then(|code| self.control.g_code(code));
+                let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
+                if !letters.within(ALWAYS.union(row.words)) {
+                    return false;
+                }
+                if letters.has(b'F') {
+                    self.take_feed(block);
+                }
+                self.motion_block(block, Some(row.action));
+                return true;
+            }
+        };
+        if !letters.within(ALWAYS.union(words)) {
+            return false;
+        }
+        if letters.has(b'F') {
+            self.take_feed(block);
+        }
+        self.motion_block(block, None);
+        true
     }
 
     /// Finds the rows of all G and M words and judges how they go together.
@@ -167,7 +195,7 @@ impl<S: Sink> Interpreter<'_, S> {
     fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
         let mut claims = ALWAYS;
         for (row, _) in codes {
-            claims = claims.union(Letters::of(row.words));
+            claims = claims.union(row.words);
         }
         let table = self.control.table;
         if table.work_offset_by_e {
@@ -179,16 +207,16 @@ impl<S: Sink> Interpreter<'_, S> {
         if let Some(cycle) = self.state.cycle
             && let Some(row) = table.g_codes.iter().find(|r| r.action == Action::Cycle(cycle.kind))
         {
-            claims = claims.union(Letters::of(row.words));
+            claims = claims.union(row.words);
         }
         if let Some(words) = self.modal_arc_words() {
-            claims = claims.union(Letters::of(words));
+            claims = claims.union(words);
         }
         claims
     }
 
     /// What a block without a motion code may have because of the motion in force.
-    fn modal_arc_words(&self) -> Option<&'static str> {
+    fn modal_arc_words(&self) -> Option<Letters> {
         let code = match self.state.motion {
             Motion::Arc(_) => 20,
             Motion::Spiral(_) => 21,
@@ -222,20 +250,6 @@ impl<S: Sink> Interpreter<'_, S> {
                 )
                 .severity(Severity::Warning),
             );
-        }
-    }
-
-    /// The same for a plain block: I, J, K need an arc to belong to.
-    #[inline]
-    fn check_modal_letters(&mut self, block: &Block) {
-        const CENTER: Letters = Letters::of("IJK");
-        if block.letters().meets(CENTER) && self.modal_arc_words().is_none() {
-            for index in 0..block.words.len() {
-                let word = block.words[index];
-                if CENTER.has(word.letter) {
-                    self.unused_word(&word);
-                }
-            }
         }
     }
 

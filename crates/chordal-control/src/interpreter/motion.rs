@@ -22,11 +22,10 @@ impl<S: Sink> Interpreter<'_, S> {
         let mut named = AxisMask::NONE;
         let left_to_right =
             self.control.table.distance_left_to_right && block.letters().has(b'G');
-        for index in 0..block.words.len() {
-            let word = block.words[index];
+        for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
-                let Some(value) = self.axis_value(&word, axis) else { continue };
+                let Some(value) = self.axis_value(word, axis) else { continue };
                 target[axis] = if self.state.incremental {
                     self.state.position[axis] + value
                 } else {
@@ -34,7 +33,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 };
                 named.insert(axis);
             } else if left_to_right && word.letter == b'G' {
-                self.distance_word(&word);
+                self.distance_word(word);
             }
         }
         if !self.control.axes().covers(named) {

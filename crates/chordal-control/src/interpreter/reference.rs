@@ -102,12 +102,11 @@ impl<S: Sink> Interpreter<'_, S> {
     fn machine_coordinates(&mut self, block: &Block) {
         let mut place = [0.0; 6];
         let mut named = AxisMask::NONE;
-        for index in 0..block.words.len() {
-            let word = block.words[index];
+        for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6
                 && !word.comma
-                && let Some(value) = self.axis_value(&word, axis)
+                && let Some(value) = self.axis_value(word, axis)
             {
                 place[axis] = value;
                 named.insert(axis);
@@ -201,11 +200,10 @@ impl<S: Sink> Interpreter<'_, S> {
     /// The axis words of a block as they stand, without regard to G90 and G91.
     pub(super) fn axis_words(&mut self, block: &Block) -> [Option<f64>; 6] {
         let mut values = [None; 6];
-        for index in 0..block.words.len() {
-            let word = block.words[index];
+        for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
-                values[axis] = self.axis_value(&word, axis);
+                values[axis] = self.axis_value(word, axis);
             }
         }
         values

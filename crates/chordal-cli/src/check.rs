@@ -1,0 +1,160 @@
+use std::path::PathBuf;
+
+use chordal::{Report, Severity};
+use chordal_export::report::{self, Sarif};
+use clap::ValueEnum;
+
+use crate::failure::{Failure, Verdict};
+use crate::numbers::counted;
+use crate::options::Common;
+use crate::session::{Loaded, Session};
+use crate::terminal::{BOLD, Terminal, style};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal check part.nc
+  chordal check part.nc --machine fanuc-30i --fail-on error
+  chordal check archive/ > problems.txt
+  chordal check archive/ --format sarif > chordal.sarif
+  type part.nc | chordal check -
+
+A folder stands for all programs in it and below it; what is a program is told by content, not
+by the ending of its name. Exit code: 0 clean, 1 problems, 2 wrong use or a file that cannot be
+read (the others are checked all the same).";
+
+/// Tells the problems of programs and nothing else
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// Programs, or folders of programs; `-` is standard input
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// How problems are told
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+
+    /// From which severity on a problem makes the exit code 1
+    #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
+    fail_on: FailOn,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// For people: the lines with the words underlined
+    Text,
+    /// One object for all files
+    Json,
+    /// SARIF 2.1.0, for code scanning
+    Sarif,
+    /// Annotations of a GitHub workflow
+    Github,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum FailOn {
+    Error,
+    Warning,
+    Note,
+    Never,
+}
+
+impl FailOn {
+    fn verdict(self, worst: Option<Severity>) -> Verdict {
+        let limit = match self {
+            FailOn::Error => Severity::Error,
+            FailOn::Warning => Severity::Warning,
+            FailOn::Note => Severity::Note,
+            FailOn::Never => return Verdict::Clean,
+        };
+        if worst >= Some(limit) { Verdict::Problems } else { Verdict::Clean }
+    }
+}
+
+pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let Args { files, format, fail_on, common } = args;
+    let session = Session::new(&files, common, terminal)?;
+    let mut totals = Totals::default();
+    let mut objects = Vec::new();
+    let mut sarif = Sarif::new();
+    let mut handle = |session: &Session, loaded: &Loaded| {
+        let job = loaded.job()?;
+        let report = job.check();
+        totals.add(&report);
+        match format {
+            Format::Text => session.say(&report::text(&report, job.sources(), terminal.out))?,
+            Format::Github => session.say(&report::github(&report, job.sources()))?,
+            Format::Json => objects.push(report::json(&report, job.sources(), loaded.name())),
+            Format::Sarif => sarif.add(&report, job.sources()),
+        }
+        Ok(fail_on.verdict(report.worst()))
+    };
+    let verdict = session.each(|session, _, loaded| handle(session, loaded))?;
+    match format {
+        Format::Text => terminal.tell(&totals.text(terminal)),
+        Format::Json => crate::terminal::say(&join(&objects))?,
+        Format::Sarif => crate::terminal::say(&sarif.finish())?,
+        Format::Github => {}
+    }
+    Ok(verdict)
+}
+
+/// The objects of all files as one, whether there is one file or many.
+fn join(objects: &[String]) -> String {
+    let objects: Vec<&str> = objects.iter().map(|object| object.trim_end()).collect();
+    format!("{{\"schema\":\"chordal.check/1\",\"files\":[\n{}\n]}}\n", objects.join(",\n"))
+}
+
+/// All files together.
+#[derive(Default)]
+struct Totals {
+    files: u64,
+    with_problems: u64,
+    errors: u64,
+    warnings: u64,
+    notes: u64,
+}
+
+impl Totals {
+    fn add(&mut self, report: &Report) {
+        self.files += 1;
+        self.with_problems += u64::from(report.worst() >= Some(Severity::Warning));
+        self.errors += report.counts.errors;
+        self.warnings += report.counts.warnings;
+        self.notes += report.counts.notes;
+    }
+
+    /// The last line: `2 errors, 1 warning in 1 of 12 programs`.
+    fn text(&self, terminal: Terminal) -> String {
+        if self.files == 0 {
+            return String::new();
+        }
+        let programs = counted(self.files, "program", "programs");
+        let counts = counts_text(self.errors, self.warnings, self.notes);
+        let text = match (self.with_problems, self.files) {
+            (0, _) if self.notes == 0 => format!("{programs}, no problems"),
+            (0, _) => format!("{programs}, no problems, {counts}"),
+            (_, 1) => counts,
+            (some, _) => format!("{counts} in {some} of {programs}"),
+        };
+        format!("{}\n", style(terminal.err, BOLD, text))
+    }
+}
+
+/// `2 errors, 1 warning`.
+pub fn counts_text(errors: u64, warnings: u64, notes: u64) -> String {
+    let mut parts = Vec::new();
+    for (number, one, many) in [
+        (errors, "error", "errors"),
+        (warnings, "warning", "warnings"),
+        (notes, "note", "notes"),
+    ] {
+        if number > 0 {
+            parts.push(counted(number, one, many));
+        }
+    }
+    parts.join(", ")
+}

@@ -1,0 +1,114 @@
+use std::io::{self, BufWriter, Stdout, Write};
+use std::path::PathBuf;
+
+use chordal::{Command, Job, Report, Severity};
+use chordal_export::{Canon, CommandCsv, CommandJsonLines, report};
+use clap::ValueEnum;
+
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::session::load_one;
+use crate::terminal::Terminal;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal commands part.nc                        JSON, one object a line
+  chordal commands part.nc --format canon         as LinuxCNC's rs274 prints them
+  chordal commands part.nc | jq 'select(.kind == \"arc\")'
+  chordal commands part.nc --machine fadal-4020 > fadal.jsonl
+
+Lengths are millimetres, angles degrees, feeds mm/min, whatever the program's units; positions
+are program coordinates at the tool tip; `line` is the line of the file. Problems go to standard
+error; the exit code is 1 when there are errors.";
+
+/// Prints the canonical commands that the control makes of a program
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// How commands are written
+    #[arg(long, value_enum, default_value = "jsonl")]
+    format: Format,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// JSON lines: a header, then one object a command
+    Jsonl,
+    /// LinuxCNC's canonical text
+    Canon,
+    /// Comma-separated, one row a command
+    Csv,
+}
+
+enum Writer {
+    Jsonl(CommandJsonLines<Buffered>),
+    Canon(Canon<Buffered>),
+    Csv(CommandCsv<Buffered>),
+}
+
+impl Writer {
+    fn new(format: Format, job: &Job) -> io::Result<Writer> {
+        let out = buffered();
+        Ok(match format {
+            Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
+            Format::Canon => Writer::Canon(Canon::new(out, job)?),
+            Format::Csv => Writer::Csv(CommandCsv::new(out, job)?),
+        })
+    }
+
+    fn command(&mut self, command: &Command) -> io::Result<()> {
+        match self {
+            Writer::Jsonl(out) => out.command(command),
+            Writer::Canon(out) => out.command(command),
+            Writer::Csv(out) => out.command(command),
+        }
+    }
+
+    fn finish(self) -> io::Result<()> {
+        match self {
+            Writer::Jsonl(out) => out.finish()?,
+            Writer::Canon(out) => out.finish()?,
+            Writer::Csv(out) => out.finish()?,
+        }
+        .flush()
+    }
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let mut writer = Writer::new(args.format, &job)?;
+    let report = job.report_with(|command, _| or_end(terminal, writer.command(command)));
+    writer.finish()?;
+    Ok(tell(&report, &job, terminal))
+}
+
+/// Standard output for many small writes. Not the line-buffered kind.
+pub type Buffered = BufWriter<Stdout>;
+
+/// Standard output for many small writes.
+pub fn buffered() -> Buffered {
+    BufWriter::with_capacity(1 << 16, io::stdout())
+}
+
+/// A run cannot be stopped from within, and what is running has nothing to clean up: when
+/// nobody reads any more (`| head`) the process ends here.
+pub fn or_end(terminal: Terminal, done: io::Result<()>) {
+    if let Err(error) = done {
+        let failure = Failure::Out(error);
+        terminal.failure(&failure);
+        std::process::exit(failure.verdict() as i32);
+    }
+}
+
+/// The problems on standard error, where they are in nobody's way.
+pub fn tell(report: &Report, job: &Job, terminal: Terminal) -> Verdict {
+    terminal.tell(&report::text(report, job.sources(), terminal.err));
+    if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
+}

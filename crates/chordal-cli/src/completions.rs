@@ -1,0 +1,28 @@
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use crate::failure::{Failure, Verdict};
+use crate::terminal::say;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal completions bash > ~/.local/share/bash-completion/completions/chordal
+  chordal completions zsh > ~/.zfunc/_chordal
+  chordal completions fish > ~/.config/fish/completions/chordal.fish
+  chordal completions powershell >> $PROFILE";
+
+/// Prints a script by which a shell completes this command
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The shell
+    shell: Shell,
+}
+
+/// Into memory first: the generator would panic on a closed pipe.
+pub fn run(args: &Args) -> Result<Verdict, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut crate::Cli::command(), "chordal", &mut script);
+    say(&String::from_utf8_lossy(&script))?;
+    Ok(Verdict::Clean)
+}

@@ -1,0 +1,110 @@
+//! What an address letter means on a control, gathered from its table.
+
+use chordal::control::Field;
+use chordal::control::table::{Action, ArcTurns, LineRepeat, Subroutines};
+
+use crate::explain::{View, code_name, codes, own_value, sections, settings, some};
+
+/// The letter on each control; `None` when it has a meaning nowhere.
+pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
+    sections(&char::from(letter).to_string(), views, |view| {
+        let meanings = meanings(letter, view);
+        match meanings.as_slice() {
+            [] => None,
+            [one] => Some(format!("{one}\n")),
+            more => Some(format!("\n  {}\n", more.join("\n  "))),
+        }
+    })
+}
+
+fn meanings(letter: u8, view: &View) -> Vec<String> {
+    let View { table, parameters } = view;
+    let name = char::from(letter);
+    let mut meanings: Vec<String> = Vec::new();
+    let mut add = |text: &str| meanings.push(text.to_string());
+    match letter {
+        b'G' => add("chooses a preparatory code: `chordal explain G2` explains one"),
+        b'M' => add("chooses a miscellaneous code: `chordal explain M3` explains one"),
+        b'N' => add("the number of a block, for jumps and for people"),
+        b'O' => add("the number of a program, at its head"),
+        b'F' => add("feed"),
+        b'S' => add("spindle speed"),
+        b'T' => add("tool"),
+        b'D' => add("offset of the tool's radius or diameter"),
+        b'H' if parameters.length_by_h_alone => {
+            add("offset of the tool's length; H alone brings it into force");
+        }
+        b'H' => add("offset of the tool's length, with G43 or G44"),
+        b'E' if table.work_offset_by_e => add("chooses the work offset: E1, E2, …"),
+        b'X' | b'Y' | b'Z' if table.axis_letters.contains(name) => {
+            add("an axis: where to, or how far in incremental mode");
+        }
+        b'A' | b'B' | b'C' if table.axis_letters.contains(name) => {
+            add("a rotary axis, in degrees");
+        }
+        b'I' | b'J' | b'K' => {
+            for setting in settings(table, &[Field::ArcCenter]) {
+                let value = own_value(setting, parameters);
+                add(&format!("centre of an arc, along {}: {value}", axis_of(letter)));
+            }
+        }
+        b'R' => {
+            add("radius of an arc; negative for more than half a turn");
+            if table.lexicon.registers {
+                add("a register: R0+1.5 gives register R0 a value, X+R0 uses it");
+            }
+            if table.cycle_r_register {
+                add("the R level of cycles is register R0");
+            }
+        }
+        _ => {}
+    }
+    for word in table.dwell.iter().filter(|word| word.letter == letter) {
+        add(&format!("time of a dwell: {name}1 is {} s, {name}1. is {} s", word.integer_s, word.point_s));
+    }
+    if letter == b'L' {
+        match table.line_repeat {
+            LineRepeat::None => {}
+            LineRepeat::MainProgram => add("repeats its block, in the main program only"),
+            LineRepeat::Anywhere => add("repeats its block"),
+        }
+        if table.subroutines == Subroutines::LetterL {
+            add("alone: L100 begins subroutine 1, L203 calls subroutine 2 three times");
+        }
+    }
+    if letter == table.cycle_repeat && letter != b'L' {
+        add("repeats a cycle");
+    }
+    if letter == b'P' {
+        match table.arc_turns {
+            ArcTurns::None => {}
+            ArcTurns::Extra => add("with an arc: further full turns"),
+            ArcTurns::Total => add("with an arc: all turns, its own counted as one"),
+        }
+        if parameters.packed_calls {
+            add("with a call: repeats and program number together, P51000 is 5 times O1000");
+        }
+    }
+    if table.call_start_label == Some(letter) {
+        add("with M98: the N number at which the subprogram begins");
+    }
+    let takers: Vec<String> = [b'G', b'M']
+        .into_iter()
+        .flat_map(|code| codes(table, code).iter().map(move |row| (code, row)))
+        .filter(|(_, row)| row.words.contains(name))
+        .filter(|(_, row)| !matches!(row.action, Action::NotSimulated | Action::NoEffect))
+        .map(|(code, row)| code_name(code, row.code))
+        .collect();
+    if !takers.is_empty() {
+        add(&format!("taken by {}", some(&takers)));
+    }
+    meanings
+}
+
+fn axis_of(letter: u8) -> char {
+    match letter {
+        b'I' => 'X',
+        b'J' => 'Y',
+        _ => 'Z',
+    }
+}

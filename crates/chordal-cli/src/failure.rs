@@ -1,0 +1,91 @@
+use std::io;
+use std::process::ExitCode;
+
+use chordal::machine::MachineError;
+
+/// How a command ended, from good to bad: its exit code.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Verdict {
+    /// Nothing to complain of.
+    Clean,
+    /// Problems in a program.
+    Problems,
+    /// Wrong use, or a file that cannot be read or written.
+    Trouble,
+}
+
+impl From<Verdict> for ExitCode {
+    fn from(verdict: Verdict) -> ExitCode {
+        ExitCode::from(verdict as u8)
+    }
+}
+
+/// Why something could not be done at all. Problems of programs are diagnostics, not this.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// A file or folder could not be read.
+    #[error("cannot read {file}: {reason}")]
+    Read {
+        /// Its name as the user gave it.
+        file: String,
+        /// The system's word, or ours.
+        reason: String,
+    },
+    /// A file could not be written.
+    #[error("cannot write {file}: {reason}")]
+    Write {
+        /// Its name as the user gave it.
+        file: String,
+        /// The system's word.
+        reason: String,
+    },
+    /// Standard output went away or is full.
+    #[error("cannot write to standard output: {0}")]
+    Out(#[from] io::Error),
+    /// A machine file, an assignment or a tool table is wrong.
+    #[error("the machine cannot be used")]
+    Machine(Vec<MachineError>),
+    /// The command line asks for something that does not go.
+    #[error("{message}")]
+    Use {
+        /// What does not go.
+        message: String,
+        /// What does.
+        help: Option<String>,
+    },
+}
+
+impl Failure {
+    /// A file that could not be read.
+    pub fn read(file: impl Into<String>, error: &io::Error) -> Failure {
+        Failure::Read { file: file.into(), reason: reason(error) }
+    }
+
+    /// A file that could not be written.
+    pub fn write(file: impl Into<String>, error: &io::Error) -> Failure {
+        Failure::Write { file: file.into(), reason: reason(error) }
+    }
+
+    /// A wrong use and what to do instead.
+    pub fn wrong(message: impl Into<String>, help: impl Into<String>) -> Failure {
+        Failure::Use { message: message.into(), help: Some(help.into()) }
+    }
+
+    /// Whoever read our output has enough of it: nothing to tell anybody.
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(self, Failure::Out(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+
+    /// What the process ends with.
+    pub fn verdict(&self) -> Verdict {
+        if self.is_closed_pipe() { Verdict::Clean } else { Verdict::Trouble }
+    }
+}
+
+/// The system's message without its number: "(os error 2)" helps nobody at a machine.
+fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let plain = text.rfind(" (os error ").map_or(text.as_str(), |at| &text[..at]);
+    let mut chars = plain.chars();
+    chars.next().map_or_else(String::new, |first| first.to_lowercase().chain(chars).collect())
+}

@@ -1,0 +1,178 @@
+use chordal::Machine;
+use chordal::control::{Certainty, COMMON_SETTINGS, Control};
+use chordal::machine::{Axis, builtin_names, schema_reference};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
+
+use crate::explain::own_value;
+use crate::failure::{Failure, Verdict};
+use crate::machine;
+use crate::numbers::short;
+use crate::summary::plain_table;
+use crate::terminal::say;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal machines                       the built-in machines
+  chordal machines haas-vf2              axes, limits and the control's settings
+  chordal machines haas-vf2 --toml       as a machine file to start your own from
+  chordal machines shop/vf2.toml --toml  a file with all that it inherits
+  chordal machines --schema              every key of a machine file (Markdown)";
+
+/// Lists machines, or shows one with its control's settings
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// A built-in machine or a machine file
+    #[arg(value_name = "NAME|FILE.toml", conflicts_with = "schema")]
+    name: Option<String>,
+
+    /// Prints the machine as a file, everything inherited included
+    #[arg(long, requires = "name")]
+    toml: bool,
+
+    /// Prints the keys of a machine file
+    #[arg(long)]
+    schema: bool,
+}
+
+pub fn run(args: &Args) -> Result<Verdict, Failure> {
+    let text = match &args.name {
+        _ if args.schema => schema_reference(),
+        None => list(),
+        Some(name) if args.toml => machine::named(name)?.to_toml(),
+        Some(name) => one(&machine::named(name)?),
+    };
+    say(&text)?;
+    Ok(Verdict::Clean)
+}
+
+fn list() -> String {
+    let mut table = plain_table(&["name", "control", "machine"], 3);
+    for name in builtin_names() {
+        if let Ok(machine) = Machine::from_builtin(name) {
+            let (control, _) = Control::of(&machine);
+            table.add_row([name, control.table.title, &machine.title]);
+        }
+    }
+    lines(&table, "")
+}
+
+fn one(machine: &Machine) -> String {
+    let (control, _) = Control::of(machine);
+    let mut text = format!("{}: {}\n", machine.name, machine.title);
+    for note in &machine.notes {
+        text.push_str(&format!("  {note}\n"));
+    }
+    text.push_str(&format!("\nControl   {} ({})\n", control.table.title, control.table.name));
+    text.push_str(&format!("Source    {}\n", control.table.source));
+    for (label, value) in limits(machine) {
+        text.push_str(&format!("{label:10}{value}\n"));
+    }
+    text.push('\n');
+    text.push_str(&lines(&axes(machine), ""));
+    text.push_str("\nSettings, as [settings] of a machine file or --set \"settings.NAME=VALUE\" change them:\n\n");
+    text.push_str(&lines(&settings(&control), ""));
+    text
+}
+
+/// Both units: one of them is that of the reader.
+fn lengths(mm: f64) -> String {
+    format!("{} mm ({} in)", short(mm, 3), short(mm / 25.4, 4))
+}
+
+fn speeds(mm_per_s: f64) -> String {
+    format!("{} mm/min ({} in/min)", short(mm_per_s * 60.0, 1), short(mm_per_s * 60.0 / 25.4, 2))
+}
+
+fn limits(machine: &Machine) -> Vec<(&'static str, String)> {
+    let mut rows = Vec::new();
+    if let Some(feed) = machine.feed.max_mm_per_s {
+        rows.push(("Feed", format!("up to {}", speeds(feed))));
+    }
+    if let Some(rpm) = machine.spindle_max_rpm {
+        rows.push(("Spindle", format!("up to {} rpm", short(rpm, 1))));
+    }
+    if let Some(shape) = machine.rapid {
+        rows.push(("Rapids", shape.as_str().to_string()));
+    }
+    if let Some(clearance) = machine.clearance_mm {
+        rows.push(("Clearance", format!("Z {}", lengths(clearance))));
+    }
+    if let Some(seconds) = machine.times.tool_change_s {
+        rows.push(("Tools", format!("a change takes {} s", short(seconds, 2))));
+    }
+    let names: Vec<&str> = machine.work_offsets.keys().map(String::as_str).collect();
+    if !names.is_empty() {
+        rows.push(("Offsets", names.join(", ")));
+    }
+    rows
+}
+
+fn axes(machine: &Machine) -> Table {
+    let header = ["axis", "travel", "rapid", "acceleration", "jerk"];
+    let mut table = plain_table(&header, header.len());
+    for axis in Axis::ALL {
+        let Some(limits) = machine.axis(axis) else { continue };
+        let (unit, factor) = if axis.is_rotary() { ("deg", 1f64.to_degrees()) } else { ("mm", 1.0) };
+        let rate = |value: Option<f64>, per: &str, times: f64| {
+            value.map_or_else(|| "-".into(), |v| format!("{} {unit}/{per}", short(v * factor * times, 3)))
+        };
+        let travel = limits.travel.map_or_else(
+            || "no limit".to_string(),
+            |(low, high)| format!("{} to {} {unit}", short(low * factor, 3), short(high * factor, 3)),
+        );
+        table.add_row([
+            axis.to_string(),
+            travel,
+            rate(limits.max_velocity, "min", 60.0),
+            rate(limits.max_acceleration, "s^2", 1.0),
+            rate(limits.max_jerk, "s^3", 1.0),
+        ]);
+    }
+    table
+}
+
+/// The control's own settings, then those that all controls share.
+fn settings(control: &Control) -> Table {
+    let header = ["setting", "value", "meaning", "certainty", "source"];
+    let mut table = plain_table(&header, header.len());
+    for setting in control.table.settings {
+        table.add_row([
+            setting.name,
+            &own_value(setting, &control.parameters),
+            setting.text,
+            certainty(setting.certainty),
+            setting.source,
+        ]);
+    }
+    for setting in COMMON_SETTINGS {
+        // How sure it is and why stands with the control's own name of the same thing.
+        let own = control.table.settings.iter().find(|own| own.field == setting.field);
+        let (sure, source) = match own {
+            Some(own) => (certainty(own.certainty), format!("see {}", own.name)),
+            None => ("", String::new()),
+        };
+        let value = own_value(setting, &control.parameters);
+        table.add_row([setting.name, &value, setting.text, sure, &source]);
+    }
+    // Long meanings are broken at a width that fits any terminal and any mail.
+    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(130);
+    if let Some(column) = table.column_mut(2) {
+        column.set_constraint(ColumnConstraint::UpperBoundary(Width::Fixed(48)));
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    table
+}
+
+fn certainty(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Documented => "documented",
+        Certainty::Inferred => "inferred",
+        Certainty::Trade => "trade",
+        Certainty::Unknown => "unknown",
+    }
+}
+
+fn lines(table: &Table, indent: &str) -> String {
+    table.lines().map(|line| format!("{indent}{}\n", line.trim_end())).collect()
+}

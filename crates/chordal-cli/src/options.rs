@@ -1,0 +1,42 @@
+use std::path::PathBuf;
+
+/// What all commands that run a program share.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Machine")]
+pub struct Common {
+    /// The machine: a built-in name (see `chordal machines`) or a machine file
+    ///
+    /// Without it, `chordal.toml` in the program's folder says, and else the control is
+    /// recognized from the program.
+    #[arg(long, short, value_name = "NAME|FILE.toml")]
+    pub machine: Option<String>,
+
+    /// Overrides any key of the machine, as `tools.5.diameter="0.5 in"`
+    ///
+    /// Also `"settings.Setting 58=fanuc"`, `work_offsets.G54.X="10 in"`, `control=haas`.
+    /// `chordal machines --schema` lists the keys.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+
+    /// Tools from a LinuxCNC tool table, in the machine's units at power-on
+    #[arg(long, value_name = "tool.tbl")]
+    pub tools: Option<PathBuf>,
+
+    /// Runs only this program of the file, as `1000` or `O1000`
+    #[arg(long, value_name = "N", value_parser = program_number)]
+    pub program: Option<u32>,
+
+    /// Block delete: leaves out the blocks that start with `/`
+    #[arg(long)]
+    pub block_delete: bool,
+
+    /// Most blocks carried out in calls, repeats and jumps before a program counts as endless
+    #[arg(long, value_name = "N")]
+    pub max_blocks: Option<u64>,
+}
+
+/// `1000`, `O1000`, `o1000`, `:1000`.
+fn program_number(text: &str) -> Result<u32, String> {
+    let digits = text.strip_prefix(['O', 'o', ':']).unwrap_or(text);
+    digits.parse().map_err(|_| "a program number is due, as `1000` or `O1000`".to_string())
+}

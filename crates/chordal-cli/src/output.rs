@@ -1,0 +1,296 @@
+//! Files that `run` writes: what goes where, and whole or not at all.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use chordal::{Command, Job, Report, Segment};
+use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
+use tempfile::NamedTempFile;
+
+use crate::failure::Failure;
+use crate::input::Input;
+
+/// What the ending of an output's name asks for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Format {
+    Svg,
+    Png,
+    Dxf,
+    Csv,
+    Jsonl,
+    Canon,
+}
+
+impl Format {
+    const ALL: [(&str, Format); 6] = [
+        ("svg", Format::Svg),
+        ("png", Format::Png),
+        ("dxf", Format::Dxf),
+        ("csv", Format::Csv),
+        ("jsonl", Format::Jsonl),
+        ("canon", Format::Canon),
+    ];
+
+    fn of(path: &Path) -> Result<Format, Failure> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        let found = Format::ALL.iter().find(|(own, _)| Some(*own) == ending.as_deref());
+        found.map(|(_, format)| *format).ok_or_else(|| {
+            let endings: Vec<String> = Format::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
+            let message = match ending {
+                Some(ending) => format!("nothing is written as .{ending} ({})", path.display()),
+                None => format!("the ending of {} says no format", path.display()),
+            };
+            Failure::wrong(message, format!("the endings are {}", endings.join(", ")))
+        })
+    }
+}
+
+/// A file to write.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Target {
+    path: PathBuf,
+    format: Format,
+}
+
+/// What is written for each input. `DIR/` is a picture of each program in a folder, `DIR/*.dxf`
+/// a file of each by its name; a plain name is one program's.
+pub fn plan(patterns: &[PathBuf], inputs: &[Input]) -> Result<Vec<Vec<Target>>, Failure> {
+    let names = names(inputs);
+    let mut plan = vec![Vec::new(); inputs.len()];
+    for pattern in patterns {
+        let text = pattern.to_string_lossy();
+        let pattern = if text.ends_with(['/', std::path::MAIN_SEPARATOR]) || pattern.is_dir() {
+            pattern.join("*.svg")
+        } else {
+            pattern.clone()
+        };
+        let format = Format::of(&pattern)?;
+        let file = pattern.file_name().map(|name| name.to_string_lossy().into_owned());
+        let file = file.unwrap_or_default();
+        if !file.contains('*') && inputs.len() > 1 {
+            return Err(Failure::wrong(
+                format!("{text} is one file, and there are {} programs", inputs.len()),
+                format!("write -o 'DIR/*.{}': a file for each program", ending(&pattern)),
+            ));
+        }
+        for (targets, name) in plan.iter_mut().zip(&names) {
+            let path = pattern.with_file_name(file.replacen('*', name, 1));
+            targets.push(Target { path, format });
+        }
+    }
+    keep_inputs(&plan, inputs)?;
+    Ok(plan)
+}
+
+fn ending(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The name that stands for each input: without its ending, unless two would be the same.
+fn names(inputs: &[Input]) -> Vec<String> {
+    let text = |path: PathBuf| path.to_string_lossy().into_owned();
+    let mut names: Vec<String> =
+        inputs.iter().map(|input| text(input.below_root().with_extension(""))).collect();
+    let mut seen = BTreeSet::new();
+    let twice: BTreeSet<String> =
+        names.iter().filter(|name| !seen.insert((*name).clone())).cloned().collect();
+    for (name, input) in names.iter_mut().zip(inputs) {
+        if twice.contains(name) {
+            *name = text(input.below_root());
+        }
+    }
+    names
+}
+
+/// No output takes the place of a program or of another output.
+fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
+    let programs: BTreeSet<PathBuf> =
+        inputs.iter().filter_map(|input| input.path.as_ref()?.canonicalize().ok()).collect();
+    let mut seen = BTreeSet::new();
+    for target in plan.iter().flatten() {
+        let name = target.path.display();
+        if target.path.canonicalize().is_ok_and(|path| programs.contains(&path)) {
+            return Err(Failure::wrong(
+                format!("{name} is a program that is to be run"),
+                "give the output another name",
+            ));
+        }
+        if !seen.insert(&target.path) {
+            return Err(Failure::wrong(
+                format!("{name} would be written twice"),
+                "give each output a name of its own",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// A file under a passing name in the same folder, so that renaming it puts the whole content
+/// in place at once. Dropped unfinished, it is gone.
+type Draft = BufWriter<NamedTempFile>;
+
+fn draft(path: &Path) -> io::Result<Draft> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".chordal-");
+    // As any new file, not the private mode of temporary ones.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    Ok(BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?))
+}
+
+fn put(draft: Draft, path: &Path) -> io::Result<()> {
+    let file = draft.into_inner().map_err(io::IntoInnerError::into_error)?;
+    file.persist(path)?;
+    Ok(())
+}
+
+enum Writer {
+    Dxf(Dxf<Draft>),
+    Csv(CommandCsv<Draft>),
+    Jsonl(CommandJsonLines<Draft>),
+    Canon(Canon<Draft>),
+    /// A picture, drawn when the whole path is known.
+    Picture(Draft, Format),
+}
+
+/// The outputs of one run, while it goes on.
+pub struct Outputs {
+    writers: Vec<(PathBuf, Writer)>,
+    plot: Option<Plot>,
+    failed: Option<Failure>,
+}
+
+impl Outputs {
+    /// Opens them, so that a place where nothing can be written is told before a long run.
+    pub fn open(targets: &[Target], job: &Job) -> Result<Outputs, Failure> {
+        let mut outputs = Outputs { writers: Vec::new(), plot: None, failed: None };
+        for Target { path, format } in targets {
+            let writer = open(path, *format, job).map_err(|error| failure(path, &error))?;
+            if matches!(writer, Writer::Picture(..)) {
+                outputs.plot.get_or_insert_with(|| Plot::new(job));
+            }
+            outputs.writers.push((path.clone(), writer));
+        }
+        Ok(outputs)
+    }
+
+    /// Takes a command and its piece of path. After a failure nothing more is taken.
+    pub fn take(&mut self, command: &Command, segments: &[Segment]) {
+        if self.failed.is_some() {
+            return;
+        }
+        for (path, writer) in &mut self.writers {
+            let done = match writer {
+                Writer::Csv(out) => out.command(command),
+                Writer::Jsonl(out) => out.command(command),
+                Writer::Canon(out) => out.command(command),
+                Writer::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
+                Writer::Picture(..) => Ok(()),
+            };
+            if let Err(error) = done {
+                self.failed = Some(failure(path, &error));
+                return;
+            }
+        }
+        if let Some(plot) = &mut self.plot {
+            segments.iter().for_each(|segment| plot.segment(segment));
+        }
+    }
+
+    /// Puts the files in place and names them.
+    pub fn finish(self, report: &Report, options: &PlotOptions) -> Result<Vec<PathBuf>, Failure> {
+        if let Some(failure) = self.failed {
+            return Err(failure);
+        }
+        let mut plot = self.plot;
+        if let Some(plot) = &mut plot {
+            plot.set_inch(report.summary.inch);
+        }
+        let mut written = Vec::new();
+        for (path, writer) in self.writers {
+            let done = match writer {
+                Writer::Csv(out) => out.finish(),
+                Writer::Jsonl(out) => out.finish(),
+                Writer::Canon(out) => out.finish(),
+                Writer::Dxf(out) => out.finish(),
+                Writer::Picture(out, format) => draw(out, format, plot.as_ref(), options),
+            };
+            done.and_then(|draft| put(draft, &path)).map_err(|error| failure(&path, &error))?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+}
+
+fn open(path: &Path, format: Format, job: &Job) -> io::Result<Writer> {
+    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        fs::create_dir_all(parent)?;
+    }
+    let out = draft(path)?;
+    Ok(match format {
+        Format::Svg | Format::Png => Writer::Picture(out, format),
+        Format::Dxf => Writer::Dxf(Dxf::new(out)?),
+        Format::Csv => Writer::Csv(CommandCsv::new(out, job)?),
+        Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
+        Format::Canon => Writer::Canon(Canon::new(out, job)?),
+    })
+}
+
+fn draw(
+    mut out: Draft,
+    format: Format,
+    plot: Option<&Plot>,
+    options: &PlotOptions,
+) -> io::Result<Draft> {
+    if let Some(plot) = plot {
+        match format {
+            Format::Png => out.write_all(&plot.png(options).map_err(io::Error::other)?)?,
+            _ => out.write_all(plot.svg(options).as_bytes())?,
+        }
+    }
+    Ok(out)
+}
+
+fn failure(path: &Path, error: &io::Error) -> Failure {
+    Failure::write(path.to_string_lossy(), error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn input(path: &str, root: Option<&str>) -> Input {
+        Input { path: Some(path.into()), root: root.map(PathBuf::from) }
+    }
+
+    fn paths(plan: &[Vec<Target>]) -> Vec<String> {
+        plan.iter().flatten().map(|target| target.path.display().to_string()).collect()
+    }
+
+    #[test]
+    fn a_pattern_names_a_file_for_each_program() {
+        let inputs = [input("in/a/O1.nc", Some("in")), input("in/O2", Some("in"))];
+        let written = plan(&["out/".into(), "x/*-path.dxf".into()], &inputs).unwrap();
+        assert_eq!(
+            paths(&written),
+            ["out/a/O1.svg", "x/a/O1-path.dxf", "out/O2.svg", "x/O2-path.dxf"]
+        );
+        assert!(plan(&["one.svg".into()], &inputs).is_err());
+        assert!(plan(&["one.svg".into()], &inputs[..1]).is_ok());
+        assert!(plan(&["one.doc".into()], &inputs[..1]).is_err());
+        assert!(plan(&["one".into()], &inputs[..1]).is_err());
+    }
+
+    #[test]
+    fn programs_of_one_stem_keep_their_endings() {
+        let inputs = [input("O1.nc", None), input("O1.tap", None), input("O2.nc", None)];
+        let written = plan(&["out/*.svg".into()], &inputs).unwrap();
+        assert_eq!(paths(&written), ["out/O1.nc.svg", "out/O1.tap.svg", "out/O2.svg"]);
+    }
+}

@@ -1,0 +1,88 @@
+use std::path::PathBuf;
+
+use chordal::Severity;
+use chordal_export::{PlotOptions, report};
+
+use crate::check::counts_text;
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::output::{self, Outputs};
+use crate::session::{Loaded, Session};
+use crate::summary;
+use crate::terminal::{BOLD, Terminal, style};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal run part.nc                        summary and problems
+  chordal run part.nc -o part.svg -o part.dxf
+  chordal run archive/ -o pictures/          a picture of every program
+  chordal run archive/ -o 'out/*.dxf'        * is the program's name
+  chordal run part.nc --machine mill.toml --set tools.5.diameter=\"0.5 in\"
+  chordal run all-prog.txt --program 9013    one program of a control's memory
+
+Outputs by ending:
+  .svg .png   planned views with axes and scale, rapids dashed, feeds coloured by tool
+  .dxf        the path with true arcs
+  .csv .jsonl .canon   the canonical commands, as `chordal commands` prints them
+
+Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
+the number in the file. The exit code is 1 when there is an error: the control would stop.";
+
+/// Carries a program out and sums up what it does
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// Programs, or folders of programs; `-` is standard input
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// Writes a file, its format by its ending; may be given several times
+    #[arg(long = "output", short, value_name = "OUT")]
+    outputs: Vec<PathBuf>,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let session = Session::new(&args.files, args.common, terminal)?;
+    let plan = output::plan(&args.outputs, session.inputs())?;
+    let mut first = true;
+    session.each(|session, index, loaded| {
+        let (text, verdict) = one(loaded, &plan[index], terminal)?;
+        session.say(if first { "" } else { "\n" })?;
+        session.say(&text)?;
+        first = false;
+        Ok(verdict)
+    })
+}
+
+fn one(
+    loaded: &Loaded,
+    targets: &[output::Target],
+    terminal: Terminal,
+) -> Result<(String, Verdict), Failure> {
+    let job = loaded.job()?;
+    let mut outputs = Outputs::open(targets, &job)?;
+    let report = job.report_with(|command, segments| outputs.take(command, segments));
+    let options = PlotOptions {
+        title: loaded.name().to_string(),
+        subtitle: summary::subtitle(&job, &report),
+        ..PlotOptions::default()
+    };
+    let written = outputs.finish(&report, &options)?;
+
+    let mut text = summary::text(loaded, &job, &report, terminal.out);
+    for path in written {
+        text.push_str(&format!("  {:10}{}\n", style(terminal.out, BOLD, "written   "), path.display()));
+    }
+    if report.worst().is_some() {
+        text.push('\n');
+        text.push_str(&report::text(&report, job.sources(), terminal.out));
+        let counts = report.counts;
+        let counts = counts_text(counts.errors, counts.warnings, counts.notes);
+        text.push_str(&format!("{}\n", style(terminal.out, BOLD, counts)));
+    }
+    let failed = report.worst() == Some(Severity::Error);
+    Ok((text, if failed { Verdict::Problems } else { Verdict::Clean }))
+}

@@ -1,0 +1,186 @@
+//! A command over its input files: loads each with its machine, tells what cannot be loaded
+//! and goes on with the rest.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use chordal::control::{Control, RunOptions};
+use chordal::syntax::find_programs;
+use chordal::{Job, Machine, Source, SourceMap};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::beside;
+use crate::failure::{Failure, Verdict};
+use crate::input::{self, Input, Text};
+use crate::machine::{self, Chosen};
+use crate::options::Common;
+use crate::terminal::{Terminal, say};
+
+/// A program with everything it needs to run.
+pub struct Loaded {
+    /// The program's text, then those of its subprograms.
+    texts: Vec<Text>,
+    machine: Machine,
+    options: RunOptions,
+    /// The one program to run, where the command line names it.
+    pub program: Option<u32>,
+    /// Why this machine.
+    pub chosen: Chosen,
+}
+
+impl Loaded {
+    /// The name for people.
+    pub fn name(&self) -> &str {
+        self.texts[0].name()
+    }
+
+    /// The job, which borrows the texts.
+    pub fn job(&self) -> Result<Job<'_>, Failure> {
+        let mut sources = SourceMap::new();
+        for text in &self.texts {
+            sources.add(Source::new(text.name(), text.bytes()));
+        }
+        // The settings were checked with their places when the machine was chosen.
+        let job = Job::new(sources, self.machine.clone())
+            .map_err(|error| Failure::Use { message: error.to_string(), help: None })?;
+        Ok(job.program(self.program).options(self.options.clone()))
+    }
+}
+
+/// Loads a program, its machine and its subprograms.
+pub fn load(input: &Input, given: Option<&Machine>, common: &Common) -> Result<Loaded, Failure> {
+    let text = Text::read(input)?;
+    let (machine, chosen) = match given {
+        Some(machine) => (machine.clone(), Chosen::Given),
+        None => machine::choose(input, text.bytes(), common)?,
+    };
+    let (control, _) = Control::of(&machine);
+    let lexicon = control.table.lexicon;
+    if let Some(number) = common.program {
+        has_program(&text, number, &find_programs(text.bytes(), &lexicon))?;
+    }
+    let mut texts = vec![text];
+    if let Some(path) = input.path.as_ref().filter(|_| !control.parameters.calls_within_file) {
+        let found = beside::find(path, texts[0].bytes(), &lexicon);
+        texts.extend(found);
+    }
+    let mut options = RunOptions::default();
+    if let Some(most) = common.max_blocks {
+        options.max_repeated_blocks = most;
+    }
+    Ok(Loaded { texts, machine, options, program: common.program, chosen })
+}
+
+/// Loads the one program of a command that takes one.
+pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
+    if file.is_dir() {
+        return Err(Failure::wrong(
+            format!("{} is a folder", file.display()),
+            "this command takes one program; `run` and `check` take folders",
+        ));
+    }
+    let (inputs, _) = input::find(std::slice::from_ref(file));
+    let Some(input) = inputs.first() else {
+        return Err(Failure::Use { message: "there is no program".into(), help: None });
+    };
+    load(input, machine::given(common)?.as_ref(), common)
+}
+
+fn has_program(
+    text: &Text,
+    number: u32,
+    heads: &[chordal::syntax::ProgramHead],
+) -> Result<(), Failure> {
+    let numbers: Vec<u32> = heads.iter().filter_map(|head| head.number).collect();
+    if numbers.contains(&number) {
+        return Ok(());
+    }
+    let message = format!("there is no program O{number} in {}", text.name());
+    let names: Vec<String> = numbers.iter().take(20).map(|number| format!("O{number}")).collect();
+    let more = if numbers.len() > 20 { ", …" } else { "" };
+    Err(match names.as_slice() {
+        [] => Failure::wrong(message, "no program of this file has a number"),
+        names => Failure::wrong(message, format!("it has {}{more}", names.join(", "))),
+    })
+}
+
+/// A command over several inputs.
+pub struct Session {
+    terminal: Terminal,
+    given: Option<Machine>,
+    common: Common,
+    inputs: Vec<Input>,
+    bar: ProgressBar,
+    told: BTreeSet<String>,
+    verdict: Verdict,
+}
+
+impl Session {
+    /// Finds the inputs and reads the machine, if the command line names one.
+    pub fn new(files: &[PathBuf], common: Common, terminal: Terminal) -> Result<Session, Failure> {
+        let given = machine::given(&common)?;
+        let (inputs, failures) = input::find(files);
+        let bar = progress(inputs.len());
+        let (told, verdict) = (BTreeSet::new(), Verdict::Clean);
+        let mut session = Session { terminal, given, common, inputs, bar, told, verdict };
+        failures.iter().for_each(|failure| session.tell(failure));
+        Ok(session)
+    }
+
+    /// The inputs.
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    /// Loads each input and has it handled. What cannot be loaded is told; the rest goes on.
+    /// Only a failure of the handler ends it all.
+    pub fn each(
+        mut self,
+        mut handle: impl FnMut(&Session, usize, &Loaded) -> Result<Verdict, Failure>,
+    ) -> Result<Verdict, Failure> {
+        for index in 0..self.inputs.len() {
+            self.bar.set_message(self.inputs[index].name().into_owned());
+            let loaded = load(&self.inputs[index], self.given.as_ref(), &self.common);
+            match loaded {
+                Ok(loaded) => {
+                    let verdict = handle(&self, index, &loaded)?;
+                    self.verdict = self.verdict.max(verdict);
+                }
+                Err(failure) => self.tell(&failure),
+            }
+            self.bar.inc(1);
+        }
+        self.bar.finish_and_clear();
+        Ok(self.verdict)
+    }
+
+    /// Writes to standard output, above the progress bar.
+    pub fn say(&self, text: &str) -> Result<(), Failure> {
+        self.bar.suspend(|| say(text))
+    }
+
+    /// Tells a failure, but the same one only once: a wrong `chordal.toml` counts for every
+    /// file of its folder.
+    fn tell(&mut self, failure: &Failure) {
+        self.verdict = self.verdict.max(failure.verdict());
+        let text = self.terminal.failure_text(failure);
+        if !self.told.contains(&text) {
+            self.bar.suspend(|| self.terminal.tell(&text));
+            self.told.insert(text);
+        }
+    }
+}
+
+/// A bar for several files, drawn on a terminal only and not for what takes no time.
+fn progress(files: usize) -> ProgressBar {
+    if files < 2 {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::with_draw_target(Some(files as u64), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

@@ -1,0 +1,316 @@
+//! What a run comes to, as a machinist would ask for it.
+
+use chordal::control::{EndReason, Library};
+use chordal::diagnostics::FileId;
+use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
+use comfy_table::{CellAlignment, Table};
+
+use crate::machine::Chosen;
+use crate::session::Loaded;
+use crate::numbers::{Units, counted, duration, fixed, grouped, short};
+use crate::terminal::{BOLD, BOLD_RED, style};
+
+/// Most programs, evidence, line ranges and speeds that are listed.
+const MOST_PROGRAMS: usize = 12;
+const MOST_EVIDENCE: usize = 4;
+const MOST_RANGES: usize = 4;
+const MOST_SPEEDS: usize = 4;
+
+/// Width of the labels on the left.
+const LABEL: usize = 10;
+
+/// The summary as text.
+pub fn text(loaded: &Loaded, job: &Job, report: &Report, color: bool) -> String {
+    let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
+    let mut sheet = Sheet { text: String::new(), color };
+    sheet.text.push_str(&format!("{}\n", style(color, BOLD, loaded.name())));
+    sheet.programs(job, loaded.program);
+    sheet.machine(job, &loaded.chosen);
+    sheet.row("units", if report.summary.inch { "inch" } else { "millimetres" });
+    let summary = &report.summary;
+    if !summary.tools.is_empty() {
+        sheet.table(tools(&summary.tools, units, job));
+    }
+    if !summary.axes.is_empty() {
+        sheet.table(axes(&summary.axes, units));
+    }
+    sheet.text.push('\n');
+    sheet.row("moves", &moves(summary, report.outcomes.iter().map(|run| run.blocks).sum()));
+    let (cuts, rapids) = (summary.feed_length_mm, summary.rapid_length_mm);
+    let unit = units.length_unit();
+    let lengths =
+        format!("{} {unit} of cuts, {} {unit} of rapids", units.length(cuts), units.length(rapids));
+    sheet.row("lengths", &lengths);
+    sheet.row("time", &time(summary));
+    sheet.end(job, report);
+    sheet.text
+}
+
+/// The second line under a picture: machine, units, time.
+pub fn subtitle(job: &Job, report: &Report) -> String {
+    let units = if report.summary.inch { "inch" } else { "mm" };
+    let time = duration(report.summary.total_time_s());
+    format!("{}, {units}, about {time} without acceleration", job.machine().title)
+}
+
+struct Sheet {
+    text: String,
+    color: bool,
+}
+
+impl Sheet {
+    fn row(&mut self, label: &str, text: &str) {
+        let label = style(self.color, BOLD, format_args!("{label:LABEL$}"));
+        self.text.push_str(&format!("  {label}{text}\n"));
+    }
+
+    fn more(&mut self, text: &str) {
+        self.text.push_str(&format!("  {:LABEL$}{text}\n", ""));
+    }
+
+    fn rows(&mut self, label: &str, rows: &[String]) {
+        for (index, row) in rows.iter().enumerate() {
+            if index == 0 { self.row(label, row) } else { self.more(row) }
+        }
+    }
+
+    fn table(&mut self, table: Table) {
+        self.text.push('\n');
+        for line in table.lines() {
+            self.text.push_str(&format!("  {}\n", line.trim_end()));
+        }
+    }
+
+    /// The programs that are run, then those that they can call.
+    fn programs(&mut self, job: &Job, program: Option<u32>) {
+        let lexicon = &job.control().table.lexicon;
+        let library = Library::new(job.sources(), lexicon);
+        let mains = match program {
+            Some(number) => library.find(number, FileId(0)).into_iter().collect(),
+            None => library.mains(lexicon),
+        };
+        let shown = |index: &usize| {
+            let program = &library.programs()[*index];
+            let name = program.head.number.map_or("without a number".into(), |n| format!("O{n}"));
+            let title = title(library.text(program.file), program.head.head.end as usize);
+            let from = match job.sources().get(program.file) {
+                Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),
+                _ => String::new(),
+            };
+            format!("{name}{title}{from}")
+        };
+        let list = |indices: &[usize]| {
+            let mut rows: Vec<String> = indices.iter().take(MOST_PROGRAMS).map(shown).collect();
+            if indices.len() > MOST_PROGRAMS {
+                rows.push(format!("and {} more", indices.len() - MOST_PROGRAMS));
+            }
+            rows
+        };
+        let others: Vec<usize> =
+            (0..library.programs().len()).filter(|index| !mains.contains(index)).collect();
+        self.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
+        self.rows("calls", &list(&others));
+    }
+
+    fn machine(&mut self, job: &Job, chosen: &Chosen) {
+        let (machine, table) = (job.machine(), job.control().table);
+        let known = if machine.title == machine.name {
+            machine.name.clone()
+        } else {
+            format!("{} ({})", machine.title, machine.name)
+        };
+        match chosen {
+            Chosen::Given => {
+                self.row("control", table.title);
+                self.row("machine", &known);
+            }
+            Chosen::Folder(file) => {
+                self.row("control", table.title);
+                self.row("machine", &format!("{known}, as {} says", file.display()));
+            }
+            Chosen::Recognized(found) if found.evidence.is_empty() => {
+                self.row("control", &format!("{}, assumed: nothing in the text tells", table.title));
+                self.row("machine", &format!("{known}; say --machine for another"));
+            }
+            Chosen::Recognized(found) => {
+                self.row("control", &format!("{}, recognized:", table.title));
+                for (line, reason) in found.evidence.iter().take(MOST_EVIDENCE) {
+                    self.more(&format!("line {line}: {reason}"));
+                }
+                if found.evidence.len() > MOST_EVIDENCE {
+                    self.more(&format!("and {} more signs", found.evidence.len() - MOST_EVIDENCE));
+                }
+                self.row("machine", &format!("{known}; say --machine for another"));
+            }
+        }
+    }
+
+    /// Where the control would stop, or how the program ends.
+    fn end(&mut self, job: &Job, report: &Report) {
+        let first = report.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+        if let Some(first) = first.min_by_key(|diagnostic| way_to(diagnostic)) {
+            let what = match &first.alarm {
+                Some(alarm) => format!("the control would stop at {}: {alarm}", place(first, job)),
+                None => format!("first error at {}: {}", place(first, job), first.message),
+            };
+            let label = style(self.color, BOLD_RED, format_args!("{:LABEL$}", "stop"));
+            self.text.push_str(&format!("  {label}{what}\n"));
+        } else if report.outcomes.iter().any(|outcome| outcome.end == EndReason::Repeats) {
+            self.row("end", "M99: the control would begin again");
+        }
+    }
+}
+
+/// The comment behind a program's head, as ` (BRACKET, SIDE 2)`.
+fn title(text: &[u8], from: usize) -> String {
+    let line = text[from..].split(|byte| matches!(byte, b'\n' | b'\r')).next().unwrap_or_default();
+    let line = &line[..line.len().min(200)];
+    let Some(open) = line.iter().position(|byte| *byte == b'(') else { return String::new() };
+    let rest = &line[open + 1..];
+    let comment = rest.split(|byte| *byte == b')').next().unwrap_or(rest);
+    let comment = String::from_utf8_lossy(comment);
+    let comment: String = comment.trim().chars().filter(|c| !c.is_control()).take(60).collect();
+    if comment.is_empty() { comment } else { format!(" ({comment})") }
+}
+
+/// The order in which a run comes by: the place of the outermost call first.
+fn way_to(diagnostic: &Diagnostic) -> Vec<u32> {
+    let calls = diagnostic.calls.iter().rev().map(|call| call.range.start);
+    calls.chain([diagnostic.primary.span.range.start]).collect()
+}
+
+fn place(diagnostic: &Diagnostic, job: &Job) -> String {
+    let span = diagnostic.primary.span;
+    let Some(source) = job.sources().get(span.file) else { return String::new() };
+    let line = format!("line {}", source.line_of(span.range.start));
+    if span.file == FileId(0) { line } else { format!("{line} of {}", source.name()) }
+}
+
+/// A table without lines, its first columns to the left and the others to the right.
+pub fn plain_table(header: &[&str], left: usize) -> Table {
+    let mut table = Table::new();
+    table.load_style(comfy_table::presets::NOTHING).set_header(header.to_vec());
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 2));
+        if index >= left {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
+    let (feed, cuts) = (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
+    let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
+    for tool in tools {
+        let known = job.machine().tools.get(&tool.number);
+        let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
+        let name = match (tool.number, known) {
+            (0, _) => "none yet".to_string(),
+            (number, Some(known)) => format!("T{number} {known}"),
+            (number, None) => format!("T{number}"),
+        };
+        table.add_row([
+            name,
+            ranges(&tool.lines),
+            tool.feeds_mm_per_s.map_or_else(|| "-".into(), |(low, high)| {
+                let (low, high) = (units.feed(low), units.feed(high));
+                if low == high { low } else { format!("{low} to {high}") }
+            }),
+            speeds(&tool.speeds_rpm),
+            units.length(tool.feed_length_mm),
+            duration(tool.feed_time_s + tool.rapid_time_s),
+        ]);
+    }
+    table
+}
+
+fn ranges(lines: &[(u32, u32)]) -> String {
+    let mut shown: Vec<String> = lines
+        .iter()
+        .take(MOST_RANGES)
+        .map(|(first, last)| match first == last {
+            true => first.to_string(),
+            false => format!("{first}-{last}"),
+        })
+        .collect();
+    if lines.len() > MOST_RANGES {
+        shown.push(format!("and {} more", lines.len() - MOST_RANGES));
+    }
+    shown.join(", ")
+}
+
+fn speeds(speeds: &[f64]) -> String {
+    let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = speeds.iter().copied().fold(0.0, f64::max);
+    match speeds {
+        [] => "-".into(),
+        few if few.len() <= MOST_SPEEDS => {
+            few.iter().map(|rpm| short(*rpm, 1)).collect::<Vec<_>>().join(", ")
+        }
+        _ => format!("{} to {}", short(low, 1), short(high, 1)),
+    }
+}
+
+fn axes(axes: &[AxisTravel], units: Units) -> Table {
+    let mut table = plain_table(&["axis", "from", "to", "cuts from", "to", ""], 1);
+    if let Some(column) = table.column_mut(5) {
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    for axis in axes {
+        let rotary = matches!(axis.letter, 'A' | 'B' | 'C');
+        let number = |value: f64| match rotary {
+            true => fixed(value.to_degrees(), 3),
+            false => units.coordinate(value),
+        };
+        let (from, to) = axis.range;
+        let cut = |value: Option<f64>| value.map_or_else(|| "-".to_string(), number);
+        table.add_row([
+            axis.letter.to_string(),
+            number(from),
+            number(to),
+            cut(axis.cut_range.map(|range| range.0)),
+            cut(axis.cut_range.map(|range| range.1)),
+            if rotary { "deg" } else { units.length_unit() }.to_string(),
+        ]);
+    }
+    table
+}
+
+fn moves(summary: &Summary, blocks: u64) -> String {
+    let mut parts = Vec::new();
+    for (number, one, many) in [
+        (summary.lines, "line", "lines"),
+        (summary.arcs, "arc", "arcs"),
+        (summary.helices, "helix", "helices"),
+        (summary.spirals, "spiral", "spirals"),
+        (summary.rapids, "rapid", "rapids"),
+        (summary.dwells, "dwell", "dwells"),
+    ] {
+        if number > 0 {
+            parts.push(counted(number, one, many));
+        }
+    }
+    let moves = if parts.is_empty() { "none".to_string() } else { parts.join(", ") };
+    format!("{moves}, in {} blocks", grouped(blocks))
+}
+
+fn time(summary: &Summary) -> String {
+    let mut parts = Vec::new();
+    for (what, seconds) in [
+        ("cuts", summary.feed_time_s),
+        ("rapids", summary.rapid_time_s),
+        ("dwells", summary.dwell_time_s),
+    ] {
+        if seconds > 0.0 {
+            parts.push(format!("{what} {}", duration(seconds)));
+        }
+    }
+    let parts = if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) };
+    let missing = match summary.cuts_without_time {
+        0 => String::new(),
+        some => format!("; {} without a feed not counted", counted(some, "cut", "cuts")),
+    };
+    let total = duration(summary.total_time_s());
+    format!("about {total} without acceleration and tool changes{parts}{missing}")
+}

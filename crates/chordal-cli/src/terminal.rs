@@ -1,0 +1,78 @@
+use std::fmt::Display;
+use std::io::{self, Write};
+
+use anstream::{AutoStream, ColorChoice};
+
+use crate::failure::Failure;
+
+/// What the two output streams can show.
+#[derive(Clone, Copy, Debug)]
+pub struct Terminal {
+    /// Colours on standard output.
+    pub out: bool,
+    /// Colours on standard error.
+    pub err: bool,
+}
+
+impl Terminal {
+    /// Colours as the user wishes; without a wish on terminals only, and never under
+    /// `NO_COLOR`.
+    pub fn new(wish: clap::ColorChoice) -> Terminal {
+        match wish {
+            clap::ColorChoice::Always => ColorChoice::Always,
+            clap::ColorChoice::Never => ColorChoice::Never,
+            clap::ColorChoice::Auto => ColorChoice::Auto,
+        }
+        .write_global();
+        Terminal {
+            out: AutoStream::choice(&io::stdout()) != ColorChoice::Never,
+            err: AutoStream::choice(&io::stderr()) != ColorChoice::Never,
+        }
+    }
+
+    /// Tells why something could not be done, on standard error.
+    pub fn failure(self, failure: &Failure) {
+        if !failure.is_closed_pipe() {
+            self.tell(&self.failure_text(failure));
+        }
+    }
+
+    /// A failure as text.
+    pub fn failure_text(self, failure: &Failure) -> String {
+        let error = style(self.err, BOLD_RED, "error:");
+        match failure {
+            Failure::Machine(errors) => errors
+                .iter()
+                .map(|error| chordal_export::machine_error_text(error, self.err))
+                .collect(),
+            Failure::Use { message, help: Some(help) } => {
+                format!("{error} {message}\n{} {help}\n", style(self.err, BOLD, "help:"))
+            }
+            other => format!("{error} {other}\n"),
+        }
+    }
+
+    /// Writes to standard error; there is nobody to tell when that fails.
+    pub fn tell(self, text: &str) {
+        let _ = anstream::stderr().write_all(text.as_bytes());
+    }
+}
+
+/// Writes to standard output. (`print!` would panic when the reader has gone.)
+pub fn say(text: &str) -> Result<(), Failure> {
+    let mut out = anstream::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    Ok(out.flush()?)
+}
+
+/// Bold.
+pub const BOLD: &str = "\x1b[1m";
+/// Bold and red, as errors are drawn.
+pub const BOLD_RED: &str = "\x1b[1;31m";
+/// Faint.
+pub const DIM: &str = "\x1b[2m";
+
+/// A text in a style, where there are styles.
+pub fn style(on: bool, code: &str, text: impl Display) -> String {
+    if on { format!("{code}{text}\x1b[0m") } else { text.to_string() }
+}

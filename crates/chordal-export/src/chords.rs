@@ -1,0 +1,140 @@
+//! Chords: the path as straight pieces within a tolerance.
+
+use std::io::{self, Write};
+
+use chordal::geometry::{ParamCurve, Placement, Vec3};
+use chordal::{Segment, SegmentKind};
+
+use crate::json::Object;
+use crate::number::{push_finite, push_integer};
+
+/// Writes the path as chords, one row each, as CSV or as JSON lines (schema
+/// `chordal.chords/1`). Lines and rapids are one chord without error.
+#[derive(Debug)]
+pub struct ChordWriter<W> {
+    out: W,
+    row: Vec<u8>,
+    json: bool,
+    tolerance_mm: f64,
+    placement: Placement,
+}
+
+impl<W: Write> ChordWriter<W> {
+    /// Chords as CSV.
+    ///
+    /// # Errors
+    /// Those of the output, and a tolerance that is not above zero.
+    pub fn csv(out: W, tolerance_mm: f64, placement: Placement) -> io::Result<Self> {
+        let mut writer = Self::open(out, tolerance_mm, placement, false)?;
+        writer.row.extend_from_slice(
+            b"line,kind,x_from_mm,y_from_mm,z_from_mm,x_to_mm,y_to_mm,z_to_mm,length_mm,error_mm",
+        );
+        writer.end_row()?;
+        Ok(writer)
+    }
+
+    /// Chords as JSON lines, after a header.
+    ///
+    /// # Errors
+    /// Those of the output, and a tolerance that is not above zero.
+    pub fn jsonl(out: W, tolerance_mm: f64, placement: Placement) -> io::Result<Self> {
+        let mut writer = Self::open(out, tolerance_mm, placement, true)?;
+        let mut header = Object::open(&mut writer.row);
+        header.word("schema", "chordal.chords/1");
+        header.word("length_unit", "mm");
+        header.number("tolerance_mm", tolerance_mm);
+        let word = match placement {
+            Placement::Inscribed => "inscribed",
+            Placement::Balanced => "balanced",
+        };
+        header.word("placement", word);
+        header.close();
+        writer.end_row()?;
+        Ok(writer)
+    }
+
+    /// Writes the chords of a segment.
+    ///
+    /// # Errors
+    /// Those of the output, and [`io::ErrorKind::InvalidData`] for a curve that cannot be cut
+    /// into chords.
+    pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
+        let curve = &segment.curve;
+        let chords = curve
+            .chords(self.tolerance_mm, self.placement)
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
+        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
+        let mut from = curve.start();
+        for to in chords.skip(1) {
+            self.chord(segment, from, to, error_mm)?;
+            from = to;
+        }
+        Ok(())
+    }
+
+    /// Writes what is left and gives the output back.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn finish(mut self) -> io::Result<W> {
+        self.out.flush()?;
+        Ok(self.out)
+    }
+
+    fn open(out: W, tolerance_mm: f64, placement: Placement, json: bool) -> io::Result<Self> {
+        if !(tolerance_mm > 0.0 && tolerance_mm.is_finite()) {
+            let text = format!("a chord tolerance of {tolerance_mm} mm is not above zero");
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, text));
+        }
+        Ok(Self { out, row: Vec::with_capacity(256), json, tolerance_mm, placement })
+    }
+
+    fn chord(&mut self, segment: &Segment, from: Vec3, to: Vec3, error_mm: f64) -> io::Result<()> {
+        let line = segment.origin.line;
+        let kind = kind_word(segment.kind);
+        let length = (to - from).length();
+        if self.json {
+            let mut object = Object::open(&mut self.row);
+            object.integer("line", line.into());
+            object.word("kind", kind);
+            object.object("from", |inner| write_point(inner, from));
+            object.object("to", |inner| write_point(inner, to));
+            object.number("length_mm", length);
+            object.number("error_mm", error_mm);
+            object.close();
+        } else {
+            push_integer(&mut self.row, line.into());
+            self.row.push(b',');
+            self.row.extend_from_slice(kind.as_bytes());
+            for value in [from.x, from.y, from.z, to.x, to.y, to.z, length, error_mm] {
+                self.row.push(b',');
+                push_finite(&mut self.row, value);
+            }
+        }
+        self.end_row()
+    }
+
+    fn end_row(&mut self) -> io::Result<()> {
+        self.row.push(b'\n');
+        self.out.write_all(&self.row)?;
+        self.row.clear();
+        Ok(())
+    }
+}
+
+fn write_point(object: &mut Object, point: Vec3) {
+    object.number("X", point.x);
+    object.number("Y", point.y);
+    object.number("Z", point.z);
+}
+
+/// The word of a piece of path.
+pub(crate) const fn kind_word(kind: SegmentKind) -> &'static str {
+    match kind {
+        SegmentKind::Rapid => "rapid",
+        SegmentKind::Line => "line",
+        SegmentKind::Arc => "arc",
+        SegmentKind::Spiral => "spiral",
+    }
+}

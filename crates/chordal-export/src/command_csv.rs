@@ -1,0 +1,164 @@
+//! Commands as a table: moves, and what happens between them.
+
+use std::io::{self, Write};
+
+use chordal::control::{ArcShape, AxisMask, Feed, Move, Position};
+use chordal::geometry::ParamCurve;
+use chordal::path::curve_of;
+use chordal::{Command, CommandKind, Job};
+
+use crate::motion::{direction_word, path_feed, plane_word, spindle_word};
+use crate::number::number;
+
+const COLUMNS: [&str; 27] = [
+    "line",
+    "kind",
+    "x_from_mm",
+    "y_from_mm",
+    "z_from_mm",
+    "a_from_deg",
+    "b_from_deg",
+    "c_from_deg",
+    "x_to_mm",
+    "y_to_mm",
+    "z_to_mm",
+    "a_to_deg",
+    "b_to_deg",
+    "c_to_deg",
+    "plane",
+    "center_a_mm",
+    "center_b_mm",
+    "direction",
+    "sweep_deg",
+    "radius_from_mm",
+    "radius_to_mm",
+    "length_mm",
+    "feed_mm_per_min",
+    "seconds",
+    "number",
+    "state",
+    "rpm",
+];
+
+const FROM: usize = 2;
+const TO: usize = 8;
+const PLANE: usize = 14;
+const LENGTH: usize = 21;
+const FEED: usize = 22;
+const SECONDS: usize = 23;
+const NUMBER: usize = 24;
+const STATE: usize = 25;
+const RPM: usize = 26;
+
+/// Writes moves, dwells, tools and the spindle as CSV: one row each, fixed columns, blank
+/// where a column does not apply. Rotary axes that the machine does not have stay blank; the
+/// feed of moves of rotary axes alone too, because it is no length.
+#[derive(Debug)]
+pub struct CommandCsv<W: Write> {
+    out: csv::Writer<W>,
+    axes: AxisMask,
+    row: [String; COLUMNS.len()],
+}
+
+impl<W: Write> CommandCsv<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn new(out: W, job: &Job) -> io::Result<Self> {
+        let mut out = csv::Writer::from_writer(out);
+        out.write_record(COLUMNS)?;
+        let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
+        Ok(Self { out, axes, row: Default::default() })
+    }
+
+    /// Writes a command, if it is one of those that have a row.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn command(&mut self, command: &Command) -> io::Result<()> {
+        let kind = match &command.kind {
+            CommandKind::Rapid { motion, .. } => {
+                self.ends(motion);
+                "rapid"
+            }
+            CommandKind::Line { motion, feed } => self.cut("line", motion, None, feed),
+            CommandKind::Arc { motion, shape, feed } => self.cut("arc", motion, Some(shape), feed),
+            CommandKind::Spiral { motion, shape, feed } => {
+                self.cut("spiral", motion, Some(shape), feed)
+            }
+            CommandKind::Dwell { seconds } => {
+                self.row[SECONDS] = number(*seconds);
+                "dwell"
+            }
+            CommandKind::Tool { number } => {
+                self.row[NUMBER] = number.to_string();
+                "tool"
+            }
+            CommandKind::Spindle { state, rpm } => {
+                self.row[STATE] = spindle_word(*state).into();
+                self.row[RPM] = number(*rpm);
+                "spindle"
+            }
+            _ => return Ok(()),
+        };
+        self.row[0] = command.origin.line.to_string();
+        self.row[1] = kind.into();
+        self.out.write_record(&self.row)?;
+        self.row.iter_mut().for_each(String::clear);
+        Ok(())
+    }
+
+    /// Writes what is left and gives the output back.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn finish(self) -> io::Result<W> {
+        self.out.into_inner().map_err(|error| error.into_error())
+    }
+
+    fn cut(
+        &mut self,
+        kind: &'static str,
+        motion: &Move,
+        shape: Option<&ArcShape>,
+        feed: &Feed,
+    ) -> &'static str {
+        self.ends(motion);
+        if let Some(shape) = shape {
+            self.shape(shape);
+        }
+        let curve = curve_of(motion, shape);
+        let length = curve.length();
+        self.row[LENGTH] = number(length);
+        let feed = path_feed(feed, motion, &curve, length);
+        if !feed.rotary {
+            self.row[FEED] = number(feed.per_minute);
+        }
+        kind
+    }
+
+    fn ends(&mut self, motion: &Move) {
+        self.position(FROM, &motion.from);
+        self.position(TO, &motion.to);
+    }
+
+    fn position(&mut self, column: usize, position: &Position) {
+        for (axis, value) in position.iter().enumerate() {
+            if self.axes.has(axis) {
+                self.row[column + axis] =
+                    number(if axis < 3 { *value } else { value.to_degrees() });
+            }
+        }
+    }
+
+    fn shape(&mut self, shape: &ArcShape) {
+        self.row[PLANE] = plane_word(shape.plane).into();
+        self.row[PLANE + 1] = number(shape.center[0]);
+        self.row[PLANE + 2] = number(shape.center[1]);
+        self.row[PLANE + 3] = direction_word(shape.sweep).into();
+        self.row[PLANE + 4] = number(shape.sweep.abs().to_degrees());
+        self.row[PLANE + 5] = number(shape.radius_from);
+        self.row[PLANE + 6] = number(shape.radius_to);
+    }
+}

@@ -1,0 +1,300 @@
+//! Commands as JSON lines.
+
+use std::io::{self, Write};
+
+use chordal::control::{
+    ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, PathMode, Position, RapidPath,
+    Side, Units, WorkName,
+};
+use chordal::diagnostics::FileId;
+use chordal::{Command, CommandKind, Job, SourceMap};
+
+use crate::json::Object;
+use crate::motion::{
+    curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, spindle_word,
+};
+
+/// Writes commands as JSON lines, schema `chordal.commands/1`: a header object, then one
+/// object for each command. Lengths are mm, angles degrees, feeds mm/min.
+#[derive(Debug)]
+pub struct CommandJsonLines<'a, W> {
+    out: W,
+    line: Vec<u8>,
+    sources: &'a SourceMap<'a>,
+    extended: &'static str,
+    /// X, Y and Z always, and the rotary axes of the machine.
+    axes: AxisMask,
+}
+
+const LETTERS: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
+
+impl<'a, W: Write> CommandJsonLines<'a, W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn new(out: W, job: &'a Job<'a>) -> io::Result<Self> {
+        let mut writer = Self {
+            out,
+            line: Vec::with_capacity(512),
+            sources: job.sources(),
+            extended: job.control().table.extended_offset_code,
+            axes: job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
+        };
+        let mut header = Object::open(&mut writer.line);
+        header.word("schema", "chordal.commands/1");
+        header.word("length_unit", "mm");
+        header.word("angle_unit", "deg");
+        header.word("feed_unit", "mm/min");
+        header.text("program", job.sources().get(FileId(0)).map_or("", |source| source.name()));
+        header.text("machine", &job.machine().name);
+        header.text("control", job.machine().control.as_str());
+        header.close();
+        writer.flush_line()?;
+        Ok(writer)
+    }
+
+    /// Writes a command.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn command(&mut self, command: &Command) -> io::Result<()> {
+        let mut object = Object::open(&mut self.line);
+        write_origin(&mut object, &command.origin, self.sources);
+        let context = Context { sources: self.sources, extended: self.extended, axes: self.axes };
+        context.write(&mut object, command);
+        object.close();
+        self.flush_line()
+    }
+
+    /// Writes what is left and gives the output back.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn finish(mut self) -> io::Result<W> {
+        self.out.flush()?;
+        Ok(self.out)
+    }
+
+    fn flush_line(&mut self) -> io::Result<()> {
+        self.line.push(b'\n');
+        self.out.write_all(&self.line)?;
+        self.line.clear();
+        Ok(())
+    }
+}
+
+/// The block's line, and its file where that is not the program's.
+fn write_origin(object: &mut Object, origin: &Origin, sources: &SourceMap) {
+    if origin.span.file != FileId(0)
+        && let Some(source) = sources.get(origin.span.file)
+    {
+        object.text("file", source.name());
+    }
+    object.integer("line", origin.line.into());
+}
+
+struct Context<'a> {
+    sources: &'a SourceMap<'a>,
+    extended: &'static str,
+    axes: AxisMask,
+}
+
+impl Context<'_> {
+    fn write(&self, object: &mut Object, command: &Command) {
+        match &command.kind {
+            CommandKind::Rapid { motion, path } => self.rapid(object, motion, *path),
+            CommandKind::Line { motion, feed } => self.cut(object, "line", motion, None, feed),
+            CommandKind::Arc { motion, shape, feed } => {
+                self.cut(object, "arc", motion, Some(shape), feed);
+            }
+            CommandKind::Spiral { motion, shape, feed } => {
+                self.cut(object, "spiral", motion, Some(shape), feed);
+            }
+            CommandKind::WorkOffset { name, offset, known, .. } => {
+                self.work_offset(object, *name, offset, *known);
+            }
+            CommandKind::Message(range) => {
+                object.word("kind", "message");
+                let span = range.in_file(command.origin.span.file);
+                object.text("text", &self.sources.words(span));
+            }
+            other => state(object, other),
+        }
+    }
+
+    fn rapid(&self, object: &mut Object, motion: &Move, path: RapidPath) {
+        object.word("kind", "rapid");
+        self.ends(object, motion);
+        let word = match path {
+            RapidPath::Straight => "straight",
+            RapidPath::DogLeg => "dog_leg",
+        };
+        object.word("path", word);
+    }
+
+    fn cut(
+        &self,
+        object: &mut Object,
+        kind: &str,
+        motion: &Move,
+        shape: Option<&ArcShape>,
+        feed: &Feed,
+    ) {
+        object.word("kind", kind);
+        self.ends(object, motion);
+        let (curve, length) = curve_and_length(motion, shape);
+        if let Some(shape) = shape {
+            write_shape(object, shape);
+        }
+        object.number("length", length);
+        let path_feed = path_feed(feed, motion, &curve, length);
+        object.number("feed", path_feed.per_minute);
+        if path_feed.rotary {
+            object.word("feed_unit", "deg/min");
+        }
+        if feed.mode != FeedMode::PerTime {
+            object.word("feed_mode", feed_mode_word(feed.mode));
+        }
+        if feed.along == FeedAlong::Plane {
+            object.word("feed_along", "plane");
+        }
+    }
+
+    fn ends(&self, object: &mut Object, motion: &Move) {
+        object.object("from", |inner| self.position(inner, &motion.from));
+        object.object("to", |inner| self.position(inner, &motion.to));
+        self.unknown(object, "from_unknown", motion.from_known);
+        self.unknown(object, "to_unknown", motion.to_known);
+    }
+
+    /// The axes whose value is not known relative to the part, where there are any.
+    fn unknown(&self, object: &mut Object, name: &str, known: AxisMask) {
+        let unknown = self.axes.without(known);
+        if unknown != AxisMask::NONE {
+            object.letters(name, unknown.iter().map(|axis| axis.letter()));
+        }
+    }
+
+    fn position(&self, object: &mut Object, position: &Position) {
+        for (axis, value) in position.iter().enumerate() {
+            if self.axes.has(axis) {
+                object.number(LETTERS[axis], if axis < 3 { *value } else { value.to_degrees() });
+            }
+        }
+    }
+
+    fn work_offset(&self, object: &mut Object, name: WorkName, offset: &Position, known: AxisMask) {
+        object.word("kind", "work_offset");
+        object.text("name", &name.key(self.extended));
+        object.object("offset", |inner| self.position(inner, offset));
+        object.letters("known", known.and(self.axes).iter().map(|axis| axis.letter()));
+    }
+}
+
+fn write_shape(object: &mut Object, shape: &ArcShape) {
+    object.word("plane", plane_word(shape.plane));
+    let (first, second, _) = shape.plane.axes();
+    object.object("center", |inner| {
+        inner.number(LETTERS[first], shape.center[0]);
+        inner.number(LETTERS[second], shape.center[1]);
+    });
+    object.word("direction", direction_word(shape.sweep));
+    object.number("sweep_deg", shape.sweep.abs().to_degrees());
+    object.number("radius_from", shape.radius_from);
+    object.number("radius_to", shape.radius_to);
+}
+
+/// Commands that move nothing.
+fn state(object: &mut Object, kind: &CommandKind) {
+    match kind {
+        CommandKind::Dwell { seconds } => {
+            object.word("kind", "dwell");
+            object.number("seconds", *seconds);
+        }
+        CommandKind::Tool { number } => {
+            object.word("kind", "tool");
+            object.integer("number", (*number).into());
+        }
+        CommandKind::ToolSelect { number } => {
+            object.word("kind", "tool_select");
+            object.integer("number", (*number).into());
+        }
+        CommandKind::ToolLength { number, length_mm, .. } => {
+            object.word("kind", "tool_length");
+            object.optional_integer("number", *number);
+            object.optional("length", *length_mm);
+        }
+        CommandKind::Compensation { side, number, radius_mm } => {
+            object.word("kind", "compensation");
+            object.word("side", side_word(*side));
+            object.optional_integer("number", *number);
+            object.optional("radius", *radius_mm);
+        }
+        CommandKind::Spindle { state, rpm } => {
+            object.word("kind", "spindle");
+            object.word("state", spindle_word(*state));
+            object.number("rpm", *rpm);
+        }
+        CommandKind::Coolant(coolant) => {
+            object.word("kind", "coolant");
+            object.boolean("mist", coolant.mist);
+            object.boolean("flood", coolant.flood);
+            object.boolean("through_tool", coolant.through_tool);
+        }
+        CommandKind::Stop { optional } => {
+            object.word("kind", "stop");
+            object.boolean("optional", *optional);
+        }
+        CommandKind::End => object.word("kind", "end"),
+        other => mode(object, other),
+    }
+}
+
+/// Commands that change what later ones mean.
+fn mode(object: &mut Object, kind: &CommandKind) {
+    match kind {
+        CommandKind::Units(units) => {
+            object.word("kind", "units");
+            object.word("unit", if *units == Units::Inch { "in" } else { "mm" });
+        }
+        CommandKind::Plane(plane) => {
+            object.word("kind", "plane");
+            object.word("plane", plane_word(*plane));
+        }
+        CommandKind::FeedMode(mode) => {
+            object.word("kind", "feed_mode");
+            object.word("mode", feed_mode_word(*mode));
+        }
+        CommandKind::FeedRate { value, mode } => {
+            object.word("kind", "feed_rate");
+            let (value, unit) = match mode {
+                FeedMode::PerTime => (*value * 60.0, "mm/min"),
+                FeedMode::InverseTime => (*value * 60.0, "1/min"),
+                FeedMode::PerRevolution => (*value, "mm/rev"),
+            };
+            object.number("value", value);
+            object.word("unit", unit);
+        }
+        CommandKind::PathMode(mode) => {
+            object.word("kind", "path_mode");
+            let (word, tolerance) = match mode {
+                PathMode::ExactPath => ("exact_path", None),
+                PathMode::ExactStop => ("exact_stop", None),
+                PathMode::Continuous { tolerance_mm } => ("continuous", *tolerance_mm),
+            };
+            object.word("mode", word);
+            object.optional("tolerance", tolerance);
+        }
+        // Motions, offsets and messages are written before this is asked.
+        _ => {}
+    }
+}
+
+const fn side_word(side: Side) -> &'static str {
+    match side {
+        Side::Off => "off",
+        Side::Left => "left",
+        Side::Right => "right",
+    }
+}

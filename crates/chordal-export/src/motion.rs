@@ -1,0 +1,83 @@
+//! What the writers of commands tell of a move beside its ends.
+
+use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, SpindleState};
+use chordal::geometry::{Curve, ParamCurve, Plane, Spiral};
+use chordal::path::curve_of;
+
+/// A feed in the unit of [`PathFeed::per_minute`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PathFeed {
+    /// mm/min; deg/min when only rotary axes move. NaN when there is none.
+    pub per_minute: f64,
+    /// True when only rotary axes move.
+    pub rotary: bool,
+}
+
+/// The exact curve of a move and its length, mm.
+pub(crate) fn curve_and_length(motion: &Move, shape: Option<&ArcShape>) -> (Curve, f64) {
+    let curve = curve_of(motion, shape);
+    let length = curve.length();
+    (curve, length)
+}
+
+/// The feed along the path whatever F counts.
+pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f64) -> PathFeed {
+    let turn = angle(motion);
+    // A move that stands still but for its rotary axes is measured by their angle.
+    let rotary = length_mm == 0.0 && turn > 0.0;
+    let way = if rotary { turn.to_degrees() } else { measured_length(feed.along, curve, length_mm) };
+    let per_second = match feed.mode {
+        FeedMode::PerTime if rotary => feed.value.to_degrees(),
+        FeedMode::PerTime => feed.value,
+        FeedMode::InverseTime => feed.value * way,
+        FeedMode::PerRevolution => feed.value * feed.spindle_rev_per_s,
+    };
+    PathFeed { per_minute: per_second * 60.0, rotary }
+}
+
+/// The angle that the rotary axes turn together, rad.
+fn angle(motion: &Move) -> f64 {
+    (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The length that F counts.
+fn measured_length(along: FeedAlong, curve: &Curve, length_mm: f64) -> f64 {
+    match (along, curve) {
+        (FeedAlong::Plane, Curve::Arc(arc)) => (arc.radius * arc.sweep).abs(),
+        (FeedAlong::Plane, Curve::Spiral(spiral)) => Spiral { rise: 0.0, ..*spiral }.length(),
+        _ => length_mm,
+    }
+}
+
+/// The plane's word.
+pub(crate) const fn plane_word(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Xy => "xy",
+        Plane::Zx => "zx",
+        Plane::Yz => "yz",
+    }
+}
+
+/// The sense of turning as a word.
+pub(crate) const fn direction_word(sweep: f64) -> &'static str {
+    if sweep < 0.0 { "cw" } else { "ccw" }
+}
+
+/// What F counts, as a word.
+pub(crate) const fn feed_mode_word(mode: FeedMode) -> &'static str {
+    match mode {
+        FeedMode::PerTime => "per_time",
+        FeedMode::InverseTime => "inverse_time",
+        FeedMode::PerRevolution => "per_revolution",
+    }
+}
+
+/// What the spindle does, as a word.
+pub(crate) const fn spindle_word(state: SpindleState) -> &'static str {
+    match state {
+        SpindleState::Off => "off",
+        SpindleState::Cw => "cw",
+        SpindleState::Ccw => "ccw",
+        SpindleState::Oriented => "oriented",
+    }
+}

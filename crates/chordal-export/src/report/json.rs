@@ -1,0 +1,94 @@
+//! Problems as one JSON object.
+
+use chordal::diagnostics::{Applicability, Fix};
+use chordal::{Diagnostic, Report, SourceMap, Span};
+use serde_json::{Map, Value, json};
+
+use super::place::{call_text, place};
+
+/// All problems of a run as one JSON object, schema `chordal.diagnostics/1`; `file` is the
+/// name of the program. Lines and columns count from 1, columns in characters; ends are one
+/// past the last. `start` and `end` are offsets in bytes.
+pub fn json(report: &Report, sources: &SourceMap, file: &str) -> String {
+    let diagnostics: Vec<Value> =
+        report.diagnostics.iter().map(|diagnostic| problem(diagnostic, sources)).collect();
+    let dropped: Vec<Value> = report
+        .dropped
+        .iter()
+        .map(|(code, count)| json!({ "code": code.id(), "name": code.info().name, "count": count }))
+        .collect();
+    let object = json!({
+        "schema": "chordal.diagnostics/1",
+        "file": file,
+        "counts": {
+            "errors": report.counts.errors,
+            "warnings": report.counts.warnings,
+            "notes": report.counts.notes,
+        },
+        "diagnostics": diagnostics,
+        "dropped": dropped,
+    });
+    format!("{object:#}\n")
+}
+
+fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {
+    let mut object = Map::new();
+    object.insert("code".into(), diagnostic.code.id().into());
+    object.insert("name".into(), diagnostic.code.info().name.into());
+    object.insert("severity".into(), diagnostic.severity.word().into());
+    object.insert("message".into(), diagnostic.message.as_str().into());
+    insert_place(&mut object, diagnostic.primary.span, sources);
+    object.insert("label".into(), diagnostic.primary.text.as_str().into());
+    let secondary = diagnostic.secondary.iter().map(|label| {
+        let mut inner = Map::new();
+        insert_place(&mut inner, label.span, sources);
+        inner.insert("label".into(), label.text.as_str().into());
+        Value::Object(inner)
+    });
+    object.insert("secondary".into(), secondary.collect());
+    object.insert("alarm".into(), json!(diagnostic.alarm));
+    object.insert("notes".into(), json!(diagnostic.notes));
+    object.insert("help".into(), json!(diagnostic.help));
+    let fix = diagnostic.fix.as_ref().map(|fix| fix_object(fix, sources));
+    object.insert("fix".into(), json!(fix));
+    let calls = diagnostic.calls.iter().map(|call| call_object(*call, sources));
+    object.insert("calls".into(), calls.collect());
+    Value::Object(object)
+}
+
+/// File, lines, columns and offsets; null for a problem of the program as a whole.
+fn insert_place(object: &mut Map<String, Value>, span: Span, sources: &SourceMap) {
+    let place = place(span, sources);
+    let known = place.is_some();
+    let name = sources.get(span.file).map(|source| source.name());
+    object.insert("file".into(), json!(name));
+    object.insert("line".into(), json!(place.as_ref().map(|at| at.start.line)));
+    object.insert("column".into(), json!(place.as_ref().map(|at| at.start.column)));
+    object.insert("end_line".into(), json!(place.as_ref().map(|at| at.end.line)));
+    object.insert("end_column".into(), json!(place.as_ref().map(|at| at.end.column)));
+    object.insert("start".into(), json!(known.then_some(span.range.start)));
+    object.insert("end".into(), json!(known.then_some(span.range.end)));
+}
+
+fn fix_object(fix: &Fix, sources: &SourceMap) -> Value {
+    json!({
+        "title": fix.title,
+        "replacement": fix.replacement,
+        "applicability": match fix.applicability {
+            Applicability::Safe => "safe",
+            Applicability::Unsafe => "unsafe",
+        },
+        "file": sources.get(fix.span.file).map(|source| source.name()),
+        "start": fix.span.range.start,
+        "end": fix.span.range.end,
+    })
+}
+
+fn call_object(call: Span, sources: &SourceMap) -> Value {
+    let place = place(call, sources);
+    json!({
+        "file": place.as_ref().map(|at| at.file),
+        "line": place.as_ref().map(|at| at.start.line),
+        "text": call_text(call, sources),
+    })
+}

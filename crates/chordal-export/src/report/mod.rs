@@ -1,0 +1,16 @@
+//! Problems for people and for other programs.
+
+mod excerpt;
+mod github;
+mod json;
+mod place;
+mod sarif;
+mod text;
+
+pub use github::github;
+pub use json::json;
+pub use sarif::Sarif;
+pub use text::{one, text};
+
+pub(crate) use excerpt::{Excerpts, Mark};
+pub(crate) use text::renderer;

@@ -1,0 +1,180 @@
+//! Problems as text for people.
+
+use annotate_snippets::{Element, Group, Level, Origin, Patch, Renderer, Snippet};
+use chordal::diagnostics::{Applicability, Counts, Fix};
+use chordal::{Diagnostic, Report, Severity, SourceMap, Span};
+
+use super::excerpt::{Excerpts, Mark};
+use super::place::{call_text, place};
+
+/// Calls shown of a deep nesting.
+const MOST_CALLS: usize = 6;
+
+/// All problems of a run as text for people, with the lines they are in, and how many there
+/// are. Empty when there are none.
+pub fn text(report: &Report, sources: &SourceMap, color: bool) -> String {
+    let mut out = String::new();
+    for diagnostic in &report.diagnostics {
+        out.push_str(&one(diagnostic, sources, color));
+        out.push('\n');
+    }
+    for (code, count) in &report.dropped {
+        let info = code.info();
+        out.push_str(&format!("and {} more of {} {}\n", grouped(*count), info.id, info.name));
+    }
+    out.push_str(&closing(&report.counts));
+    out
+}
+
+/// One problem as text for people, with a line end.
+pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String {
+    let message = clean(&diagnostic.message);
+    let title = level(diagnostic.severity).primary_title(message).id(diagnostic.code.id());
+    let mut group = Group::with_title(title);
+    let excerpts = Excerpts::new(&marks(diagnostic), sources);
+    if let Some(place) = place(diagnostic.primary.span, sources) {
+        let origin = Origin::path(place.file)
+            .line(place.start.line as usize)
+            .char_column(place.start.column as usize);
+        group = group.element(origin);
+    }
+    group = group.elements(excerpts.snippets(sources));
+    group = group.elements(footer(diagnostic, sources));
+    let mut groups = vec![group];
+    let fix_excerpts = diagnostic.fix.as_ref().map(|fix| fix_excerpts(fix, sources));
+    if let (Some(fix), Some(excerpts)) = (&diagnostic.fix, &fix_excerpts) {
+        groups.push(suggestion(fix, excerpts, sources));
+    }
+    let mut text = renderer(color).render(&groups);
+    text.push('\n');
+    text
+}
+
+/// How problems are drawn. The lines are cut already, so the renderer must not cut them
+/// again.
+pub(crate) fn renderer(color: bool) -> Renderer {
+    let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+    renderer.term_width(500)
+}
+
+fn level(severity: Severity) -> Level<'static> {
+    match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
+    }
+}
+
+fn marks(diagnostic: &Diagnostic) -> Vec<Mark> {
+    let primary = Mark {
+        span: diagnostic.primary.span,
+        text: clean(&diagnostic.primary.text),
+        primary: true,
+    };
+    let others = diagnostic.secondary.iter().map(|label| Mark {
+        span: label.span,
+        text: clean(&label.text),
+        primary: false,
+    });
+    std::iter::once(primary).chain(others).collect()
+}
+
+/// The alarm, notes, help and calls.
+fn footer<'d>(diagnostic: &'d Diagnostic, sources: &SourceMap) -> Vec<Element<'d>> {
+    let mut lines: Vec<Element> = Vec::new();
+    if let Some(alarm) = &diagnostic.alarm {
+        lines.push(Level::NOTE.with_name("alarm").message(clean(alarm)).into());
+    }
+    for note in &diagnostic.notes {
+        lines.push(Level::NOTE.message(clean(note)).into());
+    }
+    for call in diagnostic.calls.iter().take(MOST_CALLS) {
+        lines.push(Level::NOTE.message(clean(&called_from(*call, sources))).into());
+    }
+    if let more @ 1.. = diagnostic.calls.len().saturating_sub(MOST_CALLS) {
+        lines.push(Level::NOTE.message(format!("and {more} calls further out")).into());
+    }
+    if let Some(help) = &diagnostic.help {
+        lines.push(Level::HELP.message(clean(help)).into());
+    }
+    lines
+}
+
+fn called_from(call: Span, sources: &SourceMap) -> String {
+    let Some(place) = place(call, sources) else { return "called from the program".into() };
+    let words = call_text(call, sources);
+    let file = if call.file.0 == 0 { String::new() } else { format!("{}, ", place.file) };
+    format!("called from {file}line {}: {words}", place.start.line)
+}
+
+fn fix_excerpts(fix: &Fix, sources: &SourceMap) -> Excerpts {
+    let mark = Mark { span: fix.span, text: String::new(), primary: true };
+    Excerpts::new(&[mark], sources)
+}
+
+/// The fix as a help with the line as it would be. Where the words that go are more than the
+/// line shows, only its title.
+fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> Group<'f> {
+    let title = match fix.applicability {
+        Applicability::Safe => clean(&fix.title),
+        Applicability::Unsafe => format!("{} (look at it first)", clean(&fix.title)),
+    };
+    let group = Group::with_title(Level::HELP.secondary_title(title));
+    let words = sources.words(fix.span);
+    match excerpts.first() {
+        Some((line, text, range)) if text.get(range.clone()) == Some(&*words) => {
+            let patch = Patch::new(range, clean(&fix.replacement));
+            group.element(Snippet::source(text).line_start(line as usize).patch(patch))
+        }
+        _ => group.element(Level::HELP.message(format!("write `{}`", clean(&fix.replacement)))),
+    }
+}
+
+/// `2 errors, 1 warning`.
+fn closing(counts: &Counts) -> String {
+    let parts: Vec<String> = [
+        (counts.errors, "error"),
+        (counts.warnings, "warning"),
+        (counts.notes, "note"),
+    ]
+    .into_iter()
+    .filter(|(count, _)| *count > 0)
+    .map(|(count, word)| {
+        let plural = if count == 1 { "" } else { "s" };
+        format!("{} {word}{plural}", grouped(count))
+    })
+    .collect();
+    if parts.is_empty() { String::new() } else { parts.join(", ") + "\n" }
+}
+
+/// Digits in threes: `9,912`.
+fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut out = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// Text without what would steer a terminal: words of a program may hold anything.
+pub(super) fn clean(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() && c != '\n' { '�' } else { c }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_words() {
+        let counts = Counts { errors: 2, warnings: 1, notes: 0 };
+        assert_eq!(closing(&counts), "2 errors, 1 warning\n");
+        assert_eq!(closing(&Counts::default()), "");
+        assert_eq!(grouped(9_912), "9,912");
+        assert_eq!(grouped(1_234_567), "1,234,567");
+    }
+}

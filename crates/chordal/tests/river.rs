@@ -1,0 +1,61 @@
+//! The river of ARCHITECTURE.md, held: text flows to samples and nothing flows back.
+
+#![allow(clippy::disallowed_methods, reason = "asks cargo about the workspace")]
+
+use std::collections::BTreeMap;
+
+/// Each crate and the crates it may use. A crate that is not here is refused, so that a new
+/// one gets its place on purpose.
+const MAY_USE: &[(&str, &[&str])] = &[
+    ("chordal-diagnostics", &[]),
+    ("chordal-syntax", &["chordal-diagnostics"]),
+    ("chordal-geometry", &[]),
+    ("chordal-machine", &["chordal-geometry"]),
+    (
+        "chordal-control",
+        &["chordal-diagnostics", "chordal-syntax", "chordal-geometry", "chordal-machine"],
+    ),
+    (
+        "chordal-path",
+        &["chordal-control", "chordal-machine", "chordal-geometry", "chordal-diagnostics"],
+    ),
+    (
+        "chordal",
+        &[
+            "chordal-diagnostics",
+            "chordal-syntax",
+            "chordal-geometry",
+            "chordal-machine",
+            "chordal-control",
+            "chordal-path",
+        ],
+    ),
+    ("chordal-export", &["chordal"]),
+    ("chordal-cli", &["chordal", "chordal-export"]),
+];
+
+#[test]
+fn every_crate_uses_only_what_lies_upstream() {
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
+    let metadata = cargo_metadata::MetadataCommand::new()
+        .manifest_path(manifest)
+        .no_deps()
+        .exec()
+        .expect("cargo tells about the workspace");
+    let allowed: BTreeMap<&str, &[&str]> = MAY_USE.iter().copied().collect();
+    let mut wrong = Vec::new();
+    for package in &metadata.packages {
+        let Some(upstream) = allowed.get(package.name.as_str()) else {
+            wrong.push(format!("{} has no place in the river", package.name));
+            continue;
+        };
+        for dependency in &package.dependencies {
+            let ours = dependency.name.starts_with("chordal");
+            if ours && !upstream.contains(&dependency.name.as_str()) {
+                wrong.push(format!("{} must not use {}", package.name, dependency.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert_eq!(metadata.packages.len(), MAY_USE.len(), "a crate of the list is gone");
+}
