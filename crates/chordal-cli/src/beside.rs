@@ -65,7 +65,8 @@ impl Folder {
 
     /// The file of a program: by its name, or else by its first head.
     fn program(&mut self, number: u32) -> Option<PathBuf> {
-        let by_name = self.files().iter().find(|path| number_of_name(path) == Some(number)).cloned();
+        let by_name =
+            self.files().iter().find(|path| number_of_name(path) == Some(number)).cloned();
         if let Some(path) = by_name.filter(|path| self.first_head(path) == Some(number)) {
             return Some(path);
         }

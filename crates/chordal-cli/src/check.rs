@@ -16,7 +16,7 @@ Examples:
   chordal check part.nc --machine fanuc-30i --fail-on error
   chordal check archive/ > problems.txt
   chordal check archive/ --format sarif > chordal.sarif
-  type part.nc | chordal check -
+  chordal check - < part.nc
 
 A folder stands for all programs in it and below it; what is a program is told by content, not
 by the ending of its name. Exit code: 0 clean, 1 problems, 2 wrong use or a file that cannot be
@@ -127,34 +127,28 @@ impl Totals {
         self.notes += report.counts.notes;
     }
 
-    /// The last line: `2 errors, 1 warning in 1 of 12 programs`.
+    /// The last line, `2 errors, 1 warning in 1 of 12 programs`; a single program with problems
+    /// has told its own.
     fn text(&self, terminal: Terminal) -> String {
-        if self.files == 0 {
-            return String::new();
-        }
+        let counts: Vec<String> = [
+            (self.errors, "error", "errors"),
+            (self.warnings, "warning", "warnings"),
+            (self.notes, "note", "notes"),
+        ]
+        .into_iter()
+        .filter(|(number, ..)| *number > 0)
+        .map(|(number, one, many)| counted(number, one, many))
+        .collect();
+        let counts = counts.join(", ");
         let programs = counted(self.files, "program", "programs");
-        let counts = counts_text(self.errors, self.warnings, self.notes);
-        let text = match (self.with_problems, self.files) {
-            (0, _) if self.notes == 0 => format!("{programs}, no problems"),
-            (0, _) => format!("{programs}, no problems, {counts}"),
-            (_, 1) => counts,
-            (some, _) => format!("{counts} in {some} of {programs}"),
+        let text = match (self.files, self.with_problems) {
+            (0, _) => return String::new(),
+            (1, _) if !counts.is_empty() => return String::new(),
+            (1, _) => "no problems".to_string(),
+            (_, 0) if counts.is_empty() => format!("no problems in {programs}"),
+            (_, 0) => format!("no problems in {programs}, {counts}"),
+            (_, some) => format!("{counts}; {some} of {programs} with problems"),
         };
         format!("{}\n", style(terminal.err, BOLD, text))
     }
-}
-
-/// `2 errors, 1 warning`.
-pub fn counts_text(errors: u64, warnings: u64, notes: u64) -> String {
-    let mut parts = Vec::new();
-    for (number, one, many) in [
-        (errors, "error", "errors"),
-        (warnings, "warning", "warnings"),
-        (notes, "note", "notes"),
-    ] {
-        if number > 0 {
-            parts.push(counted(number, one, many));
-        }
-    }
-    parts.join(", ")
 }

@@ -46,14 +46,14 @@ enum Format {
     Csv,
 }
 
-enum Writer {
-    Jsonl(CommandJsonLines<Buffered>),
-    Canon(Canon<Buffered>),
+enum Writer<'a> {
+    Jsonl(CommandJsonLines<'a, Buffered>),
+    Canon(Canon<'a, Buffered>),
     Csv(CommandCsv<Buffered>),
 }
 
-impl Writer {
-    fn new(format: Format, job: &Job) -> io::Result<Writer> {
+impl<'a> Writer<'a> {
+    fn new(format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
         let out = buffered();
         Ok(match format {
             Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),

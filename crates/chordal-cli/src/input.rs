@@ -24,8 +24,8 @@ const SAMPLE: u64 = 16 * 1024;
 const NOT_PROGRAMS: &[&str] = &[
     "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
     "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "yaml", "yml",
-    "ini", "hal", "tbl", "var", "log", "py", "rs", "js", "ts", "sh", "bat", "ps1", "zip",
-    "gz", "7z", "exe", "dll", "lock",
+    "ini", "hal", "tbl", "var", "log", "py", "rs", "js", "ts", "sh", "bat", "ps1", "zip", "gz",
+    "7z", "exe", "dll", "lock",
 ];
 
 /// A program to run, as the command line names it.
@@ -48,7 +48,10 @@ impl Input {
     pub fn below_root(&self) -> PathBuf {
         let Some(path) = &self.path else { return PathBuf::from("stdin") };
         let below = self.root.as_ref().and_then(|root| path.strip_prefix(root).ok());
-        below.map(Path::to_path_buf).or_else(|| path.file_name().map(PathBuf::from)).unwrap_or_default()
+        below
+            .map(Path::to_path_buf)
+            .or_else(|| path.file_name().map(PathBuf::from))
+            .unwrap_or_default()
     }
 }
 

@@ -1,9 +1,9 @@
 use chordal::Machine;
-use chordal::control::{Certainty, COMMON_SETTINGS, Control};
+use chordal::control::{COMMON_SETTINGS, Certainty, Control};
 use chordal::machine::{Axis, builtin_names, schema_reference};
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
 
-use crate::explain::own_value;
+use crate::explain::{both_units, own_value};
 use crate::failure::{Failure, Verdict};
 use crate::machine;
 use crate::numbers::short;
@@ -70,14 +70,9 @@ fn one(machine: &Machine) -> String {
     }
     text.push('\n');
     text.push_str(&lines(&axes(machine), ""));
-    text.push_str("\nSettings, as [settings] of a machine file or --set \"settings.NAME=VALUE\" change them:\n\n");
+    text.push_str("\nSettings: change them in [settings] of a machine file, or with --set \"settings.NAME=VALUE\"\n\n");
     text.push_str(&lines(&settings(&control), ""));
     text
-}
-
-/// Both units: one of them is that of the reader.
-fn lengths(mm: f64) -> String {
-    format!("{} mm ({} in)", short(mm, 3), short(mm / 25.4, 4))
 }
 
 fn speeds(mm_per_s: f64) -> String {
@@ -96,7 +91,7 @@ fn limits(machine: &Machine) -> Vec<(&'static str, String)> {
         rows.push(("Rapids", shape.as_str().to_string()));
     }
     if let Some(clearance) = machine.clearance_mm {
-        rows.push(("Clearance", format!("Z {}", lengths(clearance))));
+        rows.push(("Clearance", format!("Z {}", both_units(clearance))));
     }
     if let Some(seconds) = machine.times.tool_change_s {
         rows.push(("Tools", format!("a change takes {} s", short(seconds, 2))));
@@ -113,13 +108,19 @@ fn axes(machine: &Machine) -> Table {
     let mut table = plain_table(&header, header.len());
     for axis in Axis::ALL {
         let Some(limits) = machine.axis(axis) else { continue };
-        let (unit, factor) = if axis.is_rotary() { ("deg", 1f64.to_degrees()) } else { ("mm", 1.0) };
+        let (unit, factor) =
+            if axis.is_rotary() { ("deg", 1f64.to_degrees()) } else { ("mm", 1.0) };
         let rate = |value: Option<f64>, per: &str, times: f64| {
-            value.map_or_else(|| "-".into(), |v| format!("{} {unit}/{per}", short(v * factor * times, 3)))
+            value.map_or_else(
+                || "-".into(),
+                |v| format!("{} {unit}/{per}", short(v * factor * times, 3)),
+            )
         };
         let travel = limits.travel.map_or_else(
             || "no limit".to_string(),
-            |(low, high)| format!("{} to {} {unit}", short(low * factor, 3), short(high * factor, 3)),
+            |(low, high)| {
+                format!("{} to {} {unit}", short(low * factor, 3), short(high * factor, 3))
+            },
         );
         table.add_row([
             axis.to_string(),
@@ -156,9 +157,9 @@ fn settings(control: &Control) -> Table {
         table.add_row([setting.name, &value, setting.text, sure, &source]);
     }
     // Long meanings are broken at a width that fits any terminal and any mail.
-    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(130);
+    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(120);
     if let Some(column) = table.column_mut(2) {
-        column.set_constraint(ColumnConstraint::UpperBoundary(Width::Fixed(48)));
+        column.set_constraint(ColumnConstraint::UpperBoundary(Width::Fixed(44)));
         column.set_cell_alignment(CellAlignment::Left);
     }
     table

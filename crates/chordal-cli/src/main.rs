@@ -15,7 +15,6 @@ mod chords;
 mod commands;
 mod completions;
 mod explain;
-mod explain_letter;
 mod failure;
 mod input;
 mod machine;
@@ -63,7 +62,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
 
-    /// When to use colours [a terminal gets them, unless NO_COLOR is set]
+    /// When to use colours; by itself on a terminal, unless NO_COLOR is set
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     #[arg(hide_default_value = true, display_order = 100)]
     color: ColorChoice,

@@ -37,7 +37,8 @@ impl Format {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let found = Format::ALL.iter().find(|(own, _)| Some(*own) == ending.as_deref());
         found.map(|(_, format)| *format).ok_or_else(|| {
-            let endings: Vec<String> = Format::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
+            let endings: Vec<String> =
+                Format::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
             let message = match ending {
                 Some(ending) => format!("nothing is written as .{ending} ({})", path.display()),
                 None => format!("the ending of {} says no format", path.display()),
@@ -150,25 +151,25 @@ fn put(draft: Draft, path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-enum Writer {
+enum Writer<'a> {
     Dxf(Dxf<Draft>),
     Csv(CommandCsv<Draft>),
-    Jsonl(CommandJsonLines<Draft>),
-    Canon(Canon<Draft>),
+    Jsonl(CommandJsonLines<'a, Draft>),
+    Canon(Canon<'a, Draft>),
     /// A picture, drawn when the whole path is known.
     Picture(Draft, Format),
 }
 
 /// The outputs of one run, while it goes on.
-pub struct Outputs {
-    writers: Vec<(PathBuf, Writer)>,
+pub struct Outputs<'a> {
+    writers: Vec<(PathBuf, Writer<'a>)>,
     plot: Option<Plot>,
     failed: Option<Failure>,
 }
 
-impl Outputs {
+impl<'a> Outputs<'a> {
     /// Opens them, so that a place where nothing can be written is told before a long run.
-    pub fn open(targets: &[Target], job: &Job) -> Result<Outputs, Failure> {
+    pub fn open(targets: &[Target], job: &'a Job<'a>) -> Result<Outputs<'a>, Failure> {
         let mut outputs = Outputs { writers: Vec::new(), plot: None, failed: None };
         for Target { path, format } in targets {
             let writer = open(path, *format, job).map_err(|error| failure(path, &error))?;
@@ -228,7 +229,7 @@ impl Outputs {
     }
 }
 
-fn open(path: &Path, format: Format, job: &Job) -> io::Result<Writer> {
+fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent)?;
     }

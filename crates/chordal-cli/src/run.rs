@@ -3,7 +3,6 @@ use std::path::PathBuf;
 use chordal::Severity;
 use chordal_export::{PlotOptions, report};
 
-use crate::check::counts_text;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::output::{self, Outputs};
@@ -74,14 +73,15 @@ fn one(
 
     let mut text = summary::text(loaded, &job, &report, terminal.out);
     for path in written {
-        text.push_str(&format!("  {:10}{}\n", style(terminal.out, BOLD, "written   "), path.display()));
+        text.push_str(&format!(
+            "  {:10}{}\n",
+            style(terminal.out, BOLD, "written   "),
+            path.display()
+        ));
     }
     if report.worst().is_some() {
         text.push('\n');
         text.push_str(&report::text(&report, job.sources(), terminal.out));
-        let counts = report.counts;
-        let counts = counts_text(counts.errors, counts.warnings, counts.notes);
-        text.push_str(&format!("{}\n", style(terminal.out, BOLD, counts)));
     }
     let failed = report.worst() == Some(Severity::Error);
     Ok((text, if failed { Verdict::Problems } else { Verdict::Clean }))

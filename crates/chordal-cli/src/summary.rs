@@ -6,8 +6,8 @@ use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
 use comfy_table::{CellAlignment, Table};
 
 use crate::machine::Chosen;
-use crate::session::Loaded;
 use crate::numbers::{Units, counted, duration, fixed, grouped, short};
+use crate::session::Loaded;
 use crate::terminal::{BOLD, BOLD_RED, style};
 
 /// Most programs, evidence, line ranges and speeds that are listed.
@@ -129,7 +129,10 @@ impl Sheet {
                 self.row("machine", &format!("{known}, as {} says", file.display()));
             }
             Chosen::Recognized(found) if found.evidence.is_empty() => {
-                self.row("control", &format!("{}, assumed: nothing in the text tells", table.title));
+                self.row(
+                    "control",
+                    &format!("{}, assumed: nothing in the text tells", table.title),
+                );
                 self.row("machine", &format!("{known}; say --machine for another"));
             }
             Chosen::Recognized(found) => {
@@ -200,7 +203,8 @@ pub fn plain_table(header: &[&str], left: usize) -> Table {
 }
 
 fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
-    let (feed, cuts) = (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
+    let (feed, cuts) =
+        (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
     for tool in tools {
         let known = job.machine().tools.get(&tool.number);
@@ -213,10 +217,13 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
         table.add_row([
             name,
             ranges(&tool.lines),
-            tool.feeds_mm_per_s.map_or_else(|| "-".into(), |(low, high)| {
-                let (low, high) = (units.feed(low), units.feed(high));
-                if low == high { low } else { format!("{low} to {high}") }
-            }),
+            tool.feeds_mm_per_s.map_or_else(
+                || "-".into(),
+                |(low, high)| {
+                    let (low, high) = (units.feed(low), units.feed(high));
+                    if low == high { low } else { format!("{low} to {high}") }
+                },
+            ),
             speeds(&tool.speeds_rpm),
             units.length(tool.feed_length_mm),
             duration(tool.feed_time_s + tool.rapid_time_s),

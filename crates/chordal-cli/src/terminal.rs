@@ -69,8 +69,6 @@ pub fn say(text: &str) -> Result<(), Failure> {
 pub const BOLD: &str = "\x1b[1m";
 /// Bold and red, as errors are drawn.
 pub const BOLD_RED: &str = "\x1b[1;31m";
-/// Faint.
-pub const DIM: &str = "\x1b[2m";
 
 /// A text in a style, where there are styles.
 pub fn style(on: bool, code: &str, text: impl Display) -> String {

@@ -163,7 +163,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// True when the block has a centre word or a radius.
     #[inline]
-    fn has_arc_words(&self, block: &Block) -> bool {
+    pub(super) fn has_arc_words(&self, block: &Block) -> bool {
         let letters = block.letters();
         if letters.meets(CENTER) {
             return true;

@@ -9,7 +9,7 @@ use crate::command::{CommandKind, Coolant, Side, Sink, SpindleState, WorkName};
 use crate::offsets::LengthOffset;
 use crate::parameters::OffsetKind;
 use crate::state::Motion;
-use crate::table::{Action, DataTarget};
+use crate::table::{Action, DataTarget, Group, MotionModality};
 
 impl<S: Sink> Interpreter<'_, S> {
     pub(super) fn emit_work_offset(&mut self) {
@@ -112,7 +112,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let severity = if self.control.parameters.length_must_match_tool {
             Severity::Error
         } else {
-            Severity::Warning
+            Severity::Note
         };
         let span = self.words_span(block, Letters::of("H"));
         self.report(
@@ -176,21 +176,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// Compensation goes on and off along a straight move.
     fn check_compensation_move(&mut self, block: &Block, side: Side, span: chordal_diagnostics::Span) {
-        let arc_words = block.letters().meets(Letters::of("IJK"))
-            || block.letters().has(b'R') && self.radius_word(block).is_some();
-        let axes = block.letters().meets(Letters::of("XYZ"));
-        let arc_in_force = matches!(self.state.motion, Motion::Arc(_) | Motion::Spiral(_));
-        let line_code = block.all(b'G').any(|word| {
-            let code = word.number().and_then(super::report::code_number);
-            matches!(code, Some(0 | 10))
-        });
-        let arc_code = block.all(b'G').any(|word| {
-            let code = word.number().and_then(super::report::code_number);
-            matches!(code, Some(20 | 30))
-        });
-        let on_arc = arc_words && axes && !line_code
-            || (arc_in_force || arc_code) && axes && !line_code && (arc_words || !arc_in_force);
-        if !on_arc {
+        if !self.moves_on_arc(block) {
             return;
         }
         let what = if side == Side::Off { "ends" } else { "starts" };
@@ -207,6 +193,24 @@ impl<S: Sink> Interpreter<'_, S> {
                 "put G41 or G42 on a straight move to the contour"
             }),
         );
+    }
+
+    /// True when the motion of this block is an arc, by its own code or the one in force.
+    fn moves_on_arc(&self, block: &Block) -> bool {
+        let arc_words = self.has_arc_words(block);
+        if self.control.table.motion == MotionModality::Armed {
+            return arc_words;
+        }
+        let moves = arc_words || block.letters().meets(Letters::of("XYZ"));
+        let own = block.all(b'G').filter_map(|word| {
+            let row = self.control.g_code(super::report::code_number(word.number()?)?)?;
+            (row.group == Group::Motion).then_some(row.action)
+        });
+        moves
+            && match own.last() {
+                Some(action) => !matches!(action, Action::Rapid | Action::Linear),
+                None => !matches!(self.state.motion, Motion::Rapid | Motion::Linear),
+            }
     }
 
     /// G10.

@@ -39,7 +39,7 @@ pub(super) const LENGTH_OFFSET_OF_OTHER_TOOL: CodeInfo = CodeInfo {
     code: Code::LengthOffsetOfOtherTool,
     id: "CH604",
     name: "length-offset-of-other-tool",
-    severity: Severity::Warning,
+    severity: Severity::Note,
     summary: "the length offset is not that of the tool in the spindle",
     explanation: r#"H (or D) names another number than the tool in the spindle. Shops that number offsets as tools do so to
 catch exactly this slip; a Haas alarms on it (Setting 15)."#,

@@ -1,4 +1,22 @@
+//! The path as a drawing: three views and an isometric one on a sheet, as SVG or PNG.
+
+mod frame;
+mod layout;
+mod palette;
+mod pen;
+mod sheet;
+mod store;
+mod text;
+mod view;
+
+use std::sync::Arc;
+
+use chordal::control::Units;
 use chordal::{Job, Segment};
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg;
+
+use store::Store;
 
 /// What stands on the sheet beside the path, and how large it is.
 #[derive(Clone, Debug)]
@@ -16,12 +34,13 @@ pub struct PlotOptions {
 }
 
 impl Default for PlotOptions {
+    /// An A4 sheet on its long side.
     fn default() -> PlotOptions {
         PlotOptions {
             title: String::new(),
             subtitle: String::new(),
             width_px: 1600,
-            height_px: 1130,
+            height_px: 1131,
             dark: false,
         }
     }
@@ -31,39 +50,84 @@ impl Default for PlotOptions {
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     /// The sheet is empty or larger than can be held.
-    #[error("a picture of {0} by {1} pixels cannot be drawn")]
+    #[error("a picture of {0} by {1} pixels cannot be drawn; 200 to 16384 each way can")]
     Size(u32, u32),
     /// The drawing was not accepted by the renderer.
     #[error("the drawing could not be rendered: {0}")]
     Render(String),
 }
 
-/// Under construction.
+/// Sides that a PNG may have, px.
+const SIDES_PX: std::ops::RangeInclusive<u32> = 200..=16384;
+/// Pixels of the largest PNG: four bytes each are held while it is drawn.
+const MOST_PIXELS: u64 = 128 << 20;
+
+/// Collects a path, then draws it: top, front and right view in third-angle projection with
+/// one scale, and an isometric view.
+///
+/// Cuts are coloured by tool; rapids are thin and dashed. What is not known relative to the
+/// part, or not finite, is left out. Rapids that go far beyond the cuts are cut off at the
+/// edge of the views.
 #[derive(Debug)]
-pub struct Plot {}
+pub struct Plot {
+    store: Store,
+    inch: bool,
+}
 
 impl Plot {
-    /// An empty drawing for a job.
-    pub fn new(_job: &Job) -> Plot {
-        Plot {}
+    /// An empty drawing for a job, numbered in the units of the job's control.
+    pub fn new(job: &Job) -> Plot {
+        let inch = job.control().parameters.units == Units::Inch;
+        Plot { store: Store::default(), inch }
     }
 
-    /// Numbers of the axes in inches, or in millimetres.
-    pub fn set_inch(&mut self, _inch: bool) {}
+    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` tells what
+    /// the program was in.
+    pub fn set_inch(&mut self, inch: bool) {
+        self.inch = inch;
+    }
 
     /// Adds a segment.
-    pub fn segment(&mut self, _segment: &Segment) {}
+    pub fn segment(&mut self, segment: &Segment) {
+        self.store.push(segment);
+    }
 
-    /// The sheet as SVG.
-    pub fn svg(&self, _options: &PlotOptions) -> String {
-        String::new()
+    /// The sheet as SVG. Sides below 200 px are drawn as 200.
+    pub fn svg(&self, options: &PlotOptions) -> String {
+        sheet::svg(&self.store, self.inch, options)
     }
 
     /// The sheet as PNG.
     ///
     /// # Errors
-    /// When the sheet has no size or an unreasonable one.
+    /// When the sheet has no reasonable size.
     pub fn png(&self, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
-        Err(PlotError::Size(options.width_px, options.height_px))
+        let (width, height) = (options.width_px, options.height_px);
+        let size = PlotError::Size(width, height);
+        let pixels = u64::from(width) * u64::from(height);
+        if !SIDES_PX.contains(&width) || !SIDES_PX.contains(&height) || pixels > MOST_PIXELS {
+            return Err(size);
+        }
+        let svg = self.svg(options);
+        let tree = usvg::Tree::from_str(&svg, &usvg_options())
+            .map_err(|error| PlotError::Render(error.to_string()))?;
+        let mut pixmap = Pixmap::new(width, height).ok_or(size)?;
+        resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
+        pixmap.encode_png().map_err(|error| PlotError::Render(error.to_string()))
+    }
+}
+
+/// The two fonts the sheets are set in come with the program: a sheet looks the same on every
+/// computer.
+fn usvg_options() -> usvg::Options<'static> {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+    fonts.load_font_data(epaint_default_fonts::HACK_REGULAR.to_vec());
+    fonts.set_sans_serif_family("Ubuntu");
+    fonts.set_monospace_family("Hack");
+    usvg::Options {
+        font_family: "Ubuntu".into(),
+        fontdb: Arc::new(fonts),
+        ..usvg::Options::default()
     }
 }

@@ -28,6 +28,15 @@ struct Excerpt {
     first_line: u32,
     text: String,
     marks: Vec<(Range<usize>, String, bool)>,
+    corrections: Vec<Correction>,
+}
+
+/// A column as the renderer counts it in a cut line, and as it is in the text.
+#[derive(Debug)]
+struct Correction {
+    line: u32,
+    shown: usize,
+    column: u32,
 }
 
 /// The excerpts of a problem, the one with the cause first.
@@ -59,12 +68,12 @@ impl Excerpts {
         Excerpts { excerpts }
     }
 
-    /// As annotated snippets; the first has no path, because its place stands above it.
+    /// As annotated snippets.
     pub fn snippets<'s>(
         &'s self,
         sources: &'s SourceMap,
     ) -> impl Iterator<Item = Snippet<'s, Annotation<'s>>> {
-        self.excerpts.iter().enumerate().map(move |(index, excerpt)| {
+        self.excerpts.iter().map(move |excerpt| {
             let annotations = excerpt.marks.iter().map(|(range, text, primary)| {
                 let kind =
                     if *primary { AnnotationKind::Primary } else { AnnotationKind::Context };
@@ -74,10 +83,22 @@ impl Excerpts {
             let name = sources.get(excerpt.file).map(Source::name);
             Snippet::source(excerpt.text.as_str())
                 .line_start(excerpt.first_line as usize)
-                .path(if index == 0 { None } else { name })
+                .path(name)
                 .fold(false)
                 .annotations(annotations)
         })
+    }
+
+    /// Puts the true columns of cut lines into the rendered text.
+    pub fn correct(&self, mut text: String, sources: &SourceMap) -> String {
+        for excerpt in &self.excerpts {
+            let name = sources.get(excerpt.file).map_or("", Source::name);
+            for Correction { line, shown, column } in &excerpt.corrections {
+                let wrong = format!("{name}:{line}:{shown}\n");
+                text = text.replacen(&wrong, &format!("{name}:{line}:{column}\n"), 1);
+            }
+        }
+        text
     }
 
     /// The first line of the first excerpt, its text and the range of its first mark.
@@ -91,7 +112,8 @@ impl Excerpt {
     fn new(group: &[(FileId, u32, &Mark)], source: &Source) -> Excerpt {
         let (file, first_line, _) = group[0];
         let last_line = group[group.len() - 1].1;
-        let mut excerpt = Excerpt { file, first_line, text: String::new(), marks: Vec::new() };
+        let (text, marks, corrections) = Default::default();
+        let mut excerpt = Excerpt { file, first_line, text, marks, corrections };
         for line in first_line..=last_line {
             let marks: Vec<&Mark> =
                 group.iter().filter(|place| place.1 == line).map(|place| place.2).collect();
@@ -115,6 +137,14 @@ impl Excerpt {
         let chosen = marks.iter().find(|mark| mark.primary).or(marks.first());
         let focus = chosen.map_or(0..0, |mark| local(mark.span.range));
         let window = Window::new(bytes, focus);
+        if let Some(mark) = chosen
+            && window.text.starts_with('…')
+        {
+            let at = window.map(local(mark.span.range)).start;
+            let shown = window.text[..at].chars().count() + 1;
+            let column = source.line_column(mark.span.range.start).column;
+            self.corrections.push(Correction { line, shown, column });
+        }
         let base = self.text.len();
         self.text.push_str(&window.text);
         for mark in marks {

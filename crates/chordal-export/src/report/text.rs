@@ -32,11 +32,10 @@ pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String 
     let title = level(diagnostic.severity).primary_title(message).id(diagnostic.code.id());
     let mut group = Group::with_title(title);
     let excerpts = Excerpts::new(&marks(diagnostic), sources);
-    if let Some(place) = place(diagnostic.primary.span, sources) {
-        let origin = Origin::path(place.file)
-            .line(place.start.line as usize)
-            .char_column(place.start.column as usize);
-        group = group.element(origin);
+    if place(diagnostic.primary.span, sources).is_none()
+        && let Some(source) = sources.get(diagnostic.primary.span.file)
+    {
+        group = group.element(Origin::path(source.name()));
     }
     group = group.elements(excerpts.snippets(sources));
     group = group.elements(footer(diagnostic, sources));
@@ -45,7 +44,7 @@ pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String 
     if let (Some(fix), Some(excerpts)) = (&diagnostic.fix, &fix_excerpts) {
         groups.push(suggestion(fix, excerpts, sources));
     }
-    let mut text = renderer(color).render(&groups);
+    let mut text = excerpts.correct(renderer(color).render(&groups), sources);
     text.push('\n');
     text
 }

@@ -1,17 +1,20 @@
 //! What a diagnostic, a code, a letter or a setting means: from the registry and the tables,
 //! so that it is what the program itself goes by.
 
-use std::collections::BTreeMap;
+mod code;
+mod letter;
 
 use chordal::Code;
-use chordal::control::table::{Action, CodeRow, ControlTable, CycleKind, DataTarget, Group};
+use chordal::control::table::ControlTable;
 use chordal::control::{
     COMMON_SETTINGS, CONTROLS, Control, Field, Parameters, Setting, value_text,
 };
 
-use crate::explain_letter::letter_text;
+use self::code::{code_name, code_text, codes};
+use self::letter::letter_text;
 use crate::failure::{Failure, Verdict};
 use crate::machine;
+use crate::numbers::short;
 use crate::terminal::say;
 
 const EXAMPLES: &str = "\
@@ -35,6 +38,9 @@ pub struct Args {
     #[arg(long, short, value_name = "NAME|FILE.toml")]
     machine: Option<String>,
 }
+
+/// Codes that differ by more, in tenths, are no slips of each other.
+const NEAR: u16 = 20;
 
 /// A control to explain on.
 pub struct View {
@@ -76,9 +82,19 @@ fn diagnostic_text(code: Code) -> String {
         text.push_str("\nWhat the controls show:\n");
         let width = alarms.iter().map(|(title, _)| title.len()).max().unwrap_or(0);
         for (title, alarm) in alarms {
-            // `{n}` is the number of the block.
-            text.push_str(&format!("  {title:width$}  {}\n", alarm.replace("{n}", "…")));
+            text.push_str(&format!("  {title:width$}  {}\n", without_places(alarm)));
         }
+    }
+    text
+}
+
+/// `N={n}` → `N=…`: the control fills in a number.
+fn without_places(alarm: &str) -> String {
+    let mut parts = alarm.split('{');
+    let mut text = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        text.push('…');
+        text.push_str(part.split_once('}').map_or(part, |(_, rest)| rest));
     }
     text
 }
@@ -101,25 +117,6 @@ fn one_letter(word: &str) -> Option<u8> {
         [letter] if letter.is_ascii_alphabetic() => Some(letter.to_ascii_uppercase()),
         _ => None,
     }
-}
-
-/// `G54.1`.
-pub fn code_name(letter: u8, code: u16) -> String {
-    let (letter, whole) = (char::from(letter), code / 10);
-    if code % 10 == 0 { format!("{letter}{whole}") } else { format!("{letter}{whole}.{}", code % 10) }
-}
-
-/// The codes of a table under a letter.
-pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
-    if letter == b'G' { table.g_codes } else { table.m_codes }
-}
-
-fn code_text(letter: u8, code: u16, views: &[View]) -> Option<String> {
-    let on = |view: &View| {
-        let row = codes(view.table, letter).iter().find(|row| row.code == code)?;
-        Some(row_text(letter, row, view))
-    };
-    sections(&code_name(letter, code), views, on)
 }
 
 /// A text for each control, those that say the same together; at the end the controls that
@@ -146,7 +143,7 @@ pub fn sections(
     }
     let mut parts: Vec<String> = sections
         .into_iter()
-        .map(|(titles, body)| format!("{name} on {}: {body}", titles.join(", ")))
+        .map(|(titles, body)| format!("{name} on {}:{body}", titles.join(", ")))
         .collect();
     if !without.is_empty() {
         parts.push(format!("Not on {}.\n", without.join(", ")));
@@ -154,115 +151,23 @@ pub fn sections(
     Some(parts.join("\n"))
 }
 
-/// What a code does on a control.
-fn row_text(letter: u8, row: &CodeRow, view: &View) -> String {
-    let mut text = format!("{}\n", row.title);
-    let mut fact = |label: &str, words: String| text.push_str(&format!("  {label:8}{words}\n"));
-    match row.action {
-        Action::NotSimulated => {
-            fact("note", "the control carries it out; Chordal says so where it stands, and does not".into());
-            return text;
-        }
-        Action::NoEffect => fact("effect", "none on the path or the time".into()),
-        _ => {}
-    }
-    if !row.words.is_empty() {
-        fact("takes", format!("{}, beside the axes and F", spaced(row.words)));
-    }
-    match row.group {
-        Group::OneShot => fact("holds", "in its own block only".into()),
-        Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
-        group => {
-            let others: Vec<String> = codes(view.table, letter)
-                .iter()
-                .filter(|other| other.group == group && other.code != row.code)
-                .map(|other| code_name(letter, other.code))
-                .collect();
-            let group = group_name(group);
-            if others.is_empty() {
-                fact("group", group);
-            } else {
-                fact("group", format!("{group}; another of it takes its place: {}", some(&others)));
-            }
-        }
-    }
-    facts_of_action(row.action, view).into_iter().for_each(|(label, words)| fact(label, words));
-    let fields = fields_of(row.action);
-    for (index, setting) in settings(view.table, fields).into_iter().enumerate() {
-        let value = own_value(setting, &view.parameters);
-        let label = if index == 0 { "settings" } else { "" };
-        text.push_str(&format!("  {label:8} {} = {value}: {}\n", setting.name, setting.text));
-    }
-    text
+/// Lines of facts with their labels on the left; a label is not said twice in a row.
+pub struct Facts {
+    pub text: String,
+    label: &'static str,
 }
 
-/// What the table says of an action beside its settings.
-fn facts_of_action(action: Action, view: &View) -> Vec<(&'static str, String)> {
-    match action {
-        Action::Dwell => view
-            .table
-            .dwell
-            .iter()
-            .map(|word| {
-                let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
-                ("time", format!("{letter}1 is {whole} s, {letter}1. is {point} s"))
-            })
-            .collect(),
-        Action::SetData => {
-            let mut targets: BTreeMap<u16, &str> = BTreeMap::new();
-            for (number, target) in view.table.set_data {
-                targets.insert(*number, target_name(*target));
-            }
-            targets.iter().map(|(number, what)| ("writes", format!("L{number}: {what}"))).collect()
-        }
-        _ => Vec::new(),
+impl Facts {
+    /// A text that begins behind the title.
+    pub fn new(first: &str) -> Facts {
+        Facts { text: format!(" {first}\n"), label: "" }
     }
-}
 
-fn target_name(target: DataTarget) -> &'static str {
-    match target {
-        DataTarget::WorkOffset => "work offset P",
-        DataTarget::WorkOffsetFromPosition => "work offset P, so that the position gets these numbers",
-        DataTarget::ExtendedWorkOffset => "extended work offset P",
-        DataTarget::Length => "length of tool P",
-        DataTarget::LengthWear => "wear of the length of tool P",
-        DataTarget::Radius => "radius or diameter of tool P",
-        DataTarget::RadiusWear => "wear of the radius or diameter of tool P",
-        DataTarget::ToolTable => "length and radius of tool P",
-        DataTarget::Register => "a register R",
-        DataTarget::Other => "something that is not simulated",
-    }
-}
-
-/// The settings that change what an action does.
-fn fields_of(action: Action) -> &'static [Field] {
-    use Field as F;
-    match action {
-        Action::Rapid => &[F::Rapid],
-        Action::ArcCw | Action::ArcCcw => &[
-            F::ArcCenter,
-            F::RadiusErrorTolerance,
-            F::ArcMismatch,
-            F::SemicircleTolerance,
-            F::CenterAndRadius,
-            F::FullCircleByRadius,
-            F::HelixFeed,
-            F::MaxRadius,
-            F::Spiral,
-        ],
-        Action::SpiralCw | Action::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
-        Action::PlaneXy | Action::PlaneZx | Action::PlaneYz => &[F::PlaneCodes],
-        Action::Inch | Action::Millimetre => &[F::Units, F::UnitsByG70],
-        Action::Absolute | Action::Incremental => &[F::StartDistance],
-        Action::CompensationLeft | Action::CompensationRight => {
-            &[F::RadiusOffsets, F::MaxRadiusCompensated]
-        }
-        Action::LengthPlus | Action::LengthMinus => &[F::LengthMustMatchTool, F::LengthByHAlone],
-        Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
-        Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
-        Action::CallProgram | Action::CallLabel => &[F::Nesting, F::PackedCalls],
-        Action::Return => &[F::ReturnLabelInCallee],
-        _ => &[],
+    /// Adds a line.
+    pub fn add(&mut self, label: &'static str, words: &str) {
+        let shown = if label == self.label { "" } else { label };
+        self.text.push_str(&format!("  {shown:10}{words}\n"));
+        self.label = label;
     }
 }
 
@@ -275,11 +180,19 @@ pub fn settings(table: &ControlTable, fields: &[Field]) -> Vec<&'static Setting>
     fields.iter().filter_map(of).collect()
 }
 
-/// The present value of a setting in its own words.
+/// The present value of a setting in its own words; a length in both units.
 pub fn own_value(setting: &Setting, parameters: &Parameters) -> String {
     let value = value_text(parameters, setting.field);
+    if let Some(mm) = value.strip_suffix(" mm").and_then(|mm| mm.parse().ok()) {
+        return both_units(mm);
+    }
     let own = setting.values.iter().find(|(_, common)| *common == value);
     own.map_or(value.clone(), |(own, _)| format!("{own} ({value})"))
+}
+
+/// `12.7 mm (0.5 in)`: one of them is the reader's.
+pub fn both_units(mm: f64) -> String {
+    format!("{} mm ({} in)", short(mm, 4), short(mm / 25.4, 4))
 }
 
 fn setting_text(word: &str, views: &[View]) -> Option<String> {
@@ -287,27 +200,14 @@ fn setting_text(word: &str, views: &[View]) -> Option<String> {
         let settings = view.table.settings.iter().chain(COMMON_SETTINGS);
         let found = settings.into_iter().find(|setting| setting.name.eq_ignore_ascii_case(word))?;
         let value = own_value(found, &view.parameters);
-        let source = if found.source.is_empty() { String::new() } else { format!("\n  source  {}", found.source) };
-        Some(format!("{}\n  value   {value}{source}\n", found.text))
+        let mut facts = Facts::new(found.text);
+        facts.add("value", &value);
+        if !found.source.is_empty() {
+            facts.add("source", found.source);
+        }
+        Some(facts.text)
     };
     sections(word, views, on)
-}
-
-/// `ToolLength` → `tool length`.
-fn group_name(group: Group) -> String {
-    let mut name = String::new();
-    for letter in format!("{group:?}").chars() {
-        if letter.is_uppercase() && !name.is_empty() {
-            name.push(' ');
-        }
-        name.extend(letter.to_lowercase());
-    }
-    name
-}
-
-/// `I J K R`.
-pub fn spaced(letters: &str) -> String {
-    letters.chars().map(String::from).collect::<Vec<_>>().join(" ")
 }
 
 /// A list that does not run on for ever.
@@ -323,6 +223,7 @@ fn unknown(word: &str, views: &[View]) -> Failure {
     if let Some((letter, code)) = code_of(word) {
         let all = views.iter().flat_map(|view| codes(view.table, letter));
         let near = all.min_by_key(|row| row.code.abs_diff(code));
+        let near = near.filter(|row| row.code.abs_diff(code) <= NEAR);
         let message = match titles.as_slice() {
             [one] => format!("{one} has no {}", code_name(letter, code)),
             _ => format!("no control here has {}", code_name(letter, code)),
@@ -333,6 +234,10 @@ fn unknown(word: &str, views: &[View]) -> Failure {
             }
             None => Failure::Use { message, help: None },
         };
+    }
+    if let Some(letter) = one_letter(word) {
+        let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));
+        return Failure::Use { message, help: None };
     }
     let names = Code::ALL.iter().flat_map(|code| [code.info().id, code.info().name]);
     let settings = views.iter().flat_map(|view| view.table.settings).chain(COMMON_SETTINGS);
@@ -345,6 +250,9 @@ fn unknown(word: &str, views: &[View]) -> Failure {
     let message = format!("`{word}` is no message, code, letter or setting");
     match near {
         Some((_, near)) => Failure::wrong(message, format!("did you mean `{near}`?")),
-        None => Failure::wrong(message, "write a message (CH401), a code (G154), a letter (R) or a setting"),
+        None => Failure::wrong(
+            message,
+            "write a message (CH401), a code (G154), a letter (R) or a setting",
+        ),
     }
 }

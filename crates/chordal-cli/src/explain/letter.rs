@@ -3,7 +3,8 @@
 use chordal::control::Field;
 use chordal::control::table::{Action, ArcTurns, LineRepeat, Subroutines};
 
-use crate::explain::{View, code_name, codes, own_value, sections, settings, some};
+use crate::explain::code::{code_name, codes, dwell_text};
+use crate::explain::{View, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.
 pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
@@ -11,7 +12,7 @@ pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
         let meanings = meanings(letter, view);
         match meanings.as_slice() {
             [] => None,
-            [one] => Some(format!("{one}\n")),
+            [one] => Some(format!(" {one}\n")),
             more => Some(format!("\n  {}\n", more.join("\n  "))),
         }
     })
@@ -60,7 +61,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
         _ => {}
     }
     for word in table.dwell.iter().filter(|word| word.letter == letter) {
-        add(&format!("time of a dwell: {name}1 is {} s, {name}1. is {} s", word.integer_s, word.point_s));
+        add(&format!("time of a dwell: {}", dwell_text(word)));
     }
     if letter == b'L' {
         match table.line_repeat {
@@ -91,7 +92,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
     let takers: Vec<String> = [b'G', b'M']
         .into_iter()
         .flat_map(|code| codes(table, code).iter().map(move |row| (code, row)))
-        .filter(|(_, row)| row.words.contains(name))
+        .filter(|(_, row)| row.words.has(letter))
         .filter(|(_, row)| !matches!(row.action, Action::NotSimulated | Action::NoEffect))
         .map(|(code, row)| code_name(code, row.code))
         .collect();

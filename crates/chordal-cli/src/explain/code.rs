@@ -1,0 +1,187 @@
+//! What a G or M code does on a control, from its row of the table.
+
+use chordal::control::Field;
+use chordal::control::table::{
+    Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Group,
+    MotionModality,
+};
+use chordal::syntax::Letters;
+
+use crate::explain::{Facts, View, own_value, sections, settings, some};
+
+/// `G54.1`.
+pub fn code_name(letter: u8, code: u16) -> String {
+    let (letter, whole) = (char::from(letter), code / 10);
+    if code % 10 == 0 {
+        format!("{letter}{whole}")
+    } else {
+        format!("{letter}{whole}.{}", code % 10)
+    }
+}
+
+/// The codes of a table under a letter.
+pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
+    if letter == b'G' { table.g_codes } else { table.m_codes }
+}
+
+/// The code on each control; `None` when it is nowhere.
+pub fn code_text(letter: u8, code: u16, views: &[View]) -> Option<String> {
+    let on = |view: &View| {
+        let row = codes(view.table, letter).iter().find(|row| row.code == code)?;
+        Some(row_text(letter, row, view, views.len() > 1))
+    };
+    sections(&code_name(letter, code), views, on)
+}
+
+/// What a code does on a control; in few words where there are `several`.
+fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
+    let mut facts = Facts::new(row.title);
+    match row.action {
+        Action::NotSimulated => {
+            facts.add(
+                "note",
+                "the control carries it out; Chordal does not, and says so where it stands",
+            );
+            return facts.text;
+        }
+        Action::NoEffect => facts.add("effect", "none on the path or the time"),
+        _ => {}
+    }
+    if row.words != Letters::NONE {
+        let letters: Vec<String> = row.words.iter().map(String::from).collect();
+        facts.add("takes", &format!("{}, beside the axes and F", letters.join(" ")));
+    }
+    let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
+    match row.group {
+        Group::OneShot => facts.add("holds", "in its own block only"),
+        Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
+        Group::Motion if arc && view.table.motion == MotionModality::Armed => {
+            facts.add(
+                "holds",
+                "as the direction of every block with a centre or a radius; others go on with G1",
+            );
+        }
+        group => {
+            let others: Vec<String> = codes(view.table, letter)
+                .iter()
+                .filter(|other| other.group == group && other.code != row.code)
+                .map(|other| code_name(letter, other.code))
+                .collect();
+            let ended = if others.is_empty() {
+                String::new()
+            } else {
+                format!(", until {}", some(&others))
+            };
+            facts.add("group", &format!("{}{ended}", group_name(group)));
+        }
+    }
+    facts_of_action(row.action, view, &mut facts);
+    for setting in settings(view.table, fields_of(row.action)) {
+        let value = own_value(setting, &view.parameters);
+        let meaning = if several { String::new() } else { format!(": {}", setting.text) };
+        facts.add("settings", &format!("{} = {value}{meaning}", setting.name));
+    }
+    facts.text
+}
+
+/// What the table says of an action beside its settings.
+fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
+    match action {
+        Action::Dwell => {
+            for word in view.table.dwell {
+                facts.add("time", &dwell_text(word));
+            }
+        }
+        Action::SetData => {
+            // One line for all numbers that write the same.
+            let mut targets: Vec<(&str, Vec<String>)> = Vec::new();
+            for (number, target) in view.table.set_data {
+                let (name, number) = (target_name(*target), format!("L{number}"));
+                match targets.iter_mut().find(|(other, _)| *other == name) {
+                    Some((_, numbers)) => numbers.push(number),
+                    None => targets.push((name, vec![number])),
+                }
+            }
+            for (name, numbers) in targets {
+                facts.add("writes", &format!("{}: {name}", numbers.join(" ")));
+            }
+        }
+        Action::ArcCw | Action::ArcCcw => match view.table.arc_turns {
+            ArcTurns::None => {}
+            ArcTurns::Extra => facts.add("turns", "P: full turns beside the arc's own"),
+            ArcTurns::Total => facts.add("turns", "P: all turns, the arc's own counted as one"),
+        },
+        _ => {}
+    }
+}
+
+/// `P1 is 0.001 s, P1. is 1 s`.
+pub fn dwell_text(word: &DwellWord) -> String {
+    let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
+    if whole == point {
+        format!("{letter}1 is {whole} s, with a point or without")
+    } else {
+        format!("{letter}1 is {whole} s, {letter}1. is {point} s")
+    }
+}
+
+fn target_name(target: DataTarget) -> &'static str {
+    match target {
+        DataTarget::WorkOffset => "work offset P",
+        DataTarget::WorkOffsetFromPosition => {
+            "work offset P, so that the position gets these numbers"
+        }
+        DataTarget::ExtendedWorkOffset => "extended work offset P",
+        DataTarget::Length => "length of tool P",
+        DataTarget::LengthWear => "wear of the length of tool P",
+        DataTarget::Radius => "radius or diameter of tool P",
+        DataTarget::RadiusWear => "wear of the radius or diameter of tool P",
+        DataTarget::ToolTable => "length and radius of tool P",
+        DataTarget::Register => "a register R",
+        DataTarget::Other => "not carried out",
+    }
+}
+
+/// The settings that change what an action does.
+fn fields_of(action: Action) -> &'static [Field] {
+    use Field as F;
+    match action {
+        Action::Rapid => &[F::Rapid],
+        Action::ArcCw | Action::ArcCcw => &[
+            F::ArcCenter,
+            F::RadiusErrorTolerance,
+            F::ArcMismatch,
+            F::SemicircleTolerance,
+            F::CenterAndRadius,
+            F::FullCircleByRadius,
+            F::HelixFeed,
+            F::MaxRadius,
+            F::Spiral,
+        ],
+        Action::SpiralCw | Action::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
+        Action::PlaneXy | Action::PlaneZx | Action::PlaneYz => &[F::PlaneCodes],
+        Action::Inch | Action::Millimetre => &[F::Units, F::UnitsByG70],
+        Action::Absolute | Action::Incremental => &[F::StartDistance],
+        Action::CompensationLeft | Action::CompensationRight => {
+            &[F::RadiusOffsets, F::MaxRadiusCompensated]
+        }
+        Action::LengthPlus | Action::LengthMinus => &[F::LengthMustMatchTool, F::LengthByHAlone],
+        Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
+        Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
+        Action::CallProgram | Action::CallLabel => &[F::Nesting, F::PackedCalls],
+        Action::Return => &[F::ReturnLabelInCallee],
+        _ => &[],
+    }
+}
+
+/// `ToolLength` → `tool length`.
+fn group_name(group: Group) -> String {
+    let mut name = String::new();
+    for letter in format!("{group:?}").chars() {
+        if letter.is_uppercase() && !name.is_empty() {
+            name.push(' ');
+        }
+        name.extend(letter.to_lowercase());
+    }
+    name
+}

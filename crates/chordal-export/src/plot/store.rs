@@ -1,0 +1,227 @@
+//! What is kept of a path until its extent, and so the scale, is known.
+
+use chordal::geometry::{Aabb, Curve, ParamCurve, Vec3};
+use chordal::{Segment, SegmentKind};
+
+/// Pieces after which the path is thinned for the first time.
+const MANY: usize = 1 << 21;
+/// Thinning keeps detail of this fraction of the drawing: below half a pixel on any sheet.
+const DETAIL: f64 = 1.0 / 65_536.0;
+/// Rapids are drawn this far beyond the cuts, as a fraction of the largest extent.
+const BEYOND: f64 = 0.18;
+
+/// A piece after the point where the one before ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Piece {
+    /// A straight line to a point.
+    To(Vec3),
+    /// The curve of this number.
+    Curve(u32),
+}
+
+/// Pieces one after the other, of one tool.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    /// Index of the tool in [`Store::tools`]; `None` for rapids.
+    pub tool: Option<usize>,
+    pub start: Vec3,
+    /// Its first piece; it ends where the next run begins.
+    first: usize,
+}
+
+/// A tool, as the legend tells it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tool {
+    pub number: u32,
+    pub cut_mm: f64,
+}
+
+/// The path, thinned when it grows large.
+#[derive(Debug)]
+pub(super) struct Store {
+    runs: Vec<Run>,
+    pieces: Vec<Piece>,
+    curves: Vec<Curve>,
+    tools: Vec<Tool>,
+    rapid_mm: f64,
+    cuts: Aabb,
+    rapids: Aabb,
+    start: Option<Vec3>,
+    end: Vec3,
+    limit: usize,
+    unknown: u64,
+}
+
+impl Default for Store {
+    fn default() -> Store {
+        Store {
+            runs: Vec::new(),
+            pieces: Vec::new(),
+            curves: Vec::new(),
+            tools: Vec::new(),
+            rapid_mm: 0.0,
+            cuts: Aabb::EMPTY,
+            rapids: Aabb::EMPTY,
+            start: None,
+            end: Vec3::ZERO,
+            limit: MANY,
+            unknown: 0,
+        }
+    }
+}
+
+impl Store {
+    /// Keeps a segment that can be drawn.
+    pub fn push(&mut self, segment: &Segment) {
+        let bounds = segment.curve.bounds();
+        let finite = bounds.min.is_finite() && bounds.max.is_finite();
+        if !segment.known || !finite {
+            self.unknown += 1;
+            return;
+        }
+        let rapid = segment.kind == SegmentKind::Rapid;
+        let tool = (!rapid).then(|| self.tool(segment.tool));
+        let length = if segment.length_mm.is_finite() { segment.length_mm } else { 0.0 };
+        match tool {
+            Some(index) => {
+                self.tools[index].cut_mm += length;
+                self.cuts = self.cuts.union(&bounds);
+            }
+            None => {
+                self.rapid_mm += length;
+                self.rapids = self.rapids.union(&bounds);
+            }
+        }
+        let (start, end) = (segment.curve.start(), segment.curve.end());
+        self.start.get_or_insert(start);
+        let goes_on = self.runs.last().is_some_and(|run| run.tool == tool) && self.end == start;
+        if !goes_on {
+            self.runs.push(Run { tool, start, first: self.pieces.len() });
+        }
+        self.end = end;
+        self.pieces.push(match segment.curve {
+            Curve::Line(_) => Piece::To(end),
+            curve => {
+                self.curves.push(curve);
+                Piece::Curve(self.curves.len() as u32 - 1)
+            }
+        });
+        if self.pieces.len() >= self.limit {
+            self.thin();
+        }
+    }
+
+    fn tool(&mut self, number: u32) -> usize {
+        // The newest is the likely one, and there are few.
+        match self.tools.iter().rposition(|tool| tool.number == number) {
+            Some(index) => index,
+            None => {
+                self.tools.push(Tool { number, cut_mm: 0.0 });
+                self.tools.len() - 1
+            }
+        }
+    }
+
+    /// Leaves out corners and curves that no drawing shows.
+    fn thin(&mut self) {
+        let reach = self.extent().map_or(0.0, |extent| extent.size().length() * DETAIL);
+        let old = std::mem::take(self);
+        self.tools = old.tools;
+        self.curves = Vec::new();
+        for (index, run) in old.runs.iter().enumerate() {
+            let until = old.runs.get(index + 1).map_or(old.pieces.len(), |next| next.first);
+            self.runs.push(Run { first: self.pieces.len(), ..run.clone() });
+            let mut at = run.start;
+            for (place, piece) in old.pieces[run.first..until].iter().enumerate() {
+                let last = run.first + place + 1 == until;
+                let curve = match piece {
+                    Piece::To(_) => None,
+                    Piece::Curve(number) => Some(old.curves[*number as usize]),
+                };
+                let end = match (piece, &curve) {
+                    (_, Some(curve)) => curve.end(),
+                    (Piece::To(point), _) => *point,
+                    (Piece::Curve(_), None) => at,
+                };
+                let size = curve.map_or((end - at).length(), |curve| curve.bounds().size().length());
+                if size < reach && !last {
+                    continue;
+                }
+                at = end;
+                self.pieces.push(match curve {
+                    Some(curve) if size >= reach => {
+                        self.curves.push(curve);
+                        Piece::Curve(self.curves.len() as u32 - 1)
+                    }
+                    _ => Piece::To(end),
+                });
+            }
+        }
+        self.rapid_mm = old.rapid_mm;
+        (self.cuts, self.rapids) = (old.cuts, old.rapids);
+        (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
+        self.limit = MANY.max(2 * self.pieces.len());
+    }
+
+    /// The runs with their pieces.
+    pub fn runs(&self) -> impl Iterator<Item = (&Run, &[Piece])> {
+        self.runs.iter().enumerate().map(|(index, run)| {
+            let until = self.runs.get(index + 1).map_or(self.pieces.len(), |next| next.first);
+            (run, &self.pieces[run.first..until])
+        })
+    }
+
+    /// A curve of the path.
+    pub fn curve(&self, number: u32) -> &Curve {
+        &self.curves[number as usize]
+    }
+
+    /// The tools that cut, in the order of their first use.
+    pub fn tools(&self) -> &[Tool] {
+        &self.tools
+    }
+
+    /// Length of the rapids, mm; `None` when there are none.
+    pub fn rapid_mm(&self) -> Option<f64> {
+        (self.rapids.min.x <= self.rapids.max.x).then_some(self.rapid_mm)
+    }
+
+    /// Length of all cuts, mm.
+    pub fn cut_mm(&self) -> f64 {
+        self.tools.iter().map(|tool| tool.cut_mm).sum()
+    }
+
+    /// Where the path begins and ends.
+    pub fn ends(&self) -> Option<(Vec3, Vec3)> {
+        self.start.map(|start| (start, self.end))
+    }
+
+    /// True when segments came that cannot be drawn.
+    pub fn has_unknown(&self) -> bool {
+        self.unknown > 0
+    }
+
+    /// The box of the cuts.
+    pub fn cut_extent(&self) -> Option<Aabb> {
+        (self.cuts.min.x <= self.cuts.max.x).then_some(self.cuts)
+    }
+
+    /// The box that is drawn: the cuts, and the rapids near them.
+    pub fn extent(&self) -> Option<Aabb> {
+        let Some(cuts) = self.cut_extent() else {
+            return self.rapid_mm().map(|_| self.rapids);
+        };
+        if self.rapid_mm().is_none() {
+            return Some(cuts);
+        }
+        let size = cuts.size();
+        let reach = Vec3::new(1.0, 1.0, 1.0) * (BEYOND * size.x.max(size.y).max(size.z));
+        let (low, high) = (cuts.min - reach, cuts.max + reach);
+        let near = |value: f64, low: f64, high: f64| value.clamp(low, high);
+        let corner = |p: Vec3| {
+            Vec3::new(near(p.x, low.x, high.x), near(p.y, low.y, high.y), near(p.z, low.z, high.z))
+        };
+        let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
+        Some(cuts.union(&near_rapids))
+    }
+}

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Compares Chordal's motions with those of LinuxCNC's own interpreter, rs274.
+
+Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not part of the test
+command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
+centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals).
+
+    tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TOLERANCE = 1.01e-4
+AXES = "XYZABC"
+PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
+NAMES = {"xy": (0, 1, 2), "zx": (2, 0, 1), "yz": (1, 2, 0)}
+CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
+
+
+def reference(program):
+    """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit)."""
+    with tempfile.TemporaryDirectory() as folder:
+        tools = pathlib.Path(folder, "tool.tbl")
+        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\n")
+        command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
+        done = subprocess.run([*command, str(program)], capture_output=True, text=True)
+    unit, plane, place, motions = 1.0, "XY", [0.0] * 6, []
+    for row in done.stdout.splitlines():
+        call = CALL.match(row)
+        if not call:
+            continue
+        name, text = call.groups()
+        if name == "USE_LENGTH_UNITS":
+            unit = 25.4 if "INCH" in text else 1.0
+        elif name == "SELECT_PLANE":
+            plane = text.strip().rsplit("_", 1)[1]
+        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET"):
+            place = None if motions else place
+        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
+            numbers = [float(part) for part in text.split(",")]
+            end = [value * unit if axis < 3 else value for axis, value in enumerate(numbers)]
+            kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
+            motions.append((kind, end, None, unit, place))
+            place = end
+        elif name == "ARC_FEED":
+            first, second, center_a, center_b, turns, normal_end, *rotary = (
+                float(part) for part in text.split(",")
+            )
+            a, b, normal = PLANES[plane]
+            end = [0.0, 0.0, 0.0, *rotary]
+            end[a], end[b], end[normal] = first * unit, second * unit, normal_end * unit
+            arc = (plane, center_a * unit, center_b * unit, turns)
+            motions.append(("arc", end, arc, unit, place))
+            place = end
+    if done.returncode != 0 or not motions:
+        sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
+    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
+
+
+def ours(chordal, program):
+    """Motions of Chordal in mm and degrees."""
+    command = [chordal, "commands", str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    motions = []
+    for row in done.stdout.splitlines():
+        command = json.loads(row)
+        kind = command.get("kind")
+        if kind not in ("rapid", "line", "arc", "spiral"):
+            continue
+        end = [command["to"].get(axis, 0.0) for axis in AXES]
+        start = [command["from"].get(axis, 0.0) for axis in AXES]
+        arc = None
+        if kind in ("arc", "spiral"):
+            a, b, _ = NAMES[command["plane"]]
+            center = command["center"]
+            sign = 1 if command["direction"] == "ccw" else -1
+            turns = sign * max(1, math.ceil(command["sweep_deg"] / 360 - 1e-6))
+            plane = {"xy": "XY", "zx": "XZ", "yz": "YZ"}[command["plane"]]
+            arc = (plane, center[AXES[a]], center[AXES[b]], turns)
+            kind = "arc"
+        if arc or far(end, start, 1e-9):
+            motions.append((kind, end, arc, command["line"]))
+    if done.returncode not in (0, 1):
+        sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
+    return motions
+
+
+def far(one, other, tolerance):
+    return any(abs(a - b) > tolerance for a, b in zip(one, other))
+
+
+def differences(program, theirs, mine):
+    if len(theirs) != len(mine):
+        yield f"{len(theirs)} motions in rs274, {len(mine)} in Chordal"
+    for number, (their, my) in enumerate(zip(theirs, mine), 1):
+        tolerance = TOLERANCE * their[3]
+        where = f"motion {number} (line {my[3]})"
+        if their[0] != my[0]:
+            yield f"{where}: rs274 {their[0]}, Chordal {my[0]}"
+        elif far(their[1], my[1], tolerance):
+            yield f"{where}: rs274 ends at {their[1]}, Chordal at {my[1]}"
+        elif their[2]:
+            (plane, a, b, turns), (my_plane, my_a, my_b, my_turns) = their[2], my[2]
+            near = abs(a - my_a) <= tolerance and abs(b - my_b) <= tolerance
+            if plane != my_plane or turns != my_turns or not near:
+                yield f"{where}: rs274 arc {their[2]}, Chordal {my[2]}"
+
+
+def main():
+    here = pathlib.Path(__file__).resolve().parent.parent
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--chordal", default=str(here / "target/release/chordal"))
+    parser.add_argument("programs", nargs="*", type=pathlib.Path)
+    arguments = parser.parse_args()
+    programs = arguments.programs or sorted((here / "tests/rs274").glob("*.ngc"))
+    wrong = motions = 0
+    for program in programs:
+        theirs = reference(program)
+        problems = list(differences(program, theirs, ours(arguments.chordal, program)))
+        motions += len(theirs)
+        wrong += bool(problems)
+        print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} motions  {program.name}")
+        for problem in problems[:5]:
+            print("        ", problem)
+    print(f"{len(programs) - wrong} passed, {wrong} failed, {motions} motions")
+    sys.exit(bool(wrong))
+
+
+if __name__ == "__main__":
+    main()
