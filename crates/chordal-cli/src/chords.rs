@@ -6,7 +6,7 @@ use chordal::machine::{Dimension, parse_quantity};
 use chordal_export::ChordWriter;
 use clap::ValueEnum;
 
-use crate::commands::{buffered, or_end, tell};
+use crate::commands::{buffered, keep, tell};
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::session::load_one;
@@ -82,9 +82,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Format::Csv => ChordWriter::csv(buffered(), args.tolerance, placement),
         Format::Jsonl => ChordWriter::jsonl(buffered(), args.tolerance, placement),
     }?;
+    let mut done = Ok(());
     let report = job.report_with(|_, segments| {
-        or_end(terminal, segments.iter().try_for_each(|segment| writer.segment(segment)));
+        keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
     });
+    done?;
     writer.finish()?.flush()?;
     Ok(tell(&report, &job, terminal))
 }

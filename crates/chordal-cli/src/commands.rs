@@ -84,26 +84,46 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let mut writer = Writer::new(args.format, &job)?;
-    let report = job.report_with(|command, _| or_end(terminal, writer.command(command)));
+    let mut done = Ok(());
+    let report = job.report_with(|command, _| keep(&mut done, || writer.command(command)));
+    done?;
     writer.finish()?;
     Ok(tell(&report, &job, terminal))
 }
 
-/// Standard output for many small writes. Not the line-buffered kind.
-pub type Buffered = BufWriter<Stdout>;
+/// Standard output of a run that streams. A run cannot be stopped from within, and what
+/// streams has nothing to clean up: when nobody reads any more (`| head`) the process ends
+/// here, quietly, however the writers above would wrap the error.
+pub struct Stream(Stdout);
+
+impl Write for Stream {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes).inspect_err(end_if_closed)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush().inspect_err(end_if_closed)
+    }
+}
+
+fn end_if_closed(error: &io::Error) {
+    if error.kind() == io::ErrorKind::BrokenPipe {
+        std::process::exit(0);
+    }
+}
+
+/// Standard output for many small writes.
+pub type Buffered = BufWriter<Stream>;
 
 /// Standard output for many small writes.
 pub fn buffered() -> Buffered {
-    BufWriter::with_capacity(1 << 16, io::stdout())
+    BufWriter::with_capacity(1 << 16, Stream(io::stdout()))
 }
 
-/// A run cannot be stopped from within, and what is running has nothing to clean up: when
-/// nobody reads any more (`| head`) the process ends here.
-pub fn or_end(terminal: Terminal, done: io::Result<()>) {
-    if let Err(error) = done {
-        let failure = Failure::Out(error);
-        terminal.failure(&failure);
-        std::process::exit(failure.verdict() as i32);
+/// Another failure of the output, as a full disk, is for the end of the run: the first counts.
+pub fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
+    if first.is_ok() {
+        *first = next();
     }
 }
 

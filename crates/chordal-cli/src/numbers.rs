@@ -87,7 +87,9 @@ pub fn duration(seconds: f64) -> String {
     let whole = seconds.round() as u64;
     if !seconds.is_finite() {
         "for ever".to_string()
-    } else if seconds < 60.0 {
+    } else if seconds > 0.0 && seconds < 0.05 {
+        "under 0.1 s".to_string()
+    } else if seconds < 59.95 {
         format!("{} s", short(seconds, 1))
     } else if whole < 3600 {
         format!("{} min {:02} s", whole / 60, whole % 60)
@@ -108,7 +110,10 @@ mod tests {
         assert_eq!(grouped(1_234_567), "1,234,567");
         assert_eq!(grouped(123), "123");
         assert_eq!(Units::Inch.feed(25.4), "60");
+        assert_eq!(duration(0.0), "0 s");
+        assert_eq!(duration(0.04), "under 0.1 s");
         assert_eq!(duration(12.34), "12.3 s");
+        assert_eq!(duration(59.97), "1 min 00 s");
         assert_eq!(duration(754.0), "12 min 34 s");
         assert_eq!(duration(7500.0), "2 h 05 min");
     }

@@ -153,7 +153,12 @@ impl Sheet {
         let first = report.diagnostics.iter().filter(|d| d.severity == Severity::Error);
         if let Some(first) = first.min_by_key(|diagnostic| way_to(diagnostic)) {
             let what = match &first.alarm {
-                Some(alarm) => format!("the control would stop at {}: {alarm}", place(first, job)),
+                Some(alarm) => {
+                    let title = job.control().table.title;
+                    let own = alarm.strip_prefix(title).and_then(|rest| rest.strip_prefix(": "));
+                    let alarm = own.unwrap_or(alarm);
+                    format!("the control would stop at {}: {alarm}", place(first, job))
+                }
                 None => format!("first error at {}: {}", place(first, job), first.message),
             };
             let label = style(self.color, BOLD_RED, format_args!("{:LABEL$}", "stop"));

@@ -165,7 +165,7 @@ impl Block {
     }
 
     /// Adds a word. (Public so that a repeat or a cycle can build blocks of its own.)
-    #[inline]
+    #[inline(always)]
     pub fn push(&mut self, word: Word) {
         if word.comma {
             // `,R1.` and `,C1.` are no R and no C word: only a walk over all words meets them.

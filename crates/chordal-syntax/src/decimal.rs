@@ -89,59 +89,51 @@ impl Decimal {
 
 /// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes.
 /// `None` when there is no digit, or more digits than 18 (no control keeps that many).
-#[inline]
 pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
     let sign = text.first().copied().unwrap_or(0);
     let negative = sign == b'-';
-    let at = usize::from(negative || sign == b'+');
-    let Some(short) = scan_short(text, at) else { return scan_any(text, at, negative) };
-    let mantissa = if negative { -(short.value as i64) } else { short.value as i64 };
-    let Short { scale, has_point, length, .. } = short;
-    Some((Decimal { mantissa, scale, has_point, negative }, at + length))
+    scan_any(text, usize::from(negative || sign == b'+'), negative)
 }
 
-struct Short {
-    value: u64,
-    scale: u8,
-    has_point: bool,
-    length: usize,
-}
+/// Bytes that [`scan_short`] looks at.
+pub(crate) const SHORT: usize = 16;
 
-/// Numbers that end within eight bytes, point and all: nearly every number of a program.
-/// The eight bytes are taken at once and the point is squeezed out between the digits.
+/// Numbers that end within eight bytes behind the sign, point and all: nearly every number
+/// of a program. The eight bytes are taken at once and the point is squeezed out from
+/// between the digits. `None` sends the caller to [`scan`].
 #[inline]
-fn scan_short(text: &[u8], at: usize) -> Option<Short> {
-    let bytes: [u8; 8] = text.get(at..at + 8)?.try_into().ok()?;
-    let values = u64::from_le_bytes(bytes) ^ 0x3030_3030_3030_3030;
+pub(crate) fn scan_short(text: &[u8; SHORT]) -> Option<(Decimal, usize)> {
+    let negative = text[0] == b'-';
+    let signed = negative | (text[0] == b'+');
+    let wide = u128::from_le_bytes(*text);
+    let bytes = (if signed { wide >> 8 } else { wide }) as u64;
+    let values = bytes ^ 0x3030_3030_3030_3030;
     let strange = strange_bytes(values);
-    let first = strange.trailing_zeros();
-    if first == 64 {
-        return None;
-    }
-    // The flag is the highest bit of its byte.
-    let bits = first - 7;
-    let has_point = (values >> bits) & 0xFF == u64::from(b'.' ^ 0x30);
-    if !has_point {
-        let value = if bits == 0 { return None } else { join(values << (64 - bits)) };
-        return Some(Short { value, scale: 0, has_point, length: bits as usize / 8 });
-    }
-    let rest = strange & (strange - 1);
+    let rest = strange & strange.wrapping_sub(1);
     if rest == 0 {
         return None;
     }
-    let end_bits = rest.trailing_zeros() - 7;
-    let digit_bits = end_bits - 8;
+    // The flag is the highest bit of its byte.
+    let bits = strange.trailing_zeros() - 7;
+    let has_point = (values >> bits) & 0xFF == u64::from(b'.' ^ 0x30);
+    let (digits, digit_bits, end_bits) = if has_point {
+        let end_bits = rest.trailing_zeros() - 7;
+        let before = (1 << bits) - 1;
+        ((values & before) | ((values >> 8) & !before), end_bits - 8, end_bits)
+    } else {
+        (values, bits, bits)
+    };
     if digit_bits == 0 {
         return None;
     }
-    let before = (1 << bits) - 1;
-    let squeezed = (values & before) | ((values >> 8) & !before);
-    Some(Short {
-        value: join(squeezed << (64 - digit_bits)),
-        scale: ((digit_bits - bits) / 8) as u8,
+    let value = join(digits << (64 - digit_bits)) as i64;
+    let number = Decimal {
+        mantissa: if negative { -value } else { value },
+        scale: ((digit_bits - bits.min(digit_bits)) / 8) as u8,
         has_point,
-        length: end_bits as usize / 8,
-    })
+        negative,
+    };
+    Some((number, end_bits as usize / 8 + usize::from(signed)))
 }
 
 /// The highest bit of each byte that is not a digit; `values` are bytes less `0`.
@@ -151,7 +143,6 @@ const fn strange_bytes(values: u64) -> u64 {
     (((values & 0x7F7F_7F7F_7F7F_7F7F) + 0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080
 }
 
-#[inline(never)]
 fn scan_any(text: &[u8], start: usize, negative: bool) -> Option<(Decimal, usize)> {
     let mut at = start;
     let (whole, whole_digits) = digits(text, at);
@@ -237,11 +228,19 @@ mod tests {
             assert_eq!(scan(format!("{text}X1.2345678").as_bytes()).unwrap().1, digits);
             // The same number wherever its point stands and whatever follows.
             for point in 0..=digits {
-                let number = format!("{}.{}", &text[..point], &text[point..]);
+                let sign = ["", "-", "+"][point % 3];
+                let number = format!("{sign}{}.{}", &text[..point], &text[point..]);
                 for tail in ["", " ", "Y-1.", "\n\n\n\n\n\n\n\n", "\u{e9}9999999"] {
-                    let (read, length) = scan(format!("{number}{tail}").as_bytes()).unwrap();
+                    let text_and_tail = format!("{number}{tail}");
+                    let (read, length) = scan(text_and_tail.as_bytes()).unwrap();
                     assert_eq!(length, number.len());
-                    assert_eq!(read.mantissa.to_string(), text);
+                    if let Some(head) = text_and_tail.as_bytes().first_chunk::<SHORT>()
+                        && let Some(short) = scan_short(head)
+                    {
+                        assert_eq!(short, (read, length));
+                    }
+                    assert_eq!(read.mantissa.unsigned_abs().to_string(), text);
+                    assert_eq!(read.negative, sign == "-");
                     assert_eq!(usize::from(read.scale), digits - point);
                 }
             }

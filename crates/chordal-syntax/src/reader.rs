@@ -264,8 +264,27 @@ impl<'a> BlockReader<'a> {
 
     /// Reads a word whose letter is at `self.at`. False when a macro statement took the
     /// rest of the line.
-    #[inline]
+    #[inline(always)]
     fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
+        let plain = !comma && !(letter == b'R' && self.lexicon.registers);
+        if plain
+            && !self.lexicon.blanks_in_numbers
+            && let Some(rest) = self.text[..self.end].get(self.at + 1..)
+            && let Some(head) = rest.first_chunk::<{ decimal::SHORT }>()
+            && let Some((number, length)) = decimal::scan_short(head)
+            && !STRANGE_BEHIND_NUMBER[head[length] as usize]
+        {
+            let start = self.at;
+            self.at += 1 + length;
+            let range = TextRange::new(start as u32, self.at as u32);
+            block.push(Word { letter, register: None, comma, value: Value::Number(number), range });
+            return true;
+        }
+        self.read_any_word(block, letter, comma)
+    }
+
+    #[inline(never)]
+    fn read_any_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
         let start = self.at - usize::from(comma);
         self.at += 1;
         let mut register = None;

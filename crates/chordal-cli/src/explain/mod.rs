@@ -112,6 +112,12 @@ fn code_of(word: &str) -> Option<(u8, u16)> {
     Some((letter, code.checked_add(tenth.parse().ok()?)?))
 }
 
+/// G or M with a number, however large.
+fn is_code(word: &str) -> bool {
+    let rest = word.strip_prefix(['G', 'g', 'M', 'm']);
+    rest.is_some_and(|rest| rest.trim_start().starts_with(|first: char| first.is_ascii_digit()))
+}
+
 fn one_letter(word: &str) -> Option<u8> {
     match word.as_bytes() {
         [letter] if letter.is_ascii_alphabetic() => Some(letter.to_ascii_uppercase()),
@@ -220,20 +226,19 @@ pub fn some(names: &[String]) -> String {
 /// Nobody knows it: the nearest that somebody does.
 fn unknown(word: &str, views: &[View]) -> Failure {
     let titles: Vec<&str> = views.iter().map(|view| view.table.title).collect();
-    if let Some((letter, code)) = code_of(word) {
-        let all = views.iter().flat_map(|view| codes(view.table, letter));
-        let near = all.min_by_key(|row| row.code.abs_diff(code));
-        let near = near.filter(|row| row.code.abs_diff(code) <= NEAR);
+    if is_code(word) {
+        let name = word.to_uppercase();
         let message = match titles.as_slice() {
-            [one] => format!("{one} has no {}", code_name(letter, code)),
-            _ => format!("no control here has {}", code_name(letter, code)),
+            [one] => format!("{one} has no {name}"),
+            _ => format!("no control here has {name}"),
         };
-        return match near {
-            Some(row) => {
-                Failure::wrong(message, format!("{} is {}", code_name(letter, row.code), row.title))
-            }
-            None => Failure::Use { message, help: None },
-        };
+        let near = code_of(word).and_then(|(letter, code)| {
+            let all = views.iter().flat_map(|view| codes(view.table, letter));
+            let near = all.min_by_key(|row| row.code.abs_diff(code))?;
+            let close = near.code.abs_diff(code) <= NEAR;
+            close.then(|| format!("{} is {}", code_name(letter, near.code), near.title))
+        });
+        return Failure::Use { message, help: near };
     }
     if let Some(letter) = one_letter(word) {
         let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));

@@ -27,7 +27,7 @@ const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
 
 impl<S: Sink> Interpreter<'_, S> {
     /// The literal of a word, or of the register it names.
-    #[inline]
+    #[inline(always)]
     pub(super) fn literal(&self, word: &Word) -> Option<Decimal> {
         match word.value {
             Value::Number(number) => Some(number),
@@ -44,7 +44,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// A length word in mm.
-    #[inline]
+    #[inline(always)]
     pub(super) fn length(&mut self, word: &Word) -> Option<f64> {
         let number = self.literal(word)?;
         if !number.has_point {
@@ -56,7 +56,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// A word of an axis: mm, or rad for rotary axes.
-    #[inline]
+    #[inline(always)]
     pub(super) fn axis_value(&mut self, word: &Word, axis: usize) -> Option<f64> {
         if axis < 3 {
             return self.length(word);

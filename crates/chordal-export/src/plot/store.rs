@@ -85,11 +85,11 @@ impl Store {
         match tool {
             Some(index) => {
                 self.tools[index].cut_mm += length;
-                self.cuts = self.cuts.union(&bounds);
+                self.cuts = self.cuts.union(bounds);
             }
             None => {
                 self.rapid_mm += length;
-                self.rapids = self.rapids.union(&bounds);
+                self.rapids = self.rapids.union(bounds);
             }
         }
         let (start, end) = (segment.curve.start(), segment.curve.end());
@@ -183,7 +183,7 @@ impl Store {
 
     /// Length of the rapids, mm; `None` when there are none.
     pub fn rapid_mm(&self) -> Option<f64> {
-        (self.rapids.min.x <= self.rapids.max.x).then_some(self.rapid_mm)
+        (!self.rapids.is_empty()).then_some(self.rapid_mm)
     }
 
     /// Length of all cuts, mm.
@@ -203,7 +203,7 @@ impl Store {
 
     /// The box of the cuts.
     pub fn cut_extent(&self) -> Option<Aabb> {
-        (self.cuts.min.x <= self.cuts.max.x).then_some(self.cuts)
+        (!self.cuts.is_empty()).then_some(self.cuts)
     }
 
     /// The box that is drawn: the cuts, and the rapids near them.
@@ -222,6 +222,6 @@ impl Store {
             Vec3::new(near(p.x, low.x, high.x), near(p.y, low.y, high.y), near(p.z, low.z, high.z))
         };
         let near_rapids = Aabb { min: corner(self.rapids.min), max: corner(self.rapids.max) };
-        Some(cuts.union(&near_rapids))
+        Some(cuts.union(near_rapids))
     }
 }

@@ -1,0 +1,128 @@
+//! `chordal check`: exit codes and formats.
+
+mod common;
+
+use common::{BROKEN, CLEAN, Folder};
+use serde_json::Value;
+
+#[test]
+fn a_clean_program_ends_with_zero() {
+    let done = Folder::with_part().run(&["check", "part.nc", "-m", "haas-vf2"]).ends(0);
+    assert_eq!(done.out, "");
+    assert_eq!(done.err, "no problems\n");
+}
+
+#[test]
+fn an_error_ends_with_one_and_is_underlined() {
+    let folder = Folder::new();
+    folder.write("bad.nc", BROKEN);
+    folder.run(&["check", "bad.nc", "-m", "haas-vf2"]).ends(1).says(&[
+        "error[CH401]",
+        "bad.nc:6:",
+        "G2 X1. Y1. I.4 J0",
+        "^^",
+        "alarm 304",
+        "1 error",
+    ]);
+}
+
+#[test]
+fn the_severity_that_fails_can_be_chosen() {
+    let folder = Folder::new();
+    // A tool without a length in the machine file is a note.
+    folder.write("note.nc", "O1\nG20 G90 T1 M6\nG43 H1 Z1.\nM30\n");
+    let check = |severity: &str| {
+        folder.run(&["check", "note.nc", "-m", "haas-vf2", "--fail-on", severity]).code
+    };
+    assert_eq!([check("note"), check("warning"), check("error"), check("never")], [1, 0, 0, 0]);
+    folder.write("bad.nc", BROKEN);
+    folder.run(&["check", "bad.nc", "--fail-on", "never"]).ends(0).says(&["error[CH401]"]);
+}
+
+#[test]
+fn an_unreadable_file_is_one_line_and_the_others_are_checked() {
+    let folder = Folder::with_part();
+    folder.write("bad.nc", BROKEN);
+    let done = folder
+        .run(&["check", "none.nc", "bad.nc", "part.nc", "-m", "haas-vf2"])
+        .ends(2)
+        .says(&["error[CH401]"])
+        .complains(&["error: cannot read none.nc: no such file", "1 error; 1 of 2 programs"]);
+    assert_eq!(done.err.lines().count(), 2);
+}
+
+#[test]
+fn a_folder_stands_for_its_programs_by_content() {
+    let folder = Folder::new();
+    folder
+        .write("arch/O0001", CLEAN)
+        .write("arch/deep/part", CLEAN)
+        .write("arch/bad.tap", BROKEN)
+        .write("arch/readme.md", "G1 X1.\n")
+        .write("arch/notes", "nothing to run here\n")
+        .write("arch/picture", b"\x89PNG\r\n\x1a\n\x00\x00\x00\x0dIHDR\x01\x02\x03\x04\x05\x06")
+        .write("arch/.hidden", BROKEN)
+        .write("arch/empty", "");
+    folder
+        .run(&["check", "arch", "-m", "haas-vf2"])
+        .ends(1)
+        .complains(&["1 error; 1 of 3 programs with problems"]);
+    folder.write("nothing/notes", "nothing\n");
+    folder.run(&["check", "nothing"]).ends(2).complains(&["there is no program in nothing"]);
+}
+
+#[test]
+fn json_is_one_object_for_one_file_and_for_many() {
+    let folder = Folder::with_part();
+    folder.write("bad.nc", BROKEN);
+    for files in [&["part.nc"][..], &["part.nc", "bad.nc"]] {
+        let done = folder.run(&[&["check", "--format", "json"], files].concat());
+        let object: Value = serde_json::from_str(&done.out).unwrap();
+        assert_eq!(object["schema"], "chordal.check/1");
+        let found = object["files"].as_array().unwrap();
+        assert_eq!(found.len(), files.len());
+        for (file, name) in found.iter().zip(files) {
+            assert_eq!(file["file"], *name);
+            assert_eq!(file["diagnostics"].as_array().unwrap().is_empty(), *name == "part.nc");
+        }
+    }
+}
+
+#[test]
+fn sarif_and_github_can_be_read() {
+    let folder = Folder::with_part();
+    folder.write("bad.nc", BROKEN);
+    let done = folder.run(&["check", "--format", "sarif", "bad.nc", "part.nc"]).ends(1);
+    let log: Value = serde_json::from_str(&done.out).unwrap();
+    assert_eq!(log["version"], "2.1.0");
+    assert!(log["runs"][0]["results"].as_array().unwrap().iter().any(|r| r["ruleId"] == "CH401"));
+
+    let done = folder.run(&["check", "--format", "github", "bad.nc"]).ends(1);
+    assert!(done.out.starts_with("::error "), "{}", done.out);
+    assert!(done.out.contains("file=bad.nc,line=6"), "{}", done.out);
+}
+
+#[test]
+fn colours_come_when_asked_for() {
+    let folder = Folder::new();
+    folder.write("bad.nc", BROKEN);
+    assert!(!folder.run(&["check", "bad.nc"]).out.contains('\x1b'));
+    assert!(!folder.run(&["check", "bad.nc", "--color", "never"]).out.contains('\x1b'));
+    assert!(folder.run(&["check", "bad.nc", "--color", "always"]).out.contains('\x1b'));
+}
+
+#[test]
+fn wrong_use_ends_with_two() {
+    let folder = Folder::with_part();
+    for arguments in [
+        &["check"][..],
+        &["check", "part.nc", "--format", "xml"],
+        &["check", "part.nc", "--machine", "haas"],
+        &["nothing"],
+        &["chords", "part.nc", "--tolerance", "0.01"],
+        &["run", "part.nc", "--program", "x"],
+        &["run", "part.nc", "--program", "77"],
+    ] {
+        folder.run(arguments).ends(2);
+    }
+}

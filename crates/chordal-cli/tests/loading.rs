@@ -1,0 +1,131 @@
+//! What may come as a file, and what belongs to a program.
+
+mod common;
+
+use common::{CLEAN, Folder};
+
+#[test]
+fn standard_input_is_a_file() {
+    let folder = Folder::new();
+    folder.run_with(&["check", "-", "-m", "haas-vf2"], CLEAN.as_bytes()).ends(0);
+    folder.run_with(&["run", "-", "-m", "haas-vf2"], CLEAN.as_bytes()).ends(0).says(&["<stdin>"]);
+    folder.run_with(&["commands", "-"], CLEAN.as_bytes()).ends(0).says(&["\"kind\":\"arc\""]);
+}
+
+#[test]
+fn encodings_are_recognized() {
+    let folder = Folder::new();
+    let wide = |units: fn(u16) -> [u8; 2]| -> Vec<u8> {
+        CLEAN.encode_utf16().flat_map(units).collect()
+    };
+    folder
+        .write("le.nc", [b"\xff\xfe".as_slice(), &wide(u16::to_le_bytes)].concat())
+        .write("be.nc", wide(u16::to_be_bytes))
+        .write("bom.nc", [b"\xef\xbb\xbf".as_slice(), CLEAN.as_bytes()].concat())
+        .write("crlf.nc", CLEAN.replace('\n', "\r\n"))
+        .write("cr.nc", CLEAN.replace('\n', "\r"))
+        .write("nul.nc", [&[0; 32], CLEAN.as_bytes(), &[0; 32]].concat());
+    let expected = folder.run_with(&["commands", "-"], CLEAN.as_bytes()).ends(0).out;
+    let expected: Vec<&str> = expected.lines().skip(1).collect();
+    for name in ["le.nc", "be.nc", "bom.nc", "crlf.nc", "cr.nc", "nul.nc"] {
+        let done = folder.run(&["commands", name]).ends(0);
+        assert_eq!(done.out.lines().skip(1).collect::<Vec<_>>(), expected, "{name}");
+    }
+}
+
+#[test]
+fn odd_files_get_an_answer() {
+    let folder = Folder::new();
+    let line = format!("O1\nG1 {} F10.\nM30\n", "X1.".repeat(400_000));
+    folder
+        .write("empty.nc", "")
+        .write("line.nc", line)
+        .write("binary.nc", (0..=255).cycle().take(50_000).collect::<Vec<u8>>())
+        .write("nul.nc", [0; 5000])
+        .write("numbers.nc", "O1\nG1 X99999999999999999999999 YNaN Z1e400 F1.\nM30\n")
+        .write("loop.nc", "O1\nG91 X1.\nM99\n")
+        .write("repeat.nc", "O1\nG91 G1 X.1 F1. L99999999\nM30\n")
+        .write("deep.nc", "O1\nM98 P1\nM30\n");
+    for name in ["line.nc", "numbers.nc", "loop.nc", "repeat.nc", "deep.nc", "nul.nc"] {
+        for command in ["check", "run", "commands", "chords"] {
+            let done = folder.run(&[command, name, "-m", "haas-vf2"]);
+            assert!(matches!(done.code, 0 | 1), "{command} {name}: {}\n{}", done.code, done.err);
+            assert!(done.out.len() + done.err.len() < 20_000_000, "{command} {name}");
+        }
+    }
+    folder.run(&["check", "empty.nc"]).ends(1).says(&["there is no block to run"]);
+    folder.run(&["check", "binary.nc"]).ends(1).says(&["not an NC program"]);
+}
+
+#[test]
+fn a_mapped_file_reads_as_a_small_one() {
+    let folder = Folder::new();
+    let mut text = String::from("O1\nG21 G90 G0 X0 Y0 Z1.\nS100 M3\nG1 Z0 F100.\n");
+    for step in 0..150_000 {
+        text.push_str(&format!("X{}.{:03}\n", step % 100, step % 1000));
+    }
+    text.push_str("G0 Z1.\nM30\n");
+    assert!(text.len() > 1 << 20);
+    folder.write("long.nc", text);
+    folder.run(&["run", "long.nc", "-m", "fanuc-30i"]).says(&["150,0", " lines"]);
+}
+
+#[test]
+fn subprograms_lie_beside_the_program() {
+    let folder = Folder::new();
+    let main = |numbers: &[u32]| {
+        let calls: String = numbers.iter().map(|number| format!("M98 P{number}\n")).collect();
+        format!("O1\nG20 G90 G0 X0 Y0\n{calls}M30\n")
+    };
+    folder
+        .write("main.nc", main(&[1000, 1001, 1002, 1003]))
+        .write("O1000.nc", "%\nO1000\nG4 P1000\nM98 P1004\nM99\n%\n")
+        .write("1001.tap", "O1001\nM99\n")
+        .write("o01002", "O1002\nM99\n")
+        .write("by-its-head.nc", "%\n(LIBRARY)\nO1003 (DRILL)\nM99\n%\n")
+        .write("o1004.nc", "O1004\nM99\n");
+    folder.run(&["check", "main.nc", "-m", "haas-vf2"]).ends(0);
+    folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&[
+        "program   O1\n",
+        "calls     O1000 from O1000.nc",
+        "O1001 from 1001.tap",
+        "O1002 from o01002",
+        "O1003 (DRILL) from by-its-head.nc",
+        "O1004 from o1004.nc",
+        "1 dwell",
+    ]);
+    folder.write("main.nc", main(&[1000, 1005]));
+    folder.run(&["check", "main.nc", "-m", "haas-vf2"]).ends(1).says(&["error[CH2", "1005"]);
+    // What stands in the file itself comes before the folder's.
+    folder.write("main.nc", main(&[1001]) + "O1001 (OWN)\nM99\n");
+    folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&["calls     O1001 (OWN)\n"]);
+}
+
+#[test]
+fn one_program_of_a_memory_can_be_run() {
+    let folder = Folder::new();
+    folder.write("all.txt", "%\nO1 (A)\nG4 P1000\nM30\nO2 (B)\nG4 P2000\nG4 P1\nM30\n%\n");
+    let run = |number: &str| folder.run(&["run", "all.txt", "-m", "haas-vf2", "--program", number]);
+    run("O2").ends(0).says(&["program   O2 (B)", "2 dwells"]);
+    run("1").ends(0).says(&["program   O1 (A)", "1 dwell"]);
+    run("3").ends(2).complains(&["there is no program O3 in all.txt", "it has O1, O2"]);
+}
+
+#[test]
+fn block_delete_is_a_switch() {
+    let folder = Folder::new();
+    folder.write("part.nc", "O1\nG20 G90 G0 X0\n/G4 P1000\nM30\n");
+    folder.run(&["run", "part.nc", "-m", "haas-vf2"]).ends(0).says(&["1 dwell"]);
+    let done = folder.run(&["run", "part.nc", "-m", "haas-vf2", "--block-delete"]).ends(0);
+    assert!(!done.out.contains("dwell"), "{}", done.out);
+}
+
+#[test]
+fn the_budget_can_be_set() {
+    let folder = Folder::new();
+    folder.write("part.nc", "O1\nG20 G90\nM98 P2 L50\nM30\nO2\nG4 P1\nG4 P1\nM99\n");
+    folder.run(&["check", "part.nc", "-m", "haas-vf2"]).ends(0);
+    folder
+        .run(&["check", "part.nc", "-m", "haas-vf2", "--max-blocks", "20"])
+        .says(&["stopped after 20 blocks"]);
+}

@@ -1,0 +1,138 @@
+//! Where the views lie on the sheet: third-angle projection, one scale, aligned.
+
+use chordal::geometry::{Aabb, Vec3};
+
+use super::view::{FRONT, ISOMETRIC, Panel, Rect, SIDE, TOP, View};
+
+/// Measures in units: a unit is a pixel on a sheet of 1600 by 1131.
+pub(super) const MARGIN: f64 = 30.0;
+const HEADER: f64 = 72.0;
+const TICKS_LEFT: f64 = 58.0;
+const TICKS_BELOW: f64 = 26.0;
+const TITLE: f64 = 26.0;
+const BETWEEN: f64 = 18.0;
+/// Room within a view around what is drawn.
+const INSIDE: f64 = 22.0;
+
+/// The least share of the room that a column or row of views gets.
+const LEAST: Share = Share { left: 0.3, right: 0.2, upper: 0.35, lower: 0.14 };
+
+struct Share {
+    left: f64,
+    right: f64,
+    upper: f64,
+    lower: f64,
+}
+
+/// The sheet.
+#[derive(Debug)]
+pub(super) struct Layout {
+    pub width: f64,
+    pub height: f64,
+    /// px for each unit.
+    pub unit: f64,
+    /// Top, front, right and isometric.
+    pub panels: [Panel; 4],
+}
+
+impl Layout {
+    /// px for each unit on a sheet.
+    pub fn unit(width: f64, height: f64) -> f64 {
+        (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.2)
+    }
+
+    /// Places the views of a box; `legend` is the height of the legend in units.
+    pub fn new(width: f64, height: f64, bounds: &Aabb, legend: f64) -> Layout {
+        let unit = Layout::unit(width, height);
+        let size = drawable(bounds.size());
+        let room = (
+            width - (2.0 * MARGIN + 2.0 * TICKS_LEFT + BETWEEN) * unit,
+            height
+                - (2.0 * MARGIN + HEADER + 2.0 * (TITLE + TICKS_BELOW) + BETWEEN + legend) * unit,
+        );
+        let inside = 2.0 * INSIDE * unit;
+        let columns = Track::new(room.0, (size.x, LEAST.left), (size.y, LEAST.right), inside);
+        let rows = Track::new(room.1, (size.y, LEAST.upper), (size.z, LEAST.lower), inside);
+        let scale = columns.scale().min(rows.scale());
+        let (left, right) = columns.sizes(scale);
+        let (upper, lower) = rows.sizes(scale);
+
+        let x = (MARGIN + TICKS_LEFT) * unit;
+        let x2 = x + left + (TICKS_LEFT + BETWEEN) * unit;
+        let y = (MARGIN + HEADER + TITLE) * unit;
+        let y2 = y + upper + (TICKS_BELOW + TITLE + BETWEEN) * unit;
+        let rect = |x, y, width, height| Rect { x, y, width, height };
+        let panels = [
+            panel(TOP, rect(x, y, left, upper), scale, bounds),
+            panel(FRONT, rect(x, y2, left, lower), scale, bounds),
+            panel(SIDE, rect(x2, y2, right, lower), scale, bounds),
+            isometric(rect(x2, y, right, upper), bounds, inside),
+        ];
+        Layout { width, height, unit, panels }
+    }
+}
+
+fn panel(view: View, rect: Rect, scale: f64, bounds: &Aabb) -> Panel {
+    Panel { view, rect, scale, middle: view.extent(bounds).middle() }
+}
+
+/// The isometric view has a scale of its own: it fills its place.
+fn isometric(rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let half = drawable(bounds.size()) * 0.5;
+    let extent = ISOMETRIC.extent(&Aabb { min: middle - half, max: middle + half });
+    let scale = ((rect.width - inside) / extent.width())
+        .min((rect.height - inside) / extent.height());
+    panel(ISOMETRIC, rect, scale, bounds)
+}
+
+/// The sides of what is drawn, none of them nothing: a point is drawn as if it were 10 mm,
+/// and a flat path gets a thin edge.
+fn drawable(size: Vec3) -> Vec3 {
+    let largest = size.x.max(size.y).max(size.z);
+    let largest = if largest > 1e-9 { largest } else { 10.0 };
+    let least = largest * 1e-3;
+    Vec3::new(size.x.max(least), size.y.max(least), size.z.max(least))
+}
+
+/// Two columns, or two rows.
+struct Track {
+    room: f64,
+    first: (f64, f64),
+    second: (f64, f64),
+    inside: f64,
+}
+
+impl Track {
+    /// `first` and `second`: the extent in mm, and the least share of the room.
+    fn new(room: f64, first: (f64, f64), second: (f64, f64), inside: f64) -> Track {
+        Track { room: room.max(20.0), first, second, inside }
+    }
+
+    fn needs(&self, scale: f64) -> (f64, f64) {
+        let need =
+            |(mm, share): (f64, f64)| (mm * scale + self.inside).max(share * self.room);
+        (need(self.first), need(self.second))
+    }
+
+    /// The largest scale at which both fit.
+    fn scale(&self) -> f64 {
+        let fits = |scale: f64| {
+            let (first, second) = self.needs(scale);
+            first + second <= self.room
+        };
+        let (mut low, mut high) = (1e-15f64, 1e15f64);
+        for _ in 0..200 {
+            let middle = (low * high).sqrt();
+            if fits(middle) { low = middle } else { high = middle }
+        }
+        low
+    }
+
+    /// The sizes at a scale, with what is left over shared out.
+    fn sizes(&self, scale: f64) -> (f64, f64) {
+        let (first, second) = self.needs(scale);
+        let stretch = self.room / (first + second);
+        (first * stretch, second * stretch)
+    }
+}

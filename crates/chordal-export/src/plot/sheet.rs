@@ -1,0 +1,409 @@
+//! The sheet: caption, views, legend.
+
+use chordal::geometry::{Aabb, Vec3};
+
+use super::PlotOptions;
+use super::frame::{self, Grid, INCH};
+use super::layout::{Layout, MARGIN};
+use super::palette::Palette;
+use super::pen::Paths;
+use super::store::Store;
+use super::text::{escape, label, px};
+use super::view::{Panel, Rect};
+
+/// Rows of the legend; tools for which there is no room are counted.
+const LEGEND_ROWS: usize = 3;
+/// Height of a row of the legend, units.
+const ROW: f64 = 25.0;
+
+/// The whole sheet.
+pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
+    let colors = Palette::of(options.dark);
+    let (width, height) =
+        (f64::from(options.width_px.max(200)), f64::from(options.height_px.max(200)));
+    let unit = Layout::unit(width, height);
+    let legend = Legend::new(store, inch, width, unit);
+    let bounds = store.extent();
+    let drawn = bounds.unwrap_or(Aabb { min: Vec3::ZERO, max: Vec3::ZERO });
+    let layout = Layout::new(width, height, &drawn, legend.height());
+    let grid = Grid::new(&layout, inch, &drawn);
+
+    let mut out = String::new();
+    open(&mut out, &layout, options, colors);
+    caption(&mut out, store, &layout, &grid, inch, options, colors);
+    match bounds {
+        Some(bounds) => {
+            for (index, panel) in layout.panels.iter().enumerate() {
+                view(&mut out, store, panel, index, &grid, &bounds, unit, colors);
+            }
+            legend.draw(&mut out, &layout, colors);
+        }
+        None => nothing(&mut out, store, &layout, colors),
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+fn open(out: &mut String, layout: &Layout, options: &PlotOptions, colors: &Palette) {
+    let (width, height) = (px(layout.width), px(layout.height));
+    out.push_str(&format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"Ubuntu, 'Helvetica Neue', Helvetica, \
+         Arial, sans-serif\" font-weight=\"400\">\n<title>{}</title>\n",
+        escape(&options.title)
+    ));
+    out.push_str("<defs>\n");
+    for (index, panel) in layout.panels.iter().enumerate() {
+        let Rect { x, y, width, height } = panel.rect;
+        out.push_str(&format!(
+            "<clipPath id=\"view{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
+             </clipPath>\n",
+            px(x),
+            px(y),
+            px(width),
+            px(height)
+        ));
+    }
+    out.push_str("</defs>\n");
+    out.push_str(&format!(
+        "<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n",
+        colors.sheet
+    ));
+}
+
+/// File, machine, extents.
+fn caption(
+    out: &mut String,
+    store: &Store,
+    layout: &Layout,
+    grid: &Grid,
+    inch: bool,
+    options: &PlotOptions,
+    colors: &Palette,
+) {
+    let unit = layout.unit;
+    let (left, right) = (MARGIN * unit, layout.width - MARGIN * unit);
+    let room = layout.width / unit - 2.0 * MARGIN;
+    let lines = extents(store, grid, inch);
+    let side = lines.iter().map(|line| text_width(line, 14.0)).fold(0.0, f64::max) + 30.0;
+    let title = shorten(&options.title, 27.0, room - side);
+    let subtitle = shorten(&options.subtitle, 16.0, room - side);
+    let mut line = |x: f64, y: f64, size: f64, color: &str, anchor: &str, text: &str| {
+        if !text.is_empty() {
+            out.push_str(&format!(
+                "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{color}\" \
+                 text-anchor=\"{anchor}\">{}</text>\n",
+                px(x),
+                px(y * unit),
+                px(size * unit),
+                escape(text)
+            ));
+        }
+    };
+    line(left, MARGIN + 22.0, 27.0, colors.text, "start", &title);
+    line(left, MARGIN + 48.0, 16.0, colors.faint, "start", &subtitle);
+    for (index, text) in lines.iter().enumerate() {
+        let y = MARGIN + 14.0 + 19.0 * index as f64;
+        line(right, y, 14.0, colors.faint, "end", text);
+    }
+}
+
+/// The extents of the cuts and the step of the grid.
+fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
+    let mut lines = Vec::new();
+    let (factor, word, decimals) = if inch { (INCH, "in", 4) } else { (1.0, "mm", 3) };
+    if let Some(cuts) = store.cut_extent() {
+        let (low, high) = (cuts.min.to_array(), cuts.max.to_array());
+        let axes: Vec<String> = ["X", "Y", "Z"]
+            .iter()
+            .enumerate()
+            .map(|(axis, letter)| {
+                let number = |value: f64| trimmed(value / factor, decimals);
+                format!("{letter} {} to {}", number(low[axis]), number(high[axis]))
+            })
+            .collect();
+        lines.push(format!("{} {word}", axes.join("  ·  ")));
+    }
+    if store.extent().is_some() {
+        lines.push(format!("grid {}", grid.text()));
+    }
+    if store.has_unknown() && store.extent().is_some() {
+        lines.push("moves whose place is not known are left out".into());
+    }
+    lines
+}
+
+#[allow(clippy::too_many_arguments, reason = "the parts of a sheet, used once")]
+fn view(
+    out: &mut String,
+    store: &Store,
+    panel: &Panel,
+    index: usize,
+    grid: &Grid,
+    bounds: &Aabb,
+    unit: f64,
+    colors: &Palette,
+) {
+    frame::under(out, panel, grid, unit, colors);
+    out.push_str(&format!("<g clip-path=\"url(#view{index})\" fill=\"none\">\n"));
+    if !panel.view.along_axes {
+        frame::floor(out, panel, grid, bounds, unit, colors);
+    }
+    paths(out, store, panel, unit, colors);
+    frame::origin(out, panel, unit, colors);
+    ends(out, store, panel, unit, colors);
+    out.push_str("</g>\n");
+    frame::over(out, panel, unit, colors);
+}
+
+fn paths(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Palette) {
+    let paths = Paths::of(store, panel, unit);
+    if !paths.rapids.is_empty() {
+        out.push_str(&format!(
+            "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\"/>\n",
+            paths.rapids,
+            colors.rapid,
+            px(0.9 * unit),
+            px(6.0 * unit),
+            px(4.0 * unit)
+        ));
+    }
+    let stroke = px(stroke_width(store, panel, unit));
+    for (index, data) in paths.tools.iter().enumerate().filter(|(_, data)| !data.is_empty()) {
+        let number = store.tools()[index].number;
+        out.push_str(&format!(
+            "<path id=\"view-{}-tool-{number}\" d=\"{data}\" stroke=\"{}\" \
+             stroke-width=\"{stroke}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n",
+            panel.view.title.to_lowercase(),
+            colors.tool(index)
+        ));
+    }
+}
+
+/// Thinner lines where they lie close together, so that they do not run into one another.
+fn stroke_width(store: &Store, panel: &Panel, unit: f64) -> f64 {
+    let area = panel.rect.width * panel.rect.height;
+    let covered = store.cut_mm() * panel.scale * 2.0 * unit / area;
+    let width = 2.0 - 1.3 * ((covered - 0.12) / 0.6).clamp(0.0, 1.0);
+    width * unit
+}
+
+/// Begin and end of the path.
+fn ends(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Palette) {
+    let Some((start, end)) = store.ends() else { return };
+    let (start, end) = (panel.place(start), panel.place(end));
+    if panel.rect.holds(end, 0.0) {
+        end_mark(out, end, unit, colors);
+    }
+    if panel.rect.holds(start, 0.0) {
+        start_mark(out, start, unit, colors);
+    }
+}
+
+fn start_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
+    out.push_str(&format!(
+        "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
+        px(at.0),
+        px(at.1),
+        px(4.2 * unit),
+        colors.sheet,
+        colors.start,
+        px(1.6 * unit)
+    ));
+}
+
+fn end_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
+    let half = 4.0 * unit;
+    out.push_str(&format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"{size}\" height=\"{size}\" fill=\"{}\"/>\n",
+        px(at.0 - half),
+        px(at.1 - half),
+        colors.start,
+        size = px(2.0 * half)
+    ));
+}
+
+/// The sheet of a program that does not move.
+fn nothing(out: &mut String, store: &Store, layout: &Layout, colors: &Palette) {
+    let unit = layout.unit;
+    let text = if store.has_unknown() {
+        "no motion whose place relative to the part is known"
+    } else {
+        "no motion"
+    };
+    let (x, y) = (MARGIN * unit, (MARGIN + 72.0) * unit);
+    out.push_str(&format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n\
+         <text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"middle\">{text}\
+         </text>\n",
+        px(x),
+        px(y),
+        px(layout.width - 2.0 * x),
+        px(layout.height - y - MARGIN * unit),
+        colors.panel,
+        colors.border,
+        px(0.5 * layout.width),
+        px(0.5 * (layout.height + y)),
+        px(22.0 * unit),
+        colors.faint
+    ));
+}
+
+/// What a sign of the legend is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sign {
+    Tool(usize),
+    Rapid,
+    Start,
+    End,
+    None,
+}
+
+#[derive(Debug)]
+struct Entry {
+    sign: Sign,
+    text: String,
+    /// From the left, units.
+    x: f64,
+    row: usize,
+}
+
+#[derive(Debug)]
+struct Legend {
+    entries: Vec<Entry>,
+}
+
+/// Width of a sign with its gap, units.
+const SIGN: f64 = 38.0;
+const LEGEND_TEXT: f64 = 15.0;
+
+impl Legend {
+    fn new(store: &Store, inch: bool, width: f64, unit: f64) -> Legend {
+        let mut legend = Legend { entries: Vec::new() };
+        if store.extent().is_none() {
+            return legend;
+        }
+        let length = |mm: f64| {
+            if inch { format!("{} in", measure(mm / INCH)) } else { format!("{} mm", measure(mm)) }
+        };
+        let room = width / unit - 2.0 * MARGIN;
+        legend.add(Sign::Start, "start".into(), room);
+        legend.add(Sign::End, "end".into(), room);
+        if let Some(mm) = store.rapid_mm() {
+            legend.add(Sign::Rapid, format!("rapid {}", length(mm)), room);
+        }
+        let tools = store.tools();
+        for (index, tool) in tools.iter().enumerate() {
+            let name = if tool.number == 0 { "no tool".into() } else { format!("T{}", tool.number) };
+            let text = format!("{name}  {}", length(tool.cut_mm));
+            if !legend.add(Sign::Tool(index), text, room - 140.0) {
+                let text = format!("and {} more tools", tools.len() - index);
+                legend.add(Sign::None, text, f64::INFINITY);
+                break;
+            }
+        }
+        legend
+    }
+
+    /// Adds an entry, on the next row where this one is full; false when there is no row.
+    fn add(&mut self, sign: Sign, text: String, room: f64) -> bool {
+        let (mut x, mut row) = match self.entries.last() {
+            Some(last) => (last.x + SIGN + text_width(&last.text, LEGEND_TEXT) + 26.0, last.row),
+            None => (0.0, 0),
+        };
+        let wide = SIGN + text_width(&text, LEGEND_TEXT);
+        let last_row = LEGEND_ROWS - 1;
+        let limit = if row == last_row { room } else { room + 140.0 };
+        if x + wide > limit && x > 0.0 {
+            if row == last_row {
+                return false;
+            }
+            (x, row) = (0.0, row + 1);
+        }
+        self.entries.push(Entry { sign, text, x, row });
+        true
+    }
+
+    /// Units.
+    fn height(&self) -> f64 {
+        self.entries.last().map_or(0.0, |last| 14.0 + ROW * (last.row + 1) as f64)
+    }
+
+    fn draw(&self, out: &mut String, layout: &Layout, colors: &Palette) {
+        let unit = layout.unit;
+        let top = layout.height - (MARGIN + self.height() - 20.0) * unit;
+        for entry in &self.entries {
+            let x = (MARGIN + entry.x) * unit;
+            let y = top + (entry.row as f64 + 0.5) * ROW * unit;
+            sign(out, entry.sign, (x, y), unit, colors);
+            let offset = if entry.sign == Sign::None { 0.0 } else { SIGN };
+            out.push_str(&format!(
+                "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n",
+                px(x + offset * unit),
+                px(y + 5.2 * unit),
+                px(LEGEND_TEXT * unit),
+                colors.text,
+                escape(&entry.text)
+            ));
+        }
+    }
+}
+
+fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Palette) {
+    let middle = (x + 20.0 * unit, y);
+    let line = |color: &str, width: f64, dash: &str| {
+        format!(
+            "<path d=\"M{} {}h{}\" stroke=\"{color}\" stroke-width=\"{}\" fill=\"none\" \
+             stroke-linecap=\"butt\"{dash}/>\n",
+            px(x),
+            px(y),
+            px(28.0 * unit),
+            px(width * unit)
+        )
+    };
+    match sign {
+        Sign::Tool(index) => out.push_str(&line(colors.tool(index), 3.5, "")),
+        Sign::Rapid => {
+            let dash = format!(" stroke-dasharray=\"{} {}\"", px(6.0 * unit), px(4.0 * unit));
+            out.push_str(&line(colors.rapid, 1.2, &dash));
+        }
+        Sign::Start => start_mark(out, middle, unit, colors),
+        Sign::End => end_mark(out, middle, unit, colors),
+        Sign::None => {}
+    }
+}
+
+/// About how wide a text is: its font is not known to every viewer.
+fn text_width(text: &str, size: f64) -> f64 {
+    text.chars().count() as f64 * size * 0.53
+}
+
+/// The text as far as it fits.
+fn shorten(text: &str, size: f64, room: f64) -> String {
+    let most = (room / (size * 0.53)).max(8.0) as usize;
+    if text.chars().count() <= most {
+        return text.into();
+    }
+    text.chars().take(most - 1).chain(['…']).collect()
+}
+
+/// A length with three or four digits that count.
+fn measure(value: f64) -> String {
+    let decimals = match value.abs() {
+        v if v >= 1000.0 => 0,
+        v if v >= 100.0 => 1,
+        v if v >= 10.0 => 2,
+        v if v >= 0.01 || v == 0.0 => 3,
+        _ => 6,
+    };
+    label(value, decimals)
+}
+
+/// A number of at most so many decimals without zeros at its end.
+fn trimmed(value: f64, decimals: usize) -> String {
+    let text = label(value, decimals);
+    if !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').into()
+}
