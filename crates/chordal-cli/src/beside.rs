@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::control::referenced_programs;
-use chordal::syntax::{Lexicon, decode, find_programs};
+use chordal::diagnostics::FileId;
+use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
 use crate::input::{Input, Text, head};
 
@@ -44,6 +45,61 @@ pub fn find(path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
         known.insert(number);
     }
     found
+}
+
+/// Leaves out the files of a folder that hold only subprograms which others of the folder
+/// call: they run where they are called. Run by itself, a subprogram seems to have no spindle,
+/// no feed and no end. A file that the command line names stays.
+pub fn without_called(inputs: Vec<Input>) -> Vec<Input> {
+    let lexicon = &Lexicon::FANUC_STYLE;
+    let mut called: BTreeMap<PathBuf, BTreeSet<u32>> = BTreeMap::new();
+    let mut endless: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
+    for (index, input) in inputs.iter().enumerate() {
+        let (Some(path), Some(_)) = (&input.path, &input.root) else { continue };
+        // Who cannot be read is told when it is to be run.
+        let Ok(text) = Text::read(input) else { continue };
+        let own: Vec<u32> = numbers(text.bytes(), lexicon).collect();
+        let calls = called.entry(folder_of(path)).or_default();
+        let others = referenced_programs(text.bytes(), lexicon).into_iter();
+        calls.extend(others.filter(|number| !own.contains(number)));
+        if !own.is_empty() && !has_end(text.bytes(), lexicon) {
+            endless.insert(index, own);
+        }
+    }
+    let is_called = |index: &usize, input: &Input| {
+        let folder = input.path.as_deref().map(folder_of);
+        match (endless.get(index), folder.and_then(|folder| called.get(&folder))) {
+            (Some(own), Some(called)) => own.iter().all(|number| called.contains(number)),
+            _ => false,
+        }
+    };
+    inputs
+        .iter()
+        .enumerate()
+        .filter(|(index, input)| !is_called(index, input))
+        .map(|(_, input)| input.clone())
+        .collect()
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    path.parent().map(Path::to_path_buf).unwrap_or_default()
+}
+
+/// Some block says M2 or M30. Subprograms are short: a long text is taken for a program.
+fn has_end(text: &[u8], lexicon: &Lexicon) -> bool {
+    const LONG: usize = 1 << 20;
+    if text.len() > LONG {
+        return true;
+    }
+    let mut reader = BlockReader::new(text, FileId(0), *lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        let ends = block.all(b'M').filter_map(|word| word.number()?.to_integer());
+        if ends.into_iter().any(|code| code == 2 || code == 30) {
+            return true;
+        }
+    }
+    false
 }
 
 fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {

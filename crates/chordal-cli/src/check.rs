@@ -77,6 +77,7 @@ impl FailOn {
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Args { files, format, fail_on, common } = args;
     let session = Session::new(&files, common, terminal)?;
+    let called = session.called();
     let mut totals = Totals::default();
     let mut objects = Vec::new();
     let mut sarif = Sarif::new();
@@ -85,7 +86,12 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let report = job.check();
         totals.add(&report);
         match format {
-            Format::Text => session.say(&report::text(&report, job.sources(), terminal.out))?,
+            Format::Text if report.worst().is_some() => {
+                let title = job.control().table.title;
+                session.say(&loaded.chosen.told(loaded.name(), title).unwrap_or_default())?;
+                session.say(&report::text(&report, job.sources(), terminal.out))?;
+            }
+            Format::Text => {}
             Format::Github => session.say(&report::github(&report, job.sources()))?,
             Format::Json => objects.push(report::json(&report, job.sources(), loaded.name())),
             Format::Sarif => sarif.add(&report, job.sources()),
@@ -93,6 +99,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Ok(fail_on.verdict(report.worst()))
     };
     let verdict = session.each(|session, _, loaded| handle(session, loaded))?;
+    totals.called = called;
     match format {
         Format::Text => terminal.tell(&totals.text(terminal)),
         Format::Json => crate::terminal::say(&join(&objects))?,
@@ -116,6 +123,8 @@ struct Totals {
     errors: u64,
     warnings: u64,
     notes: u64,
+    /// Files that hold only subprograms and were run where they are called.
+    called: u64,
 }
 
 impl Totals {
@@ -149,6 +158,13 @@ impl Totals {
             (_, 0) => format!("no problems in {programs}, {counts}"),
             (_, some) => format!("{counts}; {some} of {programs} with problems"),
         };
-        format!("{}\n", style(terminal.err, BOLD, text))
+        let called = match self.called {
+            0 => String::new(),
+            some => format!(
+                " ({} with subprograms only, run where they are called)",
+                counted(some, "file", "files")
+            ),
+        };
+        format!("{}{called}\n", style(terminal.err, BOLD, text))
     }
 }

@@ -88,5 +88,5 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     });
     done?;
     writer.finish()?.flush()?;
-    Ok(tell(&report, &job, terminal))
+    Ok(tell(&report, &loaded, &job, terminal))
 }

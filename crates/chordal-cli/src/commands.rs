@@ -7,7 +7,7 @@ use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
-use crate::session::load_one;
+use crate::session::{Loaded, load_one};
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
@@ -49,7 +49,7 @@ enum Format {
 enum Writer<'a> {
     Jsonl(CommandJsonLines<'a, Buffered>),
     Canon(Canon<'a, Buffered>),
-    Csv(CommandCsv<Buffered>),
+    Csv(Box<CommandCsv<Buffered>>),
 }
 
 impl<'a> Writer<'a> {
@@ -58,7 +58,7 @@ impl<'a> Writer<'a> {
         Ok(match format {
             Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
             Format::Canon => Writer::Canon(Canon::new(out, job)?),
-            Format::Csv => Writer::Csv(CommandCsv::new(out, job)?),
+            Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
         })
     }
 
@@ -88,7 +88,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let report = job.report_with(|command, _| keep(&mut done, || writer.command(command)));
     done?;
     writer.finish()?;
-    Ok(tell(&report, &job, terminal))
+    Ok(tell(&report, &loaded, &job, terminal))
 }
 
 /// Standard output of a run that streams. A run cannot be stopped from within, and what
@@ -127,8 +127,10 @@ pub fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
     }
 }
 
-/// The problems on standard error, where they are in nobody's way.
-pub fn tell(report: &Report, job: &Job, terminal: Terminal) -> Verdict {
+/// What was recognized, and the problems, on standard error, where they are in nobody's way.
+pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: Terminal) -> Verdict {
+    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
+    terminal.tell(&told.unwrap_or_default());
     terminal.tell(&report::text(report, job.sources(), terminal.err));
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }

@@ -40,7 +40,7 @@ pub enum Failure {
         reason: String,
     },
     /// Standard output went away or is full.
-    #[error("cannot write to standard output: {0}")]
+    #[error("cannot write to standard output: {}", reason(.0))]
     Out(#[from] io::Error),
     /// A machine file, an assignment or a tool table is wrong.
     #[error("the machine cannot be used")]

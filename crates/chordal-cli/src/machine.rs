@@ -2,12 +2,13 @@
 //! speaks for.
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::{Control, Recognition, Units, recognize};
-use chordal::machine::{ControlName, MachineError, builtin, read_tool_tbl};
+use chordal::control::{COMMON_SETTINGS, Control, Recognition, SettingError, Units, recognize};
+use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
 use toml::de::{DeTable, DeValue};
 
 use crate::failure::Failure;
@@ -26,6 +27,18 @@ pub enum Chosen {
     Folder(PathBuf),
     /// The program looks like one of this control.
     Recognized(Recognition),
+}
+
+impl Chosen {
+    /// What was recognized and by what, in a line; nothing where the user said the machine.
+    pub fn told(&self, file: &str, title: &str) -> Option<String> {
+        let Chosen::Recognized(found) = self else { return None };
+        let why = match found.evidence.first() {
+            Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
+            None => format!("taken for {title}, since nothing in the text tells"),
+        };
+        Some(format!("{file}: {why}; --machine chooses another\n"))
+    }
 }
 
 /// The machine of `--machine`, with everything else the command line says of it.
@@ -53,7 +66,13 @@ pub fn named(name: &str) -> Result<Machine, Failure> {
     if builtin(name).is_none() && (path.is_file() || name.ends_with(".toml")) {
         return from_file(path);
     }
-    Machine::from_builtin(name).map_err(Failure::Machine)
+    Machine::from_builtin(name).map_err(|mut errors| match errors.pop() {
+        // A wrong name on the command line: there is no file to draw.
+        Some(error) if builtin(name).is_none() => {
+            Failure::Use { message: error.message, help: error.help }
+        }
+        last => Failure::Machine(errors.into_iter().chain(last).collect()),
+    })
 }
 
 /// The folders whose `chordal.toml` counts: the program's, and those above it up to the one
@@ -169,19 +188,33 @@ fn finish(mut machine: Machine, common: &Common) -> Result<Machine, Failure> {
 
 /// Draws the settings that the control does not know where they were written.
 fn check_settings(machine: &Machine) -> Result<(), Failure> {
-    let (_, errors) = Control::of(machine);
+    let (control, errors) = Control::of(machine);
     if errors.is_empty() {
         return Ok(());
     }
     let drawn = errors.into_iter().map(|error| {
         let location = machine.settings.get(&error.name).and_then(|given| given.location.as_ref());
         MachineError {
+            span: location.map(|at| place_of(&error, at, &control)),
             message: error.message,
             help: error.help,
             file: location.map_or_else(|| machine.name.clone(), |at| at.file.to_string()),
-            span: location.map(|at| at.span.clone()),
             text: location.map_or_else(|| Arc::from(""), |at| at.text.clone()),
         }
     });
     Err(Failure::Machine(drawn.collect()))
+}
+
+/// A location is that of the value; where the name is wrong, the name before it on its line.
+fn place_of(error: &SettingError, at: &Location, control: &Control) -> Range<usize> {
+    let known = control.table.settings.iter().chain(COMMON_SETTINGS);
+    if known.into_iter().any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {
+        return at.span.clone();
+    }
+    let before = at.text.get(..at.span.start).unwrap_or_default();
+    let line = before.rfind('\n').map_or(0, |end| end + 1);
+    match before[line..].find(&error.name) {
+        Some(column) => line + column..line + column + error.name.len(),
+        None => at.span.clone(),
+    }
 }

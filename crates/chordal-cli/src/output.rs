@@ -153,7 +153,7 @@ fn put(draft: Draft, path: &Path) -> io::Result<()> {
 
 enum Writer<'a> {
     Dxf(Dxf<Draft>),
-    Csv(CommandCsv<Draft>),
+    Csv(Box<CommandCsv<Draft>>),
     Jsonl(CommandJsonLines<'a, Draft>),
     Canon(Canon<'a, Draft>),
     /// A picture, drawn when the whole path is known.
@@ -237,7 +237,7 @@ fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> io::Result<Writer<
     Ok(match format {
         Format::Svg | Format::Png => Writer::Picture(out, format),
         Format::Dxf => Writer::Dxf(Dxf::new(out)?),
-        Format::Csv => Writer::Csv(CommandCsv::new(out, job)?),
+        Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
         Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
         Format::Canon => Writer::Canon(Canon::new(out, job)?),
     })

@@ -111,6 +111,7 @@ pub struct Session {
     given: Option<Machine>,
     common: Common,
     inputs: Vec<Input>,
+    called: u64,
     bar: ProgressBar,
     told: BTreeSet<String>,
     verdict: Verdict,
@@ -121,9 +122,12 @@ impl Session {
     pub fn new(files: &[PathBuf], common: Common, terminal: Terminal) -> Result<Session, Failure> {
         let given = machine::given(&common)?;
         let (inputs, failures) = input::find(files);
+        let found = inputs.len();
+        let inputs = beside::without_called(inputs);
+        let called = (found - inputs.len()) as u64;
         let bar = progress(inputs.len());
         let (told, verdict) = (BTreeSet::new(), Verdict::Clean);
-        let mut session = Session { terminal, given, common, inputs, bar, told, verdict };
+        let mut session = Session { terminal, given, common, inputs, called, bar, told, verdict };
         failures.iter().for_each(|failure| session.tell(failure));
         Ok(session)
     }
@@ -131,6 +135,11 @@ impl Session {
     /// The inputs.
     pub fn inputs(&self) -> &[Input] {
         &self.inputs
+    }
+
+    /// How many files of a folder are left out, because they only hold subprograms of others.
+    pub fn called(&self) -> u64 {
+        self.called
     }
 
     /// Loads each input and has it handled. What cannot be loaded is told; the rest goes on.

@@ -15,9 +15,8 @@ fn standard_input_is_a_file() {
 #[test]
 fn encodings_are_recognized() {
     let folder = Folder::new();
-    let wide = |units: fn(u16) -> [u8; 2]| -> Vec<u8> {
-        CLEAN.encode_utf16().flat_map(units).collect()
-    };
+    let wide =
+        |units: fn(u16) -> [u8; 2]| -> Vec<u8> { CLEAN.encode_utf16().flat_map(units).collect() };
     folder
         .write("le.nc", [b"\xff\xfe".as_slice(), &wide(u16::to_le_bytes)].concat())
         .write("be.nc", wide(u16::to_be_bytes))
@@ -99,6 +98,27 @@ fn subprograms_lie_beside_the_program() {
     // What stands in the file itself comes before the folder's.
     folder.write("main.nc", main(&[1001]) + "O1001 (OWN)\nM99\n");
     folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&["calls     O1001 (OWN)\n"]);
+}
+
+#[test]
+fn subprograms_of_a_folder_run_where_they_are_called() {
+    let folder = Folder::new();
+    folder
+        .write("arch/main.nc", "O1\nG20 G90 S100 M3 G0 X0 Y0 Z0\nM98 P1000\nM30\n")
+        .write("arch/O1000.nc", "O1000\nG1 X1. F10.\nM98 P1001\nM99\n")
+        .write("arch/O1001.nc", "O1001\nG2 X5. I.1\nM99\n")
+        .write("arch/O1002.nc", "O1002\nG4 P1\nM30\n")
+        .write("arch/other/O1000.nc", "O1000\nG4 P1\nM99\n");
+    folder
+        .run(&["check", "arch", "-m", "haas-vf2"])
+        .ends(1)
+        .says(&["arch/O1001.nc:2", "called from", "arch/O1000.nc", "called from", "main"])
+        .complains(&["2 of 3 programs with problems (2 files with subprograms only"]);
+    // Named by itself it is run by itself.
+    folder
+        .run(&["check", "arch/O1000.nc", "-m", "haas-vf2"])
+        .ends(1)
+        .says(&["M99 in the main program"]);
 }
 
 #[test]

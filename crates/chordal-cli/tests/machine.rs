@@ -16,19 +16,21 @@ fn a_machine_is_named_or_a_file() {
         .run(&["run", "part.nc", "--machine", "haas-vf3"])
         .ends(2)
         .complains(&["no machine named `haas-vf3`", "did you mean \"haas-vf2\"?"]);
-    folder.run(&["run", "part.nc", "-m", "none.toml"]).ends(2).complains(&[
-        "error: cannot read none.toml: no such file",
-    ]);
+    folder
+        .run(&["run", "part.nc", "-m", "none.toml"])
+        .ends(2)
+        .complains(&["error: cannot read none.toml: no such file"]);
 }
 
 #[test]
 fn a_wrong_key_is_underlined() {
     let folder = Folder::with_part();
     folder.write("mill.toml", "inherits = 'haas-vf2'\n[feed]\nmax_velocity = '500 in/min'\n");
-    folder
-        .run(&["check", "part.nc", "-m", "mill.toml"])
-        .ends(2)
-        .complains(&["mill.toml:3", "max_velocity = '500 in/min'", "^^^^"]);
+    folder.run(&["check", "part.nc", "-m", "mill.toml"]).ends(2).complains(&[
+        "mill.toml:3",
+        "max_velocity = '500 in/min'",
+        "^^^^",
+    ]);
     // Told once for all the programs that it is for.
     folder.write("b.nc", CLEAN);
     let done = folder.run(&["check", "part.nc", "b.nc", "-m", "mill.toml"]).ends(2);
@@ -39,10 +41,12 @@ fn a_wrong_key_is_underlined() {
 fn an_unknown_setting_is_underlined() {
     let folder = Folder::with_part();
     folder.write("mill.toml", "inherits = 'haas-vf2'\n[settings]\n'Setting 400' = 1\n");
-    folder
-        .run(&["check", "part.nc", "-m", "mill.toml"])
-        .ends(2)
-        .complains(&["no setting `Setting 400`", "mill.toml:3", "'Setting 400' = 1"]);
+    folder.run(&["check", "part.nc", "-m", "mill.toml"]).ends(2).complains(&[
+        "no setting `Setting 400`",
+        "mill.toml:3:2",
+        "'Setting 400' = 1",
+        "^^^^^^^^^^^",
+    ]);
     folder
         .run(&["check", "part.nc", "-m", "haas-vf2", "--set", "settings.Setting 40=area"])
         .ends(2)
@@ -52,9 +56,8 @@ fn an_unknown_setting_is_underlined() {
 #[test]
 fn keys_are_set_on_the_command_line() {
     let folder = Folder::with_part();
-    let run = |assignment: &str| {
-        folder.run(&["check", "part.nc", "-m", "haas-vf2", "--set", assignment])
-    };
+    let run =
+        |assignment: &str| folder.run(&["check", "part.nc", "-m", "haas-vf2", "--set", assignment]);
     run("feed.max=8 in/min").says(&["error[CH407]"]);
     run("feed.max=20 in/min").ends(0);
     run("feed.maximum=20 in/min").ends(2).complains(&["feed.maximum=20 in/min", "^^^"]);
@@ -110,9 +113,7 @@ fn the_folder_says_its_machine() {
 #[test]
 fn a_folders_machine_counts_below_it() {
     let folder = Folder::new();
-    folder
-        .write("arch/chordal.toml", "machine = 'haas-vf2'\n")
-        .write("arch/deep/part.nc", CLEAN);
+    folder.write("arch/chordal.toml", "machine = 'haas-vf2'\n").write("arch/deep/part.nc", CLEAN);
     folder.run(&["run", "arch"]).says(&["as arch/chordal.toml says"]);
     // Named alone, only its own folder speaks.
     folder.run(&["run", "arch/deep/part.nc"]).says(&["assumed"]);

@@ -12,7 +12,10 @@ fn says(arguments: &[&str], texts: &[&str]) {
 #[test]
 fn a_message_by_number_or_name_with_the_alarms() {
     for name in ["CH401", "ch401", "radius-mismatch"] {
-        says(&["explain", name], &["CH401 radius-mismatch:", "Severity: error", "alarm 304", "PS0020"]);
+        says(
+            &["explain", name],
+            &["CH401 radius-mismatch:", "Severity: error", "alarm 304", "PS0020"],
+        );
     }
 }
 
@@ -22,7 +25,10 @@ fn a_code_on_one_control_and_on_all() {
     says(&["explain", "g02.1"], &["G2.1 on Mitsubishi", "#1272 ex08/bit2"]);
     says(&["explain", "M17", "-m", "fadal-4020"], &["M17 on Fadal CNC 88: end of a subroutine"]);
     says(&["explain", "G4", "-m", "haas-vf2"], &["P1 is 0.001 s, P1. is 1 s"]);
-    says(&["explain", "G3", "-m", "fanuc-30i"], &["motion, until G0 G1 G2", "No. 3410 = 0.0127 mm"]);
+    says(
+        &["explain", "G3", "-m", "fanuc-30i"],
+        &["motion, until G0 G1 G2", "No. 3410 = 0.0127 mm"],
+    );
 }
 
 #[test]
@@ -52,10 +58,20 @@ fn what_nobody_knows_gets_a_suggestion() {
 
 #[test]
 fn machines_are_listed_and_shown() {
-    says(&["machines"], &["fadal-4020", "haas-vf2", "mitsubishi-m700-type2", "textbook-from-center"]);
+    says(
+        &["machines"],
+        &["fadal-4020", "haas-vf2", "mitsubishi-m700-type2", "textbook-from-center"],
+    );
     says(
         &["machines", "haas-vf2"],
-        &["Haas VF-2", "650 in/min", "X     -762 to 0 mm", "Setting 40", "documented", "arc_center"],
+        &[
+            "Haas VF-2",
+            "650 in/min",
+            "X     -762 to 0 mm",
+            "Setting 40",
+            "documented",
+            "arc_center",
+        ],
     );
     says(&["machines", "--schema"], &["| `axes.<axis>.max_velocity` |"]);
     Folder::new().run(&["machines", "hass"]).ends(2).complains(&["no machine named `hass`"]);

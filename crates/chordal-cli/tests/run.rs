@@ -31,19 +31,25 @@ fn the_control_is_recognized_with_its_evidence() {
     folder.write("haas.nc", CLEAN.replace("G0 X0 Y0", "G0 G154 P1 X0 Y0"));
     folder.write("fadal.nc", CLEAN.replace("G0 X0 Y0", "G0 X0 Y0 E1\nR0+1.5"));
     folder.write("plain.nc", CLEAN);
-    folder.run(&["run", "haas.nc"]).says(&["Haas NGC mill, recognized:", "line 3: G154", "haas-vf2"]);
+    folder.run(&["run", "haas.nc"]).says(&[
+        "Haas NGC mill, recognized:",
+        "line 3: G154",
+        "haas-vf2",
+    ]);
     folder.run(&["run", "fadal.nc"]).says(&["Fadal CNC 88, recognized:", "line 4: ", "fadal-4020"]);
-    folder.run(&["run", "plain.nc"]).says(&["Fanuc, assumed: nothing in the text tells", "fanuc-30i"]);
+    folder
+        .run(&["run", "plain.nc"])
+        .says(&["Fanuc, assumed: nothing in the text tells", "fanuc-30i"]);
 }
 
 #[test]
 fn it_says_where_the_control_would_stop() {
     let folder = Folder::new();
     folder.write("bad.nc", BROKEN);
-    folder.run(&["run", "bad.nc", "-m", "haas-vf2"]).ends(1).says(&[
-        "stop      the control would stop at line 6: alarm 304",
-        "error[CH401]",
-    ]);
+    folder
+        .run(&["run", "bad.nc", "-m", "haas-vf2"])
+        .ends(1)
+        .says(&["stop      the control would stop at line 6: alarm 304", "error[CH401]"]);
     // The first in the order of the run, not of the text.
     folder.write(
         "order.nc",
@@ -56,8 +62,22 @@ fn it_says_where_the_control_would_stop() {
 fn outputs_are_written_by_their_endings() {
     let folder = Folder::with_part();
     let done = folder.run(&[
-        "run", "part.nc", "-m", "haas-vf2", "-o", "a.svg", "-o", "a.png", "-o", "a.dxf", "-o",
-        "a.csv", "-o", "a.jsonl", "-o", "new/a.canon",
+        "run",
+        "part.nc",
+        "-m",
+        "haas-vf2",
+        "-o",
+        "a.svg",
+        "-o",
+        "a.png",
+        "-o",
+        "a.dxf",
+        "-o",
+        "a.csv",
+        "-o",
+        "a.jsonl",
+        "-o",
+        "new/a.canon",
     ]);
     done.ends(0).says(&["written   a.svg", "written   new/a.canon"]);
     assert_eq!(

@@ -54,7 +54,10 @@ fn chords_keep_the_tolerance() {
 fn one_program_at_a_time() {
     let folder = Folder::with_part();
     folder.run(&["commands", "."]).ends(2).complains(&["is a folder"]);
-    folder.run(&["commands", "none.nc"]).ends(2).complains(&["error: cannot read none.nc: no such"]);
+    folder
+        .run(&["commands", "none.nc"])
+        .ends(2)
+        .complains(&["error: cannot read none.nc: no such"]);
 }
 
 #[test]

@@ -42,6 +42,13 @@ pub(crate) struct Identity {
     length: LengthOffset,
 }
 
+impl Identity {
+    /// True when both stand for the same offset of an axis; the tool length is of Z alone.
+    pub fn same_for(&self, other: &Identity, axis: usize) -> bool {
+        self.active == other.active && (axis != 2 || self.length == other.length)
+    }
+}
+
 impl Offsets {
     pub fn new(machine: &Machine, active: WorkName, extended_code: &'static str) -> Offsets {
         let systems = machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();

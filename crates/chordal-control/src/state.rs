@@ -157,8 +157,9 @@ impl State {
         self.offsets.update();
         let new_total = self.offsets.total();
         let new_known = self.offsets.known();
-        let same = old_identity == self.offsets.identity();
+        let identity = self.offsets.identity();
         for axis in 0..6 {
+            let same = identity.same_for(&old_identity, axis);
             let unchanged = new_total[axis] == old_total[axis]
                 && old_known.has(axis) == new_known.has(axis)
                 && (same || new_known.has(axis));

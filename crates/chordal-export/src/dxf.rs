@@ -1,27 +1,179 @@
+//! The path as DXF, Release 12: what every CAD system reads.
+
 use std::io::{self, Write};
 
-use chordal::Segment;
+use chordal::geometry::{Arc, Curve, Line, ParamCurve, Placement, Vec3};
+use chordal::{Segment, SegmentKind};
 
-/// Under construction.
+use crate::number::push_finite;
+
+/// How far the polylines of helices and spirals leave the curve, mm.
+const TOLERANCE_MM: f64 = 0.001;
+/// What counts as flat, as no length and as a whole turn, mm and rad.
+const NOTHING: f64 = 1e-9;
+/// AutoCAD's colours of tools: blue, red, green, magenta, cyan, orange, olive.
+const COLORS: [u32; 7] = [5, 1, 3, 6, 4, 30, 54];
+const GREY: u32 = 8;
+
+const HEAD: &str = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n\
+    9\n$MEASUREMENT\n70\n1\n0\nENDSEC\n\
+    0\nSECTION\n2\nTABLES\n\
+    0\nTABLE\n2\nLTYPE\n70\n2\n\
+    0\nLTYPE\n2\nCONTINUOUS\n70\n0\n3\nSolid line\n72\n65\n73\n0\n40\n0\n\
+    0\nLTYPE\n2\nDASHED\n70\n0\n3\n__ __ __\n72\n65\n73\n2\n40\n3\n49\n2\n49\n-1\n\
+    0\nENDTAB\n\
+    0\nTABLE\n2\nLAYER\n70\n2\n\
+    0\nLAYER\n2\n0\n70\n0\n62\n7\n6\nCONTINUOUS\n\
+    0\nLAYER\n2\nRAPID\n70\n0\n62\n8\n6\nDASHED\n\
+    0\nENDTAB\n0\nENDSEC\n\
+    0\nSECTION\n2\nENTITIES\n";
+const FOOT: &str = "0\nENDSEC\n0\nEOF\n";
+
+/// Writes the path as DXF Release 12 in mm: true lines, arcs and circles, in any of the three
+/// planes; helices and spirals as polylines within 0.001 mm.
+///
+/// Rapids are on the layer `RAPID`, cuts on `TOOL_1` and so on. Layers of tools are not
+/// declared ahead, because the file is written while the program runs; each entity carries
+/// its colour. What is not known relative to the part is left out.
 #[derive(Debug)]
 pub struct Dxf<W> {
     out: W,
+    text: Vec<u8>,
 }
 
 impl<W: Write> Dxf<W> {
     /// Writes the header.
-    pub fn new(out: W) -> io::Result<Self> {
-        Ok(Self { out })
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn new(mut out: W) -> io::Result<Self> {
+        out.write_all(HEAD.as_bytes())?;
+        Ok(Self { out, text: Vec::with_capacity(1024) })
     }
 
     /// Writes a segment.
-    pub fn segment(&mut self, _segment: &Segment) -> io::Result<()> {
-        Ok(())
+    ///
+    /// # Errors
+    /// Those of the output, and [`io::ErrorKind::InvalidData`] for a curve that cannot be cut
+    /// into chords.
+    pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
+        let bounds = segment.curve.bounds();
+        if !segment.known || !bounds.min.is_finite() || !bounds.max.is_finite() {
+            return Ok(());
+        }
+        match &segment.curve {
+            Curve::Line(line) => self.line(segment, line),
+            Curve::Arc(arc) if arc.rise.abs() < NOTHING => self.arc(segment, arc),
+            curve => self.polyline(segment, curve)?,
+        }
+        self.flush_text()
     }
 
-    /// Writes what is left and gives the output back.
+    /// Writes the end and gives the output back.
+    ///
+    /// # Errors
+    /// Those of the output.
     pub fn finish(mut self) -> io::Result<W> {
+        self.out.write_all(FOOT.as_bytes())?;
         self.out.flush()?;
         Ok(self.out)
     }
+
+    fn flush_text(&mut self) -> io::Result<()> {
+        self.out.write_all(&self.text)?;
+        self.text.clear();
+        Ok(())
+    }
+
+    fn line(&mut self, segment: &Segment, line: &Line) {
+        if line.length() < NOTHING {
+            return;
+        }
+        self.entity("LINE", segment);
+        self.point(0, line.start);
+        self.point(1, line.end);
+    }
+
+    fn arc(&mut self, segment: &Segment, arc: &Arc) {
+        if arc.radius < NOTHING || arc.length() < NOTHING {
+            return;
+        }
+        let whole = arc.sweep.abs() > std::f64::consts::TAU - NOTHING;
+        self.entity(if whole { "CIRCLE" } else { "ARC" }, segment);
+        let (first, second) = arbitrary_axes(arc.w);
+        let center =
+            Vec3::new(arc.center.dot(first), arc.center.dot(second), arc.center.dot(arc.w));
+        self.point(0, center);
+        self.number(40, arc.radius);
+        if !whole {
+            let start = arc.u.dot(second).atan2(arc.u.dot(first));
+            let end = start + arc.sweep;
+            // Entities turn counter-clockwise.
+            let (from, to) = if arc.sweep < 0.0 { (end, start) } else { (start, end) };
+            self.number(50, from.to_degrees().rem_euclid(360.0));
+            self.number(51, to.to_degrees().rem_euclid(360.0));
+        }
+        if arc.w != Vec3::Z {
+            self.number(210, arc.w.x);
+            self.number(220, arc.w.y);
+            self.number(230, arc.w.z);
+        }
+    }
+
+    fn polyline(&mut self, segment: &Segment, curve: &Curve) -> io::Result<()> {
+        let chords = curve
+            .chords(TOLERANCE_MM, Placement::Inscribed)
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        self.entity("POLYLINE", segment);
+        self.group(66, "1");
+        self.point(0, Vec3::ZERO);
+        self.group(70, "8");
+        for corner in chords {
+            self.entity("VERTEX", segment);
+            self.point(0, corner);
+            self.group(70, "32");
+            self.flush_text()?;
+        }
+        self.entity("SEQEND", segment);
+        Ok(())
+    }
+
+    /// The head of an entity: its layer, colour and line type.
+    fn entity(&mut self, name: &str, segment: &Segment) {
+        self.group(0, name);
+        if segment.kind == SegmentKind::Rapid {
+            self.group(8, "RAPID");
+            self.group(6, "DASHED");
+            self.group(62, &GREY.to_string());
+        } else {
+            self.group(8, &format!("TOOL_{}", segment.tool));
+            let color = COLORS[segment.tool.saturating_sub(1) as usize % COLORS.len()];
+            self.group(62, &color.to_string());
+        }
+    }
+
+    fn group(&mut self, code: u32, value: &str) {
+        self.text.extend_from_slice(format!("{code}\n{value}\n").as_bytes());
+    }
+
+    fn number(&mut self, code: u32, value: f64) {
+        self.text.extend_from_slice(format!("{code}\n").as_bytes());
+        push_finite(&mut self.text, value);
+        self.text.push(b'\n');
+    }
+
+    fn point(&mut self, index: u32, point: Vec3) {
+        self.number(10 + index, point.x);
+        self.number(20 + index, point.y);
+        self.number(30 + index, point.z);
+    }
+}
+
+/// The two axes of an entity's plane, which DXF derives from its normal.
+fn arbitrary_axes(normal: Vec3) -> (Vec3, Vec3) {
+    const NEAR: f64 = 1.0 / 64.0;
+    let near_z = normal.x.abs() < NEAR && normal.y.abs() < NEAR;
+    let aside = if near_z { Vec3::Y } else { Vec3::Z };
+    let first = aside.cross(normal).normalized().unwrap_or(Vec3::X);
+    (first, normal.cross(first))
 }

@@ -33,6 +33,9 @@ pub struct Checks<'a> {
     /// What the program cuts, in program coordinates.
     cut: Aabb,
     plunges: Vec<(Vec3, f64, Origin)>,
+    /// The last motion cut below the clearance plane, or went on from there in rapid:
+    /// `Some(rapid)` holds that rapid until the next motion shows where it led.
+    at_depth: Option<Option<(f64, Origin)>>,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: [(f64, f64); 6],
     told_axes: AxisMask,
@@ -53,6 +56,7 @@ impl<'a> Checks<'a> {
             last: None,
             cut: Aabb::EMPTY,
             plunges: Vec::new(),
+            at_depth: None,
             extent: [(f64::INFINITY, f64::NEG_INFINITY); 6],
             told_axes: AxisMask::NONE,
         }
@@ -75,6 +79,7 @@ impl<'a> Checks<'a> {
                     self.cut = self.cut.include(point(&motion.from)).include(point(&motion.to));
                 }
                 self.joint_of_line(motion, command.origin, &mut report);
+                self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
                 let curve = curve_of(motion, Some(shape));
@@ -89,6 +94,7 @@ impl<'a> Checks<'a> {
                     self.cut = self.cut.union(bounds);
                 }
                 self.joint_of_arc(&curve, command.origin, &mut report);
+                self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Units(units) => self.units = *units,
             _ => {
@@ -163,27 +169,51 @@ impl<'a> Checks<'a> {
         }
     }
 
-    /// A rapid that runs or ends below the clearance plane.
+    /// A rapid that ends below the clearance plane. Without a model of the stock, three
+    /// things speak for a slip: it comes down at a slant, it joins two cuts at depth, or
+    /// (judged at the end) it plunges amid what is cut. Leaving a bore or a post sideways
+    /// and then lifting is common and right.
     fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+        let at_depth = self.at_depth.take();
         if !is_known(motion) {
             return;
         }
-        let plane = self.machine.clearance_mm.unwrap_or(0.0);
+        let plane = self.clearance_mm();
         let (from, to) = (point(&motion.from), point(&motion.to));
-        let below = |z: f64| z < plane - ON_PLANE_MM;
-        if !below(to.z) {
+        if to.z >= plane - ON_PLANE_MM {
             return;
         }
+        let depth = plane - to.z;
         let sideways = (from.x, from.y) != (to.x, to.y);
-        if sideways {
-            let depth = self.axis_text(Axis::Z, plane - to.z);
+        if sideways && to.z < from.z {
+            let depth = self.axis_text(Axis::Z, depth);
             report(self.rapid_into_part(
                 origin,
-                format!("a rapid runs sideways {depth} below the clearance plane"),
+                format!("a rapid comes down at a slant to {depth} below the clearance plane"),
             ));
+        } else if sideways {
+            self.at_depth = at_depth.map(|rapid| rapid.or(Some((depth, origin))));
         } else if to.z < from.z && self.plunges.len() < PLUNGES_KEPT {
-            self.plunges.push((to, plane - to.z, origin));
+            self.plunges.push((to, depth, origin));
         }
+    }
+
+    fn clearance_mm(&self) -> f64 {
+        self.machine.clearance_mm.unwrap_or(0.0)
+    }
+
+    /// A cut: a rapid that led here at depth from another cut is told now.
+    #[inline]
+    fn cut_at_depth(&mut self, motion: &Move, report: &mut impl FnMut(Diagnostic)) {
+        if let Some(Some((depth, origin))) = self.at_depth {
+            let depth = self.axis_text(Axis::Z, depth);
+            report(self.rapid_into_part(
+                origin,
+                format!("between two cuts a rapid runs sideways {depth} below the clearance plane"),
+            ));
+        }
+        let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
+        self.at_depth = (below && is_known(motion)).then_some(None);
     }
 
     fn rapid_into_part(&self, origin: Origin, message: String) -> Diagnostic {

@@ -12,7 +12,7 @@ use crate::explain::{Facts, View, own_value, sections, settings, some};
 /// `G54.1`.
 pub fn code_name(letter: u8, code: u16) -> String {
     let (letter, whole) = (char::from(letter), code / 10);
-    if code % 10 == 0 {
+    if code.is_multiple_of(10) {
         format!("{letter}{whole}")
     } else {
         format!("{letter}{whole}.{}", code % 10)

@@ -19,9 +19,9 @@ pub(super) const RAPID_INTO_PART: CodeInfo = CodeInfo {
     name: "rapid-into-part",
     severity: Severity::Warning,
     summary: "a rapid move runs below the clearance plane",
-    explanation: r#"A rapid moves sideways below the clearance plane, or plunges below it in the middle of the region that
-the program cuts. Often a G0 that should have been a G1. The clearance plane is Z0 of the work
-coordinates unless the machine file's `[program] clearance` says otherwise."#,
+    explanation: r#"A rapid comes down at a slant below the clearance plane, joins two cuts below it, or plunges below
+it amid the region that the program cuts. Often a G0 that should have been a G1. The clearance plane
+is Z0 of the work coordinates unless the machine file's `[program] clearance` says otherwise."#,
 };
 
 pub(super) const OFFSET_NOT_SET: CodeInfo = CodeInfo {

@@ -213,6 +213,16 @@ fn triad(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
         panel.rect.x + 14.0 * unit,
         panel.rect.bottom() - 14.0 * unit + low * length,
     );
+    let (wide, tall) = (length + 20.0 * unit, length * (1.0 - low) + 20.0 * unit);
+    out.push_str(&format!(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" \
+         fill-opacity=\"0.8\"/>\n",
+        px(foot.0 - 6.0 * unit),
+        px(foot.1 - length - 18.0 * unit),
+        px(wide),
+        px(tall + 4.0 * unit),
+        colors.panel
+    ));
     for (letter, (right, up)) in LETTERS.iter().zip(directions) {
         let size = right.hypot(up);
         if size < 0.1 {

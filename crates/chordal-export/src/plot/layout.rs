@@ -38,7 +38,7 @@ pub(super) struct Layout {
 impl Layout {
     /// px for each unit on a sheet.
     pub fn unit(width: f64, height: f64) -> f64 {
-        (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.2)
+        (width * height / (1600.0 * 1131.0)).sqrt().min(width / 900.0).max(0.6)
     }
 
     /// Places the views of a box; `legend` is the height of the legend in units.
@@ -90,8 +90,7 @@ fn isometric(rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
 /// and a flat path gets a thin edge.
 fn drawable(size: Vec3) -> Vec3 {
     let largest = size.x.max(size.y).max(size.z);
-    let largest = if largest > 1e-9 { largest } else { 10.0 };
-    let least = largest * 1e-3;
+    let least = if largest > 1e-9 { largest * 1e-3 } else { 10.0 };
     Vec3::new(size.x.max(least), size.y.max(least), size.z.max(least))
 }
 

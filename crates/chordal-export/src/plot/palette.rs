@@ -27,7 +27,7 @@ static LIGHT: Palette = Palette {
     faint: "#68707a",
     rapid: "#8d949c",
     start: "#1d2227",
-    tools: ["#0072b2", "#d55e00", "#008a63", "#b0487f", "#5b4bb5", "#b87d00", "#2b93cf"],
+    tools: ["#0072b2", "#d55e00", "#008a63", "#b0487f", "#5b4bb5", "#b87d00", "#30353b"],
 };
 
 static DARK: Palette = Palette {
@@ -40,7 +40,7 @@ static DARK: Palette = Palette {
     faint: "#98a1ab",
     rapid: "#7b8590",
     start: "#ffffff",
-    tools: ["#56b4e9", "#ff8b3d", "#2fc79a", "#e58fbd", "#a79cf5", "#f0c04a", "#9fd5f5"],
+    tools: ["#56b4e9", "#ff8b3d", "#2fc79a", "#e58fbd", "#a79cf5", "#f0c04a", "#dfe3e8"],
 };
 
 impl Palette {
@@ -52,5 +52,10 @@ impl Palette {
     /// The colour of a tool by its place in the order of use.
     pub fn tool(&self, index: usize) -> &'static str {
         self.tools[index % self.tools.len()]
+    }
+
+    /// How often all colours were used before.
+    pub fn round(&self, index: usize) -> usize {
+        index / self.tools.len()
     }
 }

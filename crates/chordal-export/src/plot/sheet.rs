@@ -128,7 +128,7 @@ fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
         lines.push(format!("grid {}", grid.text()));
     }
     if store.has_unknown() && store.extent().is_some() {
-        lines.push("moves whose place is not known are left out".into());
+        lines.push("cuts whose place is not known are left out".into());
     }
     lines
 }
@@ -173,11 +173,22 @@ fn paths(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Pal
         let number = store.tools()[index].number;
         out.push_str(&format!(
             "<path id=\"view-{}-tool-{number}\" d=\"{data}\" stroke=\"{}\" \
-             stroke-width=\"{stroke}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n",
+             stroke-width=\"{stroke}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{}/>\n",
             panel.view.title.to_lowercase(),
-            colors.tool(index)
+            colors.tool(index),
+            tool_dash(colors, index, unit)
         ));
     }
+}
+
+/// Tools beyond the last colour have the same colours again, dashed.
+fn tool_dash(colors: &Palette, index: usize, unit: f64) -> String {
+    let (line, gap) = match colors.round(index) {
+        0 => return String::new(),
+        1 => (10.0, 5.0),
+        _ => (2.0, 5.0),
+    };
+    format!(" stroke-dasharray=\"{} {}\"", px(line * unit), px(gap * unit))
 }
 
 /// Thinner lines where they lie close together, so that they do not run into one another.
@@ -205,7 +216,7 @@ fn start_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
         "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
         px(at.0),
         px(at.1),
-        px(4.2 * unit),
+        px(3.3 * unit),
         colors.sheet,
         colors.start,
         px(1.6 * unit)
@@ -213,7 +224,7 @@ fn start_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
 }
 
 fn end_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
-    let half = 4.0 * unit;
+    let half = 5.0 * unit;
     out.push_str(&format!(
         "<rect x=\"{}\" y=\"{}\" width=\"{size}\" height=\"{size}\" fill=\"{}\"/>\n",
         px(at.0 - half),
@@ -362,7 +373,9 @@ fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Pa
         )
     };
     match sign {
-        Sign::Tool(index) => out.push_str(&line(colors.tool(index), 3.5, "")),
+        Sign::Tool(index) => {
+            out.push_str(&line(colors.tool(index), 3.5, &tool_dash(colors, index, unit)));
+        }
         Sign::Rapid => {
             let dash = format!(" stroke-dasharray=\"{} {}\"", px(6.0 * unit), px(4.0 * unit));
             out.push_str(&line(colors.rapid, 1.2, &dash));

@@ -49,7 +49,7 @@ pub(super) struct Store {
     start: Option<Vec3>,
     end: Vec3,
     limit: usize,
-    unknown: u64,
+    unknown: bool,
 }
 
 impl Default for Store {
@@ -65,7 +65,7 @@ impl Default for Store {
             start: None,
             end: Vec3::ZERO,
             limit: MANY,
-            unknown: 0,
+            unknown: false,
         }
     }
 }
@@ -75,11 +75,12 @@ impl Store {
     pub fn push(&mut self, segment: &Segment) {
         let bounds = segment.curve.bounds();
         let finite = bounds.min.is_finite() && bounds.max.is_finite();
+        let rapid = segment.kind == SegmentKind::Rapid;
         if !segment.known || !finite {
-            self.unknown += 1;
+            // The way to the first place is never known; that is no loss.
+            self.unknown |= !rapid;
             return;
         }
-        let rapid = segment.kind == SegmentKind::Rapid;
         let tool = (!rapid).then(|| self.tool(segment.tool));
         let length = if segment.length_mm.is_finite() { segment.length_mm } else { 0.0 };
         match tool {
@@ -196,9 +197,9 @@ impl Store {
         self.start.map(|start| (start, self.end))
     }
 
-    /// True when segments came that cannot be drawn.
+    /// True when cuts came that cannot be drawn.
     pub fn has_unknown(&self) -> bool {
-        self.unknown > 0
+        self.unknown
     }
 
     /// The box of the cuts.

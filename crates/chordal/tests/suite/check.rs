@@ -56,8 +56,8 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
 fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64) -> Vec<String> {
     let mut found = Vec::new();
     let mut compare = |what: &str, number: Number, is: f64| {
-        // The step itself, and what a double loses in the comparison.
-        if !((number.value - is).abs() <= number.step * (1.0 + 1e-6)) {
+        // A correctly rounded number is off by half a unit of its last digit at most.
+        if !((number.value - is).abs() <= number.step / 2.0 + 1e-9) {
             found.push(format!("{what} is {}, not {}", short(is), short(number.value)));
         }
     };
@@ -168,7 +168,7 @@ fn check_whole(program: &Program, ran: &Ran, wrong: &mut Wrong) {
         };
         let count = !name.ends_with("length");
         let step = if count { 0.0 } else { number.step };
-        if !((number.value - is).abs() <= step) {
+        if !((number.value - is).abs() <= step / 2.0 + 1e-9) {
             wrong.push((1, format!("total {name} is {}, not {}", short(is), short(number.value))));
         }
     }

@@ -218,6 +218,10 @@ impl<'a> Tokens<'a> {
 
 fn number(text: &str) -> Result<Number, String> {
     let value = text.parse().map_err(|_| format!("`{text}` is no number"))?;
-    let digits = text.split_once('.').map_or(0, |(_, digits)| digits.len());
-    Ok(Number { value, step: 10f64.powi(-(digits as i32)).max(1e-9) })
+    // Without decimals a number is meant exactly: `X2` is not 2.3.
+    let step = match text.split_once('.') {
+        Some((_, decimals)) if !decimals.is_empty() => 10f64.powi(-(decimals.len() as i32)),
+        _ => 0.0,
+    };
+    Ok(Number { value, step })
 }

@@ -1,6 +1,6 @@
 //! Runs a program and notes what happens by line.
 
-use chordal::control::{ArcShape, AxisMask, FeedAlong, FeedMode, Units};
+use chordal::control::{ArcShape, FeedAlong, FeedMode, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::curve_of;
 use chordal::{
@@ -16,7 +16,6 @@ pub struct Made {
     pub kind: &'static str,
     pub from: [f64; 6],
     pub to: [f64; 6],
-    pub from_known: AxisMask,
     pub shape: Option<ArcShape>,
     pub length: f64,
     /// In mm/min (or deg/min, 1/min, mm per revolution); `None` for rapids.
@@ -110,7 +109,6 @@ fn made_by(command: &Command) -> Option<Made> {
         kind,
         from: motion.from,
         to: motion.to,
-        from_known: motion.from_known,
         shape,
         length,
         feed: value,

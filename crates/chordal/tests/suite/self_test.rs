@@ -21,7 +21,7 @@ pub const CASES: &[(&str, &str, Option<&str>)] = &[
     ("a helix that is none", "G3 X2. R1. (= helix)", Some("it is no helix")),
     ("a kink", "G1 X2.\nY1. (= line tangent .01)", Some("is 90, not 0")),
     ("an unexpected error", "G3 X2. I.5", Some("error not expected: CH401")),
-    ("an unexpected warning", "G3 X2. R1. I1.", Some("warning not expected: CH409")),
+    ("an unexpected warning", "G1 Z-1.\nG0 X1.\nG1 X2.", Some("warning not expected: CH602")),
     ("a missing diagnostic", "G1 X2. (= line | ! CH401)", Some("expected CH401")),
     ("a diagnostic with another text", "G3 X2. I.5 (= arc | ! CH401 \"9 in\")", Some("9 in")),
     ("a diagnostic on another line", "G1 X1. (= line | ! CH401)\nG3 X2. I.4", Some(":5: expected")),

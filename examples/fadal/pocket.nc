@@ -1,0 +1,24 @@
+(machine: fadal-4020)
+(Two pockets with a subroutine: a helix in, one turn at depth, back to the middle.)
+L100 (ONE TURN OF THE HELIX, A TENTH DOWN
+G91 I-.25 G3 Z-.1
+M17
+L200 (A POCKET FROM ITS MIDDLE
+G90 G1 Z0 F20.
+G91 X.25 F10.
+L104
+I-.25 G3 F15.
+X-.25 F30.
+G90 Z.1 G0
+M17
+M30
+(MAIN PROGRAM
+M6 T1 (END MILL 3/8
+G0 G90 S8000 M3 E1 X1. Y1.
+H1 Z.1 M8
+L201
+G0 X3. Y1.
+L201
+M5 M9
+G90 G0 H0 Z0
+M2

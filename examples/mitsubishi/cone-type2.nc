@@ -1,0 +1,16 @@
+%
+O2002 (SPIRALS AND CONES, TYPE 2)
+(machine: mitsubishi-m700-type2)
+(G2 and G3 with Q: the radius changes by Q at each turn; with K: the height does.)
+G21 G17 G90 G40 G49 G80
+T1 M06
+G54 G00 X100. Y0. S3000 M03
+G43 H01 Z5. M08
+G01 Z-1. F200.
+G02 X20. Y0. I-100. J0. Q20. F800. (80 IN STEPS OF 20: FOUR TURNS)
+G01 Z-2. F200.
+G03 X60. Y0. Z-12. I-20. J0. K2. F600. (TEN DEEP IN STEPS OF 2: FIVE TURNS)
+G00 Z50. M09
+M05
+M30
+%
