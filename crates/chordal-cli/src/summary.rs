@@ -1,5 +1,7 @@
 //! What a run comes to, as a machinist would ask for it.
 
+use std::collections::BTreeSet;
+
 use chordal::control::{EndReason, Library};
 use chordal::diagnostics::FileId;
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
@@ -106,8 +108,9 @@ impl Sheet {
             }
             rows
         };
+        let is_main: BTreeSet<usize> = mains.iter().copied().collect();
         let others: Vec<usize> =
-            (0..library.programs().len()).filter(|index| !mains.contains(index)).collect();
+            (0..library.programs().len()).filter(|index| !is_main.contains(index)).collect();
         self.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
         self.rows("calls", &list(&others));
     }

@@ -80,6 +80,8 @@ pub struct Origin {
     pub line: u32,
     /// The calls it was reached through.
     pub call: CallPath,
+    /// Made by a canned cycle that the block set off.
+    pub cycle: bool,
 }
 
 /// A move of the tool tip in program coordinates.

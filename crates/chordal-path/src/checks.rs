@@ -4,7 +4,7 @@ use chordal_control::{
     AxisMask, Command, CommandKind, Move, Origin, Position, Units,
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_geometry::{Aabb, Curve, ParamCurve, Vec3};
+use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{Axis, Machine};
 
 use crate::frame::Frame;
@@ -28,8 +28,8 @@ pub struct Checks<'a> {
     machine: &'a Machine,
     frame: Frame,
     units: Units,
-    /// Tangent and place of the end of the last cut, and whether it was an arc.
-    last: Option<(Vec3, Vec3, bool)>,
+    /// Direction and place of the end of the last cut, and the plane where it was an arc.
+    last: Option<(Vec3, Vec3, Option<Plane>)>,
     /// What the program cuts, in program coordinates.
     cut: Aabb,
     plunges: Vec<(Vec3, f64, Origin)>,
@@ -93,7 +93,7 @@ impl<'a> Checks<'a> {
                 if is_known(motion) {
                     self.cut = self.cut.union(bounds);
                 }
-                self.joint_of_arc(&curve, command.origin, &mut report);
+                self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
                 self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Units(units) => self.units = *units,
@@ -175,7 +175,8 @@ impl<'a> Checks<'a> {
     /// and then lifting is common and right.
     fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
         let at_depth = self.at_depth.take();
-        if !is_known(motion) {
+        // The R level of a cycle is a clearance plane of its own.
+        if origin.cycle || !is_known(motion) {
             return;
         }
         let plane = self.clearance_mm();
@@ -226,35 +227,46 @@ impl<'a> Checks<'a> {
     fn joint_of_line(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
         let (from, to) = (point(&motion.from), point(&motion.to));
         let way = to - from;
-        if let Some((before, place, true)) = self.last
+        if let Some((before, place, Some(plane))) = self.last
             && place == from
-            && let Some(tangent) = way.normalized()
         {
-            self.joint(before, tangent, origin, report);
+            self.joint(plane, before, way, origin, report);
         }
         // The direction is needed only when an arc follows; it is cheaper kept as it is.
         if way != Vec3::ZERO {
-            self.last = Some((way, to, false));
+            self.last = Some((way, to, None));
         }
     }
 
-    fn joint_of_arc(&mut self, curve: &Curve, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+    fn joint_of_arc(
+        &mut self,
+        curve: &Curve,
+        plane: Plane,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
         if let Some((before, place, _)) = self.last
             && place == curve.start()
-            && let Some(before) = before.normalized()
         {
-            self.joint(before, curve.tangent_at(0.0), origin, report);
+            self.joint(plane, before, curve.tangent_at(0.0), origin, report);
         }
-        self.last = Some((curve.tangent_at(curve.length()), curve.end(), true));
+        self.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
     }
 
+    /// The turn is judged in the plane of the arc: the slope of a helix is meant.
     fn joint(
         &self,
+        plane: Plane,
         before: Vec3,
         after: Vec3,
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
+        let flat = |direction: Vec3| {
+            let normal = plane.normal();
+            (direction - normal * direction.dot(normal)).normalized()
+        };
+        let (Some(before), Some(after)) = (flat(before), flat(after)) else { return };
         let sine = before.cross(after).length();
         if before.dot(after) <= 0.0 || !(TANGENT_RAD..CORNER_RAD).contains(&sine) {
             return;

@@ -527,7 +527,8 @@ impl<'a> BlockReader<'a> {
         let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
         self.at += token.max(1);
         let words = &rest[..token];
-        let line_end = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+        // The words behind it, not a comment's.
+        let line_end = memchr::memchr3(b'\n', b'\r', b'(', rest).unwrap_or(rest.len());
         let behind = &rest[token..line_end.min(token + 200)];
         let has = |letter: u8| {
             block.letters().has(letter) || behind.iter().any(|b| b.to_ascii_uppercase() == letter)

@@ -155,7 +155,8 @@ impl<S: Sink> Interpreter<'_, S> {
         let Some(radius) = self.length(word) else { return };
         let plane = self.state.plane;
         let (start, end) = (point(&self.state.position), point(&target));
-        let tolerance = self.control.parameters.semicircle_tolerance_mm;
+        // A difference of rounding must not decide at the tolerance itself.
+        let tolerance = self.control.parameters.semicircle_tolerance_mm + 1e-9;
         match center_from_radius(plane, start, end, radius, direction, tolerance) {
             Ok(center) => {
                 let fit = arc_from_center(plane, start, end, center, direction, turns, 0.0);

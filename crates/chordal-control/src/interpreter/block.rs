@@ -160,7 +160,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if let Some(flow) = self.repeat_or_call_by_l(block, codes, claims) {
             return flow;
         }
-        self.check_unused(block, claims);
+        self.check_unused(block, codes, claims);
         self.block_without_repeats(block, codes)
     }
 
@@ -226,8 +226,10 @@ impl<S: Sink> Interpreter<'_, S> {
         self.control.g_code(code).map(|row| row.words)
     }
 
-    fn check_unused(&mut self, block: &Block, claims: Letters) {
-        if block.letters().within(claims) {
+    fn check_unused(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)], claims: Letters) {
+        // What an unknown code would have taken is not known either.
+        let code_words = block.all(b'G').count() + block.all(b'M').count();
+        if block.letters().within(claims) || codes.len() < code_words {
             return self.check_comma_words(block);
         }
         for index in 0..block.words.len() {
@@ -269,7 +271,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if table.subroutines == Subroutines::LetterL && count >= 100 {
             let mut claims = claims;
             claims.insert(b'L');
-            self.check_unused(block, claims);
+            self.check_unused(block, codes, claims);
             self.take_registers(block);
             self.take_letters(block, codes);
             let (target, named) = self.target(block);
@@ -284,7 +286,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         let mut claims = claims;
         claims.insert(b'L');
-        self.check_unused(block, claims);
+        self.check_unused(block, codes, claims);
         let times = self.allowed_repeats(&word, count);
         for pass in 0..times {
             if pass > 0 && !self.count_repeated() {

@@ -189,7 +189,9 @@ impl<S: Sink> Interpreter<'_, S> {
     pub(super) fn call_program(&mut self, block: &Block, at: usize) {
         let Some(word) = block.last(b'P').copied() else {
             let span = self.span(block.words[at].range);
-            if block.comments.is_empty() {
+            let text = self.reader.text();
+            let by_path = block.comments.iter().any(|c| c.slice(text).contains(&b'/'));
+            if !by_path {
                 let message = "M98 without a program number".to_string();
                 self.missing_word(span, message, "write P and the program's number");
             } else {

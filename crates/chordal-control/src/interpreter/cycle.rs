@@ -102,6 +102,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     fn hole(&mut self, block: &Block, cycle: &CycleState, r: f64, z: f64) {
+        self.origin.cycle = true;
         let (mut place, named) = self.target(block);
         place[2] = self.state.position[2];
         let named = named.without(AxisMask(0b100));
@@ -116,6 +117,7 @@ impl<S: Sink> Interpreter<'_, S> {
             _ => self.z_feed(block, z),
         }
         self.leave_hole(block, cycle, r, clear);
+        self.origin.cycle = false;
     }
 
     fn leave_hole(&mut self, block: &Block, cycle: &CycleState, r: f64, clear: f64) {

@@ -241,6 +241,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             span: Span { file: self.file, range: block.range },
             line: block.line,
             call: self.path,
+            cycle: false,
         };
         if !block.problems.is_empty() {
             for problem in std::mem::take(&mut block.problems) {

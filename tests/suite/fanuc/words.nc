@@ -1,0 +1,26 @@
+%
+(machine: fanuc-30i)
+(What the text can get wrong, each on its line.)
+O1
+G21 G17 G90 S1000 M3
+G0 X0. Y0. Z5.
+G1 X10 F500. (= line to X.01 | ! CH305 "0.01 mm")
+X1O.5 (= line to X10.5 | ! CH103 "letter")
+X1..5 Y2. (= line to X10.5 Y2 | ! CH101 "2 decimal points")
+X--2. (= none | ! CH101 "2 signs")
+G02 X12. Y2. 12. J2. (= ! CH102 "12." "typed as the digit 1" | ! CH401)
+G1 X Y3. (= line to Y3 | ! CH109 "`X` has no number")
+G777 (= none | ! CH301 "no G777" "PS0010")
+G0 G1 X1. (= line to X1 | ! CH302 "exclude each other")
+G1 X2. X3. (= line to X3 | ! CH106)
+G1 X4. Q7. (= line to X4 | ! CH304 "`Q`")
+G1 X5. ! (= line to X5 | ! CH105)
+G1 I5. X6. (= line to X6 | ! CH304 "`I`")
+M98 P77 (= none | ! CH201 "O77" "PS0076")
+M98 (= none | ! CH308)
+M6 (= none | ! CH308 "no tool")
+G4 (= none | ! CH308)
+G1 X7. F30000. (= line to X7 | ! CH407 "30000 mm/min" "20000 mm/min")
+G154 P1 (= none | ! CH301 "Haas")
+G1 U5. (= none | ! CH304)
+M99 P5 (= none | ! CH202 "N5" "PS0078")

@@ -1,0 +1,21 @@
+%
+(machine: haas-vf2)
+(Inside thread, with the lead-out to Y0.)
+O60023 (THREAD MILL 1.5-8) ;
+T1 M06 ;
+G00 G90 G40 G49 G54 ;
+G00 G54 X0 Y0 ;
+S1000 M03 ;
+G43 H01 Z0.1 ;
+M08 ;
+G01 Z-0.5156 F50. ; (= line to X0 Y0 Z-.5156)
+G41 X0.25 Y-0.25 F10. D01 ; (= line to X.25 Y-.25)
+G03 X0.5 Y0 I0 J0.25 Z-0.5 ; (= helix ccw center X.25 Y0 radius .25 sweep 90 to X.5 Y0 Z-.5)
+I-0.5 J0 Z-0.375 F20. ; (= helix ccw center X0 Y0 radius .5 sweep 360 to X.5 Y0 Z-.375 tangent 3.2)
+X0.25 Y0.25 I-0.25 J0 Z-0.3594 ; (= helix ccw center X.25 Y0 radius .25 sweep 90 to X.25 Y.25 Z-.3594)
+G40 G01 X0 Y0 ; (= line to X0 Y0 Z-.3594)
+G00 Z0.1 M09 ;
+G53 G49 Z0 M05 ;
+G53 Y0 ;
+M30 ;
+%
