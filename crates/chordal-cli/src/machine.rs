@@ -25,6 +25,8 @@ pub enum Chosen {
     Given,
     /// `chordal.toml` says so.
     Folder(PathBuf),
+    /// Nothing in the text tells, and the ending of the file's name is LinuxCNC's own.
+    Ending,
     /// The program looks like one of this control.
     Recognized(Recognition),
 }
@@ -32,10 +34,13 @@ pub enum Chosen {
 impl Chosen {
     /// What was recognized and by what, in a line; nothing where the user said the machine.
     pub fn told(&self, file: &str, title: &str) -> Option<String> {
-        let Chosen::Recognized(found) = self else { return None };
-        let why = match found.evidence.first() {
-            Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
-            None => format!("taken for {title}, since nothing in the text tells"),
+        let why = match self {
+            Chosen::Given | Chosen::Folder(_) => return None,
+            Chosen::Ending => format!("taken for {title} by the ending of its name"),
+            Chosen::Recognized(found) => match found.evidence.first() {
+                Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
+                None => format!("taken for {title}, since nothing in the text tells"),
+            },
         };
         Some(format!("{file}: {why}; --machine chooses another\n"))
     }
@@ -56,8 +61,15 @@ pub fn choose(input: &Input, text: &[u8], common: &Common) -> Result<(Machine, C
         }
     }
     let recognition = recognize(text);
-    let machine = builtin_of(recognition.control);
-    Ok((finish(machine, common)?, Chosen::Recognized(recognition)))
+    let ending = input.path.as_ref().and_then(|path| path.extension());
+    let (control, chosen) = match ending {
+        // Other endings mean nothing.
+        Some(ending) if recognition.evidence.is_empty() && ending.eq_ignore_ascii_case("ngc") => {
+            (ControlName::Linuxcnc, Chosen::Ending)
+        }
+        _ => (recognition.control, Chosen::Recognized(recognition)),
+    };
+    Ok((finish(builtin_of(control), common)?, chosen))
 }
 
 /// A built-in machine, or the machine of a file.

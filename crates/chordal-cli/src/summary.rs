@@ -52,7 +52,7 @@ pub fn text(loaded: &Loaded, job: &Job, report: &Report, color: bool) -> String 
 pub fn subtitle(job: &Job, report: &Report) -> String {
     let units = if report.summary.inch { "inch" } else { "mm" };
     let time = duration(report.summary.total_time_s());
-    format!("{}, {units}, about {time} without acceleration", job.machine().title)
+    format!("{}, {units}, {time} without acceleration", job.machine().title)
 }
 
 struct Sheet {
@@ -130,6 +130,10 @@ impl Sheet {
             Chosen::Folder(file) => {
                 self.row("control", table.title);
                 self.row("machine", &format!("{known}, as {} says", file.display()));
+            }
+            Chosen::Ending => {
+                self.row("control", &format!("{}, by the ending of the file's name", table.title));
+                self.row("machine", &format!("{known}; say --machine for another"));
             }
             Chosen::Recognized(found) if found.evidence.is_empty() => {
                 self.row(
@@ -327,5 +331,6 @@ fn time(summary: &Summary) -> String {
         some => format!("; {} without a feed not counted", counted(some, "cut", "cuts")),
     };
     let total = duration(summary.total_time_s());
-    format!("about {total} without acceleration and tool changes{parts}{missing}")
+    let about = if total.starts_with("under") { "" } else { "about " };
+    format!("{about}{total} without acceleration and tool changes{parts}{missing}")
 }

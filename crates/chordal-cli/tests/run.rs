@@ -30,7 +30,8 @@ fn the_control_is_recognized_with_its_evidence() {
     let folder = Folder::new();
     folder.write("haas.nc", CLEAN.replace("G0 X0 Y0", "G0 G154 P1 X0 Y0"));
     folder.write("fadal.nc", CLEAN.replace("G0 X0 Y0", "G0 X0 Y0 E1\nR0+1.5"));
-    folder.write("plain.nc", CLEAN);
+    folder.write("plain.nc", CLEAN).write("plain.ngc", CLEAN);
+    folder.run(&["run", "plain.ngc"]).says(&["LinuxCNC, by the ending", "linuxcnc-mill"]);
     folder.run(&["run", "haas.nc"]).says(&[
         "Haas NGC mill, recognized:",
         "line 3: G154",

@@ -15,7 +15,11 @@ use crate::motion::{
 };
 
 /// Writes commands as JSON lines, schema `chordal.commands/1`: a header object, then one
-/// object for each command. Lengths are mm, angles degrees, feeds mm/min.
+/// object for each command. Lengths are mm, angles degrees, feeds mm/min along the path
+/// whatever F counts; the feed of rotary axes alone is deg/min, and says so by `feed_unit`.
+///
+/// Positions are work coordinates. `from_unknown` and `to_unknown` list the axes that the
+/// program has not placed relative to the part yet: their numbers mean nothing.
 #[derive(Debug)]
 pub struct CommandJsonLines<'a, W> {
     out: W,
@@ -164,16 +168,16 @@ impl Context<'_> {
     fn ends(&self, object: &mut Object, motion: &Move) {
         object.object("from", |inner| self.position(inner, &motion.from));
         object.object("to", |inner| self.position(inner, &motion.to));
-        self.unknown(object, "from_unknown", motion.from_known);
-        self.unknown(object, "to_unknown", motion.to_known);
-    }
-
-    /// The axes whose value is not known relative to the part, where there are any.
-    fn unknown(&self, object: &mut Object, name: &str, known: AxisMask) {
-        let unknown = self.axes.without(known);
-        if unknown != AxisMask::NONE {
-            object.letters(name, unknown.iter().map(|axis| axis.letter()));
+        // Rotary axes that stand still are told only where a program turns them: most never do.
+        let mut told = AxisMask::LINEAR;
+        for axis in 3..6 {
+            let (from, to) = (motion.from[axis], motion.to[axis]);
+            if from != to {
+                told.insert(axis);
+            }
         }
+        unknown(object, "from_unknown", told.without(motion.from_known));
+        unknown(object, "to_unknown", told.without(motion.to_known));
     }
 
     fn position(&self, object: &mut Object, position: &Position) {
@@ -189,6 +193,13 @@ impl Context<'_> {
         object.text("name", &name.key(self.extended));
         object.object("offset", |inner| self.position(inner, offset));
         object.letters("known", known.and(self.axes).iter().map(|axis| axis.letter()));
+    }
+}
+
+/// The axes whose value is not known relative to the part, where there are any.
+fn unknown(object: &mut Object, name: &str, axes: AxisMask) {
+    if axes != AxisMask::NONE {
+        object.letters(name, axes.iter().map(|axis| axis.letter()));
     }
 }
 

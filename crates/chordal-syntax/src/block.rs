@@ -94,6 +94,12 @@ impl Letters {
         ('A'..='Z').filter(move |letter| self.has(*letter as u8))
     }
 
+    /// The letters of this set that are not in the other.
+    #[inline]
+    pub const fn without(self, other: Letters) -> Letters {
+        Letters(self.0 & !other.0)
+    }
+
     /// The letters of both.
     #[inline]
     pub const fn union(self, other: Letters) -> Letters {

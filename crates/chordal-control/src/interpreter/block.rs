@@ -10,7 +10,7 @@ use crate::command::{
     AxisMask, CommandKind, FeedMode, PathMode, Sink, SpindleState, Units, WorkName,
 };
 use crate::offsets::LengthOffset;
-use crate::parameters::{ArcCenter, PlaneCodes};
+use crate::parameters::{ArcCenter, PlaneCodes, SpiralForm};
 use crate::state::{Motion, Scale};
 use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutines};
 
@@ -48,7 +48,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
                 let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
-                if !letters.within(ALWAYS.union(row.words)) {
+                if !letters.within(ALWAYS.union(self.words_of(row))) {
                     return false;
                 }
                 if letters.has(b'F') {
@@ -156,11 +156,25 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
+        // What an unknown code would have done with the words is not known; the tool still
+        // goes to the end point that they name.
+        let code_words = block.all(b'G').count() + block.all(b'M').count();
+        if codes.len() < code_words {
+            for (row, _) in codes {
+                self.take_reading_mode(row.action);
+            }
+            self.take_letters(block, codes);
+            let (target, named) = self.target(block);
+            if named != AxisMask::NONE {
+                self.straight(block, target, named);
+            }
+            return self.take_after_motion(block, codes);
+        }
         let claims = self.claims(codes);
         if let Some(flow) = self.repeat_or_call_by_l(block, codes, claims) {
             return flow;
         }
-        self.check_unused(block, codes, claims);
+        self.check_unused(block, claims);
         self.block_without_repeats(block, codes)
     }
 
@@ -195,7 +209,7 @@ impl<S: Sink> Interpreter<'_, S> {
     fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
         let mut claims = ALWAYS;
         for (row, _) in codes {
-            claims = claims.union(row.words);
+            claims = claims.union(self.words_of(row));
         }
         let table = self.control.table;
         if table.work_offset_by_e {
@@ -223,13 +237,22 @@ impl<S: Sink> Interpreter<'_, S> {
             _ if self.control.table.motion == MotionModality::Armed => 20,
             _ => return None,
         };
-        self.control.g_code(code).map(|row| row.words)
+        self.control.g_code(code).map(|row| self.words_of(row))
     }
 
-    fn check_unused(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)], claims: Letters) {
-        // What an unknown code would have taken is not known either.
-        let code_words = block.all(b'G').count() + block.all(b'M').count();
-        if block.letters().within(claims) || codes.len() < code_words {
+    /// The letters a code takes with the parameters in force: Q and L on an arc only where
+    /// they make it a spiral.
+    fn words_of(&self, row: &CodeRow) -> Letters {
+        let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
+        let spirals = matches!(
+            self.control.parameters.spiral,
+            SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount
+        );
+        if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words }
+    }
+
+    fn check_unused(&mut self, block: &Block, claims: Letters) {
+        if block.letters().within(claims) {
             return self.check_comma_words(block);
         }
         for index in 0..block.words.len() {
@@ -271,7 +294,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if table.subroutines == Subroutines::LetterL && count >= 100 {
             let mut claims = claims;
             claims.insert(b'L');
-            self.check_unused(block, codes, claims);
+            self.check_unused(block, claims);
             self.take_registers(block);
             self.take_letters(block, codes);
             let (target, named) = self.target(block);
@@ -286,7 +309,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         let mut claims = claims;
         claims.insert(b'L');
-        self.check_unused(block, codes, claims);
+        self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
         for pass in 0..times {
             if pass > 0 && !self.count_repeated() {

@@ -71,7 +71,7 @@ impl Grid {
     }
 }
 
-/// Draws what lies under the path.
+/// Draws what lies under the path: ground, grid, numbers and axes.
 pub(super) fn under(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palette) {
     let Rect { x, y, width, height } = panel.rect;
     out.push_str(&format!(
@@ -86,6 +86,7 @@ pub(super) fn under(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, col
         lines(out, panel, grid, unit, colors);
         numbers(out, panel, grid, unit, colors);
     }
+    triad(out, panel, unit, colors);
 }
 
 fn lines(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Palette) {
@@ -179,7 +180,7 @@ pub(super) fn floor(
     ));
 }
 
-/// Draws what lies over the path: border, title, origin and axes.
+/// Draws what lies over the path: border and title.
 pub(super) fn over(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
     let Rect { x, y, width, height } = panel.rect;
     out.push_str(&format!(
@@ -200,10 +201,9 @@ pub(super) fn over(out: &mut String, panel: &Panel, unit: f64, colors: &Palette)
         colors.text,
         panel.view.title
     ));
-    triad(out, panel, unit, colors);
 }
 
-/// The axes with their letters: in the corner, so that they hide nothing.
+/// The axes with their letters, in the corner and under the path.
 fn triad(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
     let length = 34.0 * unit;
     let view = &panel.view;
@@ -213,16 +213,6 @@ fn triad(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
         panel.rect.x + 14.0 * unit,
         panel.rect.bottom() - 14.0 * unit + low * length,
     );
-    let (wide, tall) = (length + 20.0 * unit, length * (1.0 - low) + 20.0 * unit);
-    out.push_str(&format!(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" \
-         fill-opacity=\"0.8\"/>\n",
-        px(foot.0 - 6.0 * unit),
-        px(foot.1 - length - 18.0 * unit),
-        px(wide),
-        px(tall + 4.0 * unit),
-        colors.panel
-    ));
     for (letter, (right, up)) in LETTERS.iter().zip(directions) {
         let size = right.hypot(up);
         if size < 0.1 {

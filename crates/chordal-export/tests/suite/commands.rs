@@ -1,0 +1,179 @@
+use std::f64::consts::TAU;
+use std::io::Write;
+
+use chordal::control::{
+    ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, RapidPath,
+};
+use chordal::geometry::Plane;
+use chordal::{Command, CommandKind, Job};
+use chordal_export::{Canon, CommandCsv, CommandJsonLines};
+
+use crate::common::{SMALL, job};
+
+fn commands(job: &Job) -> Vec<Command> {
+    let mut commands = Vec::new();
+    job.report_with(|command, _| commands.push(command.clone()));
+    commands
+}
+
+fn text(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes).unwrap()
+}
+
+fn json_lines(job: &Job, commands: &[Command]) -> String {
+    let mut writer = CommandJsonLines::new(Vec::new(), job).unwrap();
+    commands.iter().for_each(|command| writer.command(command).unwrap());
+    text(writer.finish().unwrap())
+}
+
+#[test]
+fn json_lines_of_a_small_job() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    insta::assert_snapshot!(json_lines(&job, &commands(&job)));
+}
+
+#[test]
+fn csv_of_a_small_job() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let mut writer = CommandCsv::new(Vec::new(), &job).unwrap();
+    commands(&job).iter().for_each(|command| writer.command(command).unwrap());
+    insta::assert_snapshot!(text(writer.finish().unwrap()));
+}
+
+#[test]
+fn canonical_text_of_a_small_job() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    commands(&job).iter().for_each(|command| writer.command(command).unwrap());
+    insta::assert_snapshot!(text(writer.finish().unwrap()));
+}
+
+fn helix(sweep: f64, radius_to: f64, feed: Feed) -> Command {
+    let motion = Move {
+        from: [10.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        to: [radius_to, 0.0, -3.0, 0.0, 0.0, 0.0],
+        from_known: AxisMask::ALL,
+        to_known: AxisMask::LINEAR,
+    };
+    let shape = ArcShape {
+        plane: Plane::Xy,
+        center: [0.0, 0.0],
+        sweep,
+        radius_from: 10.0,
+        radius_to,
+    };
+    Command {
+        kind: CommandKind::Arc { motion, shape, feed },
+        origin: Origin { line: 7, ..Origin::default() },
+    }
+}
+
+const FEED: Feed = Feed {
+    value: 10.0,
+    mode: FeedMode::PerTime,
+    along: FeedAlong::Path,
+    spindle_rev_per_s: 5.0,
+};
+
+fn object(command: &Command) -> serde_json::Value {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let lines = json_lines(&job, std::slice::from_ref(command));
+    serde_json::from_str(lines.lines().nth(1).unwrap()).unwrap()
+}
+
+#[test]
+fn feeds_of_every_mode_are_per_minute() {
+    let length = (TAU * 10.0).hypot(3.0);
+    let cases = [
+        (FeedMode::PerTime, FeedAlong::Path, 600.0),
+        (FeedMode::PerRevolution, FeedAlong::Path, 3000.0),
+        (FeedMode::InverseTime, FeedAlong::Path, 600.0 * length),
+        (FeedMode::InverseTime, FeedAlong::Plane, 600.0 * TAU * 10.0),
+    ];
+    for (mode, along, expected) in cases {
+        let object = object(&helix(TAU, 10.0, Feed { mode, along, ..FEED }));
+        assert!((object["feed"].as_f64().unwrap() - expected).abs() < 1e-8, "{object}");
+        assert!((object["length"].as_f64().unwrap() - length).abs() < 1e-8);
+        assert_eq!(object.get("feed_mode").is_some(), mode != FeedMode::PerTime);
+        assert_eq!(object.get("feed_along").is_some(), along == FeedAlong::Plane);
+    }
+    let none = object(&helix(TAU, 10.0, Feed { value: f64::NAN, ..FEED }));
+    assert!(none["feed"].is_null());
+}
+
+#[test]
+fn every_line_is_an_object_of_the_schema() {
+    let job = job("haas-vf2", "a \"name\"\\with\n signs Ø.nc", SMALL);
+    let lines = json_lines(&job, &commands(&job));
+    let mut objects = lines.lines().map(|line| {
+        serde_json::from_str::<serde_json::Value>(line).unwrap_or_else(|error| {
+            panic!("{error}: {line}");
+        })
+    });
+    let header = objects.next().unwrap();
+    assert_eq!(header["schema"], "chordal.commands/1");
+    assert_eq!(header["program"], "a \"name\"\\with\n signs Ø.nc");
+    for object in objects {
+        assert!(object["line"].is_u64() && object["kind"].is_string(), "{object}");
+    }
+}
+
+#[test]
+fn turns_and_unequal_radii_are_told_in_canonical_text() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    writer.command(&helix(-2.5 * TAU, 10.0, FEED)).unwrap();
+    writer.command(&helix(TAU, 12.0, FEED)).unwrap();
+    let text = text(writer.finish().unwrap());
+    let lines: Vec<&str> = text.lines().skip(3).collect();
+    assert_eq!(
+        lines,
+        [
+            "N7 SET_FEED_RATE(600.000000)",
+            "N7 ARC_FEED(10.000000, 0.000000, 0.000000, 0.000000, -3, -3.000000, 0.000000, \
+             0.000000, 0.000000)",
+            "N7 ARC_FEED(12.000000, 0.000000, 0.000000, 0.000000, 1, -3.000000, 0.000000, \
+             0.000000, 0.000000) ; radius 10.000000 to 12.000000",
+        ]
+    );
+}
+
+#[test]
+fn numbers_that_are_none_are_null() {
+    let mut command = helix(TAU, 10.0, FEED);
+    command.kind = CommandKind::Rapid {
+        motion: Move {
+            from: [f64::NAN, f64::INFINITY, -0.0, 0.0, 0.0, 0.0],
+            to: [0.0; 6],
+            from_known: AxisMask::NONE,
+            to_known: AxisMask::ALL,
+        },
+        path: RapidPath::Straight,
+    };
+    let object = object(&command);
+    assert!(object["from"]["X"].is_null() && object["from"]["Y"].is_null());
+    assert_eq!(object["from"]["Z"].to_string(), "0");
+    assert_eq!(object["from_unknown"], serde_json::json!(["X", "Y", "Z"]));
+}
+
+/// An output that is full after a few bytes.
+struct Full(usize);
+
+impl Write for Full {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0 = self.0.checked_sub(bytes.len()).ok_or(std::io::ErrorKind::StorageFull)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_full_disk_is_told() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let mut writer = CommandJsonLines::new(Full(400), &job).unwrap();
+    let all = commands(&job);
+    assert!(all.iter().any(|command| writer.command(command).is_err()));
+}

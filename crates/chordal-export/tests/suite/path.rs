@@ -1,0 +1,111 @@
+use std::collections::BTreeMap;
+
+use chordal::geometry::Placement;
+use chordal::{Segment, SegmentKind};
+use chordal_export::{ChordWriter, Dxf};
+
+use crate::common::{SMALL, job};
+
+fn segments() -> Vec<Segment> {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let mut segments = Vec::new();
+    job.path(|segment| segments.push(*segment));
+    segments
+}
+
+fn lines(writer: ChordWriter<Vec<u8>>) -> Vec<String> {
+    let text = String::from_utf8(writer.finish().unwrap()).unwrap();
+    text.lines().map(str::to_string).collect()
+}
+
+#[test]
+fn chords_are_the_same_in_both_formats_and_join() {
+    let mut csv = ChordWriter::csv(Vec::new(), 0.01, Placement::Inscribed).unwrap();
+    let mut json = ChordWriter::jsonl(Vec::new(), 0.01, Placement::Inscribed).unwrap();
+    for segment in segments() {
+        csv.segment(&segment).unwrap();
+        json.segment(&segment).unwrap();
+    }
+    let (csv, json) = (lines(csv), lines(json));
+    assert_eq!(csv.len(), json.len());
+    assert!(csv.len() > 100);
+    assert_eq!(
+        json[0],
+        r#"{"schema":"chordal.chords/1","length_unit":"mm","tolerance_mm":0.01,"placement":"inscribed"}"#
+    );
+    let mut end: Option<serde_json::Value> = None;
+    for (row, line) in csv.iter().zip(&json).skip(1) {
+        let object: serde_json::Value = serde_json::from_str(line).unwrap();
+        let cells: Vec<&str> = row.split(',').collect();
+        assert_eq!(cells.len(), 10);
+        assert_eq!(object["line"].to_string(), cells[0]);
+        assert_eq!(object["kind"], cells[1]);
+        assert_eq!(object["to"]["Y"].as_f64().unwrap(), cells[6].parse::<f64>().unwrap());
+        if let Some(end) = end {
+            assert_eq!(object["from"], end);
+        }
+        end = Some(object["to"].clone());
+    }
+}
+
+#[test]
+fn chords_without_a_tolerance_are_refused() {
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(ChordWriter::csv(Vec::new(), tolerance, Placement::Balanced).is_err());
+    }
+}
+
+/// Entities of a DXF text as their groups.
+fn entities(text: &str) -> Vec<(String, BTreeMap<u32, String>)> {
+    let all: Vec<&str> = text.lines().collect();
+    assert_eq!(all.len() % 2, 0, "groups are pairs of lines");
+    let groups = all.chunks(2).map(|pair| (pair[0].parse::<u32>().unwrap(), pair[1]));
+    let mut groups = groups.skip_while(|group| *group != (2, "ENTITIES")).skip(1);
+    let mut entities: Vec<(String, BTreeMap<u32, String>)> = Vec::new();
+    for (code, value) in groups.by_ref() {
+        match (code, entities.last_mut()) {
+            (0, _) if value == "ENDSEC" => break,
+            (0, _) => entities.push((value.into(), BTreeMap::new())),
+            (code, Some((_, entity))) => assert!(entity.insert(code, value.into()).is_none()),
+            (code, None) => panic!("group {code} before the first entity"),
+        }
+    }
+    assert_eq!(groups.next(), Some((0, "EOF")));
+    entities
+}
+
+fn number(entity: &BTreeMap<u32, String>, code: u32) -> f64 {
+    entity[&code].parse().unwrap()
+}
+
+#[test]
+fn dxf_holds_true_arcs() {
+    let mut writer = Dxf::new(Vec::new()).unwrap();
+    let segments: Vec<Segment> = segments();
+    segments.iter().for_each(|segment| writer.segment(segment).unwrap());
+    let text = String::from_utf8(writer.finish().unwrap()).unwrap();
+    let entities = entities(&text);
+    let count = |name: &str| entities.iter().filter(|entity| entity.0 == name).count();
+    let known = |kind: SegmentKind| {
+        let moves = |s: &&Segment| s.kind == kind && s.known && s.length_mm > 0.0;
+        segments.iter().filter(moves).count()
+    };
+    assert_eq!(count("LINE"), known(SegmentKind::Line) + known(SegmentKind::Rapid));
+    assert_eq!((count("ARC"), count("POLYLINE"), count("SEQEND")), (2, 1, 1));
+
+    let arcs: Vec<_> = entities.iter().filter(|entity| entity.0 == "ARC").collect();
+    // G3 from (1, 0) about (1, 1) to (2, 1) inches.
+    let first = &arcs[0].1;
+    let values = [10, 20, 30, 40, 50, 51].map(|code| number(first, code));
+    let expected = [25.4, 25.4, -2.54, 25.4, 270.0, 0.0];
+    for (value, expected) in values.iter().zip(expected) {
+        assert!((value - expected).abs() < 1e-6, "{values:?}");
+    }
+    assert_eq!(first[&8], "TOOL_1");
+    // The half circle in the ZX plane has the normal Y: its own axes are -X and Z.
+    let second = &arcs[1].1;
+    assert_eq!([210, 220, 230].map(|code| number(second, code)), [0.0, 1.0, 0.0]);
+    assert!((number(second, 10) + 2.5 * 25.4).abs() < 1e-6);
+    assert!((number(second, 20) + 0.2 * 25.4).abs() < 1e-6);
+    assert!((number(second, 30) - 25.4).abs() < 1e-6);
+}
