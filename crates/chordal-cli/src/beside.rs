@@ -19,32 +19,40 @@ const MOST_HEADS: usize = 10_000;
 /// How much of a file is looked at for its head.
 const HEAD: u64 = 4096;
 
-/// The files that hold the programs which a text calls, and those which they call, as far as
-/// they lie in the same folder. Files that cannot be read are passed over: then the
-/// subprogram is missing, and the run says so.
-pub fn find(path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
-    let mut found: Vec<Text> = Vec::new();
-    let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
-    if wanted.is_empty() {
-        return found;
-    }
-    let mut folder = Folder::new(path, *lexicon);
-    let mut known = BTreeSet::new();
-    known.extend(numbers(text, lexicon));
-    while let Some(number) = wanted.pop_first() {
-        if known.contains(&number) || found.len() >= MOST_FILES {
-            continue;
+/// The folders that were looked into, each listed once however many programs it holds.
+#[derive(Default)]
+pub struct Folders(BTreeMap<PathBuf, Folder>);
+
+impl Folders {
+    /// The files that hold the programs which a text calls, and those which they call, as far
+    /// as they lie in the same folder. Files that cannot be read are passed over: then the
+    /// subprogram is missing, and the run says so.
+    pub fn find(&mut self, path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
+        let mut found: Vec<Text> = Vec::new();
+        let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
+        if wanted.is_empty() {
+            return found;
         }
-        let Some(path) = folder.program(number) else { continue };
-        if let Ok(text) = Text::read(&Input { path: Some(path), root: None }) {
-            known.extend(numbers(text.bytes(), lexicon));
-            wanted.extend(referenced_programs(text.bytes(), lexicon));
-            found.push(text);
+        let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
+        let folder = self.0.entry(folder_of(path)).or_insert_with(|| Folder::of(path));
+        while let Some(number) = wanted.pop_first() {
+            if known.contains(&number) || found.len() >= MOST_FILES {
+                continue;
+            }
+            let Some(path) = folder.program(number, path) else { continue };
+            if let Ok(mut text) = Text::read(&Input { path: Some(path), root: None }) {
+                if numbers(text.bytes(), lexicon).next().is_none() {
+                    text.give_head(number);
+                }
+                known.extend(numbers(text.bytes(), lexicon));
+                wanted.extend(referenced_programs(text.bytes(), lexicon));
+                found.push(text);
+            }
+            // Found or not, it is not looked for again.
+            known.insert(number);
         }
-        // Found or not, it is not looked for again.
-        known.insert(number);
+        found
     }
-    found
 }
 
 /// Leaves out the files of a folder that hold only subprograms which others of the folder
@@ -106,64 +114,56 @@ fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {
     find_programs(text, lexicon).into_iter().filter_map(|head| head.number)
 }
 
-/// The files of the program's folder by number, listed on the first question.
+/// The files of a folder, and their first program numbers once a name did not tell.
 struct Folder {
-    program: PathBuf,
-    lexicon: Lexicon,
-    files: Option<Vec<PathBuf>>,
-    heads: Option<BTreeMap<u32, PathBuf>>,
+    files: Vec<PathBuf>,
+    heads: Option<BTreeMap<u32, Vec<PathBuf>>>,
 }
 
 impl Folder {
-    fn new(program: &Path, lexicon: Lexicon) -> Folder {
-        Folder { program: program.to_path_buf(), lexicon, files: None, heads: None }
+    /// The folder of a program. Its files are named as the program is.
+    fn of(program: &Path) -> Folder {
+        let folder = match program.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let mut files: Vec<PathBuf> = entries
+            .map(|entry| program.with_file_name(entry.file_name()))
+            .filter(|path| path.is_file())
+            .collect();
+        files.sort();
+        Folder { files, heads: None }
     }
 
-    /// The file of a program: by its name, or else by its first head.
-    fn program(&mut self, number: u32) -> Option<PathBuf> {
-        let by_name =
-            self.files().iter().find(|path| number_of_name(path) == Some(number)).cloned();
-        if let Some(path) = by_name.filter(|path| self.first_head(path) == Some(number)) {
-            return Some(path);
+    /// The file of a program other than its caller: by its name, or else by its first head, or
+    /// else by its name alone, where it has no head at all.
+    fn program(&mut self, number: u32, caller: &Path) -> Option<PathBuf> {
+        let files = &self.files;
+        let is_named = |path: &&PathBuf| *path != caller && number_of_name(path) == Some(number);
+        let named = || files.iter().filter(is_named);
+        if let Some(path) = named().find(|path| first_head(path) == Some(number)) {
+            return Some(path.clone());
         }
-        if self.heads.is_none() {
-            let files = self.files().to_vec();
-            let mut heads = BTreeMap::new();
-            for path in files.into_iter().take(MOST_HEADS) {
-                if let Some(number) = self.first_head(&path) {
-                    heads.entry(number).or_insert(path);
+        let heads = self.heads.get_or_insert_with(|| {
+            let mut heads: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
+            for path in files.iter().take(MOST_HEADS) {
+                if let Some(number) = first_head(path) {
+                    heads.entry(number).or_default().push(path.clone());
                 }
             }
-            self.heads = Some(heads);
-        }
-        self.heads.as_ref()?.get(&number).cloned()
+            heads
+        });
+        let by_head =
+            heads.get(&number).and_then(|paths| paths.iter().find(|path| *path != caller));
+        by_head.or_else(|| named().find(|path| first_head(path).is_none())).cloned()
     }
+}
 
-    fn files(&mut self) -> &[PathBuf] {
-        let own = &self.program;
-        self.files.get_or_insert_with(|| {
-            let folder = match own.parent() {
-                Some(parent) if !parent.as_os_str().is_empty() => parent,
-                _ => Path::new("."),
-            };
-            let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-            let mut files: Vec<PathBuf> = entries
-                .map(|entry| own.with_file_name(entry.file_name()))
-                .filter(|path| path.file_name() != own.file_name() && path.is_file())
-                .collect();
-            files.sort();
-            files
-        })
-    }
-
-    fn first_head(&self, path: &Path) -> Option<u32> {
-        let bytes = head(path, HEAD).ok()?;
-        let text = decode(&bytes);
-        if text.binary {
-            return None;
-        }
-        numbers(&text.text, &self.lexicon).next()
-    }
+fn first_head(path: &Path) -> Option<u32> {
+    let bytes = head(path, HEAD).ok()?;
+    let text = decode(&bytes);
+    if text.binary { None } else { numbers(&text.text, &Lexicon::FANUC_STYLE).next() }
 }
 
 /// The program number that a file's name says: `O1000`, `O1000.nc`, `1000.nc`, `o01000.tap`.

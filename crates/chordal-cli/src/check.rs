@@ -5,7 +5,7 @@ use chordal_export::report::{self, Sarif};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::numbers::counted;
+use crate::numbers::{counted, grouped};
 use crate::options::Common;
 use crate::session::{Loaded, Session};
 use crate::terminal::{BOLD, Terminal, style};
@@ -156,7 +156,7 @@ impl Totals {
             (1, _) => "no problems".to_string(),
             (_, 0) if counts.is_empty() => format!("no problems in {programs}"),
             (_, 0) => format!("no problems in {programs}, {counts}"),
-            (_, some) => format!("{counts}; {some} of {programs} with problems"),
+            (_, some) => format!("{counts}; {} of {programs} with problems", grouped(some)),
         };
         let called = match self.called {
             0 => String::new(),

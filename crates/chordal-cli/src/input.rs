@@ -189,6 +189,23 @@ impl Text {
         &self.bytes[self.start..]
     }
 
+    /// Gives a program without a head the number that its file's name says. The head comes
+    /// before the words of the first line behind `%`, so that lines keep their numbers.
+    pub fn give_head(&mut self, number: u32) {
+        let text = self.bytes();
+        let lines = text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r'));
+        let is_idle = |line: &&[u8]| {
+            let first = line.iter().find(|byte| !byte.is_ascii_whitespace() && **byte != 0);
+            first.is_none_or(|byte| *byte == b'%')
+        };
+        let at: usize = lines.take_while(is_idle).map(<[u8]>::len).sum();
+        let mut headed = text[..at].to_vec();
+        headed.extend_from_slice(format!("O{number} ").as_bytes());
+        headed.extend_from_slice(&text[at..]);
+        self.bytes = Bytes::Owned(headed);
+        self.start = 0;
+    }
+
     fn new(name: String, bytes: Bytes) -> Result<Text, Failure> {
         let text = match decode(&bytes).text {
             Cow::Borrowed(text) => {

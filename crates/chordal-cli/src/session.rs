@@ -10,7 +10,7 @@ use chordal::syntax::find_programs;
 use chordal::{Job, Machine, Source, SourceMap};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::beside;
+use crate::beside::{self, Folders};
 use crate::failure::{Failure, Verdict};
 use crate::input::{self, Input, Text};
 use crate::machine::{self, Chosen};
@@ -49,7 +49,12 @@ impl Loaded {
 }
 
 /// Loads a program, its machine and its subprograms.
-pub fn load(input: &Input, given: Option<&Machine>, common: &Common) -> Result<Loaded, Failure> {
+fn load(
+    input: &Input,
+    given: Option<&Machine>,
+    common: &Common,
+    folders: &mut Folders,
+) -> Result<Loaded, Failure> {
     let text = Text::read(input)?;
     let (machine, chosen) = match given {
         Some(machine) => (machine.clone(), Chosen::Given),
@@ -62,7 +67,7 @@ pub fn load(input: &Input, given: Option<&Machine>, common: &Common) -> Result<L
     }
     let mut texts = vec![text];
     if let Some(path) = input.path.as_ref().filter(|_| !control.parameters.calls_within_file) {
-        let found = beside::find(path, texts[0].bytes(), &lexicon);
+        let found = folders.find(path, texts[0].bytes(), &lexicon);
         texts.extend(found);
     }
     let mut options = RunOptions::default();
@@ -84,7 +89,7 @@ pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
     let Some(input) = inputs.first() else {
         return Err(Failure::Use { message: "there is no program".into(), help: None });
     };
-    load(input, machine::given(common)?.as_ref(), common)
+    load(input, machine::given(common)?.as_ref(), common, &mut Folders::default())
 }
 
 fn has_program(
@@ -148,12 +153,14 @@ impl Session {
         mut self,
         mut handle: impl FnMut(&Session, usize, &Loaded) -> Result<Verdict, Failure>,
     ) -> Result<Verdict, Failure> {
+        let mut folders = Folders::default();
         for index in 0..self.inputs.len() {
-            self.bar.set_message(self.inputs[index].name().into_owned());
-            let loaded = load(&self.inputs[index], self.given.as_ref(), &self.common);
-            match loaded {
+            let input = &self.inputs[index];
+            self.bar.set_message(input.name().into_owned());
+            match load(input, self.given.as_ref(), &self.common, &mut folders) {
                 Ok(loaded) => {
-                    let verdict = handle(&self, index, &loaded)?;
+                    let done = handle(&self, index, &loaded);
+                    let verdict = done.inspect_err(|_| self.bar.finish_and_clear())?;
                     self.verdict = self.verdict.max(verdict);
                 }
                 Err(failure) => self.tell(&failure),

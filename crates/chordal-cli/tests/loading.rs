@@ -93,6 +93,9 @@ fn subprograms_lie_beside_the_program() {
         "O1004 from o1004.nc",
         "1 dwell",
     ]);
+    // A file that only its name numbers.
+    folder.write("O1006.nc", "%\n(NO HEAD)\nG4 P1\nM99\n").write("main.nc", main(&[1006]));
+    folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&["O1006 (NO HEAD) from"]);
     folder.write("main.nc", main(&[1000, 1005]));
     folder.run(&["check", "main.nc", "-m", "haas-vf2"]).ends(1).says(&["error[CH2", "1005"]);
     // What stands in the file itself comes before the folder's.

@@ -25,4 +25,6 @@ pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;
 pub use recognize::{Recognition, recognize};
-pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text};
+pub use settings::{
+    COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,
+};

@@ -26,8 +26,12 @@ pub struct Library<'a> {
 impl<'a> Library<'a> {
     /// Finds the programs of all texts.
     pub fn new(sources: &'a SourceMap<'a>, lexicon: &Lexicon) -> Library<'a> {
-        let mut library =
-            Library { sources, programs: Vec::new(), by_number: HashMap::new(), duplicates: vec![] };
+        let mut library = Library {
+            sources,
+            programs: Vec::new(),
+            by_number: HashMap::new(),
+            duplicates: vec![],
+        };
         for (file, source) in sources.iter() {
             for head in find_programs(source.text(), lexicon) {
                 let index = library.programs.len();

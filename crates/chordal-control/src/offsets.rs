@@ -51,7 +51,8 @@ impl Identity {
 
 impl Offsets {
     pub fn new(machine: &Machine, active: WorkName, extended_code: &'static str) -> Offsets {
-        let systems = machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
+        let systems =
+            machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
         let external = machine.work_offsets.get("EXT").map_or([None; 6], |o| o.values);
         let mut offsets = Offsets {
             systems,
@@ -189,8 +190,7 @@ impl Offsets {
         for axis in 0..6 {
             let base = system.and_then(|values| values[axis]);
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
-            self.work[axis] =
-                base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];
+            self.work[axis] = base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];
             let mut is_known = self.preset_known[axis].unwrap_or(base.is_some());
             self.total[axis] = self.work[axis];
             if axis == 2 {

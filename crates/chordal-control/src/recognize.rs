@@ -2,7 +2,9 @@
 
 use chordal_diagnostics::FileId;
 use chordal_machine::ControlName;
-use chordal_syntax::{Block, BlockKind, BlockReader, Letters, Lexicon, ParenthesisComment, Semicolon};
+use chordal_syntax::{
+    Block, BlockKind, BlockReader, Letters, Lexicon, ParenthesisComment, Semicolon,
+};
 
 use crate::controls;
 use crate::table::{Evidence, Sign};
@@ -105,9 +107,7 @@ fn shows(block: &Block, sign: Sign, text: &[u8], lexicon: &Lexicon) -> bool {
                 })
         }
         Sign::MacroStatement => matches!(block.kind, BlockKind::Macro(_)),
-        Sign::MachineCoordinatesWithOthers => {
-            has_code(b'G', 530) && block.all(b'G').count() > 1
-        }
+        Sign::MachineCoordinatesWithOthers => has_code(b'G', 530) && block.all(b'G').count() > 1,
     }
 }
 

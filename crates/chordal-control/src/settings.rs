@@ -111,7 +111,11 @@ pub const COMMON: &[Setting] = &[
         Field::SpiralEndTolerance,
         "largest distance of a computed spiral end from the programmed one",
     ),
-    common("center_and_radius", Field::CenterAndRadius, "both in a block: `radius-wins` or `refused`"),
+    common(
+        "center_and_radius",
+        Field::CenterAndRadius,
+        "both in a block: `radius-wins` or `refused`",
+    ),
     common("full_circle_by_radius", Field::FullCircleByRadius, "`refused` or `no-motion`"),
     common("rapid", Field::Rapid, "rapids: `dog-leg` or `straight`"),
     common("max_radius", Field::MaxRadius, "largest radius of an arc"),
@@ -159,7 +163,11 @@ pub fn find<'t>(own: &'t [Setting], name: &str) -> Option<&'t Setting> {
 }
 
 /// The parameters of a machine: the table's, changed by the machine file's settings.
-pub fn resolve(own: &[Setting], table: &Parameters, machine: &Machine) -> (Parameters, Vec<SettingError>) {
+pub fn resolve(
+    own: &[Setting],
+    table: &Parameters,
+    machine: &Machine,
+) -> (Parameters, Vec<SettingError>) {
     let mut parameters = *table;
     if let Some(shape) = machine.rapid {
         parameters.rapid = match shape {
@@ -205,8 +213,9 @@ fn apply(
         .iter()
         .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
         .map_or(written.as_str(), |(_, word)| word);
-    set(parameters, setting.field, word, &given.value)
-        .map_err(|wanted| refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}"))))
+    set(parameters, setting.field, word, &given.value).map_err(|wanted| {
+        refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}")))
+    })
 }
 
 fn shown(value: &SettingValue) -> String {
@@ -220,7 +229,8 @@ fn shown(value: &SettingValue) -> String {
 
 /// Sets one parameter; the error says what it takes.
 fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Result<(), String> {
-    let length = || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.0005 in\"".to_string());
+    let length =
+        || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.0005 in\"".to_string());
     let count = || match value {
         SettingValue::Integer(number) if (0..=100_000).contains(number) => Ok(*number as u32),
         _ => Err("a whole number".to_string()),
@@ -231,8 +241,12 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         _ => Err("`on` or `off`".to_string()),
     };
     match field {
-        Field::Units => p.units = choose(word, &[("inch", Units::Inch), ("mm", Units::Millimetre)])?,
-        Field::StartMotion => p.starts_linear = choose(word, &[("rapid", false), ("linear", true)])?,
+        Field::Units => {
+            p.units = choose(word, &[("inch", Units::Inch), ("mm", Units::Millimetre)])?
+        }
+        Field::StartMotion => {
+            p.starts_linear = choose(word, &[("rapid", false), ("linear", true)])?
+        }
         Field::StartDistance => {
             p.starts_incremental = choose(word, &[("absolute", false), ("incremental", true)])?;
         }
@@ -254,8 +268,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::SemicircleTolerance => p.semicircle_tolerance_mm = length()?,
         Field::HelixFeed => {
-            p.helix_feed =
-                choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
+            p.helix_feed = choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
         }
         Field::Spiral => p.spiral = choose(word, SPIRALS)?,
         Field::SpiralEndTolerance => p.spiral_end_tolerance_mm = length()?,
@@ -284,8 +297,10 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::MaxRadius => p.max_radius_mm = length()?,
         Field::MaxRadiusCompensated => p.max_radius_compensated_mm = length()?,
         Field::RadiusOffsets => {
-            p.radius_offsets =
-                choose(word, &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)])?;
+            p.radius_offsets = choose(
+                word,
+                &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)],
+            )?;
         }
         Field::LengthByHAlone => p.length_by_h_alone = flag()?,
         Field::Nesting => p.nesting = count()?.clamp(1, 100),
@@ -350,10 +365,8 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
     }
 }
 
-const DECIMAL_POINTS: &[(&str, DecimalPoint)] = &[
-    ("least-increment", DecimalPoint::LeastIncrement),
-    ("calculator", DecimalPoint::Calculator),
-];
+const DECIMAL_POINTS: &[(&str, DecimalPoint)] =
+    &[("least-increment", DecimalPoint::LeastIncrement), ("calculator", DecimalPoint::Calculator)];
 
 const ARC_CENTERS: &[(&str, ArcCenter)] = &[
     ("from-start", ArcCenter::FromStart),

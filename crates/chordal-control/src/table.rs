@@ -53,12 +53,16 @@ pub enum Action {
     ExactStopOnce,
     SetData,
     /// Over a point to reference point 1 (G28) or the one that P names (G30).
-    ReturnToReference { second: bool },
+    ReturnToReference {
+        second: bool,
+    },
     ReturnFromReference,
     MachineCoordinates,
     LocalShift,
     PresetPosition,
-    ClearPreset { keep: bool },
+    ClearPreset {
+        keep: bool,
+    },
     RestorePreset,
     PlaneXy,
     PlaneZx,
@@ -92,7 +96,9 @@ pub enum Action {
     PathContinuous,
     ProgramStop,
     OptionalStop,
-    ProgramEnd { rewind: bool },
+    ProgramEnd {
+        rewind: bool,
+    },
     SpindleCw,
     SpindleCcw,
     SpindleStop,

@@ -170,11 +170,14 @@ impl<'a, W: Write> Canon<'a, W> {
 
     fn feed_mode(&mut self, line: u32, mode: FeedMode) {
         self.feed_per_minute = f64::NAN;
-        self.plain(line, match mode {
-            FeedMode::PerTime => "SET_FEED_MODE(0)",
-            FeedMode::InverseTime => "SET_FEED_MODE(1)",
-            FeedMode::PerRevolution => "SET_FEED_MODE(2)",
-        });
+        self.plain(
+            line,
+            match mode {
+                FeedMode::PerTime => "SET_FEED_MODE(0)",
+                FeedMode::InverseTime => "SET_FEED_MODE(1)",
+                FeedMode::PerRevolution => "SET_FEED_MODE(2)",
+            },
+        );
     }
 
     fn select_plane(&mut self, line: u32, plane: Plane) {
@@ -182,11 +185,14 @@ impl<'a, W: Write> Canon<'a, W> {
             return;
         }
         self.plane = plane;
-        self.plain(line, match plane {
-            Plane::Xy => "SELECT_PLANE(CANON_PLANE_XY)",
-            Plane::Zx => "SELECT_PLANE(CANON_PLANE_XZ)",
-            Plane::Yz => "SELECT_PLANE(CANON_PLANE_YZ)",
-        });
+        self.plain(
+            line,
+            match plane {
+                Plane::Xy => "SELECT_PLANE(CANON_PLANE_XY)",
+                Plane::Zx => "SELECT_PLANE(CANON_PLANE_XZ)",
+                Plane::Yz => "SELECT_PLANE(CANON_PLANE_YZ)",
+            },
+        );
     }
 
     fn spindle(&mut self, line: u32, state: SpindleState, rpm: f64) {
@@ -198,12 +204,15 @@ impl<'a, W: Write> Canon<'a, W> {
             self.numbers(&[rpm]);
             self.line.extend_from_slice(b")\n");
         }
-        self.plain(line, match state {
-            SpindleState::Off => "STOP_SPINDLE_TURNING()",
-            SpindleState::Cw => "START_SPINDLE_CLOCKWISE()",
-            SpindleState::Ccw => "START_SPINDLE_COUNTERCLOCKWISE()",
-            SpindleState::Oriented => "ORIENT_SPINDLE(0.000000, CANON_CLOCKWISE)",
-        });
+        self.plain(
+            line,
+            match state {
+                SpindleState::Off => "STOP_SPINDLE_TURNING()",
+                SpindleState::Cw => "START_SPINDLE_CLOCKWISE()",
+                SpindleState::Ccw => "START_SPINDLE_COUNTERCLOCKWISE()",
+                SpindleState::Oriented => "ORIENT_SPINDLE(0.000000, CANON_CLOCKWISE)",
+            },
+        );
     }
 
     fn coolant(&mut self, line: u32, coolant: Coolant) {

@@ -25,7 +25,8 @@ pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f6
     let turn = angle(motion);
     // A move that stands still but for its rotary axes is measured by their angle.
     let rotary = length_mm == 0.0 && turn > 0.0;
-    let way = if rotary { turn.to_degrees() } else { measured_length(feed.along, curve, length_mm) };
+    let way =
+        if rotary { turn.to_degrees() } else { measured_length(feed.along, curve, length_mm) };
     let per_second = match feed.mode {
         FeedMode::PerTime if rotary => feed.value.to_degrees(),
         FeedMode::PerTime => feed.value,

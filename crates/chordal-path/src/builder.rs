@@ -1,6 +1,4 @@
-use chordal_control::{
-    AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position,
-};
+use chordal_control::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::Machine;
 
@@ -71,7 +69,8 @@ impl<'a> PathBuilder<'a> {
         }
         let Some((base, base_known)) = self.base else { return Vec3::ZERO };
         let known = base_known.and(self.frame.known);
-        let along = |axis: usize| if known.has(axis) { self.frame.work[axis] - base[axis] } else { 0.0 };
+        let along =
+            |axis: usize| if known.has(axis) { self.frame.work[axis] - base[axis] } else { 0.0 };
         Vec3::new(along(0), along(1), along(2))
     }
 
@@ -124,7 +123,8 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
         FeedMode::PerTime if length > 0.0 => length / feed.value,
         FeedMode::PerTime => {
             // Rotary axes alone: the feed is an angle per time.
-            let turn = (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
+            let turn =
+                (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
             turn.sqrt() / feed.value
         }
     }

@@ -1,8 +1,6 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
-use chordal_control::{
-    AxisMask, Command, CommandKind, Move, Origin, Position, Units,
-};
+use chordal_control::{AxisMask, Command, CommandKind, Move, Origin, Position, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{Axis, Machine};
@@ -105,10 +103,9 @@ impl<'a> Checks<'a> {
 
     #[inline]
     fn extend(&mut self, place: &Position, known: AxisMask) {
-        for axis in 0..6 {
+        for (axis, extent) in self.extent.iter_mut().enumerate() {
             if known.has(axis) {
-                let (low, high) = self.extent[axis];
-                self.extent[axis] = (low.min(place[axis]), high.max(place[axis]));
+                *extent = (extent.0.min(place[axis]), extent.1.max(place[axis]));
             }
         }
     }
@@ -218,13 +215,19 @@ impl<'a> Checks<'a> {
     }
 
     fn rapid_into_part(&self, origin: Origin, message: String) -> Diagnostic {
-        let given = if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
+        let given =
+            if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
         Diagnostic::new(Code::RapidIntoPart, origin.span, message)
             .label(format!("below {given} clearance plane"))
             .help("cut there with G1, or lift the tool first")
     }
 
-    fn joint_of_line(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
+    fn joint_of_line(
+        &mut self,
+        motion: &Move,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
         let (from, to) = (point(&motion.from), point(&motion.to));
         let way = to - from;
         if let Some((before, place, Some(plane))) = self.last

@@ -114,8 +114,7 @@ impl<'a> BlockReader<'a> {
 
     fn read_block(&mut self, block: &mut Block) {
         let text = &self.text[..self.end];
-        loop {
-            let Some(&byte) = text.get(self.at) else { break };
+        while let Some(&byte) = text.get(self.at) {
             match CLASSES[byte as usize] {
                 Class::Letter => {
                     if !self.read_word(block, byte & !0x20, false) {
@@ -162,11 +161,11 @@ impl<'a> BlockReader<'a> {
             b'\'' if self.lexicon.star_comment => self.comment_to_line_end(block),
             b'%' if block.words.is_empty() => {
                 block.kind = BlockKind::Percent;
-                self.to_line_end();
+                self.skip_to_line_end();
             }
             b'&' if block.words.is_empty() => {
                 block.kind = BlockKind::Folder;
-                self.to_line_end();
+                self.skip_to_line_end();
             }
             b'/' => self.block_delete(block),
             b':' if self.program_colon(block) => {
@@ -174,7 +173,7 @@ impl<'a> BlockReader<'a> {
             }
             b',' => self.comma_word(block),
             b'#' | b'[' => {
-                self.to_line_end();
+                self.skip_to_line_end();
                 let range = TextRange::new(start as u32, self.at as u32);
                 block.kind = BlockKind::Macro(range);
             }
@@ -189,14 +188,14 @@ impl<'a> BlockReader<'a> {
             && self.text.get(self.at + 1).is_some_and(u8::is_ascii_digit)
     }
 
-    fn to_line_end(&mut self) {
+    fn skip_to_line_end(&mut self) {
         let rest = &self.text[self.at..self.end];
         self.at += memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
     }
 
     fn comment_to_line_end(&mut self, block: &mut Block) {
         let start = self.at as u32;
-        self.to_line_end();
+        self.skip_to_line_end();
         block.comments.push(TextRange::new(start, self.at as u32));
     }
 
@@ -266,7 +265,7 @@ impl<'a> BlockReader<'a> {
     /// rest of the line.
     #[inline(always)]
     fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
-        let plain = !comma && !(letter == b'R' && self.lexicon.registers);
+        let plain = !comma && (letter != b'R' || !self.lexicon.registers);
         if plain
             && !self.lexicon.blanks_in_numbers
             && let Some(rest) = self.text[..self.end].get(self.at + 1..)
@@ -392,14 +391,14 @@ impl<'a> BlockReader<'a> {
         // Two letters in a row are a keyword (IF, WHILE, DPRNT, sub): a macro statement.
         if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.keyword(start) {
             self.at = start;
-            self.to_line_end();
+            self.skip_to_line_end();
             let range = TextRange::new(start as u32, self.at as u32);
             block.kind = BlockKind::Macro(range);
             return None;
         }
         if letter == b'O' && rest.first() == Some(&b'<') && self.lexicon.o_words {
             self.at = start;
-            self.to_line_end();
+            self.skip_to_line_end();
             block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
             return None;
         }
@@ -455,8 +454,11 @@ impl<'a> BlockReader<'a> {
     fn letter_for_digit(&mut self, block: &mut Block, start: usize) -> Option<Value> {
         let rest = &self.text[self.at..self.end];
         let numeric = |b: &u8| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-');
-        let token: Vec<u8> =
-            rest.iter().copied().take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l')).collect();
+        let token: Vec<u8> = rest
+            .iter()
+            .copied()
+            .take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l'))
+            .collect();
         let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
         // A keyword or an O word behind a blank is not a slip of the finger.
         let next = rest.get(token.len()).copied().unwrap_or(b'\n');
@@ -550,14 +552,14 @@ impl<'a> BlockReader<'a> {
             .label("which axis or function is this?");
             if one_for_i {
                 let meant = format!("I{}", &shown[1..]);
-                problem
-                    .help(format!("the letter I was typed as the digit 1: write `{meant}`"))
-                    .fix(Fix {
+                problem.help(format!("the letter I was typed as the digit 1: write `{meant}`")).fix(
+                    Fix {
                         title: format!("write `{meant}`"),
                         span,
                         replacement: meant,
                         applicability: Applicability::Unsafe,
-                    })
+                    },
+                )
             } else {
                 problem.help("write the letter before the number, or take the number out")
             }
@@ -567,8 +569,9 @@ impl<'a> BlockReader<'a> {
     #[cold]
     fn unexpected(&mut self, block: &mut Block) {
         let start = self.at;
-        let strange =
-            |b: &u8| CLASSES[*b as usize] == Class::Other && !matches!(b, b'(' | b';' | b'/' | b'%');
+        let strange = |b: &u8| {
+            CLASSES[*b as usize] == Class::Other && !matches!(b, b'(' | b';' | b'/' | b'%')
+        };
         let rest = &self.text[start..self.end];
         self.at += rest.iter().take_while(|b| strange(b)).count().max(1);
         let range = TextRange::new(start as u32, self.at as u32);

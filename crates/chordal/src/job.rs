@@ -1,9 +1,7 @@
 use chordal_control::{
     AxisMask, Command, Control, Library, Outcome, RunOptions, SettingError, Sink, initial_offset,
 };
-use chordal_diagnostics::{
-    Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span,
-};
+use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
 use chordal_path::{Checks, PathBuilder, Segment};
 

@@ -189,10 +189,8 @@ impl SummaryBuilder {
         if changed {
             self.order.push(number);
         }
-        let tool = self
-            .tools
-            .entry(number)
-            .or_insert_with(|| ToolUse { number, ..ToolUse::default() });
+        let tool =
+            self.tools.entry(number).or_insert_with(|| ToolUse { number, ..ToolUse::default() });
         match tool.lines.last_mut() {
             // A subprogram may stand before its caller: the range holds both.
             Some((first, last)) if !changed => {

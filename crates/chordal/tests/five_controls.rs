@@ -10,7 +10,8 @@ const MACHINES: [&str; 5] =
 
 /// What a block does on a control, in a few words.
 fn effects(machine: &str, setup: &str, block: &str) -> String {
-    let text = format!("G21 G17 G90 G94 S1000 M3\nG0 X0. Y0. Z0.\nG1 F100.\n{setup}\n{block}\nM30\n");
+    let text =
+        format!("G21 G17 G90 G94 S1000 M3\nG0 X0. Y0. Z0.\nG1 F100.\n{setup}\n{block}\nM30\n");
     let line = 5 + setup.matches('\n').count() as u32;
     let mut sources = SourceMap::new();
     sources.add(Source::new("five.nc", text.into_bytes()));
@@ -22,7 +23,9 @@ fn effects(machine: &str, setup: &str, block: &str) -> String {
         if command.origin.line != line {
             return;
         }
-        let number = |value: f64| format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string();
+        let number = |value: f64| {
+            format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string()
+        };
         if let Some(motion) = command.kind.motion() {
             offset_from = motion.from;
             let mut words = match &command.kind {
@@ -70,7 +73,11 @@ fn five(setup: &str, block: &str, expected: [&str; 5]) {
 #[test]
 fn a_number_without_a_point() {
     // Calculator controls take units, the others least increments, and say so.
-    five("", "X10", ["line X10", "line X0.01, CH305", "line X0.01, CH305", "line X0.01, CH305", "line X10"]);
+    five(
+        "",
+        "X10",
+        ["line X10", "line X0.01, CH305", "line X0.01, CH305", "line X0.01, CH305", "line X10"],
+    );
 }
 
 #[test]
@@ -107,8 +114,16 @@ fn absolute_and_incremental_in_one_block() {
 #[test]
 fn a_dwell() {
     // Milliseconds; with a point Haas means seconds; LinuxCNC always does.
-    five("", "G4 P500", ["dwell 0.5 s", "dwell 0.5 s", "dwell 0.5 s", "dwell 0.5 s", "dwell 500 s"]);
-    five("", "G4 P1.5", ["dwell 0.0015 s", "dwell 1.5 s", "dwell 0.0015 s", "dwell 0.0015 s", "dwell 1.5 s"]);
+    five(
+        "",
+        "G4 P500",
+        ["dwell 0.5 s", "dwell 0.5 s", "dwell 0.5 s", "dwell 0.5 s", "dwell 500 s"],
+    );
+    five(
+        "",
+        "G4 P1.5",
+        ["dwell 0.0015 s", "dwell 1.5 s", "dwell 0.0015 s", "dwell 0.0015 s", "dwell 1.5 s"],
+    );
 }
 
 #[test]
@@ -119,7 +134,11 @@ fn a_work_offset_by_e() {
 
 #[test]
 fn a_length_by_h_alone() {
-    five("", "G0 H5 Z10.", ["length 5, rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10"]);
+    five(
+        "",
+        "G0 H5 Z10.",
+        ["length 5, rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10"],
+    );
 }
 
 #[test]
@@ -165,17 +184,7 @@ fn a_spiral_by_turns() {
     // A count of turns, a repeat of the line, or nothing.
     let unused = "arc -360 deg X5, CH401, CH304";
     let repeated = "arc -360 deg X5, arc -360 deg, CH401";
-    five(
-        "",
-        "G2 X5. I10. L2",
-        [
-            repeated,
-            repeated,
-            "spiral -360 deg X5",
-            unused,
-            unused,
-        ],
-    );
+    five("", "G2 X5. I10. L2", [repeated, repeated, "spiral -360 deg X5", unused, unused]);
 }
 
 #[test]
@@ -187,7 +196,17 @@ fn two_codes_of_one_group() {
 #[test]
 fn a_code_that_only_some_have() {
     five("", "G154 P2", ["CH301", "offset Extended(2)", "CH301", "CH301", "CH301"]);
-    five("", "G2.1 X10. I5. P1", ["line X10, CH301", "line X10, CH301", "line X10, CH301", "spiral -540 deg X10", "line X10, CH301"]);
+    five(
+        "",
+        "G2.1 X10. I5. P1",
+        [
+            "line X10, CH301",
+            "line X10, CH301",
+            "line X10, CH301",
+            "spiral -540 deg X10",
+            "line X10, CH301",
+        ],
+    );
     five("", "G61.1", ["CH301", "CH301", "CH301", "", ""]);
 }
 

@@ -2,6 +2,12 @@
 //! test. Expectations stand beside the lines of the program, see `suite/grammar.rs`. To add a
 //! test, add a file.
 
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a test reads the programs of its folder"
+)]
+
 #[path = "suite/check.rs"]
 mod check;
 #[path = "suite/grammar.rs"]

@@ -8,12 +8,8 @@ use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 use super::values::trim;
-use crate::command::{
-    ArcShape, AxisMask, CommandKind, FeedAlong, Position, Side, Sink,
-};
-use crate::parameters::{
-    ArcCenter, ArcMismatch, CenterAndRadius, FullCircleByRadius, SpiralForm,
-};
+use crate::command::{ArcShape, AxisMask, CommandKind, FeedAlong, Position, Side, Sink};
+use crate::parameters::{ArcCenter, ArcMismatch, CenterAndRadius, FullCircleByRadius, SpiralForm};
 use crate::state::Motion;
 use crate::table::{ArcTurns, MotionModality};
 
@@ -134,7 +130,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let from = self.state.position;
         let fit =
             arc_from_center(plane, point(&from), point(&target), center, direction, turns, 0.0);
-        if !(fit.radius_start > self.control.parameters.coincidence_mm) {
+        if fit.radius_start <= self.control.parameters.coincidence_mm {
             self.report_zero_radius(block);
             return self.straight_instead(block, target, named);
         }
@@ -176,7 +172,9 @@ impl<S: Sink> Interpreter<'_, S> {
                     Diagnostic::new(
                         Code::RadiusTooShort,
                         span,
-                        format!("start and end are {chord} apart; a radius of {radius} does not reach"),
+                        format!(
+                            "start and end are {chord} apart; a radius of {radius} does not reach"
+                        ),
                     )
                     .label(format!("short by {short}"))
                     .help(format!("the radius must be at least {needed}; check the end point too")),
@@ -196,7 +194,8 @@ impl<S: Sink> Interpreter<'_, S> {
     ) {
         let span = self.span(word.range);
         let (a, b, _) = center_letters(self.state.plane);
-        let by = format!("give the centre with {} or {} and leave the end out", a as char, b as char);
+        let by =
+            format!("give the centre with {} or {} and leave the end out", a as char, b as char);
         let (what, severity) = match self.control.parameters.full_circle_by_radius {
             FullCircleByRadius::Refused => ("the control refuses it", Severity::Error),
             FullCircleByRadius::NoMotion => ("nothing moves", Severity::Warning),
@@ -366,12 +365,14 @@ impl<S: Sink> Interpreter<'_, S> {
             self.state.arc_center = rule;
             let center = self.center(block);
             self.state.arc_center = in_force;
-            let radius = |p: (f64, f64)| ((p.0 - center.0).powi(2) + (p.1 - center.1).powi(2)).sqrt();
+            let radius =
+                |p: (f64, f64)| ((p.0 - center.0).powi(2) + (p.1 - center.1).powi(2)).sqrt();
             let (from, to) = (radius(start), radius(end));
             if from > 1e-6 && (from - to).abs() < 0.01 * fit.radius_error().abs() {
-                return Some(format!("the radii agree ({}) when the centre words are read {words}", {
-                    self.length_text(from)
-                }));
+                return Some(format!(
+                    "the radii agree ({}) when the centre words are read {words}",
+                    { self.length_text(from) }
+                ));
             }
         }
         None
@@ -412,7 +413,9 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     fn report_center_outside(&mut self, block: &Block, letter: u8) {
-        if !self.control.table.strict_center_words && self.control.parameters.spiral != SpiralForm::None {
+        if !self.control.table.strict_center_words
+            && self.control.parameters.spiral != SpiralForm::None
+        {
             // Controls with cones know a height word; outside a cone it is passed over.
             return;
         }
@@ -462,10 +465,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.report(
             Diagnostic::new(Code::NoCenter, span, message)
                 .label("shown as a straight line")
-                .help(format!(
-                    "give {} and {} or R, or write G1 for a line",
-                    a as char, b as char
-                )),
+                .help(format!("give {} and {} or R, or write G1 for a line", a as char, b as char)),
         );
     }
 

@@ -39,7 +39,8 @@ impl<S: Sink> Interpreter<'_, S> {
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
-        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE {
+        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE
+        {
             return false;
         }
         let words = match block.word(b'G') {
@@ -494,11 +495,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// Spindle and coolant off, stops, ends, calls and returns.
-    fn take_after_motion(
-        &mut self,
-        block: &Block,
-        codes: &[(&'static CodeRow, usize)],
-    ) -> Flow {
+    fn take_after_motion(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
         for (row, at) in codes {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or

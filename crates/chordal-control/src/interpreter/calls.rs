@@ -177,7 +177,9 @@ impl<S: Sink> Interpreter<'_, S> {
                     format!("there is no subroutine L{number}00"),
                 )
                 .label(format!("calls subroutine {number}, {repeats} times"))
-                .help(format!("write the subroutine under the head L{number}00 before the main program")),
+                .help(format!(
+                    "write the subroutine under the head L{number}00 before the main program"
+                )),
             );
             return;
         };

@@ -222,7 +222,9 @@ impl<S: Sink> Interpreter<'_, S> {
         // In inverse time a cycle has no feed of its own per stroke.
         let mut feed: Feed = self.feed_for(block, &motion);
         feed.along = FeedAlong::Path;
-        debug_assert!(feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value >= 0.0);
+        debug_assert!(
+            feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value >= 0.0
+        );
         self.emit(CommandKind::Line { motion, feed });
     }
 }

@@ -20,17 +20,13 @@ impl<S: Sink> Interpreter<'_, S> {
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
-        let left_to_right =
-            self.control.table.distance_left_to_right && block.letters().has(b'G');
+        let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                target[axis] = if self.state.incremental {
-                    self.state.position[axis] + value
-                } else {
-                    value
-                };
+                target[axis] =
+                    if self.state.incremental { self.state.position[axis] + value } else { value };
                 named.insert(axis);
             } else if left_to_right && word.letter == b'G' {
                 self.distance_word(word);
@@ -215,7 +211,9 @@ impl<S: Sink> Interpreter<'_, S> {
             spindle_rev_per_s: state.rpm / 60.0,
         };
         let each_block = state.feed_mode == FeedMode::InverseTime && !block.letters().has(b'F');
-        if !(value > 0.0) || each_block {
+        // No F at all is a NaN, which is not above zero either.
+        let has_feed = value > 0.0;
+        if !has_feed || each_block {
             self.report_missing_feed(block);
         }
         if self.state.spindle == SpindleState::Off {

@@ -37,9 +37,13 @@ impl<S: Sink> Interpreter<'_, S> {
         if number > 48 {
             let span = self.words_span(block, Letters::of("E"));
             self.report(
-                Diagnostic::new(Code::BadWordValue, span, format!("there is no work offset E{number}"))
-                    .label("E0 to E48")
-                    .help("E1 to E48 choose a work offset, E0 cancels"),
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!("there is no work offset E{number}"),
+                )
+                .label("E0 to E48")
+                .help("E1 to E48 choose a work offset, E0 cancels"),
             );
             return;
         }
@@ -175,7 +179,12 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// Compensation goes on and off along a straight move.
-    fn check_compensation_move(&mut self, block: &Block, side: Side, span: chordal_diagnostics::Span) {
+    fn check_compensation_move(
+        &mut self,
+        block: &Block,
+        side: Side,
+        span: chordal_diagnostics::Span,
+    ) {
         if !self.moves_on_arc(block) {
             return;
         }

@@ -87,7 +87,7 @@ impl<S: Sink> Interpreter<'_, S> {
         for axis in named.iter() {
             home[axis as usize] = place[axis as usize].unwrap_or(0.0);
         }
-        self.to_machine_point(home, named);
+        self.rapid_to_machine_point(home, named);
     }
 
     /// G29: back over the point of the last G28, of which the end alone is known here.
@@ -118,7 +118,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         let rapid = self.state.motion == Motion::Rapid;
         if rapid {
-            return self.to_machine_point(place, named);
+            return self.rapid_to_machine_point(place, named);
         }
         let motion = self.machine_move(place, named);
         let mut feed = self.feed_for(block, &motion);
@@ -132,7 +132,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.emit(CommandKind::Rapid { motion, path });
     }
 
-    fn to_machine_point(&mut self, place: Position, named: AxisMask) {
+    fn rapid_to_machine_point(&mut self, place: Position, named: AxisMask) {
         let motion = self.machine_move(place, named);
         let path = self.control.parameters.rapid;
         self.emit(CommandKind::Rapid { motion, path });

@@ -164,5 +164,9 @@ pub(super) fn code_number(number: chordal_syntax::Decimal) -> Option<u16> {
 
 /// `541` → `54.1`.
 pub(super) fn decimal_code(code: u16) -> String {
-    if code.is_multiple_of(10) { (code / 10).to_string() } else { format!("{}.{}", code / 10, code % 10) }
+    if code.is_multiple_of(10) {
+        (code / 10).to_string()
+    } else {
+        format!("{}.{}", code / 10, code % 10)
+    }
 }

@@ -45,7 +45,9 @@ impl<S: Sink> Interpreter<'_, S> {
                     span,
                     "G2.1 and G3.1 are not spirals with the settings of this machine",
                 )
-                .help("this machine writes spirals with G2 and G3 (type 2); see its setting `spiral`"),
+                .help(
+                    "this machine writes spirals with G2 and G3 (type 2); see its setting `spiral`",
+                ),
             );
             return self.straight_instead(block, target, named);
         }

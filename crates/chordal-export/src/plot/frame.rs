@@ -126,10 +126,7 @@ fn numbers(out: &mut String, panel: &Panel, grid: &Grid, unit: f64, colors: &Pal
     let left = px(rect.x - 7.0 * unit);
     for (mm, at) in down(panel, grid) {
         let text = grid.number(mm);
-        out.push_str(&format!(
-            "<text x=\"{left}\" y=\"{}\">{text}</text>\n",
-            px(at + 4.5 * unit)
-        ));
+        out.push_str(&format!("<text x=\"{left}\" y=\"{}\">{text}</text>\n", px(at + 4.5 * unit)));
     }
     out.push_str("</g>\n");
 }
@@ -209,10 +206,7 @@ fn triad(out: &mut String, panel: &Panel, unit: f64, colors: &Palette) {
     let view = &panel.view;
     let directions = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| view.project(axis));
     let low = directions.iter().fold(0.0f64, |low, direction| low.min(direction.1));
-    let foot = (
-        panel.rect.x + 14.0 * unit,
-        panel.rect.bottom() - 14.0 * unit + low * length,
-    );
+    let foot = (panel.rect.x + 14.0 * unit, panel.rect.bottom() - 14.0 * unit + low * length);
     for (letter, (right, up)) in LETTERS.iter().zip(directions) {
         let size = right.hypot(up);
         if size < 0.1 {

@@ -81,8 +81,8 @@ fn isometric(rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
     let middle = (bounds.min + bounds.max) * 0.5;
     let half = drawable(bounds.size()) * 0.5;
     let extent = ISOMETRIC.extent(&Aabb { min: middle - half, max: middle + half });
-    let scale = ((rect.width - inside) / extent.width())
-        .min((rect.height - inside) / extent.height());
+    let scale =
+        ((rect.width - inside) / extent.width()).min((rect.height - inside) / extent.height());
     panel(ISOMETRIC, rect, scale, bounds)
 }
 
@@ -109,8 +109,7 @@ impl Track {
     }
 
     fn needs(&self, scale: f64) -> (f64, f64) {
-        let need =
-            |(mm, share): (f64, f64)| (mm * scale + self.inside).max(share * self.room);
+        let need = |(mm, share): (f64, f64)| (mm * scale + self.inside).max(share * self.room);
         (need(self.first), need(self.second))
     }
 

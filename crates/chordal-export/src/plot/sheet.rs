@@ -305,7 +305,8 @@ impl Legend {
         }
         let tools = store.tools();
         for (index, tool) in tools.iter().enumerate() {
-            let name = if tool.number == 0 { "no tool".into() } else { format!("T{}", tool.number) };
+            let name =
+                if tool.number == 0 { "no tool".into() } else { format!("T{}", tool.number) };
             let text = format!("{name}  {}", length(tool.cut_mm));
             if !legend.add(Sign::Tool(index), text, room - 140.0) {
                 let text = format!("and {} more tools", tools.len() - index);

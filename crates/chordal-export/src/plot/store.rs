@@ -144,7 +144,8 @@ impl Store {
                     (Piece::To(point), _) => *point,
                     (Piece::Curve(_), None) => at,
                 };
-                let size = curve.map_or((end - at).length(), |curve| curve.bounds().size().length());
+                let size =
+                    curve.map_or((end - at).length(), |curve| curve.bounds().size().length());
                 if size < reach && !last {
                     continue;
                 }

@@ -15,8 +15,7 @@ pub(super) struct View {
 }
 
 /// From above.
-pub(super) const TOP: View =
-    View { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true };
+pub(super) const TOP: View = View { title: "Top", right: Vec3::X, up: Vec3::Y, along_axes: true };
 /// From the operator's place.
 pub(super) const FRONT: View =
     View { title: "Front", right: Vec3::X, up: Vec3::Z, along_axes: true };
@@ -150,9 +149,8 @@ impl Rect {
             }
         }
         let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
-        (from < to).then(|| {
-            (if from > 0.0 { at(from) } else { a }, if to < 1.0 { at(to) } else { b })
-        })
+        (from < to)
+            .then(|| (if from > 0.0 { at(from) } else { a }, if to < 1.0 { at(to) } else { b }))
     }
 }
 

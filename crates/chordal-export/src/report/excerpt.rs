@@ -75,8 +75,7 @@ impl Excerpts {
     ) -> impl Iterator<Item = Snippet<'s, Annotation<'s>>> {
         self.excerpts.iter().map(move |excerpt| {
             let annotations = excerpt.marks.iter().map(|(range, text, primary)| {
-                let kind =
-                    if *primary { AnnotationKind::Primary } else { AnnotationKind::Context };
+                let kind = if *primary { AnnotationKind::Primary } else { AnnotationKind::Context };
                 let label = (!text.is_empty()).then_some(text.as_str());
                 kind.span(range.clone()).label(label)
             });

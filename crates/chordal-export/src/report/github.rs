@@ -21,10 +21,9 @@ fn annotation(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let name = sources.get(diagnostic.primary.span.file).map_or("", |source| source.name());
     let file = property(name);
     let at = match place(diagnostic.primary.span, sources) {
-        Some(at) if at.start.line == at.end.line => format!(
-            ",line={},col={},endColumn={}",
-            at.start.line, at.start.column, at.end.column
-        ),
+        Some(at) if at.start.line == at.end.line => {
+            format!(",line={},col={},endColumn={}", at.start.line, at.start.column, at.end.column)
+        }
         // Columns are not allowed where the lines differ.
         Some(at) => format!(",line={},endLine={}", at.start.line, at.end.line),
         None => String::new(),

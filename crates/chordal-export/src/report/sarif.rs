@@ -114,10 +114,8 @@ fn message(diagnostic: &Diagnostic) -> String {
 
 /// Secondary labels, and the calls through which the block was reached.
 fn related(diagnostic: &Diagnostic, sources: &SourceMap) -> Vec<Value> {
-    let labels = diagnostic
-        .secondary
-        .iter()
-        .map(|label| location(label.span, &label.text, sources));
+    let labels =
+        diagnostic.secondary.iter().map(|label| location(label.span, &label.text, sources));
     let calls = diagnostic.calls.iter().map(|call| {
         location(*call, &format!("called from here: {}", call_text(*call, sources)), sources)
     });

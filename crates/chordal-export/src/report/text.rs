@@ -131,18 +131,15 @@ fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> 
 
 /// `2 errors, 1 warning`.
 fn closing(counts: &Counts) -> String {
-    let parts: Vec<String> = [
-        (counts.errors, "error"),
-        (counts.warnings, "warning"),
-        (counts.notes, "note"),
-    ]
-    .into_iter()
-    .filter(|(count, _)| *count > 0)
-    .map(|(count, word)| {
-        let plural = if count == 1 { "" } else { "s" };
-        format!("{} {word}{plural}", grouped(count))
-    })
-    .collect();
+    let parts: Vec<String> =
+        [(counts.errors, "error"), (counts.warnings, "warning"), (counts.notes, "note")]
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, word)| {
+                let plural = if count == 1 { "" } else { "s" };
+                format!("{} {word}{plural}", grouped(count))
+            })
+            .collect();
     if parts.is_empty() { String::new() } else { parts.join(", ") + "\n" }
 }
 

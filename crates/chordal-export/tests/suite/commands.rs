@@ -1,9 +1,7 @@
 use std::f64::consts::TAU;
 use std::io::Write;
 
-use chordal::control::{
-    ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, RapidPath,
-};
+use chordal::control::{ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, RapidPath};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Job};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines};
@@ -55,25 +53,16 @@ fn helix(sweep: f64, radius_to: f64, feed: Feed) -> Command {
         from_known: AxisMask::ALL,
         to_known: AxisMask::LINEAR,
     };
-    let shape = ArcShape {
-        plane: Plane::Xy,
-        center: [0.0, 0.0],
-        sweep,
-        radius_from: 10.0,
-        radius_to,
-    };
+    let shape =
+        ArcShape { plane: Plane::Xy, center: [0.0, 0.0], sweep, radius_from: 10.0, radius_to };
     Command {
         kind: CommandKind::Arc { motion, shape, feed },
         origin: Origin { line: 7, ..Origin::default() },
     }
 }
 
-const FEED: Feed = Feed {
-    value: 10.0,
-    mode: FeedMode::PerTime,
-    along: FeedAlong::Path,
-    spindle_rev_per_s: 5.0,
-};
+const FEED: Feed =
+    Feed { value: 10.0, mode: FeedMode::PerTime, along: FeedAlong::Path, spindle_rev_per_s: 5.0 };
 
 fn object(command: &Command) -> serde_json::Value {
     let job = job("linuxcnc-mill", "small.nc", SMALL);

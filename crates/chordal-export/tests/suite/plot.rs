@@ -79,7 +79,8 @@ fn pictures_show_something() {
         let drawn = pixmap.pixels().iter().filter(|pixel| **pixel != first).count();
         assert!(drawn > 10_000, "{drawn} pixels are drawn");
         // The first tool's blue is there.
-        let blue = |p: &&resvg::tiny_skia::PremultipliedColorU8| p.blue() > p.red().saturating_add(80);
+        let blue =
+            |p: &&resvg::tiny_skia::PremultipliedColorU8| p.blue() > p.red().saturating_add(80);
         assert!(pixmap.pixels().iter().filter(blue).count() > 100);
     }
 }

@@ -44,7 +44,10 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
             for difference in differences(motion, before, &ran.made[index], ran.unit) {
                 let happened = ran.made[index].describe(ran.unit);
                 let expected = &motion.text;
-                wrong.push((line, format!("{difference}\n    expected {expected}\n    made     {happened}")));
+                wrong.push((
+                    line,
+                    format!("{difference}\n    expected {expected}\n    made     {happened}"),
+                ));
             }
         }
         for &index in made.iter().skip(motions.len()) {
@@ -53,21 +56,27 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
     }
 }
 
+/// A value that is no number differs from everything.
+fn differs(expected: f64, is: f64, by: f64) -> bool {
+    is.is_nan() || (expected - is).abs() > by
+}
+
 fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64) -> Vec<String> {
     let mut found = Vec::new();
     let mut compare = |what: &str, number: Number, is: f64| {
         // A correctly rounded number is off by half a unit of its last digit at most.
-        if !((number.value - is).abs() <= number.step / 2.0 + 1e-9) {
+        if differs(number.value, is, number.step / 2.0 + 1e-9) {
             found.push(format!("{what} is {}, not {}", short(is), short(number.value)));
         }
     };
-    let place = |place: &Place, is: &[f64; 6], what: &str, compare: &mut dyn FnMut(&str, Number, f64)| {
-        for (&letter, &number) in place {
-            let axis = "XYZABC".find(letter).unwrap_or(0);
-            let is = if axis < 3 { is[axis] / unit } else { is[axis].to_degrees() };
-            compare(&format!("{what} {letter}"), number, is);
-        }
-    };
+    let place =
+        |place: &Place, is: &[f64; 6], what: &str, compare: &mut dyn FnMut(&str, Number, f64)| {
+            for (&letter, &number) in place {
+                let axis = "XYZABC".find(letter).unwrap_or(0);
+                let is = if axis < 3 { is[axis] / unit } else { is[axis].to_degrees() };
+                compare(&format!("{what} {letter}"), number, is);
+            }
+        };
     place(&expected.from, &made.from, "start", &mut compare);
     place(&expected.to, &made.to, "end", &mut compare);
     if let Some(length) = expected.length {
@@ -80,7 +89,7 @@ fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64)
     if let (Some(tangent), Some(before)) = (expected.tangent, before) {
         let (a, b) = (before.tangents.1, made.tangents.0);
         let kink = a.cross(b).length().atan2(a.dot(b)).to_degrees();
-        if !(kink <= tangent.value) {
+        if differs(kink, 0.0, tangent.value) {
             compare("the turn against the motion before", Number { value: 0.0, ..tangent }, kink);
         }
     }
@@ -168,7 +177,7 @@ fn check_whole(program: &Program, ran: &Ran, wrong: &mut Wrong) {
         };
         let count = !name.ends_with("length");
         let step = if count { 0.0 } else { number.step };
-        if !((number.value - is).abs() <= step / 2.0 + 1e-9) {
+        if differs(number.value, is, step / 2.0 + 1e-9) {
             wrong.push((1, format!("total {name} is {}, not {}", short(is), short(number.value))));
         }
     }

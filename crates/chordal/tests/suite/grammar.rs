@@ -3,10 +3,14 @@
 //! `(= rapid to X1.5 Y-2 | arc ccw radius 2 sweep 90 x3 | ! CH401 "0.1683 in")` beside a line
 //! lists the motions of that line in order and the diagnostics that point at it. A line with
 //! nothing but such a comment goes on with the expectations of the line above.
+//!
+//! Ends, starts and feeds are what the program says, so they are compared exactly (1e-6);
+//! centres, radii, sweeps and lengths are computed, so they agree when what is written is the
+//! correctly rounded number, of two decimals at least.
 
 use std::collections::BTreeMap;
 
-/// A number and the unit of the last digit that was written.
+/// A number and the unit of its last digit: the real one is off by half of it at most.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
     pub value: f64,
@@ -105,7 +109,7 @@ fn read_directive(comment: &str, program: &mut Program) -> Result<(), String> {
         "units" => program.units = Some(one_of(value, &["inch", "mm"])?),
         "same motion on" => program.same_on = words(),
         "expect" => program.expect = words(),
-        "ends at" => program.ends_at = Tokens::of(value).place()?,
+        "ends at" => program.ends_at = exact(Tokens::of(value).place()?),
         "total" => {
             let mut tokens = Tokens::of(value);
             while let Some(name) = tokens.next() {
@@ -118,9 +122,8 @@ fn read_directive(comment: &str, program: &mut Program) -> Result<(), String> {
     Ok(())
 }
 
-const TOTALS: [&str; 8] = [
-    "rapids", "lines", "arcs", "helices", "spirals", "dwells", "feed_length", "rapid_length",
-];
+const TOTALS: [&str; 8] =
+    ["rapids", "lines", "arcs", "helices", "spirals", "dwells", "feed_length", "rapid_length"];
 
 fn one_of(value: &str, allowed: &[&str]) -> Result<String, String> {
     if allowed.contains(&value) {
@@ -160,15 +163,15 @@ fn read_motion(item: &str) -> Result<(Motion, usize), String> {
         match key {
             "cw" => motion.ccw = Some(false),
             "ccw" => motion.ccw = Some(true),
-            "from" => motion.from = tokens.place()?,
-            "to" => motion.to = tokens.place()?,
+            "from" => motion.from = exact(tokens.place()?),
+            "to" => motion.to = exact(tokens.place()?),
             "center" => motion.center = tokens.place()?,
             "plane" => motion.plane = Some(one_of(tokens.word()?, &["xy", "zx", "yz"])?),
             "along" => motion.along = Some(one_of(tokens.word()?, &["path", "plane"])?),
             "radius" => motion.radius = Some(tokens.range()?),
             "sweep" => motion.sweep = Some(tokens.number()?),
             "length" => motion.length = Some(tokens.number()?),
-            "feed" => motion.feed = Some(tokens.number()?),
+            "feed" => motion.feed = Some(tokens.number()?.exact()),
             "tangent" => motion.tangent = Some(tokens.number()?),
             _ => {
                 let count = key.strip_prefix('x').and_then(|count| count.parse().ok());
@@ -221,7 +224,20 @@ fn number(text: &str) -> Result<Number, String> {
     // Without decimals a number is meant exactly: `X2` is not 2.3.
     let step = match text.split_once('.') {
         Some((_, decimals)) if !decimals.is_empty() => 10f64.powi(-(decimals.len() as i32)),
-        _ => 0.0,
+        _ => EXACT,
     };
-    Ok(Number { value, step })
+    Ok(Number { value, step: step.clamp(1e-9, 0.01) })
+}
+
+/// How far a number may be off that is not computed.
+const EXACT: f64 = 1e-6;
+
+impl Number {
+    fn exact(self) -> Number {
+        Number { step: self.step.min(EXACT), ..self }
+    }
+}
+
+fn exact(place: Place) -> Place {
+    place.into_iter().map(|(letter, number)| (letter, number.exact())).collect()
 }

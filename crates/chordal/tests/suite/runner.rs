@@ -78,7 +78,8 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
 
 fn words_of(diagnostic: &Diagnostic) -> String {
     let mut text = diagnostic.message.clone();
-    let more = [Some(&diagnostic.primary.text), diagnostic.alarm.as_ref(), diagnostic.help.as_ref()];
+    let more =
+        [Some(&diagnostic.primary.text), diagnostic.alarm.as_ref(), diagnostic.help.as_ref()];
     for part in more.into_iter().flatten().chain(&diagnostic.notes) {
         text.push_str(" / ");
         text.push_str(part);

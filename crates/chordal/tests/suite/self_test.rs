@@ -5,7 +5,9 @@ use crate::check::check;
 /// Name, program, and a part of the failure's text (`None`: it passes).
 pub const CASES: &[(&str, &str, Option<&str>)] = &[
     ("a right program passes", "G1 X2. (= line to X2 feed 10)", None),
-    ("a step of the last digit is allowed", "G1 X1.999 (= line to X2.00)", None),
+    ("a rounded number", "G3 X2. R1.0024 (= arc radius 1.002)", None),
+    ("a number not rounded but cut", "G3 X2. R1.0026 (= arc radius 1.002)", Some("start is 1.0026")),
+    ("an end has no such step", "G1 X.1 (= line to X.2)", Some("end X is 0.1, not 0.2")),
     ("a wrong end", "G1 X2. (= line to X2.1)", Some("end X is 2, not 2.1")),
     ("a wrong feed", "G1 X2. (= line feed 11)", Some("feed is 10, not 11")),
     ("a wrong kind", "G1 X2. (= rapid to X2)", Some("it is no rapid")),
@@ -31,7 +33,11 @@ pub const CASES: &[(&str, &str, Option<&str>)] = &[
     ("an unclosed expectation", "G1 X2. (= line", Some("no `)`")),
     ("a wrong total", "(total: lines 2)\nG1 X2.", Some("total lines is 1")),
     ("a wrong last place", "(ends at: X3)\nG1 X2.", Some("end X is 2")),
-    ("another machine moves otherwise", "(same motion on: fanuc-30i)\nG1 X2\n(= ! CH305)", Some("on fanuc-30i")),
+    (
+        "another machine moves otherwise",
+        "(same motion on: fanuc-30i)\nG1 X2\n(= ! CH305)",
+        Some("on fanuc-30i"),
+    ),
     ("expectations go on below", "G1 X2.\n(= line to X3)", Some("end X is 2, not 3")),
 ];
 
@@ -39,7 +45,8 @@ pub const CASES: &[(&str, &str, Option<&str>)] = &[
 pub fn run(case: &(&str, &str, Option<&str>)) -> Result<(), String> {
     let (_, body, wanted) = case;
     // Haas reads X2 as two increments; linuxcnc-mill is a calculator and starts in inches.
-    let text = format!("(machine: linuxcnc-mill)\nG20 G90 F10 S900 M3\nG0 X0 Y0 Z0\nG17\n{body}\nM2\n");
+    let text =
+        format!("(machine: linuxcnc-mill)\nG20 G90 F10 S900 M3\nG0 X0 Y0 Z0\nG17\n{body}\nM2\n");
     match (check("case", &text), wanted) {
         (Ok(()), None) => Ok(()),
         (Ok(()), Some(wanted)) => Err(format!("passed, and should fail with `{wanted}`")),
