@@ -8,7 +8,7 @@ use chordal::control::referenced_programs;
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
-use crate::input::{Input, Text, head};
+use crate::input::{Input, Text, head, may_be_program};
 
 /// Most files that are added to a program.
 const MOST_FILES: usize = 256;
@@ -156,7 +156,9 @@ impl Folder {
         });
         let by_head =
             heads.get(&number).and_then(|paths| paths.iter().find(|path| *path != caller));
-        by_head.or_else(|| named().find(|path| first_head(path).is_none())).cloned()
+        by_head
+            .or_else(|| named().find(|path| first_head(path).is_none() && may_be_program(path)))
+            .cloned()
     }
 }
 

@@ -111,6 +111,11 @@ fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Ve
     }
 }
 
+/// Neither its name nor its content speak against a program.
+pub fn may_be_program(path: &Path) -> bool {
+    !has_other_ending(path) && head(path, SAMPLE).is_ok_and(|sample| looks_like_program(&sample))
+}
+
 fn has_other_ending(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
