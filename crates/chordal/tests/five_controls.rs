@@ -216,3 +216,82 @@ fn a_comment_behind_a_semicolon() {
     let two = "line X1, line Y1";
     five("", "X1. ; Y1.", [two, two, two, two, "line X1"]);
 }
+
+#[test]
+fn a_register_or_a_radius() {
+    // R0 is a register on a Fadal, and elsewhere a radius of zero and a number too many.
+    let refused = "line X10, CH402, CH102";
+    five("", "G2 X10. R0+5.", ["arc -180 deg X10", refused, refused, refused, refused]);
+}
+
+#[test]
+fn a_spiral_by_its_increment() {
+    // Fanuc's Q is the change of radius in a turn; type 1 of Mitsubishi has none.
+    let unused = "arc -360 deg X5, CH401, CH304";
+    five("", "G2 X5. I10. Q-5.", [unused, unused, "spiral -360 deg X5", unused, unused]);
+}
+
+#[test]
+fn a_comment_left_open() {
+    five(
+        "",
+        "X1. (Y1.",
+        ["line X1", "line X1, CH104", "line X1, CH104", "line X1, CH104", "line X1, CH104"],
+    );
+}
+
+#[test]
+fn a_star_in_the_line() {
+    let refused = "line X1 Y1, CH105";
+    five("", "X1. * Y1.", ["line X1", refused, refused, refused, refused]);
+}
+
+#[test]
+fn a_call_with_packed_repeats() {
+    // Ten times O5 on a Fanuc, program 100005 elsewhere.
+    let missing = "CH201";
+    five("", "M98 P100005", [missing; 5]);
+}
+
+#[test]
+fn a_call_of_a_letter_l() {
+    // A subroutine that is not there, a repeat of a block that does nothing, or nothing.
+    five("", "L201", ["CH201", "CH303", "CH304", "CH304", "CH304"]);
+}
+
+#[test]
+fn a_centre_outside_the_plane() {
+    // A height word of spirals is passed over where a control knows them.
+    let told = "arc -180 deg X10, CH404";
+    let taken = "arc -180 deg X10";
+    five("", "G2 X10. I5. K1.", [told, told, taken, taken, told]);
+}
+
+#[test]
+fn the_middle_of_a_chord() {
+    // 2R - chord is 0.002 mm: the middle of the chord is the centre, a half turn.
+    five("", "G2 X10. R5.001", ["arc -180 deg X10"; 5]);
+}
+
+#[test]
+fn a_radius_above_the_largest() {
+    let taken = "arc -0.0564 deg X10";
+    five("", "G2 X10. R10160.", ["arc -0.0564 deg X10, CH408", taken, taken, taken, taken]);
+}
+
+#[test]
+fn codes_for_inches() {
+    // G70 is inch on a Fadal, a bolt circle (not carried out) on a Haas, and unknown elsewhere;
+    // an old Fanuc has a setting for it.
+    let unknown = "line X1, CH301";
+    five("", "G70 X1.", ["line X25.4", "", unknown, unknown, unknown]);
+}
+
+#[test]
+fn a_code_that_wants_to_be_alone() {
+    five(
+        "",
+        "G90 G92 X1.",
+        ["offset E(1), CH307", "offset G(54)", "offset G(54)", "offset G(54)", "offset G(54)"],
+    );
+}

@@ -12,8 +12,8 @@ M08 ;
 G01 Z-0.5156 F50. ; (= line to X0 Y0 Z-.5156)
 G41 X0.25 Y-0.25 F10. D01 ; (= line to X.25 Y-.25)
 G03 X0.5 Y0 I0 J0.25 Z-0.5 ; (= helix ccw center X.25 Y0 radius .25 sweep 90 to X.5 Y0 Z-.5)
-I-0.5 J0 Z-0.375 F20. ; (= helix ccw center X0 Y0 radius .5 sweep 360 to X.5 Y0 Z-.375 tangent 3.2)
-X0.25 Y0.25 I-0.25 J0 Z-0.3594 ; (= helix ccw center X.25 Y0 radius .25 sweep 90 to X.25 Y.25 Z-.3594)
+I-0.5 J0 Z-0.375 F20. ; (= helix ccw center X0 Y0 radius .5 sweep 360 to X.5 Y0 Z-.375 tangent .01)
+X0.25 Y0.25 I-0.25 J0 Z-0.3594 ; (= helix ccw center X.25 Y0 radius .25 sweep 90 to X.25 Y.25 Z-.3594 tangent .01)
 G40 G01 X0 Y1 ; (= line to X0 Y.0001 | ! CH305 "0.0001 in")
 G00 Z0.1 M09 ;
 G53 G49 Z0 M05 ;

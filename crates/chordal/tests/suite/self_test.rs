@@ -6,7 +6,11 @@ use crate::check::check;
 pub const CASES: &[(&str, &str, Option<&str>)] = &[
     ("a right program passes", "G1 X2. (= line to X2 feed 10)", None),
     ("a rounded number", "G3 X2. R1.0024 (= arc radius 1.002)", None),
-    ("a number not rounded but cut", "G3 X2. R1.0026 (= arc radius 1.002)", Some("start is 1.0026")),
+    (
+        "a number not rounded but cut",
+        "G3 X2. R1.0026 (= arc radius 1.002)",
+        Some("start is 1.0026"),
+    ),
     ("an end has no such step", "G1 X.1 (= line to X.2)", Some("end X is 0.1, not 0.2")),
     ("a wrong end", "G1 X2. (= line to X2.1)", Some("end X is 2, not 2.1")),
     ("a wrong feed", "G1 X2. (= line feed 11)", Some("feed is 10, not 11")),

@@ -1,0 +1,22 @@
+(machine: haas-vf2)
+(units: mm)
+(A motion code stays in force from a block whose axis words another code takes.)
+G21 G90 G17 S1000 M3
+G10 L2 P1 X-100. Y-100. Z-200.
+G54 G00 X0. Y0. Z10. (= rapid to X0 Y0 Z10)
+G01 Z-1. F100. (= line to Z-1)
+G00 G53 Z0. (= rapid to Z200)
+X5. (= rapid to X5)
+G01 G53 X-90. (= line to X10 feed 100)
+X12. (= line to X12)
+G00 G28 Z200. (= rapid to Z200)
+Y1. (= rapid to Y1)
+G01 G04 P0.5 (= none)
+Y2. (= line to Y2)
+G00 G52 X1. (= none)
+Y3. (= rapid to Y3)
+G01 G10 L2 P2 X0. (= none)
+Y4. (= line to Y4)
+G00 G92 Y0. (= none)
+Y1. (= rapid to Y1)
+M30
