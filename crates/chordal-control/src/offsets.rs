@@ -114,6 +114,11 @@ impl Offsets {
         self.shift[axis] = value;
     }
 
+    /// Takes G52 back on an axis; the preset keeps the coordinates where they are.
+    pub fn move_shift_to_preset(&mut self, axis: usize) {
+        self.preset[axis] += std::mem::take(&mut self.shift[axis]);
+    }
+
     /// G92: `by` is added to the preset of an axis, whose place is then known or not.
     pub fn add_preset(&mut self, axis: usize, by: f64, known: bool) {
         self.preset[axis] += by;

@@ -71,6 +71,17 @@ pub enum FullCircleByRadius {
     NoMotion,
 }
 
+/// The codes that choose inch and millimetres.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum UnitCodes {
+    /// G20 and G21.
+    G20,
+    /// G70 and G71.
+    G70,
+    /// Either pair.
+    Both,
+}
+
 /// What counts when a radius value is in the offset table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum OffsetKind {
@@ -149,8 +160,10 @@ pub struct Parameters {
     pub peck_clearance_mm: f64,
     /// H differing from the tool number is an alarm (Haas Setting 15).
     pub length_must_match_tool: bool,
-    /// Units are chosen by G70 and G71 instead of G20 and G21.
-    pub units_by_g70: bool,
+    /// The codes that choose inch and millimetres.
+    pub unit_codes: UnitCodes,
+    /// G92 takes G52 back on the axes it names.
+    pub preset_clears_shift: bool,
     /// `M98 P` looks only for a program of the file, not in the folder.
     pub calls_within_file: bool,
     /// G28 without axis words sends all axes home.
@@ -194,7 +207,8 @@ impl Parameters {
         chip_break_mm: 0.254,
         peck_clearance_mm: 0.254,
         length_must_match_tool: false,
-        units_by_g70: false,
+        unit_codes: UnitCodes::G20,
+        preset_clears_shift: false,
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,

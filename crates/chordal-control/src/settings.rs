@@ -5,7 +5,7 @@ use chordal_machine::{Machine, Setting as Given, SettingValue};
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, DecimalPoint, FullCircleByRadius, OffsetKind,
-    Parameters, PlaneCodes, SpiralForm,
+    Parameters, PlaneCodes, SpiralForm, UnitCodes,
 };
 
 /// How sure a default is.
@@ -50,7 +50,7 @@ pub enum Field {
     ChipBreak,
     PeckClearance,
     LengthMustMatchTool,
-    UnitsByG70,
+    UnitCodes,
     ReturnLabelInCallee,
 }
 
@@ -308,7 +308,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::ChipBreak => p.chip_break_mm = length()?,
         Field::PeckClearance => p.peck_clearance_mm = length()?,
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
-        Field::UnitsByG70 => p.units_by_g70 = flag()?,
+        Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
     }
     Ok(())
@@ -317,7 +317,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
 /// The present value of a parameter, as a machine file writes it.
 pub fn value_text(p: &Parameters, field: Field) -> String {
     let mm = |value: f64| {
-        if value.is_finite() { format!("{value} mm") } else { "no limit".to_string() }
+        // 399.9999 in is 10159.99746 mm, not what the last bit makes of it.
+        let rounded = (value * 1e9).round() / 1e9;
+        if value.is_finite() { format!("{rounded} mm") } else { "no limit".to_string() }
     };
     let on = |flag: bool| if flag { "on" } else { "off" }.to_string();
     match field {
@@ -360,10 +362,13 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::ChipBreak => mm(p.chip_break_mm),
         Field::PeckClearance => mm(p.peck_clearance_mm),
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
-        Field::UnitsByG70 => on(p.units_by_g70),
+        Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
     }
 }
+
+const UNIT_CODES: &[(&str, UnitCodes)] =
+    &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];
 
 const DECIMAL_POINTS: &[(&str, DecimalPoint)] =
     &[("least-increment", DecimalPoint::LeastIncrement), ("calculator", DecimalPoint::Calculator)];

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 
-use chordal_control::{Command, CommandKind, Control, Units};
+use chordal_control::{AxisMask, Command, CommandKind, Control, FeedMode, Units};
+use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
 use chordal_path::{Segment, SegmentKind};
 
@@ -124,7 +125,7 @@ impl SummaryBuilder {
     }
 
     pub fn command(&mut self, command: &Command, segments: &[Segment]) {
-        let line = command.origin.line;
+        let line = self.main_line(command);
         match &command.kind {
             CommandKind::Units(units) => self.summary.inch = *units == Units::Inch,
             CommandKind::Tool { number } => self.tool = *number,
@@ -157,15 +158,18 @@ impl SummaryBuilder {
     }
 
     fn segments(&mut self, command: &Command, segments: &[Segment]) {
-        let speed = command.kind.feed().map(|feed| feed.value).filter(|value| *value > 0.0);
+        let line = self.main_line(command);
+        let per_time = command.kind.feed().filter(|feed| feed.mode == FeedMode::PerTime);
+        let speed = per_time.map(|feed| feed.value).filter(|value| *value > 0.0);
+        let known = command.kind.motion().map(|motion| motion.from_known.and(motion.to_known));
         for segment in segments {
-            self.extend(segment);
+            self.extend(segment, known.unwrap_or(AxisMask::NONE));
             if segment.kind == SegmentKind::Rapid {
                 if segment.known {
                     self.summary.rapid_length_mm += segment.length_mm;
                 }
                 self.summary.rapid_time_s += segment.duration_s;
-                self.tool_use(command.origin.line).rapid_time_s += segment.duration_s;
+                self.tool_use(line).rapid_time_s += segment.duration_s;
                 continue;
             }
             self.summary.feed_length_mm += segment.length_mm;
@@ -173,7 +177,7 @@ impl SummaryBuilder {
             if segment.duration_s == 0.0 && segment.length_mm > 0.0 {
                 self.summary.cuts_without_time += 1;
             }
-            let tool = self.tool_use(command.origin.line);
+            let tool = self.tool_use(line);
             tool.feed_length_mm += segment.length_mm;
             tool.feed_time_s += segment.duration_s;
             if let Some(speed) = speed {
@@ -183,7 +187,14 @@ impl SummaryBuilder {
         }
     }
 
-    fn tool_use(&mut self, line: u32) -> &mut ToolUse {
+    /// The line of the command in the first text; a subprogram beside it has lines of its
+    /// own, which would only confuse.
+    fn main_line(&self, command: &Command) -> Option<u32> {
+        let origin = command.origin;
+        (origin.span.file == FileId(0)).then_some(origin.line)
+    }
+
+    fn tool_use(&mut self, line: Option<u32>) -> &mut ToolUse {
         let number = self.tool;
         let changed = self.order.last() != Some(&number);
         if changed {
@@ -191,6 +202,7 @@ impl SummaryBuilder {
         }
         let tool =
             self.tools.entry(number).or_insert_with(|| ToolUse { number, ..ToolUse::default() });
+        let Some(line) = line else { return tool };
         match tool.lines.last_mut() {
             // A subprogram may stand before its caller: the range holds both.
             Some((first, last)) if !changed => {
@@ -202,14 +214,14 @@ impl SummaryBuilder {
         tool
     }
 
-    fn extend(&mut self, segment: &Segment) {
+    fn extend(&mut self, segment: &Segment, known: AxisMask) {
         let cuts = segment.kind != SegmentKind::Rapid;
-        if segment.known {
+        if known.and(AxisMask::LINEAR) != AxisMask::NONE {
             let bounds: Aabb = segment.curve.bounds();
             let (start, end) = (segment.curve.start(), segment.curve.end());
             let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
             let (start, end) = (start.to_array(), end.to_array());
-            for axis in 0..3 {
+            for axis in (0..3).filter(|axis| known.has(*axis)) {
                 self.axes[axis].take(min[axis], max[axis], cuts);
                 let way = match segment.kind {
                     SegmentKind::Rapid | SegmentKind::Line => (end[axis] - start[axis]).abs(),

@@ -4,7 +4,7 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, ParenthesisComment, Semicolon};
 
 use crate::command::{FeedAlong, RapidPath};
-use crate::parameters::{DecimalPoint, OffsetKind, Parameters};
+use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -64,6 +64,7 @@ const PARAMETERS: Parameters = Parameters {
     max_rotary_per_block_rad: 6.0 * std::f64::consts::PI,
     radius_offsets: OffsetKind::Diameter,
     length_by_h_alone: true,
+    unit_codes: UnitCodes::Both,
     nesting: 7,
     max_repeats: 99,
     chip_break_mm: 1.27,

@@ -119,8 +119,8 @@ const SETTINGS: &[Setting] = &[
     setting("No. 5115", Field::PeckClearance, &[], "clearance of G83", Certainty::Trade, "16i"),
     setting(
         "unit_codes",
-        Field::UnitsByG70,
-        &[("G20/G21", "off"), ("G70/G71", "on")],
+        Field::UnitCodes,
+        &[],
         "the codes that choose inch and millimetres",
         Certainty::Trade,
         "15i",

@@ -57,6 +57,7 @@ const PARAMETERS: Parameters = Parameters {
     length_must_match_tool: true,
     bare_home_moves_all: true,
     return_label_in_callee: true,
+    preset_clears_shift: true,
     ..Parameters::COMMON
 };
 
@@ -132,7 +133,7 @@ const ALARMS: &[(Code, &str)] = &[
         "alarm 340 or 341 cutter compensation beginning or ending with G02 or G03",
     ),
     (Code::PlaneChangeInCompensation, "alarm 344 cutter compensation with G18 and G19"),
-    (Code::MissingSubprogram, "alarm 312 PROGRAM END"),
+    (Code::ProgramWithoutEnd, "alarm 312 PROGRAM END"),
     (Code::LengthOffsetOfOtherTool, "alarm 332 H and T not matched"),
 ];
 

@@ -72,7 +72,7 @@ impl<S: Sink> Interpreter<'_, S> {
             return self.straight_instead(block, target, named);
         }
         self.snap_to_start(&mut target);
-        let turns = self.extra_turns(block);
+        let turns = self.extra_turns(block, radius.is_some());
         match radius {
             Some(word) => self.arc_by_radius(block, &word, direction, target, named, turns),
             None if has_center => {
@@ -213,9 +213,16 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// P on an arc, as turns beside the arc's own.
-    fn extra_turns(&mut self, block: &Block) -> u32 {
+    fn extra_turns(&mut self, block: &Block, by_radius: bool) -> u32 {
         let rule = self.control.table.arc_turns;
         if rule == ArcTurns::None || !block.letters().has(b'P') {
+            return 0;
+        }
+        if rule == ArcTurns::Extra && by_radius {
+            // A radius fixes an arc of less than a turn.
+            if let Some(word) = block.word(b'P').copied() {
+                self.unused_word(&word);
+            }
             return 0;
         }
         let turns = self.count_of(block, b'P').unwrap_or(0).min(9999);

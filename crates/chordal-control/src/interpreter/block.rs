@@ -10,7 +10,7 @@ use crate::command::{
     AxisMask, CommandKind, FeedMode, PathMode, Sink, SpindleState, Units, WorkName,
 };
 use crate::offsets::LengthOffset;
-use crate::parameters::{ArcCenter, PlaneCodes, SpiralForm};
+use crate::parameters::{ArcCenter, PlaneCodes, SpiralForm, UnitCodes};
 use crate::state::{Motion, Scale};
 use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutines};
 
@@ -79,7 +79,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             let Some(number) = self.literal(word) else { continue };
             let row = code_number(number).and_then(|code| match word.letter {
-                b'G' => self.control.g_code(code),
+                b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
                 _ => self.control.m_code(code),
             });
             match row {
@@ -88,6 +88,17 @@ impl<S: Sink> Interpreter<'_, S> {
             }
         }
         self.check_groups(block, codes);
+    }
+
+    /// Inch and millimetres may be chosen by G20 and G21, by G70 and G71, or by either.
+    fn has_unit_code(&self, row: &CodeRow) -> bool {
+        let by_g70 = row.code >= 700;
+        match self.control.parameters.unit_codes {
+            _ if row.group != Group::Units => true,
+            UnitCodes::Both => true,
+            UnitCodes::G20 => !by_g70,
+            UnitCodes::G70 => by_g70,
+        }
     }
 
     fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
@@ -196,7 +207,10 @@ impl<S: Sink> Interpreter<'_, S> {
         self.take_length(block, codes);
         let one_shot = codes.iter().rev().find(|(row, _)| takes_axes(row.action));
         match one_shot {
-            Some((row, at)) => self.one_shot(block, row.action, *at),
+            Some((row, at)) => {
+                self.modes_beside_one_shot(codes);
+                self.one_shot(block, row.action, *at);
+            }
             None => {
                 let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
                 let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
@@ -204,6 +218,22 @@ impl<S: Sink> Interpreter<'_, S> {
             }
         }
         self.take_after_motion(block, codes)
+    }
+
+    /// A motion code stays in force, and decides between rapid and feed, when another code
+    /// takes the axis words. G90 and G91 hold for words that are not read as a target.
+    fn modes_beside_one_shot(&mut self, codes: &[(&'static CodeRow, usize)]) {
+        for (row, _) in codes {
+            match row.action {
+                Action::Absolute => self.state.incremental = false,
+                Action::Incremental => self.state.incremental = true,
+                action if row.group == Group::Motion => {
+                    self.state.cycle = None;
+                    self.take_motion_code(action);
+                }
+                _ => {}
+            }
+        }
     }
 
     /// Letters that the block's codes and modes take.

@@ -435,6 +435,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 span,
                 format!("the called program ends without {code}"),
             )
+            .severity(chordal_diagnostics::Severity::Error)
             .label("the last block")
             .help(format!("put {code} at its end")),
         );

@@ -105,7 +105,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn take_motion_code(&mut self, action: Action) {
+    pub(super) fn take_motion_code(&mut self, action: Action) {
         let armed = self.control.table.motion == MotionModality::Armed;
         let motion = match action {
             Action::Rapid => Motion::Rapid,
@@ -144,7 +144,9 @@ impl<S: Sink> Interpreter<'_, S> {
         let arc_words = self.has_arc_words(block);
         let (target, named) = self.target(block);
         let arc_code = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
-        if arc_words {
+        // R0 in a block of its own only stores the register.
+        let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);
+        if arc_words && moves {
             match self.state.armed {
                 Some(direction) => self.arc_block(block, direction, target, named, arc_code),
                 None => self.unarmed_arc(block, target, named),

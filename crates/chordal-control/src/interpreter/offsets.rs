@@ -47,6 +47,14 @@ impl<S: Sink> Interpreter<'_, S> {
             );
             return;
         }
+        if self.moves_on_arc(block) {
+            let span = self.words_span(block, Letters::of("E"));
+            self.report(
+                Diagnostic::new(Code::BadWordValue, span, "E may not stand in a block with an arc")
+                    .label("the work offset changes with G0 or G1 only")
+                    .help("put E into the block before"),
+            );
+        }
         let name = if number == 0 { WorkName::Machine } else { WorkName::E(number as u16) };
         self.select_work(name);
     }
@@ -83,7 +91,7 @@ impl<S: Sink> Interpreter<'_, S> {
             let span = self.words_span(block, Letters::of("H"));
             self.tell_unset(
                 span,
-                format!("H{number}"),
+                "length".into(),
                 format!("the machine file gives no length for tool {number}"),
                 format!("set it with --set tools.{number}.length=\"…\""),
             );

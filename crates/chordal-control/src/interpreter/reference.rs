@@ -173,9 +173,13 @@ impl<S: Sink> Interpreter<'_, S> {
         let values = self.axis_words(block);
         let position = self.state.position;
         let machine_known = self.state.machine_known;
+        let clears_shift = self.control.parameters.preset_clears_shift;
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 if let Some(value) = value {
+                    if clears_shift {
+                        offsets.move_shift_to_preset(axis);
+                    }
                     offsets.add_preset(axis, position[axis] - value, machine_known.has(axis));
                 }
             }
