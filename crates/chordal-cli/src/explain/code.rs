@@ -160,7 +160,7 @@ fn fields_of(action: Action) -> &'static [Field] {
         ],
         Action::SpiralCw | Action::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
         Action::PlaneXy | Action::PlaneZx | Action::PlaneYz => &[F::PlaneCodes],
-        Action::Inch | Action::Millimetre => &[F::Units, F::UnitsByG70],
+        Action::Inch | Action::Millimetre => &[F::Units, F::UnitCodes],
         Action::Absolute | Action::Incremental => &[F::StartDistance],
         Action::CompensationLeft | Action::CompensationRight => {
             &[F::RadiusOffsets, F::MaxRadiusCompensated]
