@@ -39,7 +39,7 @@ pub struct RunOptions {
 
 impl Default for RunOptions {
     fn default() -> RunOptions {
-        RunOptions { max_repeated_blocks: 5_000_000 }
+        RunOptions { max_repeated_blocks: 1_000_000 }
     }
 }
 
