@@ -91,6 +91,24 @@ pub enum OffsetKind {
     Radius,
 }
 
+/// How compensation goes round an outside corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum OutsideCorner {
+    /// Straight on to the intersection, with a further line where that is far away.
+    Linear,
+    /// An arc about the corner.
+    Arc,
+}
+
+/// How compensation starts and ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum CompensationEntry {
+    /// Perpendicular to the first block of the contour.
+    A,
+    /// By the intersection, or round the corner with a further line.
+    B,
+}
+
 /// The parameters of a control, as the tables set them and a machine file may change them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameters {
@@ -146,6 +164,10 @@ pub struct Parameters {
     pub max_rotary_per_block_rad: f64,
     /// What the radius offsets of the table are.
     pub radius_offsets: OffsetKind,
+    /// Outside corners with compensation.
+    pub outside_corner: OutsideCorner,
+    /// Start and end of compensation.
+    pub compensation_entry: CompensationEntry,
     /// H brings the length offset into force by itself (Fadal Format 1).
     pub length_by_h_alone: bool,
     /// How deep calls may be nested.
@@ -200,6 +222,8 @@ impl Parameters {
         max_radius_compensated_mm: f64::INFINITY,
         max_rotary_per_block_rad: f64::INFINITY,
         radius_offsets: OffsetKind::Radius,
+        outside_corner: OutsideCorner::Linear,
+        compensation_entry: CompensationEntry::A,
         length_by_h_alone: false,
         nesting: 4,
         max_repeats: 9999,

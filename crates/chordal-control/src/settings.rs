@@ -4,8 +4,8 @@ use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::parameters::{
-    ArcCenter, ArcMismatch, CenterAndRadius, DecimalPoint, FullCircleByRadius, OffsetKind,
-    Parameters, PlaneCodes, SpiralForm, UnitCodes,
+    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FullCircleByRadius,
+    OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
 };
 
 /// How sure a default is.
@@ -44,6 +44,8 @@ pub enum Field {
     MaxRadius,
     MaxRadiusCompensated,
     RadiusOffsets,
+    OutsideCorner,
+    CompensationEntry,
     LengthByHAlone,
     Nesting,
     PackedCalls,
@@ -125,6 +127,16 @@ pub const COMMON: &[Setting] = &[
         "largest radius of an arc with cutter compensation",
     ),
     common("radius_offsets", Field::RadiusOffsets, "the offset table holds `diameter` or `radius`"),
+    common(
+        "outside_corner",
+        Field::OutsideCorner,
+        "outside corners with compensation: `linear` or `arc` (kept; compensation is not carried out yet)",
+    ),
+    common(
+        "compensation_entry",
+        Field::CompensationEntry,
+        "start and end of compensation: `A` or `B` (kept; compensation is not carried out yet)",
+    ),
     common("nesting", Field::Nesting, "how deep calls may be nested"),
     common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
     common("peck_clearance", Field::PeckClearance, "clearance of a full-retract peck (G83)"),
@@ -302,6 +314,8 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
                 &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)],
             )?;
         }
+        Field::OutsideCorner => p.outside_corner = choose(word, OUTSIDE_CORNERS)?,
+        Field::CompensationEntry => p.compensation_entry = choose(word, COMPENSATION_ENTRIES)?,
         Field::LengthByHAlone => p.length_by_h_alone = flag()?,
         Field::Nesting => p.nesting = count()?.clamp(1, 100),
         Field::PackedCalls => p.packed_calls = flag()?,
@@ -356,6 +370,8 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::RadiusOffsets => {
             if p.radius_offsets == OffsetKind::Diameter { "diameter" } else { "radius" }.into()
         }
+        Field::OutsideCorner => name_of(p.outside_corner, OUTSIDE_CORNERS),
+        Field::CompensationEntry => name_of(p.compensation_entry, COMPENSATION_ENTRIES),
         Field::LengthByHAlone => on(p.length_by_h_alone),
         Field::Nesting => p.nesting.to_string(),
         Field::PackedCalls => on(p.packed_calls),
@@ -366,6 +382,12 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
     }
 }
+
+const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
+    &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
+
+const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
+    &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
 
 const UNIT_CODES: &[(&str, UnitCodes)] =
     &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];

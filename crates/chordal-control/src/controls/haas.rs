@@ -95,6 +95,22 @@ const SETTINGS: &[Setting] = &[
         "Setting 40, Tool Offset Measure",
     ),
     setting(
+        "Setting 43",
+        Field::CompensationEntry,
+        &[],
+        "cutter compensation type",
+        Certainty::Documented,
+        "Setting 43, Cutter Comp Type",
+    ),
+    setting(
+        "Setting 58",
+        Field::OutsideCorner,
+        &[("fanuc", "linear"), ("yasnac", "arc")],
+        "outside corners of cutter compensation",
+        Certainty::Documented,
+        "Setting 58, Cutter Compensation",
+    ),
+    setting(
         "Setting 162",
         Field::DecimalPoint,
         &[("on", "calculator"), ("off", "least-increment")],

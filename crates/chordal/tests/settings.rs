@@ -1,0 +1,59 @@
+//! Settings of machine files: what is listed can be written, and means what it says.
+
+use chordal::control::{COMMON_SETTINGS, Control, value_text};
+use chordal::machine::{Machine, builtin_names};
+
+#[test]
+fn every_listed_value_can_be_written_back() {
+    for name in builtin_names() {
+        let machine = Machine::from_builtin(name).expect("a built-in machine");
+        let (control, errors) = Control::of(&machine);
+        assert!(errors.is_empty(), "{name}: {errors:?}");
+        for setting in control.table.settings.iter().chain(COMMON_SETTINGS) {
+            let value = value_text(&control.parameters, setting.field);
+            if value == "no limit" {
+                continue;
+            }
+            let mut changed = machine.clone();
+            let assignment = match value.parse::<u32>() {
+                Ok(number) => format!("settings.\"{}\"={number}", setting.name),
+                Err(_) => format!("settings.\"{}\"=\"{value}\"", setting.name),
+            };
+            changed.set(&assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
+            let (again, errors) = Control::of(&changed);
+            assert!(errors.is_empty(), "{name}, {assignment}: {errors:?}");
+            assert_eq!(value_text(&again.parameters, setting.field), value, "{assignment}");
+        }
+    }
+}
+
+#[test]
+fn the_manuals_own_words_are_taken() {
+    for (machine, assignment, setting) in [
+        ("haas-vf2", "settings.\"Setting 58\"=yasnac", "outside_corner=arc"),
+        ("haas-vf2", "settings.\"Setting 162\"=on", "decimal_point=calculator"),
+        ("haas-vf2", "settings.\"Setting 40\"=radius", "radius_offsets=radius"),
+        ("fanuc-30i", "settings.\"No. 1403#5\"=1", "helix_feed=path"),
+        ("fanuc-30i", "settings.\"No. 3410\"=\"0.02 mm\"", "radius_error_tolerance=0.02 mm"),
+        ("mitsubishi-m700", "settings.\"#1272 ex08/bit2\"=1", "spiral=increment-height-count"),
+        ("fadal-4020", "settings.format=2", "format=off"),
+    ] {
+        let mut machine = Machine::from_builtin(machine).expect("a built-in machine");
+        machine.set(assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
+        let (control, errors) = Control::of(&machine);
+        assert!(errors.is_empty(), "{assignment}: {errors:?}");
+        let (name, value) = setting.split_once('=').expect("a name and a value");
+        let all = control.table.settings.iter().chain(COMMON_SETTINGS);
+        let field = all.into_iter().find(|s| s.name == name).expect("a setting").field;
+        assert_eq!(value_text(&control.parameters, field), value, "{assignment}");
+    }
+}
+
+#[test]
+fn an_unknown_setting_is_refused_with_the_nearest() {
+    let mut machine = Machine::from_builtin("haas-vf2").expect("a built-in machine");
+    machine.set("settings.\"Setting 85X\"=1").expect("any name can be written");
+    let (_, errors) = Control::of(&machine);
+    assert_eq!(errors.len(), 1);
+    assert!(errors[0].message.contains("Setting 85X"), "{errors:?}");
+}
