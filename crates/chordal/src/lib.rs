@@ -33,4 +33,4 @@ pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Spa
 pub use chordal_machine::Machine;
 pub use chordal_path::{Segment, SegmentKind};
 pub use job::{Job, JobError, Report};
-pub use summary::{AxisTravel, ProgramUse, Summary, ToolUse};
+pub use summary::{AxisTravel, Summary, ToolUse};

@@ -37,13 +37,6 @@ pub struct AxisTravel {
     pub way: f64,
 }
 
-/// A program number that occurs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ProgramUse {
-    /// Its number, if it has one.
-    pub number: Option<u32>,
-}
-
 /// What a run comes to. Times are distance over feed, and rapids at rapid speed: without
 /// acceleration, so the machine will be slower.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -43,20 +43,13 @@ impl<S: Sink> Interpreter<'_, S> {
         {
             return false;
         }
-        let words = match block.word(b'G') {
-            None => self.modal_arc_words().unwrap_or(Letters::NONE),
+        let (words, explicit) = match block.word(b'G') {
+            None => (self.modal_arc_words().unwrap_or(Letters::NONE), None),
             Some(word) => {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
                 let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
-                if !letters.within(ALWAYS.union(self.words_of(row))) {
-                    return false;
-                }
-                if letters.has(b'F') {
-                    self.take_feed(block);
-                }
-                self.motion_block(block, Some(row.action));
-                return true;
+                (self.words_of(row), Some(row.action))
             }
         };
         if !letters.within(ALWAYS.union(words)) {
@@ -65,7 +58,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if letters.has(b'F') {
             self.take_feed(block);
         }
-        self.motion_block(block, None);
+        self.motion_block(block, explicit);
         true
     }
 

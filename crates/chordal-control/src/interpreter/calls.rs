@@ -57,7 +57,6 @@ impl<S: Sink> Interpreter<'_, S> {
         let mut block = Block::new();
         let mut in_section = false;
         loop {
-            let here = self.reader.position();
             if !self.reader.read(&mut block) {
                 break;
             }
@@ -80,7 +79,6 @@ impl<S: Sink> Interpreter<'_, S> {
                 None if self.ends_section(&block) => return,
                 None => {}
             }
-            let _ = here;
         }
         // No M30 after the subroutines: there is no main program.
         self.reader.seek(begin);
@@ -397,7 +395,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// Back to the caller, or once more through the called text.
-    fn leave(&mut self, label: Option<(&Block, i64)>) {
+    pub(super) fn leave(&mut self, label: Option<(&Block, i64)>) {
         let Some(frame) = self.frames.last_mut() else { return };
         if frame.remaining > 0 && label.is_none() {
             frame.remaining -= 1;
@@ -448,10 +446,6 @@ impl<S: Sink> Interpreter<'_, S> {
             && subroutine_head(block).is_some_and(|n| self.subroutines.contains_key(&n))
     }
 
-    pub(super) fn leave_before_head(&mut self) {
-        self.leave(None);
-    }
-
     fn report_missing_label(&mut self, block: &Block, letter: u8, label: &str) {
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
         self.report(
@@ -469,7 +463,6 @@ impl<S: Sink> Interpreter<'_, S> {
             let mut labels = HashMap::new();
             let mut block = Block::new();
             loop {
-                let here = reader.position();
                 if !reader.read(&mut block) {
                     return labels;
                 }
@@ -479,7 +472,6 @@ impl<S: Sink> Interpreter<'_, S> {
                     let start = TextPosition { offset: block.range.start, line };
                     labels.entry(number).or_insert(start);
                 }
-                let _ = here;
             }
         });
         labels.get(&label).copied()

@@ -5,9 +5,7 @@ use chordal_geometry::Plane;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
-use crate::command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Sink, SpindleState,
-};
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, Position, Sink, SpindleState};
 use crate::state::CycleState;
 use crate::table::CycleKind;
 
@@ -219,12 +217,8 @@ impl<S: Sink> Interpreter<'_, S> {
         let mut target = self.state.position;
         target[2] = z;
         let motion = self.moved_to(target, AxisMask(0b100));
-        // In inverse time a cycle has no feed of its own per stroke.
         let mut feed: Feed = self.feed_for(block, &motion);
         feed.along = FeedAlong::Path;
-        debug_assert!(
-            feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value >= 0.0
-        );
         self.emit(CommandKind::Line { motion, feed });
     }
 }

@@ -272,7 +272,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         }
         self.carried_out = true;
         if self.is_next_subroutine_head(block) {
-            self.leave_before_head();
+            self.leave(None);
             return Flow::Next;
         }
         self.carry_out(block)
