@@ -134,10 +134,10 @@ fn draw(ask: &ArcPoints, center: Vec2, end: Vec2, sweep: f64, units: Units) -> F
         figure.point(end, &place("end", end));
     }
     if turn(from) > 1e-9 {
-        figure.angle(center, 0.3 * radius, 0.0, turn(from), format!("a {}", degrees(from)));
+        figure.angle(center, 0.3 * radius, 0.0, from % TAU, format!("a {}", degrees(from)));
     }
     if turn(to) > 1e-9 && turn(to - from) > 1e-9 {
-        figure.angle(center, 0.52 * radius, 0.0, turn(to), format!("b {}", degrees(to)));
+        figure.angle(center, 0.52 * radius, 0.0, to % TAU, format!("b {}", degrees(to)));
     }
     figure.text(center + unit(from) * (0.7 * radius), format!("R {}", units.number(radius)));
     figure

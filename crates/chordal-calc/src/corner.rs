@@ -137,6 +137,8 @@ pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcErro
     };
     worked.figure = draw(a, b, side, cutter_radius, names);
     let start = if axis == Axis::X { 0.0 } else { FRAC_PI_2 - angle };
+    // Where the first line would go on.
+    worked.figure.line(Vec2::ZERO, unit(a) * (1.8 * cutter_radius), Style::Helper);
     worked.figure.angle(Vec2::ZERO, 1.6 * cutter_radius, start, angle, format!("θ {theta}"));
     Ok(worked)
 }

@@ -6,6 +6,8 @@ use chordal_machine::ControlName;
 pub(crate) struct Post {
     /// A machine of this control that comes with Chordal.
     pub machine: &'static str,
+    /// What stands around a remark.
+    pub remark: [&'static str; 2],
     /// Before the remarks: file mark and program number.
     pub open: &'static [&'static str],
     /// From the tool change until the tool stands above the start.
@@ -18,6 +20,7 @@ pub(crate) struct Post {
 
 const HAAS: Post = Post {
     machine: "haas-vf2",
+    remark: ["(", ")"],
     open: &["%", "O{number} ({title})"],
     begin: &[
         "T{tool} M06",
@@ -31,6 +34,7 @@ const HAAS: Post = Post {
 
 const FANUC: Post = Post {
     machine: "fanuc-30i",
+    remark: ["(", ")"],
     open: &["%", "O{number} ({title})"],
     begin: &[
         "{units} G17 G90 G40 G49 G80",
@@ -46,6 +50,7 @@ const MITSUBISHI: Post = Post { machine: "mitsubishi-m700", ..FANUC };
 
 const FADAL: Post = Post {
     machine: "fadal-4020",
+    remark: ["(", ")"],
     open: &["O{number} ({title})"],
     begin: &[
         "M6 T{tool}",
@@ -59,7 +64,9 @@ const FADAL: Post = Post {
 
 const LINUXCNC: Post = Post {
     machine: "linuxcnc-mill",
-    open: &["%", "({title})"],
+    // By these the program is known as LinuxCNC's.
+    remark: ["; ", ""],
+    open: &["%", "; {title}"],
     begin: &[
         "{units} G17 G90 G94 G40 G49 G80 G64 {blend}",
         "T{tool} M6",

@@ -110,7 +110,7 @@ impl Words<'_> {
         let sign = if ask.place == Where::Inside { '-' } else { '+' };
         let low = plan.heights.iter().copied().fold(f64::INFINITY, f64::min);
         let mut remarks = vec![
-            format!("machine: {}", self.post.machine),
+            format!("for {}; chordal check --machine {}", ask.control, self.post.machine),
             direction(ask, plan),
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),
             match ask.cutter {
@@ -150,18 +150,9 @@ impl Words<'_> {
             ));
             remarks.push("the form with compensation is untested: try it above the part".into());
         }
-        // The name of a machine is looked for as it is written.
-        remarks
-            .iter()
-            .enumerate()
-            .map(|(index, text)| {
-                if index == 0 {
-                    format!("({text})")
-                } else {
-                    format!("({})", text.to_ascii_uppercase())
-                }
-            })
-            .collect()
+        let [before, after] = self.post.remark;
+        let remark = |text: &String| format!("{before}{}{after}", text.to_ascii_uppercase());
+        remarks.iter().map(remark).collect()
     }
 
     fn way(&self) -> Vec<String> {

@@ -17,6 +17,8 @@ const HEIGHT: f64 = 800.0;
 const LABEL: f64 = 16.0;
 const FORMULA: f64 = 15.0;
 const LINE: f64 = 21.0;
+/// Smaller texts than this share are no help.
+const SMALLEST: f64 = 0.8;
 const MARGIN: f64 = 28.0;
 const HEAD: f64 = 58.0;
 /// Room around the drawing for its texts.
@@ -337,13 +339,16 @@ impl<'a> Sheet<'a> {
         let letters = self.worked.title.chars().count().max(1) as f64;
         let size = (25.0 * unit).min((self.width - 2.0 * MARGIN * unit) / (0.56 * letters));
         self.text(MARGIN * unit, (MARGIN + 26.0) * unit, size, self.colors.text, &title);
-        // With everything, or, where that is too much, with the results alone.
+        // With everything; where that is too much, closer together, or the results alone.
         let room = self.room.height;
-        let mut lines = self.lines(width / unit, true);
-        if lines.len() as f64 * LINE * unit > room {
-            lines = self.lines(width / unit, false);
-        }
-        let shrink = (room / (lines.len() as f64 * LINE * unit)).min(1.0);
+        let all = self.lines(width / unit, true);
+        let close: Vec<_> = all.iter().filter(|(text, _)| !text.is_empty()).cloned().collect();
+        let shrink = |lines: &[(String, bool)]| room / (lines.len() as f64 * LINE * unit);
+        let lines = [all, close]
+            .into_iter()
+            .find(|lines| shrink(lines) >= SMALLEST)
+            .unwrap_or_else(|| self.lines(width / unit, false));
+        let shrink = shrink(&lines).min(1.0);
         let mut y = self.room.top + FORMULA * unit * shrink;
         for (text, strong) in lines {
             let color = if strong { self.colors.text } else { self.colors.faint };
@@ -379,7 +384,7 @@ impl<'a> Sheet<'a> {
             lines.push((String::new(), false));
             let formula = format!("{} = {}", quantity.symbol, step.formula);
             lines.extend(wrap(&formula, most).into_iter().map(|line| (line, true)));
-            if all {
+            if all && step.filled != step.formula {
                 let filled = format!("   = {}", step.filled);
                 lines.extend(wrap(&filled, most).into_iter().map(|line| (line, false)));
             }
