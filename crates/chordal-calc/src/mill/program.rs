@@ -67,8 +67,10 @@ impl Words<'_> {
         if text.contains('.') { format!("{letter}{text}") } else { format!("{letter}{text}.") }
     }
 
-    fn millimetres(&self, letter: char, mm: f64) -> String {
-        self.word(letter, (mm / self.plan.step).round())
+    /// Height of rapids: above all that is cut, so that none goes down.
+    fn clear(&self) -> f64 {
+        let asked = (self.ask.clearance / self.plan.step).round();
+        self.plan.heights.iter().copied().fold(asked, f64::max)
     }
 
     fn xy(&self, at: [f64; 2]) -> String {
@@ -99,7 +101,7 @@ impl Words<'_> {
             ("wear", ask.wear.map_or_else(String::new, |_| format!("D{} ", ask.tool))),
             ("start", self.xy(self.plan.start)),
             ("spindle", format!("S{}", trimmed(ask.spindle, 0))),
-            ("clear", self.millimetres('Z', ask.clearance)),
+            ("clear", self.word('Z', self.clear())),
         ]
     }
 
