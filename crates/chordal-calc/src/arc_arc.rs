@@ -3,7 +3,7 @@
 use chordal_geometry::Vec2;
 
 use crate::corner::{Side, cutter};
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{PI, atan2, cos, sin};
 use crate::numbers::{Units, degrees, factor};
@@ -37,6 +37,7 @@ struct Crossing {
 /// When the arcs do not cross, or the cutter cannot touch both.
 pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
     let ArcArc { cutter_radius: cr, radii, inside, apart, side } = *ask;
+    bounded(&[cr, radii[0], radii[1], apart[0], apart[1]], &[], units)?;
     cutter(cr, units)?;
     let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
     for (radius, inside) in radii.into_iter().zip(inside) {

@@ -2,7 +2,7 @@
 
 use chordal_geometry::{Direction, Vec2};
 
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{FRAC_PI_2, TAU, turn, unit};
 use crate::numbers::{Units, degrees, factor};
@@ -29,14 +29,12 @@ pub struct ArcPoints {
 /// When the radius is none.
 pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
     let ArcPoints { start, radius, from, to, direction } = *ask;
+    bounded(&[start.a, start.b, radius], &[from, to], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
         return Err(CalcError::new(
             format!("an arc of radius {} cannot be", units.length(radius)),
             "give a radius above zero",
         ));
-    }
-    if ![start.a, start.b, from, to].iter().all(|value| value.is_finite()) {
-        return Err(CalcError::new("a number is out of range", "check start and angles"));
     }
     let ccw = direction == Direction::Ccw;
     let open = if ccw { turn(to - from) } else { turn(from - to) };

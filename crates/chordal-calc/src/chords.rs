@@ -2,7 +2,7 @@
 
 use chordal_geometry::Vec2;
 
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{FRAC_PI_2, TAU, acos, cos, sin, unit};
 use crate::numbers::{Units, degrees, trimmed};
@@ -28,6 +28,7 @@ const DRAWN: f64 = 12.0;
 /// When the tolerance is not between nothing and the radius.
 pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> {
     let ChordCount { radius, tolerance, sweep } = *ask;
+    bounded(&[radius, tolerance], &[sweep], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
         return Err(CalcError::new(
             format!("an arc of radius {} cannot be", units.length(radius)),

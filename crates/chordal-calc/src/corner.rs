@@ -2,7 +2,7 @@
 
 use chordal_geometry::Vec2;
 
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{FRAC_PI_2, PI, TAU, cos, sin, tan, turn, unit};
 use crate::numbers::{Units, degrees, factor};
@@ -81,6 +81,7 @@ pub(crate) fn cutter(radius: f64, units: Units) -> Result<(), CalcError> {
 /// When the angle is not between 0° and 180°, or the cutter is none.
 pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcError> {
     let LineAxis { cutter_radius, angle, axis, bend, rise } = *ask;
+    bounded(&[cutter_radius, rise.unwrap_or(0.0)], &[angle], units)?;
     cutter(cutter_radius, units)?;
     if !(angle > 1e-9 && angle < PI - 1e-9) {
         return Err(CalcError::new(
@@ -190,10 +191,8 @@ fn end_of_slope(
 /// When the second line goes back along the first, or the cutter is none.
 pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError> {
     let TwoLines { cutter_radius, a, side, .. } = *ask;
+    bounded(&[cutter_radius], &[a, ask.b], units)?;
     cutter(cutter_radius, units)?;
-    if !(a.is_finite() && ask.b.is_finite()) {
-        return Err(CalcError::new("an angle is no number", "give both angles in degrees"));
-    }
     // The bend taken the short way, in (−180°, 180°].
     let bend = PI - turn(PI - (ask.b - a));
     let b = a + bend;

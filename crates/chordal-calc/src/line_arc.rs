@@ -3,7 +3,7 @@
 use chordal_geometry::Vec2;
 
 use crate::corner::cutter;
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{PI, atan2};
 use crate::numbers::Units;
@@ -33,6 +33,7 @@ pub struct LineArc {
 /// When line and arc do not meet, or the cutter cannot touch both.
 pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
     let LineArc { cutter_radius, radius, height, inside, toward, corner } = *ask;
+    bounded(&[cutter_radius, radius, height, corner.unwrap_or(0.0)], &[], units)?;
     cutter(cutter_radius, units)?;
     check(ask, units)?;
     let (arc_sign, line_sign) = (if inside { "−" } else { "+" }, if toward { "−" } else { "+" });

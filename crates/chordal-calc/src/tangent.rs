@@ -3,7 +3,7 @@
 use chordal_geometry::Vec2;
 
 use crate::corner::{Side, cutter, signed};
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{FRAC_PI_2, cos, sin, turn, unit};
 use crate::numbers::{Units, degrees};
@@ -26,10 +26,8 @@ pub struct Tangent {
 /// When the cutter is none.
 pub fn tangent_point(ask: &Tangent, units: Units) -> Result<Worked, CalcError> {
     let Tangent { cutter_radius, angle, side } = *ask;
+    bounded(&[cutter_radius], &[angle], units)?;
     cutter(cutter_radius, units)?;
-    if !angle.is_finite() {
-        return Err(CalcError::new("the angle is no number", "give it in degrees"));
-    }
     let (dx, dy) = (cutter_radius * sin(angle), cutter_radius * cos(angle));
     let mut worked = Worked::new("Tangent point of a line with an arc, or of two arcs", units);
     worked.given("CR", "cutter radius", Kind::Length, cutter_radius);

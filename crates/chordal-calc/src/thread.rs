@@ -2,7 +2,7 @@
 
 use chordal_geometry::Vec2;
 
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, Style};
 use crate::math::{PI, atan};
 use crate::numbers::{Units, trimmed};
@@ -123,6 +123,7 @@ impl Thread {
     /// When a size is none, or the profile is deeper than the thread is thick.
     pub fn check(&self, units: Units) -> Result<(), CalcError> {
         let Thread { major, pitch, starts } = *self;
+        bounded(&[major, pitch], &[], units)?;
         let good = |value: f64| value > 0.0 && value.is_finite();
         if !good(major) || !good(pitch) || starts == 0 {
             return Err(CalcError::new(

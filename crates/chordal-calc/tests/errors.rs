@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use chordal_calc::*;
 use chordal_machine::ControlName;
+use proptest::prelude::*;
 
 #[track_caller]
 fn refused<T: std::fmt::Debug>(result: Result<T, CalcError>, parts: &[&str]) {
@@ -88,7 +89,7 @@ fn threads() {
         refused(Designation::read(name), &["is no thread"]);
     }
     let coarse = Thread { major: 6.0, pitch: 8.0, starts: 1 };
-    refused(thread_data(&coarse, Units::Millimetre), &["8 mm", "9.8149 mm", "6 mm"]);
+    refused(thread_data(&coarse, Units::Millimetre), &["8 mm", "9.815 mm", "6 mm"]);
     refused(thread_data(&Thread { starts: 0, ..coarse }, Units::Millimetre), &["0 starts"]);
 }
 
@@ -112,5 +113,78 @@ fn tools_that_do_not_fit() {
         assert!(thread_mill(&ThreadMill { feed: broken, ..mill() }).is_err());
         assert!(thread_mill(&ThreadMill { tool_diameter: broken, ..mill() }).is_err());
         assert!(thread_mill(&ThreadMill { spindle: broken, ..mill() }).is_err());
+    }
+}
+
+#[test]
+fn a_pitch_finer_than_the_program_can_say() {
+    let thread = Thread { major: 38.1, pitch: 0.05, starts: 1 };
+    refused(thread_mill(&ThreadMill { thread, ..mill() }), &["0.00197 in", "0.0001 in"]);
+    let starts = Thread { starts: 2, ..mill().thread };
+    refused(thread_mill(&ThreadMill { thread: starts, ..mill() }), &["2 starts"]);
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => 0.01f64..100.0,
+        1 => any::<f64>(),
+        1 => Just(0.0),
+        1 => Just(f64::MAX),
+        1 => Just(f64::MIN_POSITIVE),
+    ]
+}
+
+proptest! {
+    /// Whatever is asked, there is an answer in finite numbers, or an error that says why.
+    #[test]
+    fn any_numbers(n in [number(), number(), number(), number(), number(), number()], way: [bool; 6]) {
+        let finite = |result: Result<Worked, CalcError>| {
+            if let Ok(worked) = result {
+                for step in &worked.steps {
+                    let text = step.quantity.text(worked.units);
+                    assert!(!text.contains("NaN"), "{worked:?}");
+                }
+            }
+        };
+        let [a, b, c, d, e, f] = n;
+        let units = if way[0] { Units::Inch } else { Units::Millimetre };
+        let side = if way[1] { Side::Left } else { Side::Right };
+        finite(corner_of_lines(&TwoLines { cutter_radius: a, a: b, b: c, side }, units));
+        finite(tangent_point(&Tangent { cutter_radius: a, angle: b, side }, units));
+        let corner = way[2].then_some(d);
+        finite(line_with_arc(
+            &LineArc { cutter_radius: a, radius: b, height: c, inside: way[3], toward: way[4], corner },
+            units,
+        ));
+        let inside = [way[3], way[4]];
+        finite(arc_with_arc(&ArcArc { cutter_radius: a, radii: [b, c], inside, apart: [d, e], side }, units));
+        finite(chord_count(&ChordCount { radius: a, tolerance: b, sweep: c }, units));
+        let thread = Thread { major: a, pitch: b, starts: 1 };
+        finite(thread_data(&thread, units));
+        let ask = ThreadMill {
+            thread,
+            units,
+            tool_diameter: c,
+            depth: d,
+            feed: e,
+            clearance: f,
+            place: if way[1] { Where::Inside } else { Where::Outside },
+            cutter: if way[2] { Cutter::Hob } else { Cutter::Single },
+            root: way[3].then_some(f),
+            wear: way[4].then_some(e),
+            ..mill()
+        };
+        if let Ok(program) = thread_mill(&ask) {
+            prop_assert!(!program.text.contains("NaN") && !program.text.contains("inf"));
+            finite(Ok(program.worked));
+        }
+    }
+
+    /// Any text is a thread or is refused.
+    #[test]
+    fn any_name(name in "[M0-9 ./x\\-]{0,12}") {
+        if let Ok(thread) = Designation::read(&name) {
+            prop_assert!(thread.major > 0.0 && thread.pitch > 0.0 && thread.pitch.is_finite());
+        }
     }
 }

@@ -75,7 +75,7 @@ enum Command {
     Check(check::Args),
     Commands(commands::Args),
     Chords(chords::Args),
-    Calc(calc::Args),
+    Calc(Box<calc::Args>),
     Explain(explain::Args),
     Machines(machines::Args),
     Completions(completions::Args),

@@ -100,7 +100,7 @@ fn figures_are_written() {
     folder.run(&base).ends(0);
     let svg = folder.read("a.svg");
     assert!(svg.starts_with("<svg") && svg.contains("ΔX 0.14434"), "{svg}");
-    let png = std::fs::read(folder.path("b.png")).unwrap();
+    let png = folder.bytes("b.png");
     assert!(png.starts_with(b"\x89PNG"));
     assert_eq!(folder.names(), ["a.svg", "b.png"]);
 }

@@ -285,3 +285,19 @@ fn compensation_has_a_straight_way_in_and_out() {
         assert!(path[at - 1].length_mm > 0.2);
     }
 }
+
+/// A remark holds nothing that a control could take for the end of its block or of the remark.
+#[test]
+fn remarks_are_safe() {
+    for ask in all().into_iter().step_by(7) {
+        let text = thread_mill(&ThreadMill { wear: None, ..ask.clone() }).map(|made| made.text);
+        let Ok(text) = text else { continue };
+        assert!(text.is_ascii());
+        for line in text.lines() {
+            let semicolon = line.rfind(';').is_none_or(|at| at == 0);
+            assert!(semicolon && line.matches('(').count() <= 1, "{line}");
+            assert_eq!(line.matches('(').count(), line.matches(')').count(), "{line}");
+            assert!(line.len() <= 80, "{line}");
+        }
+    }
+}

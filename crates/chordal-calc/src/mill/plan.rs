@@ -9,6 +9,9 @@ use crate::thread::Where;
 /// Turns beyond which a thread is a slip of the keyboard.
 const MOST_TURNS: f64 = 2000.0;
 
+/// The finest pitch, in least increments: its ramp of an eighth is still some of them.
+const FINEST_PITCH: f64 = 40.0;
+
 /// Where the tool goes. Lengths are in least increments unless they say mm.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
@@ -50,7 +53,7 @@ impl Plan {
     pub fn new(ask: &ThreadMill) -> Result<Plan, CalcError> {
         check_numbers(ask)?;
         let inside = ask.place == Where::Inside;
-        let step = ask.units.mm() / f64::from(10u32.pow(ask.units.word_decimals() as u32));
+        let step = step(ask.units);
         let cut_diameter = match ask.place {
             Where::Inside => ask.thread.major,
             Where::Outside => ask.root.unwrap_or_else(|| ask.thread.minor_outside()),
@@ -183,6 +186,11 @@ impl Plan {
     }
 }
 
+/// Least increment of a program's coordinates, mm.
+fn step(units: Units) -> f64 {
+    units.mm() / f64::from(10u32.pow(units.word_decimals() as u32))
+}
+
 fn turns(ask: &ThreadMill) -> Result<u32, CalcError> {
     if ask.cutter == Cutter::Hob {
         return Ok(1);
@@ -210,6 +218,18 @@ fn check_numbers(ask: &ThreadMill) -> Result<(), CalcError> {
         return Err(CalcError::new(
             format!("a thread of {} starts is not written as a program", ask.thread.starts),
             "give one start; each further start is the same program with Z0 higher by the pitch",
+        ));
+    }
+    positive("the diameter", units.length(ask.thread.major), ask.thread.major)?;
+    let finest = FINEST_PITCH * step(units);
+    if ask.thread.pitch < finest {
+        return Err(CalcError::new(
+            format!(
+                "a pitch of {} is too fine for a program with steps of {}",
+                units.length(ask.thread.pitch),
+                units.length(step(units))
+            ),
+            format!("give a pitch of {} at least", units.length(finest)),
         ));
     }
     positive("the tool", units.length(ask.tool_diameter), ask.tool_diameter)?;

@@ -112,7 +112,7 @@ impl Words<'_> {
         let sign = if ask.place == Where::Inside { '-' } else { '+' };
         let low = plan.heights.iter().copied().fold(f64::INFINITY, f64::min);
         let mut remarks = vec![
-            format!("for {}; chordal check --machine {}", ask.control, self.post.machine),
+            format!("for {}, chordal check --machine {}", ask.control, self.post.machine),
             direction(ask, plan),
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),
             match ask.cutter {
@@ -123,12 +123,9 @@ impl Words<'_> {
                 ),
                 Cutter::Single => format!("single point dia {tool}: {} turns", plan.turns),
             },
+            format!("tool centre on radius {cut}/2 {sign} {tool}/2 = {}", number(plan.radius_mm)),
             format!(
-                "path of the tool's centre: {cut}/2 {sign} {tool}/2 = {} radius",
-                number(plan.radius_mm)
-            ),
-            format!(
-                "in and out on arcs of {} with {} of the pitch; lowest {}",
+                "in and out on arcs of {} with {} of the pitch, lowest {}",
                 number(plan.to_mm(plan.lead_in)),
                 plan.ramp.text(),
                 self.word('Z', low)

@@ -101,7 +101,7 @@ fn arcs() {
         }
     }
     for tolerance in [4.0, 0.5, 1e-3] {
-        for sweep in [0.3, 1.5, 6.28] {
+        for sweep in [0.3, 1.5, 6.2] {
             let ask = ChordCount { radius: 10.0, tolerance, sweep };
             readable(&chord_count(&ask, Units::Millimetre).unwrap());
         }
