@@ -34,7 +34,7 @@ pub(crate) fn bounded(lengths: &[f64], angles: &[f64], units: Units) -> Result<(
             ));
         }
     }
-    match angles.iter().find(|angle| !(angle.abs() <= MOST_ANGLE)) {
+    match angles.iter().find(|angle| angle.is_nan() || angle.abs() > MOST_ANGLE) {
         Some(angle) => Err(CalcError::new(
             format!("{:e}° is no angle of a drawing", angle.to_degrees()),
             "check the number and its unit",

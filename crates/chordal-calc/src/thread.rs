@@ -154,6 +154,11 @@ impl Thread {
         self.major - INSIDE * self.pitch
     }
 
+    /// Where a profile without a rounded or flat root comes to a point, mm.
+    pub(crate) fn sharp_root(&self) -> f64 {
+        self.major - 2.0 * H * self.pitch
+    }
+
     /// Root diameter of an outside thread, mm.
     pub fn minor_outside(&self) -> f64 {
         self.major - OUTSIDE * self.pitch

@@ -108,6 +108,8 @@ fn tools_that_do_not_fit() {
     refused(thread_mill(&fine), &["2836 turns"]);
     let root = ThreadMill { place: Where::Outside, root: Some(40.0), ..mill() };
     refused(thread_mill(&root), &["1.5748 in", "1.5 in"]);
+    let root = ThreadMill { place: Where::Outside, root: Some(30.0), ..mill() };
+    refused(thread_mill(&root), &["1.1811 in", "1.28349 in"]);
     for broken in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
         assert!(thread_mill(&ThreadMill { depth: broken, ..mill() }).is_err());
         assert!(thread_mill(&ThreadMill { feed: broken, ..mill() }).is_err());

@@ -1,7 +1,7 @@
 //! The way of the tool, in least increments of the program, so that what is written is exact.
 
 use super::{Cut, Cutter, Hand, Ramp, ThreadMill};
-use crate::error::CalcError;
+use crate::error::{CalcError, bounded};
 use crate::math::{FRAC_PI_2, PI};
 use crate::numbers::Units;
 use crate::thread::Where;
@@ -214,6 +214,8 @@ fn turns(ask: &ThreadMill) -> Result<u32, CalcError> {
 fn check_numbers(ask: &ThreadMill) -> Result<(), CalcError> {
     let units = ask.units;
     ask.thread.check(units)?;
+    let (root, wear) = (ask.root.unwrap_or(0.0), ask.wear.unwrap_or(0.0));
+    bounded(&[ask.tool_diameter, ask.depth, ask.clearance, root, wear], &[], units)?;
     if ask.thread.starts != 1 {
         return Err(CalcError::new(
             format!("a thread of {} starts is not written as a program", ask.thread.starts),
@@ -274,14 +276,22 @@ fn fits(ask: &ThreadMill, units: Units) -> Result<(), CalcError> {
             ))
         }
         (Where::Outside, None) => Ok(()),
-        (Where::Outside, Some(root)) if root > 0.0 && root < ask.thread.major => Ok(()),
-        (Where::Outside, Some(root)) => Err(CalcError::new(
-            format!(
-                "a root diameter of {} does not lie below the major diameter of {}",
-                units.length(root),
-                units.length(ask.thread.major)
-            ),
-            "give the diameter at the bottom of the thread",
-        )),
+        (Where::Outside, Some(root)) => {
+            // The sharp profile is the deepest there is.
+            let sharp = ask.thread.sharp_root();
+            if root > sharp.max(0.0) && root < ask.thread.major {
+                return Ok(());
+            }
+            Err(CalcError::new(
+                format!(
+                    "a root diameter of {} is not between the major diameter of {} and {}, where a \
+                     60° profile comes to a point",
+                    units.length(root),
+                    units.length(ask.thread.major),
+                    units.length(sharp)
+                ),
+                "give the diameter at the bottom of the thread",
+            ))
+        }
     }
 }
