@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use super::distance::{Near, nearest};
-use super::material::Material;
+use super::material::{Material, turn};
 use super::shape::PlaneCurve;
 use super::tree::{BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
 use super::{Contour, Move};
@@ -202,8 +202,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Finds for each move of the path the blocks it lies beside, and clears `broken` of the blocks that
-/// have a move which is their true offset, in their own direction.
+/// Finds for each move of the path the blocks it lies beside. Clears `broken` of the blocks that have
+/// a move which is their true offset, in their own direction, and no move that is anything else.
 fn offsets(
     contour: &Contour,
     material: &Material,
@@ -212,28 +212,28 @@ fn offsets(
     broken: &mut [bool],
 ) -> Vec<Hull> {
     const FOREIGN: Hull = Hull { first: u32::MAX, last: 0, foreign: true };
-    let last = material.curves.len().saturating_sub(1);
     let signed = contour.side.sign() * contour.radius;
+    let mut spoilt = Vec::new();
     let mut guess = 0;
-    path.iter()
+    let hulls = path
+        .iter()
         .map(|step| {
             let Some(at) = material.place(step.tag, &mut guess) else { return FOREIGN };
-            let block = &material.curves[at];
-            let hull = |first: usize, last: usize| Hull {
-                first: first as u32,
-                last: last as u32,
-                foreign: false,
-            };
-            if is_offset(&step.curve, block, signed, slack) {
+            if is_offset(&step.curve, &material.curves[at], signed, slack) {
                 broken[at] = false;
-                hull(at, at)
-            } else if is_corner(&step.curve, block, signed.abs(), slack) {
-                hull(at.saturating_sub(1), (at + 1).min(last))
+                Hull { first: at as u32, last: at as u32, foreign: false }
+            } else if let Some(hull) = around_corner(&step.curve, material, at, signed, slack) {
+                hull
             } else {
+                spoilt.push(at);
                 FOREIGN
             }
         })
-        .collect()
+        .collect();
+    for at in spoilt {
+        broken[at] = true;
+    }
+    hulls
 }
 
 /// Whether a move runs beside a block, at the distance `signed` to its left, in its direction.
@@ -260,12 +260,38 @@ fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> 
     }
 }
 
-/// Whether a move links two offsets around an end of the block, nowhere nearer to it than `radius`.
-fn is_corner(step: &PlaneCurve, block: &PlaneCurve, radius: f64, slack: f64) -> bool {
-    [block.from(), block.to()].into_iter().any(|corner| match step {
-        PlaneCurve::Line { .. } => step.nearest(corner).distance(corner) >= radius - slack,
+/// The blocks around the outside corner at the end of block `at`, if the move links their offsets and
+/// comes nowhere nearer to it than the radius. An inside corner has no links: the offsets meet
+/// there, or they are not trimmed.
+fn around_corner(
+    step: &PlaneCurve,
+    material: &Material,
+    at: usize,
+    signed: f64,
+    slack: f64,
+) -> Option<Hull> {
+    let last = material.curves.len() - 1;
+    let next = if at < last { at + 1 } else { 0 };
+    if next == 0 && !material.is_closed() {
+        return None;
+    }
+    let (before, after) = (&material.curves[at], &material.curves[next]);
+    let (corner, radius) = (before.to(), signed.abs());
+    let links = match *step {
+        // The farthest vertex of a linear corner lies √2 radii from it.
+        PlaneCurve::Line { from, to } => {
+            let farthest = 1.5 * radius;
+            from.distance(corner) <= farthest
+                && to.distance(corner) <= farthest
+                && step.nearest(corner).distance(corner) >= radius - slack
+        }
         PlaneCurve::Arc { center, radius: about, .. } => {
             center.distance(corner) <= slack && (about - radius).abs() <= slack
         }
+    };
+    (links && turn(before, after) * signed <= 0.0).then_some(Hull {
+        first: at as u32,
+        last: (at + 1).min(last) as u32,
+        foreign: false,
     })
 }
