@@ -3,8 +3,8 @@
 
 use chordal_geometry::Vec2;
 use chordal_path::gouge::{
-    Block, Contour, GougeKind, GougeReport, Material, Move, Options, PlaneCurve, Role, Side, check,
-    clearance, nearest,
+    Block, Contour, Corners, GougeKind, GougeReport, LimitReason, Material, Move, Options,
+    PlaneCurve, Role, Side, check, clearance, intervals, nearest, range,
 };
 
 struct Case {
@@ -204,4 +204,72 @@ fn a_corner_left_out_after_two_idle_blocks_cuts_the_wall() {
     let deepest = report.gouges[0];
     assert_eq!((deepest.depth, deepest.center), (5.0, Vec2::new(0.0, 5.0)));
     assert_eq!(deepest.cut, 2);
+}
+
+#[test]
+fn the_largest_radius_and_what_limits_it() {
+    use LimitReason::{InsideArc, LeadArc, ShortBlock, Throat};
+    for (name, corners, radius, reason) in [
+        ("08a typeA_linear", Corners::Linear, 5.5, InsideArc),
+        // The step itself does not limit; the open ends' blocks of 40 mm are used up.
+        ("09a typeA_linear", Corners::Linear, 40.0, ShortBlock),
+        ("09a typeA_circular", Corners::Circular, 3.0, ShortBlock),
+        ("10 typeA_linear", Corners::Linear, 4.0, Throat),
+        ("11 typeA_linear", Corners::Linear, 4.0, Throat),
+        ("17 typeA_linear", Corners::Linear, 1.0, InsideArc),
+        ("18 typeA_linear", Corners::Linear, 0.19, InsideArc),
+        ("22a typeA_linear", Corners::Linear, 0.25, LeadArc),
+        ("24 typeA_linear", Corners::Linear, 0.25, LeadArc),
+        ("25 typeA_linear", Corners::Linear, 0.375, InsideArc),
+        ("28a typeA_linear", Corners::Linear, 16.1803, ShortBlock),
+    ] {
+        let case = case(name);
+        let found = range(&case.contour, corners, &case.options);
+        let largest =
+            if reason == LeadArc { found.largest() } else { found.no_gouge.clone() };
+        assert_eq!(largest.reason, reason, "{name}: {found:?}");
+        assert!((largest.radius - radius).abs() < 1e-4 && found.complete, "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn a_floor_between_two_slopes_is_used_up() {
+    // 4 mm between slopes of 45°: both neighbours take tan 22.5° of the radius.
+    let points = [(-20.0, 20.0), (0.0, 0.0), (4.0, 0.0), (24.0, 20.0)].map(Vec2::from);
+    let curves: Vec<PlaneCurve> = points.windows(2).map(|p| PlaneCurve::line(p[0], p[1])).collect();
+    let blocks = curves
+        .iter()
+        .enumerate()
+        .map(|(k, &curve)| Block { curve, tag: 10 + k as u32, role: Role::Offset })
+        .collect();
+    let contour = Contour { blocks, side: Side::Left, radius: 1.0 };
+    let found = range(&contour, Corners::Linear, &Options::default());
+    assert!((found.no_gouge.radius - 4.828_427).abs() < 1e-6, "{found:?}");
+    assert_eq!(found.no_gouge.blocks, [10, 11, 12]);
+    assert_eq!(found.every_edge.radius, 0.0);
+    assert_eq!(found.every_edge.reason, LimitReason::InsideCorner);
+}
+
+#[test]
+fn the_thread_mill_program_is_limited_by_its_lead_arcs() {
+    let case = case("22b typeA_linear");
+    let found = range(&case.contour, Corners::Linear, &case.options);
+    let arc = found.lead_arc.unwrap();
+    assert_eq!((arc.block, arc.radius), (1, 0.25));
+    // The line in passes the arc's centre at R/√2, the figure that the manual rounds to .175.
+    assert!((arc.line_distance.unwrap() - 0.25 / 2.0_f64.sqrt()).abs() < 1e-12);
+    assert_eq!(found.no_gouge.radius, 0.5);
+}
+
+#[test]
+fn radii_between_the_events_are_tried() {
+    let case = case("28a typeA_linear");
+    let found = range(&case.contour, Corners::Linear, &case.options);
+    let limit = found.no_gouge.radius;
+    let tried = intervals(&case.contour, &[limit], &case.options, &mut |r| {
+        (r < 17.0).then(Vec::new)
+    });
+    assert_eq!(tried.len(), 2);
+    assert!(tried[0].clear && tried[0].to == limit);
+    assert!(!tried[1].clear && tried[1].to == f64::INFINITY);
 }

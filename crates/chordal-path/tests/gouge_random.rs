@@ -4,8 +4,13 @@
 mod support;
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
-use chordal_path::gouge::{Options, PlaneCurve, Side, check, clearance};
-use support::{Dice, closed_contour, contour, offset_path, point_distance, sampled_distance};
+use chordal_path::gouge::{
+    Corners, LimitReason, Options, PlaneCurve, Side, check, clearance, range,
+};
+use support::{
+    Dice, closed_contour, contour, has_inside_corner_with_arc, offset_path, point_distance,
+    sampled_distance,
+};
 
 fn side_of(dice: &mut Dice) -> Side {
     if dice.unit() < 0.5 { Side::Left } else { Side::Right }
@@ -91,7 +96,7 @@ fn a_gouge_is_what_an_offset_library_cuts_away() {
         let mut dice = Dice::new(seed + 200_000);
         let curves = closed_contour(&mut dice);
         let side = side_of(&mut dice);
-        let radius = dice.between(0.5, 12.0);
+        let radius = dice.between(0.2, 4.0);
         let Some(path) = offset_path(&curves, side, radius) else { continue };
         let report = check(&contour(&curves, side, radius), &path, &options);
         let offset = polyline(&curves).parallel_offset(side.sign() * radius);
@@ -110,4 +115,37 @@ fn a_gouge_is_what_an_offset_library_cuts_away() {
         }
     }
     assert!(clean > 500 && gouging > 500, "{clean} clean, {gouging} gouging");
+}
+
+#[test]
+fn just_below_the_limit_nothing_is_cut_and_just_above_something_is() {
+    let options = Options { epsilon: 1e-7, ..Options::default() };
+    let (mut throats, mut short, mut arcs) = (0, 0, 0);
+    for seed in 0..3000 {
+        let mut dice = Dice::new(seed + 300_000);
+        let curves = closed_contour(&mut dice);
+        let side = side_of(&mut dice);
+        if has_inside_corner_with_arc(&curves, side) {
+            continue;
+        }
+        let limit = range(&contour(&curves, side, 0.0), Corners::Circular, &options).no_gouge;
+        if limit.radius.is_infinite() || limit.radius < 0.01 {
+            continue;
+        }
+        let gouges = |radius: f64| {
+            let path = offset_path(&curves, side, radius)?;
+            Some(check(&contour(&curves, side, radius), &path, &options).gouges)
+        };
+        let below = gouges(0.999 * limit.radius).unwrap();
+        assert!(below.is_empty(), "seed {seed}: {limit:?} {below:?}");
+        // An arc too small for the tool has no offset at all.
+        let above = gouges(1.01 * limit.radius);
+        assert!(above.is_none_or(|g| !g.is_empty()), "seed {seed}: {limit:?}");
+        match limit.reason {
+            LimitReason::Throat => throats += 1,
+            LimitReason::ShortBlock => short += 1,
+            _ => arcs += 1,
+        }
+    }
+    assert!(throats > 20 && short > 100 && arcs > 20, "{throats} {short} {arcs}");
 }

@@ -7,14 +7,19 @@
 
 mod distance;
 mod material;
+mod range;
 mod search;
 mod shape;
+mod throat;
 mod tree;
 
 use chordal_geometry::Vec2;
 
 pub use distance::{Near, nearest};
 pub use material::Material;
+pub use range::{
+    Corners, Interval, LeadArc, Limit, LimitReason, OffsetRange, intervals, range,
+};
 use search::{Cluster, Hit, Search};
 pub use shape::PlaneCurve;
 

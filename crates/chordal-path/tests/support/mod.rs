@@ -140,6 +140,16 @@ fn tangents(curve: &PlaneCurve) -> (Vec2, Vec2) {
     }
 }
 
+/// Whether an arc meets a neighbour at a sharp inside corner, which [`offset_path`] does not trim.
+pub fn has_inside_corner_with_arc(curves: &[PlaneCurve], side: Side) -> bool {
+    let is_arc = |c: &PlaneCurve| matches!(c, PlaneCurve::Arc { .. });
+    (0..curves.len()).any(|k| {
+        let (curve, next) = (&curves[k], &curves[(k + 1) % curves.len()]);
+        let (t1, t2) = (tangents(curve).1, tangents(next).0);
+        (is_arc(curve) || is_arc(next)) && t1.cross(t2) * side.sign() > 1e-9
+    })
+}
+
 /// The path beside a closed contour with round corners, as a control that looks at two blocks
 /// would run it: inside corners of lines are trimmed where the offsets cross, even if that turns a
 /// block round; at inside corners with arcs the tool runs to the end of the offset. `None` when an
