@@ -2,17 +2,17 @@
 //! modal state. Lengths are millimetres, angles radians.
 
 mod circle;
-//mod inset;
-//mod outline;
-//mod raster;
+mod inset;
+mod outline;
+mod raster;
 mod rectangle;
-//#[cfg(test)]
-//mod tests;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use circle::{ring_radii, rings};
-//pub(crate) use inset::{Inset, inset};
-//pub(crate) use outline::{Element, Outline, OutlineError};
-//pub(crate) use raster::{ClearError, RasterAlong, Region};
+pub(crate) use inset::inset;
+pub(crate) use outline::{Element, Outline, OutlineError};
+pub(crate) use raster::{RasterAlong, Region};
 pub(crate) use rectangle::{CORNER_STEP, rectangle};
 
 use chordal_geometry::Vec2;
