@@ -37,7 +37,7 @@ G13 I0.5 Q0.1 D01 (= none | ! CH825 "go together")
 G12 I1. D09 (= none | ! CH822 "tool 9")
 G13 I0.5 K1. Q0.00001 D01 (= none | ! CH211 "10000 circles")
 (Told, and milled.)
-G150 P1 X1. Y0.7 Z-0.1 R0.1 J0.6 G41 D01 (= line x12 | ! CH826 "ridges 0.1 in wide")
+G150 P1 X1. Y0.7 Z-0.1 R0.1 J0.6 G41 D01 (= line x11 | ! CH826 "ridges 0.1 in wide")
 G00 Z0.1
 M30
 N1 G01 X2. Y0.75

@@ -26,7 +26,9 @@ pub(crate) fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
     let candidates = candidates(outline, distance);
     let mut kept: Vec<Element> = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
-        for (begin, end) in kept_ranges(outline, distance, candidate, &cuts(candidate, index, &candidates)) {
+        for (begin, end) in
+            kept_ranges(outline, distance, candidate, &cuts(candidate, index, &candidates))
+        {
             let part = candidate.part(begin, end);
             if !kept.iter().any(|other| same(other, &part)) {
                 kept.push(part);

@@ -196,7 +196,8 @@ impl Outline {
     /// Checks that the elements close (within `tolerance`, mm) and do not cross.
     pub(crate) fn new(elements: Vec<Element>, tolerance: f64) -> Result<Outline, OutlineError> {
         let mut elements: Vec<Element> = elements.iter().filter_map(settled).collect();
-        let (Some(first), Some(last)) = (elements.first().copied(), elements.last().copied()) else {
+        let (Some(first), Some(last)) = (elements.first().copied(), elements.last().copied())
+        else {
             return Err(OutlineError::Empty);
         };
         let gap = last.to().distance(first.from());
@@ -279,7 +280,8 @@ fn settled(element: &Element) -> Option<Element> {
                     let center = middle + left * left.dot(center - middle);
                     let (u, v) = (from - center, to - center);
                     let angle = libm::atan2(u.cross(v), u.dot(v));
-                    let turned = if angle * sweep < 0.0 { angle + TAU * sweep.signum() } else { angle };
+                    let turned =
+                        if angle * sweep < 0.0 { angle + TAU * sweep.signum() } else { angle };
                     Element::Arc { from, to, center, sweep: turned }
                 }
             }

@@ -213,9 +213,8 @@ impl<'a> Region<'a> {
             .elements()
             .iter()
             .any(|element| element.crossings(&way, SAME_POINT_MM).iter().any(apart));
-        let far = |t: f64| {
-            self.outline.distance(way.point(t)) >= self.distance - 2.0 * NEAR_ENOUGH_MM
-        };
+        let far =
+            |t: f64| self.outline.distance(way.point(t)) >= self.distance - 2.0 * NEAR_ENOUGH_MM;
         !crossed && [0.25, 0.5, 0.75].into_iter().all(far) && self.holds_or_borders(way.point(0.5))
     }
 

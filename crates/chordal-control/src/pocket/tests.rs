@@ -158,7 +158,12 @@ fn slot() -> Outline {
         Element::Line { from: p(-10.0, -10.0), to: p(10.0, -10.0) },
         Element::Arc { from: p(10.0, -10.0), to: p(10.0, 10.0), center: p(10.0, 0.0), sweep: PI },
         Element::Line { from: p(10.0, 10.0), to: p(-10.0, 10.0) },
-        Element::Arc { from: p(-10.0, 10.0), to: p(-10.0, -10.0), center: p(-10.0, 0.0), sweep: PI },
+        Element::Arc {
+            from: p(-10.0, 10.0),
+            to: p(-10.0, -10.0),
+            center: p(-10.0, 0.0),
+            sweep: PI,
+        },
     ];
     Outline::new(elements, 1e-3).unwrap()
 }
@@ -292,8 +297,7 @@ fn random_outlines_are_cleared_and_never_left() {
     for seed in 1..=60 {
         let outline = star(seed);
         let tool = 0.7 + f64::from(seed as u32 % 5);
-        let along =
-            if seed % 2 == 0 { RasterAlong::First } else { RasterAlong::Second };
+        let along = if seed % 2 == 0 { RasterAlong::First } else { RasterAlong::Second };
         let done = check_cleared(&outline, tool, Vec2::new(0.3, -0.2), along, 1.9 * tool);
         cleared += u32::from(done);
     }
@@ -333,6 +337,7 @@ fn what_is_no_outline() {
     let back = lines(&[(0.0, 0.0), (10.0, 0.0), (5.0, 0.0), (0.0, 0.0)]);
     assert!(Outline::new(back, 1e-2).is_err());
     assert_eq!(Outline::new(Vec::new(), 1e-2).err(), Some(OutlineError::Empty));
-    let circle = Element::Arc { from: p(1.0, 0.0), to: p(1.0, 0.0), center: p(0.0, 0.0), sweep: -TAU };
+    let circle =
+        Element::Arc { from: p(1.0, 0.0), to: p(1.0, 0.0), center: p(0.0, 0.0), sweep: -TAU };
     assert!(Outline::new(vec![circle], 1e-2).unwrap().was_clockwise());
 }

@@ -38,7 +38,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let placed: Vec<Step> = path.iter().map(|step| step.shifted(center)).collect();
         let name = format!("G1{}", if direction == Direction::Cw { 2 } else { 3 });
         let choice = "half circles between full circles are shown, tangent and of one sense";
-        let label = format!("{} circles", radii.len());
+        let label = format!("circles: {}", radii.len());
         self.note_assumed_path(self.span(block.words[at].range), &name, choice, label);
         let down = z.map_or(0.0, |z| z - self.state.position[2]);
         for pass in 0..repeats {

@@ -56,7 +56,7 @@ impl<S: Sink> Interpreter<'_, S> {
             return self.report_too_many_passes(self.words_span(block, Letters::of("QIJ")), "rows");
         }
         let span = self.span(block.words[at].range);
-        let label = format!("{} levels", words.levels.len());
+        let label = format!("levels: {}", words.levels.len());
         let choice = "the order of its rows and the ways between them are Chordal's";
         self.note_assumed_path(span, "G150", choice, label);
         let mut over = words.start;

@@ -34,7 +34,12 @@ enum Reading {
 
 impl<S: Sink> Interpreter<'_, S> {
     /// The outline of a pocket whose start hole is `start`. `None` when it was told why not.
-    pub(super) fn pocket_outline(&mut self, block: &Block, at: usize, start: Vec2) -> Option<Outline> {
+    pub(super) fn pocket_outline(
+        &mut self,
+        block: &Block,
+        at: usize,
+        start: Vec2,
+    ) -> Option<Outline> {
         let Some(word) = block.last(b'P').copied() else {
             self.report(
                 Diagnostic::new(
@@ -92,7 +97,8 @@ impl<S: Sink> Interpreter<'_, S> {
         named: Span,
         start: Vec2,
     ) -> Option<Vec<Element>> {
-        let mut pen = Pen { place: start, motion: Action::Linear, incremental: self.state.incremental };
+        let mut pen =
+            Pen { place: start, motion: Action::Linear, incremental: self.state.incremental };
         let mut moves = Vec::new();
         let mut block = Block::new();
         for _ in 0..MAX_BLOCKS {
@@ -115,9 +121,10 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     fn outline_block(&mut self, block: &Block, pen: &mut Pen) -> Reading {
-        let computed = block.words.iter().any(|word| {
-            matches!(word.value, Value::Expression(_) | Value::Register { .. })
-        });
+        let computed = block
+            .words
+            .iter()
+            .any(|word| matches!(word.value, Value::Expression(_) | Value::Register { .. }));
         if computed || matches!(block.kind, BlockKind::Macro(_)) {
             let message = "the outline of a pocket takes no macro variables".to_string();
             return self.wrong_outline(block, message, "write numbers");
@@ -158,7 +165,11 @@ impl<S: Sink> Interpreter<'_, S> {
         let letters = block.letters();
         if letters.has(b'Z') {
             let message = "Z in the outline of a pocket".to_string();
-            return self.wrong_outline(block, message, "the depth stands in the pocket's own block");
+            return self.wrong_outline(
+                block,
+                message,
+                "the depth stands in the pocket's own block",
+            );
         }
         let from = pen.place;
         let base = if pen.incremental { from } else { Vec2::ZERO };
@@ -179,7 +190,13 @@ impl<S: Sink> Interpreter<'_, S> {
         self.outline_arc(block, from, to, direction)
     }
 
-    fn outline_arc(&mut self, block: &Block, from: Vec2, to: Vec2, direction: Direction) -> Reading {
+    fn outline_arc(
+        &mut self,
+        block: &Block,
+        from: Vec2,
+        to: Vec2,
+        direction: Direction,
+    ) -> Reading {
         let flat = |p: Vec2| Vec3::new(p.a, p.b, 0.0);
         let tolerance = self.control.parameters.radius_error_tolerance_mm;
         let center = match self.length_of(block, b'R') {
@@ -193,7 +210,10 @@ impl<S: Sink> Interpreter<'_, S> {
             )),
         };
         let fit = center.map(|center| {
-            (center, arc_from_center(Plane::Xy, flat(from), flat(to), center, direction, 0, tolerance))
+            (
+                center,
+                arc_from_center(Plane::Xy, flat(from), flat(to), center, direction, 0, tolerance),
+            )
         });
         match fit {
             Some((center, fit))
