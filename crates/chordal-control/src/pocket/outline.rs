@@ -201,8 +201,7 @@ impl Outline {
             return Err(OutlineError::Empty);
         };
         let gap = last.to().distance(first.from());
-        // Not within the tolerance: a gap that is no number is none either.
-        if !(gap <= tolerance) {
+        if gap > tolerance {
             return Err(OutlineError::Open(gap));
         }
         if gap > 0.0 {
@@ -214,7 +213,7 @@ impl Outline {
             return Err(OutlineError::CrossesItself(point));
         }
         let area = area(&elements);
-        if !(area.abs() > SAME_POINT_MM) {
+        if area.abs() <= SAME_POINT_MM {
             return Err(OutlineError::Empty);
         }
         let clockwise = area < 0.0;

@@ -155,8 +155,7 @@ impl<'a> Region<'a> {
             }
         }
         let count = ((high - low) / step).ceil();
-        // A count that is no number is no count either.
-        if !(count <= limit as f64) {
+        if count > limit as f64 {
             return Err(ClearError::TooManyRows);
         }
         let place = |at: f64, level: f64| match along {

@@ -22,8 +22,7 @@ pub(crate) fn rectangle(
     let upright = half.b > half.a;
     let (long, short) = if upright { (half.b, half.a) } else { (half.a, half.b) };
     let count = (short / step - 1e-9).ceil().max(0.0);
-    // A count that is no number is no count either.
-    if !(count <= f64::from(limit)) {
+    if count > f64::from(limit) {
         return None;
     }
     let middle = long - short;

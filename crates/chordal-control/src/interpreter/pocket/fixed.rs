@@ -75,7 +75,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let last = (0.5 * diameter - call.tool).max(0.0);
         let step = (2.0 * call.flat).min(self.control.parameters.pocket_stepover_mm);
         let count = (last / step - SAME_MM).ceil().max(0.0);
-        if !(count <= f64::from(MAX_RINGS)) {
+        if count > f64::from(MAX_RINGS) {
             return self.report_too_many_passes(self.span(word.range), "rings");
         }
         let radii: Vec<f64> =
@@ -283,8 +283,7 @@ impl<S: Sink> Interpreter<'_, S> {
     fn register_feed(&mut self, block: &Block) -> Option<f64> {
         let word = self.register_word(block, 0)?;
         let feed = self.state.scale.length(self.literal(&word)?) / 60.0;
-        // Not above zero: a feed that is no number is none either.
-        if !(feed > 0.0) {
+        if feed <= 0.0 {
             self.improper(&word, "a fixed routine at feed zero".into(), "give the feed with R0+");
             return None;
         }

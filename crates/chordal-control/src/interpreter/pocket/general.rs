@@ -121,8 +121,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
         };
         let allowance = self.length_of(block, b'K').unwrap_or(0.0);
-        // Not above zero: a step that is no number is none either.
-        if !(step > 0.0) || !(allowance >= 0.0) {
+        if step <= 0.0 || allowance < 0.0 {
             let message = "the stepover must be above zero, and K not below it";
             self.refuse_pocket(block, at, message, "check I or J, and K");
             return None;
@@ -133,13 +132,13 @@ impl<S: Sink> Interpreter<'_, S> {
     /// R − Q, R − 2Q, …, Z; without Q, Z alone.
     fn pocket_levels(&mut self, block: &Block, at: usize, r: f64, z: f64) -> Option<Vec<f64>> {
         let Some(q) = self.length_of(block, b'Q') else { return Some(vec![z]) };
-        if !(q > 0.0) {
+        if q <= 0.0 {
             let message = "the depth of a pass, Q, must be above zero";
             self.refuse_pocket(block, at, message, "give Q without a sign");
             return None;
         }
         let count = ((r - z - LEVEL_EPSILON_MM) / q).ceil().max(1.0);
-        if !(count <= f64::from(MAX_RINGS)) {
+        if count > f64::from(MAX_RINGS) {
             self.report_too_many_passes(self.words_span(block, Letters::of("Q")), "levels");
             return None;
         }
