@@ -8,8 +8,8 @@ O151
 T1 M06
 G00 G90 G17 G40 G49 G54 X0.7 Y0.1 S2000 M03
 G43 H01 Z0.1 M08
-G150 P152 Z-0.2 R0.1 I0.4 G42 D01 F12. (= line to X.7 Y.1 Z-.2 | line to X.7 Y.25 | line to X0 Y.25 | arc ccw center X0 Y0 radius .25 sweep 180 to X0 Y-.25)
-(= line to X2 Y-.25 | arc ccw center X2 Y0 radius .25 sweep 180 to X2 Y.25 | line to X1 Y.25 | line to X.7 Y.25)
+G150 P152 Z-0.2 R0.1 I0.4 G42 D01 F12. (= line to X.7 Y.1 Z-.2 | line to X.7 Y.25 | line to X1 Y.25 | line to X2 Y.25)
+(= arc cw center X2 Y0 radius .25 sweep 180 to X2 Y-.25 | line to X0 Y-.25 | arc cw center X0 Y0 radius .25 sweep 180 to X0 Y.25 | line to X.7 Y.25)
 (= line to X.15 Y.25 | line to X.15 Y-.25 | line to X.55 Y-.25 | line to X.55 Y.25 | line to X.95 Y.25 | line to X.95 Y-.25)
 (= line to X1.35 Y-.25 | line to X1.35 Y.25 | line to X1.75 Y.25 | line to X1.75 Y-.25 | line to X2.15 Y-.2 | line to X2.15 Y.2 | line to X.7 Y.1 Z-.2)
 G00 Z0.1 M09

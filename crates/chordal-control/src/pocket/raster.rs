@@ -81,7 +81,7 @@ impl<'a> Region<'a> {
     pub(crate) fn round(&self) -> Vec<Step> {
         let mut steps = Vec::new();
         self.go(&mut steps, self.start, self.point(self.entry));
-        self.walk(self.entry, self.total(), &mut steps);
+        self.walk(self.entry, self.once_round(), &mut steps);
         self.go(&mut steps, self.point(self.entry), self.start);
         steps
     }
@@ -97,7 +97,7 @@ impl<'a> Region<'a> {
         let mut rows = self.rows(along, step, limit)?;
         let mut steps = Vec::new();
         self.go(&mut steps, self.start, self.point(self.entry));
-        self.walk(self.entry, self.total(), &mut steps);
+        self.walk(self.entry, self.once_round(), &mut steps);
         let mut place = self.entry;
         let mut line = 0;
         while !rows.is_empty() {
@@ -237,6 +237,11 @@ impl<'a> Region<'a> {
         if from != to {
             steps.push(Step::Line { to });
         }
+    }
+
+    /// The whole border in the sense in which the outline was given, mm.
+    fn once_round(&self) -> f64 {
+        if self.outline.was_clockwise() { -self.total() } else { self.total() }
     }
 
     fn total(&self) -> f64 {

@@ -21,7 +21,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let Some(feed) = self.routine_start(block, word, &[0, register]) else { return };
         let Some(tool) = self.routine_tool(word) else { return };
         let Some(diameter) = self.register_length(block, register) else { return };
-        if !self.fits(block, word, diameter, tool) {
+        if !self.fits(block, word, (register, diameter), tool) {
             return;
         }
         if count == 0 {

@@ -7,7 +7,7 @@ use chordal_geometry::{Direction, Vec2};
 use chordal_syntax::{Block, Word};
 
 use super::MAX_RINGS;
-use crate::command::{AxisMask, FeedMode, Side, Sink};
+use crate::command::{AxisMask, Side, Sink, SpindleState};
 use crate::interpreter::Interpreter;
 use crate::parameters::FixedRoutineCount;
 use crate::pocket::{CORNER_STEP, Step, rectangle, rings};
@@ -55,7 +55,7 @@ impl<S: Sink> Interpreter<'_, S> {
             return;
         };
         let half = Vec2::new(0.5 * x - call.tool, 0.5 * y - call.tool);
-        if !self.fits(block, word, x.min(y), call.tool) {
+        if !self.fits(block, word, if y < x { (3, y) } else { (2, x) }, call.tool) {
             return;
         }
         let half = Vec2::new(half.a.max(0.0), half.b.max(0.0));
@@ -69,7 +69,7 @@ impl<S: Sink> Interpreter<'_, S> {
     fn circle_routine(&mut self, block: &Block, word: &Word, direction: Direction) {
         let Some(call) = self.pocket_call(block, word, &[0, 1, 2]) else { return };
         let Some(diameter) = self.register_length(block, 2) else { return };
-        if !self.fits(block, word, diameter, call.tool) {
+        if !self.fits(block, word, (2, diameter), call.tool) {
             return;
         }
         let last = (0.5 * diameter - call.tool).max(0.0);
@@ -176,10 +176,22 @@ impl<S: Sink> Interpreter<'_, S> {
             );
             return None;
         }
+        if !self.routine_allowed(word) {
+            return None;
+        }
+        let (target, named) = self.target(block);
+        if named != AxisMask::NONE {
+            self.straight(block, target, named);
+        }
+        self.register_feed(block)
+    }
+
+    /// True when neither a cycle nor compensation is in force.
+    pub(super) fn routine_allowed(&mut self, word: &Word) -> bool {
         if self.state.cycle.is_some() {
             let message = "a fixed routine while a drilling cycle is in force".to_string();
             self.improper(word, message, "cancel the cycle with G80 in a block before");
-            return None;
+            return false;
         }
         if self.state.side != Side::Off {
             let message = "a fixed routine while cutter compensation is on".to_string();
@@ -188,13 +200,9 @@ impl<S: Sink> Interpreter<'_, S> {
                 message,
                 "cancel compensation with G40 before; the routine offsets by itself",
             );
-            return None;
+            return false;
         }
-        let (target, named) = self.target(block);
-        if named != AxisMask::NONE {
-            self.straight(block, target, named);
-        }
-        self.register_feed(block)
+        true
     }
 
     /// The radius of the tool, mm, from the offset in force.
@@ -241,14 +249,17 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// True when the tool goes into the pocket.
-    pub(super) fn fits(&mut self, block: &Block, word: &Word, size: f64, tool: f64) -> bool {
+    pub(super) fn fits(
+        &mut self,
+        block: &Block,
+        word: &Word,
+        (register, size): (u8, f64),
+        tool: f64,
+    ) -> bool {
         if size >= 2.0 * tool - SAME_MM {
             return true;
         }
-        let span = match size == self.register_length(block, 2).unwrap_or(size) {
-            true => self.register_span(block, 2),
-            false => self.register_span(block, 3),
-        };
+        let span = self.register_span(block, register);
         let number = self.routine_number(word);
         let (size, tool) = (self.length_text(size), self.length_text(2.0 * tool));
         self.report(
@@ -287,14 +298,12 @@ impl<S: Sink> Interpreter<'_, S> {
             self.improper(&word, "a fixed routine at feed zero".into(), "give the feed with R0+");
             return None;
         }
-        if let (FeedMode::PerTime, Some(max)) =
-            (self.state.feed_mode, self.machine.feed.max_mm_per_s)
+        if let Some(max) = self.machine.feed.max_mm_per_s
             && feed > max * (1.0 + 1e-9)
         {
             self.report_feed_over(&word, feed, max);
         }
-        let spindle_off = self.state.spindle == crate::command::SpindleState::Off;
-        if spindle_off {
+        if self.state.spindle == SpindleState::Off {
             self.report_spindle_stopped(block);
         }
         Some(feed)

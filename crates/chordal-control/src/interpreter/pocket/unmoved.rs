@@ -12,6 +12,7 @@ const ENGRAVING_LIMIT_MM: f64 = 63.5;
 impl<S: Sink> Interpreter<'_, S> {
     /// L9101: R1 is the function, 1 to 10.
     pub(super) fn probe_routine(&mut self, block: &Block, word: &Word) {
+        self.routine_allowed(word);
         let (target, named) = self.target(block);
         if named != AxisMask::NONE {
             self.straight(block, target, named);
@@ -39,6 +40,11 @@ impl<S: Sink> Interpreter<'_, S> {
     /// L9201: Z the depth, R0 the clearance plane, R1 the kind of letters, R2 their height, R3
     /// the angle, R4 the step of a serial number, the text behind a parenthesis.
     pub(super) fn engrave_routine(&mut self, block: &Block, word: &Word) {
+        self.routine_allowed(word);
+        if self.compensation_number().is_none_or(|number| number == 0) {
+            let message = "engraving with no tool offset in force".to_string();
+            self.improper(word, message, "call the offset with H or D before");
+        }
         let mut missing: Vec<String> = (0..4)
             .filter(|register| self.register_word(block, *register).is_none())
             .map(|register| format!("R{register}"))
