@@ -152,6 +152,22 @@ impl Element {
         points.into_iter().filter(on_both).collect()
     }
 
+    /// Its ends, and the points of an arc that lie farthest along the axes.
+    pub(super) fn extremes(&self) -> Vec<Vec2> {
+        let mut points = vec![self.from(), self.to()];
+        if let Element::Arc { center, .. } = *self {
+            let radius = self.radius();
+            let along = [(radius, 0.0), (0.0, radius), (-radius, 0.0), (0.0, -radius)];
+            points.extend(
+                along
+                    .into_iter()
+                    .map(|(a, b)| center + Vec2::new(a, b))
+                    .filter(|p| self.fraction(*p, 0.0).is_some()),
+            );
+        }
+        points
+    }
+
     /// Corners of chords that stay within `tolerance` mm of it, without the start.
     fn chords(&self, tolerance: f64, into: &mut Vec<Vec2>) {
         let count = match *self {

@@ -141,17 +141,11 @@ impl<'a> Region<'a> {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
         for element in self.border.elements() {
-            // The box of an arc's circle is generous, and rows outside the border are none.
-            let reach = element.radius();
-            let points = match *element {
-                Element::Line { from, to } => [from, to],
-                Element::Arc { center, .. } => [center, center],
-            };
-            for p in points {
-                low = low.min(level(p) - reach);
-                high = high.max(level(p) + reach);
-                left = left.min(other(p) - reach);
-                right = right.max(other(p) + reach);
+            for p in element.extremes() {
+                low = low.min(level(p));
+                high = high.max(level(p));
+                left = left.min(other(p));
+                right = right.max(other(p));
             }
         }
         let count = ((high - low) / step).ceil();
