@@ -99,14 +99,14 @@ impl<'a> Region<'a> {
         self.go(&mut steps, self.start, self.point(self.entry));
         self.walk(self.entry, self.once_round(), &mut steps);
         let mut place = self.entry;
-        let mut line = 0;
+        let mut first = true;
         while !rows.is_empty() {
-            let (index, end) = self.next_row(&rows, line, place);
+            let (index, end) = self.next_row(&rows, first, place);
             let row = rows.swap_remove(index);
             self.link(&mut steps, place, row.ends[end]);
             steps.push(Step::Line { to: row.ends[1 - end].1 });
             place = row.ends[1 - end].0;
-            line = row.line;
+            first = false;
         }
         let here = self.point(place);
         if self.is_clear(here, self.start) {
@@ -118,16 +118,17 @@ impl<'a> Region<'a> {
         Ok(steps)
     }
 
-    /// The row to go on with and its end: of the nearest lines, the one with the nearest end.
-    fn next_row(&self, rows: &[Row], line: usize, place: f64) -> (usize, usize) {
+    /// The row to go on with and its end: the first line, then the nearest end, so that an arm
+    /// is finished before the next one.
+    fn next_row(&self, rows: &[Row], first: bool, place: f64) -> (usize, usize) {
         let here = self.point(place);
         let mut best = (usize::MAX, f64::INFINITY, 0, 0);
         for (index, row) in rows.iter().enumerate() {
-            let lines = row.line.abs_diff(line);
+            let line = if first { row.line } else { 0 };
             for (end, (_, point)) in row.ends.iter().enumerate() {
                 let way = here.distance(*point);
-                if lines < best.0 || lines == best.0 && way < best.1 {
-                    best = (lines, way, index, end);
+                if line < best.0 || line == best.0 && way < best.1 - SAME_POINT_MM {
+                    best = (line, way, index, end);
                 }
             }
         }
