@@ -13,6 +13,7 @@ mod interpreter;
 mod library;
 mod offsets;
 mod parameters;
+mod pocket;
 mod recognize;
 mod settings;
 mod state;

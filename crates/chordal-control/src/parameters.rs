@@ -109,6 +109,15 @@ pub enum CompensationEntry {
     B,
 }
 
+/// What the last two digits of a fixed pocket routine (Fadal L96NN to L99NN) do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FixedRoutineCount {
+    /// The routine runs as often, as subroutines do.
+    Repeat,
+    /// It runs once.
+    Once,
+}
+
 /// The parameters of a control, as the tables set them and a machine file may change them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameters {
@@ -192,6 +201,12 @@ pub struct Parameters {
     pub bare_home_moves_all: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
     pub return_label_in_callee: bool,
+    /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
+    pub pocket_stepover_mm: f64,
+    /// The count of fixed pocket routines.
+    pub fixed_routine_count: FixedRoutineCount,
+    /// The register word that gives fixed bore milling its diameter.
+    pub bore_diameter_register: u8,
 }
 
 impl Parameters {
@@ -236,5 +251,8 @@ impl Parameters {
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,
+        pocket_stepover_mm: f64::INFINITY,
+        fixed_routine_count: FixedRoutineCount::Repeat,
+        bore_diameter_register: 1,
     };
 }

@@ -4,8 +4,8 @@ use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::parameters::{
-    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FullCircleByRadius,
-    OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
+    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
+    FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
 };
 
 /// How sure a default is.
@@ -54,6 +54,9 @@ pub enum Field {
     LengthMustMatchTool,
     UnitCodes,
     ReturnLabelInCallee,
+    PocketStepover,
+    FixedRoutineCount,
+    BoreDiameterRegister,
 }
 
 /// A setting of a control's table.
@@ -324,6 +327,15 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
         Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::PocketStepover if word == "no limit" => p.pocket_stepover_mm = f64::INFINITY,
+        Field::PocketStepover => {
+            p.pocket_stepover_mm = length().and_then(|step| match step > 0.0 {
+                true => Ok(step),
+                false => Err("a length above zero, or `no limit`".to_string()),
+            })?;
+        }
+        Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
+        Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
     }
     Ok(())
 }
@@ -380,8 +392,16 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::PocketStepover => mm(p.pocket_stepover_mm),
+        Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
+        Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
     }
 }
+
+const ROUTINE_COUNTS: &[(&str, FixedRoutineCount)] =
+    &[("repeat", FixedRoutineCount::Repeat), ("once", FixedRoutineCount::Once)];
+
+const REGISTERS: &[(&str, u8)] = &[("R1", 1), ("R2", 2), ("R3", 3), ("R4", 4)];
 
 const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
     &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];

@@ -115,6 +115,11 @@ pub enum Action {
     SubroutineEnd,
     RunCycleHere,
     ModalCallOff,
+    /// A round pocket by one block, clockwise.
+    CircularPocketCw,
+    CircularPocketCcw,
+    /// A pocket of any outline by one block.
+    GeneralPocket,
     /// Carried out without effect on path or time.
     NoEffect,
     /// The control carries it out and Chordal does not.

@@ -89,6 +89,30 @@ const SETTINGS: &[Setting] = &[
         Certainty::Documented,
         "Section 15, SETP",
     ),
+    setting(
+        "pocket stepover",
+        Field::PocketStepover,
+        &[],
+        "L96 to L99: largest distance of two rings; never more than leaves nothing standing",
+        Certainty::Unknown,
+        "no text found; without it 1.707 times the tool's flat radius, in circles twice",
+    ),
+    setting(
+        "pocket count",
+        Field::FixedRoutineCount,
+        &[],
+        "L96NN to L99NN: `repeat` runs the routine NN times, `once` passes NN over",
+        Certainty::Unknown,
+        "after the L call of subroutines",
+    ),
+    setting(
+        "bore diameter word",
+        Field::BoreDiameterRegister,
+        &[],
+        "L94NN and L95NN: the register word of the bore's diameter, `R1` to `R4`",
+        Certainty::Unknown,
+        "no text found",
+    ),
 ];
 
 const SET_DATA: &[(u16, DataTarget)] = &[
@@ -125,6 +149,7 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::PlaneChangeInCompensation, "ATTEMPT TO SWITCH PLANE DURING CRC"),
     (Code::CompensationWithoutOffset, "CRC CALLED WITH NO TOOL ASSIGNED"),
     (Code::NestingTooDeep, "TOO MANY SUBR. CALLS (7)"),
+    (Code::ImproperFixedRoutine, "IMPROPER USE OF CANNED SUBR."),
 ];
 
 const EVIDENCE: &[Evidence] = &[

@@ -151,6 +151,8 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::PlaneChangeInCompensation, "alarm 344 cutter compensation with G18 and G19"),
     (Code::ProgramWithoutEnd, "alarm 312 PROGRAM END"),
     (Code::LengthOffsetOfOtherTool, "alarm 332 H and T not matched"),
+    (Code::PocketWithoutGeometry, "alarm 314 SUBPROGRAM NOT IN MEMORY"),
+    (Code::PocketGeometry, "alarm 370 POCKET DEFINITION ERROR"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -176,18 +178,12 @@ const G_CODES: &[CodeRow] = &[
     row(40, Group::OneShot, Action::Dwell, "P", "dwell"),
     row(90, Group::OneShot, Action::ExactStopOnce, "", "exact stop in this block"),
     row(100, Group::OneShot, Action::SetData, "LPRXYZABCIJKHDQEST", "write offsets and data"),
-    row(
-        120,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
-        "circular pocket clockwise",
-    ),
+    row(120, Group::OneShot, Action::CircularPocketCw, "IKQLD", "circular pocket clockwise"),
     row(
         130,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
+        Group::OneShot,
+        Action::CircularPocketCcw,
+        "IKQLD",
         "circular pocket counter-clockwise",
     ),
     row(170, Group::Plane, Action::PlaneXy, "", "arcs and compensation in XY"),
@@ -354,7 +350,7 @@ const G_CODES: &[CodeRow] = &[
         "XYZABCIJKPQRLDHE",
         "five-axis length compensation",
     ),
-    row(1500, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "pocket"),
+    row(1500, Group::OneShot, Action::GeneralPocket, "RPQIJKDS", "pocket of any outline"),
     row(1540, Group::WorkOffset, Action::WorkOffsetExtended, "P", "extended work offset"),
     row(1550, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "work offset by probe"),
     row(

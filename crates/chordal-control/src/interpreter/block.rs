@@ -194,8 +194,12 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         self.take_registers(block);
         self.take_letters(block, codes);
+        // G41 beside a pocket names its side; the cycle offsets by itself.
+        let own_side = codes.iter().any(|(row, _)| row.action == Action::GeneralPocket);
         for (row, at) in codes {
-            self.take_mode(block, row, *at);
+            if !(own_side && row.group == Group::Compensation) {
+                self.take_mode(block, row, *at);
+            }
         }
         self.take_length(block, codes);
         let one_shot = codes.iter().rev().find(|(row, _)| takes_axes(row.action));
@@ -309,10 +313,14 @@ impl<S: Sink> Interpreter<'_, S> {
         codes: &[(&'static CodeRow, usize)],
         claims: Letters,
     ) -> Option<Flow> {
-        if claims.has(b'L') || !block.letters().has(b'L') {
+        let table = self.control.table;
+        // L counts holes while a cycle is in force, and still calls from 100 on.
+        let in_cycle = self.state.cycle.is_some()
+            && table.subroutines == Subroutines::LetterL
+            && codes.is_empty();
+        if claims.has(b'L') && !in_cycle || !block.letters().has(b'L') {
             return None;
         }
-        let table = self.control.table;
         let word = *block.last(b'L')?;
         let count = self.count(&word)?;
         if table.subroutines == Subroutines::LetterL && count >= 100 {
@@ -321,6 +329,9 @@ impl<S: Sink> Interpreter<'_, S> {
             self.check_unused(block, claims);
             self.take_registers(block);
             self.take_letters(block, codes);
+            if self.fixed_routine(block, &word, count) {
+                return Some(Flow::Next);
+            }
             let (target, named) = self.target(block);
             if named != AxisMask::NONE {
                 self.straight(block, target, named);
@@ -328,7 +339,7 @@ impl<S: Sink> Interpreter<'_, S> {
             self.call_subroutine(&word, count);
             return Some(Flow::Next);
         }
-        if table.line_repeat == LineRepeat::None {
+        if in_cycle || table.line_repeat == LineRepeat::None {
             return None;
         }
         let mut claims = claims;
@@ -569,6 +580,9 @@ fn takes_axes(action: Action) -> bool {
             | Action::PresetPosition
             | Action::ClearPreset { .. }
             | Action::RestorePreset
+            | Action::CircularPocketCw
+            | Action::CircularPocketCcw
+            | Action::GeneralPocket
             | Action::NotSimulated
     )
 }

@@ -246,7 +246,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     #[cold]
-    fn report_spindle_stopped(&mut self, block: &Block) {
+    pub(super) fn report_spindle_stopped(&mut self, block: &Block) {
         if self.told.spindle_for_tool == Some(self.state.tool) {
             return;
         }
@@ -336,7 +336,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     #[cold]
-    fn report_feed_over(&mut self, word: &chordal_syntax::Word, feed: f64, max: f64) {
+    pub(super) fn report_feed_over(&mut self, word: &chordal_syntax::Word, feed: f64, max: f64) {
         let shown = |mm_per_s: f64| match self.state.units {
             Units::Inch => format!("{} in/min", super::values::trim(mm_per_s * 60.0 / 25.4, 1)),
             Units::Millimetre => format!("{} mm/min", super::values::trim(mm_per_s * 60.0, 0)),

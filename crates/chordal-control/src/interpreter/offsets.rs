@@ -181,7 +181,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// D, or where H brings the diameter too, H.
-    fn compensation_number(&self) -> Option<u32> {
+    pub(super) fn compensation_number(&self) -> Option<u32> {
         let by_h = self.control.parameters.length_by_h_alone;
         self.state.radius_offset.or(self.state.offsets.length().number.filter(|_| by_h))
     }

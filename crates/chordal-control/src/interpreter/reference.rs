@@ -2,6 +2,7 @@
 //! presets and shifts.
 
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::Direction;
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -26,6 +27,9 @@ impl<S: Sink> Interpreter<'_, S> {
                 self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
                 self.emit_work_offset();
             }
+            Action::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
+            Action::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
+            Action::GeneralPocket => self.general_pocket(block, at),
             // Told when its mode was taken; its axis words belong to it.
             _ => {}
         }

@@ -6,6 +6,7 @@
 mod compensation;
 mod machine;
 mod motion;
+mod pockets;
 mod program;
 mod reading;
 mod words;
@@ -105,6 +106,15 @@ codes! {
     LengthOffsetOfOtherTool => machine::LENGTH_OFFSET_OF_OTHER_TOOL,
     BadSetting => machine::BAD_SETTING,
     SpindleOverLimit => machine::SPINDLE_OVER_LIMIT,
+    ImproperFixedRoutine => pockets::IMPROPER_FIXED_ROUTINE,
+    PocketTooSmall => pockets::TOO_SMALL,
+    PocketWithoutDiameter => pockets::WITHOUT_DIAMETER,
+    PocketWithoutGeometry => pockets::WITHOUT_GEOMETRY,
+    PocketGeometry => pockets::GEOMETRY,
+    PocketRefused => pockets::REFUSED,
+    PocketRidges => pockets::RIDGES,
+    PocketUnreached => pockets::UNREACHED,
+    PocketPathAssumed => pockets::PATH_ASSUMED,
     InternalError => machine::INTERNAL_ERROR,
 }
 
