@@ -76,9 +76,9 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
         worked.result(symbol, meaning, length, value, formula, filled);
     }
     let (formula, filled) = if ccw {
-        ("b − a", format!("{tb} − {ta}"))
+        ("b − a", format!("{tb} − {}", factor(ta.clone())))
     } else {
-        ("a − b", format!("{ta} − {tb}"))
+        ("a − b", format!("{ta} − {}", factor(tb.clone())))
     };
     worked.result(
         "s",

@@ -230,3 +230,45 @@ fn the_examples_run() {
         assert!(tried > 0, "{subject}");
     }
 }
+
+/// The numbers of Haas's O60023 (1.5-8 with a tool of .5, as its path has it): in from X.25 Y-.25
+/// at Z-.5156, one turn of radius .5 from Z-.5 to Z-.375, out to X.25 Y.25 at Z-.3594.
+#[test]
+fn the_thread_of_the_haas_manual() {
+    let program = "calc thread-mill 1.5-8 --tool 0.5in --depth 0.5in --ramp 1/8 --feed 30in/min \
+                   --spindle 1000 --control haas";
+    says(
+        program,
+        &[
+            "G01 Z-0.5156",
+            "G01 X0.25 Y-0.25",
+            "G03 X0.5 Y0. I0. J0.25 Z-0.5 F20. (IN)",
+            "G03 I-0.5 Z-0.375",
+            "G03 X0.25 Y0.25 I-0.25 J0. Z-0.3594 (OUT)",
+        ],
+    );
+}
+
+/// The numbers of the Fadal manual, section 13 (1 1/16 - 28, half an inch): fifteen turns of G2
+/// down from Z.0357 outside, fifteen of G3 up from Z-.5 inside, on 1.0187 and 1.0625. The inside
+/// radius is .15625: half of a step either way.
+#[test]
+fn the_threads_of_the_fadal_manual() {
+    let base = ["calc", "thread-mill", "1 1/16-28", "--tool", "0.75in", "--depth", "0.5in"];
+    let rest = ["--feed", "25in/min", "--spindle", "10000", "--control", "fadal"];
+    let single = ["--cutter", "single", "--outside"];
+    let outside = [&base[..], &rest, &single].concat();
+    let out = Folder::new().run(&outside).ends(0).says(&["1.01868/2 + 0.75/2 = 0.88434"]).out;
+    let turns: Vec<&str> = out.lines().filter(|line| line.contains("(TURN")).collect();
+    assert_eq!(turns.len(), 15);
+    assert!(turns[0].starts_with("G2 I-0.8843 Z0. "), "{}", turns[0]);
+    assert!(turns[14].starts_with("G2 I-0.8843 Z-0.5 "), "{}", turns[14]);
+    assert!(out.contains("Z0.0357 F"), "{out}");
+
+    let inside = [&base[..], &rest, &single[..2]].concat();
+    let out = Folder::new().run(&inside).ends(0).out;
+    let turns: Vec<&str> = out.lines().filter(|line| line.contains("(TURN")).collect();
+    assert_eq!(turns.len(), 15);
+    assert!(turns[0].starts_with("G3 I-0.1562 Z-0.4643 "), "{}", turns[0]);
+    assert!(turns[14].starts_with("G3 I-0.1562 Z0.0357 "), "{}", turns[14]);
+}

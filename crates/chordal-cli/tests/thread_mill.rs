@@ -35,6 +35,12 @@ fn all() -> Vec<ThreadMill> {
         (Units::Millimetre, 30.0, 2.0, 16.0, 24.0),
         (Units::Inch, 25.4 * 0.3125, 25.4 / 18.0, 25.4 * 0.235, 25.4 * 0.4),
         (Units::Millimetre, 6.0, 1.0, 4.5, 9.3),
+        (Units::Inch, 25.4 * 0.25, 25.4 / 20.0, 25.4 * 0.18, 25.4 * 0.3333),
+        (Units::Millimetre, 100.0, 6.0, 40.0, 51.7),
+        (Units::Millimetre, 12.0, 1.75, 9.511, 20.0001),
+        (Units::Inch, 101.6, 25.4 / 4.0, 38.1, 60.0),
+        (Units::Millimetre, 3.0, 0.5, 2.33, 4.0),
+        (Units::Inch, 27.0, 25.4 / 13.0, 20.0, 11.1),
     ];
     let mut asks = Vec::new();
     for (units, major, pitch, tool_diameter, depth) in sizes {
@@ -140,6 +146,19 @@ fn judge(ask: &ThreadMill, text: &str, report: &Report, path: &[Segment]) {
         let ccw = arc.sweep * arc.w.z > 0.0;
         assert_eq!(ccw, inside == (ask.cut == Cut::Climb), "sense\n{text}");
     }
+    // F of the centre moves the points of the teeth at the feed asked for, along the helix or along
+    // its circle, as the control takes F.
+    let whole = |segment: &&Segment| match segment.curve {
+        Curve::Arc(arc) => (arc.sweep.abs() - TAU).abs() < 1e-9,
+        _ => false,
+    };
+    for segment in path.iter().filter(whole) {
+        let feed = segment.length_mm / segment.duration_s;
+        let at_the_teeth = feed * cut / (2.0 * turns[0].radius);
+        let circle = TAU * turns[0].radius / segment.length_mm;
+        let off = (at_the_teeth - ask.feed).abs().min((at_the_teeth * circle - ask.feed).abs());
+        near("feed off by", off, 0.0, 0.01 * ask.feed, text);
+    }
     // Errors of rounding do not add up over the turns.
     let (bottom, top) = turns
         .iter()
@@ -231,7 +250,8 @@ fn every_thread_on_every_control() {
             }
         }
     }
-    assert!(written > 800 && refused < 160, "{written} written, {refused} refused");
+    println!("{written} programs, {refused} refused");
+    assert!(written > 2000 && refused < 400, "{written} written, {refused} refused");
 }
 
 /// What the judge says is not always yes: a thread of another pitch, hand or diameter is refused.
@@ -262,13 +282,19 @@ fn the_judge_sees_what_is_wrong() {
 /// The lead-in of the form with compensation: straight, longer than the wear, on the right side.
 #[test]
 fn compensation_has_a_straight_way_in_and_out() {
+    let mut compensated = 0;
     for mut ask in all() {
         // The narrow holes have no room for it.
         if ask.ramp.is_some() || ask.thread.major < 20.0 {
             continue;
         }
         ask.wear = Some(0.2);
-        let text = thread_mill(&ask).unwrap().text;
+        let text = match thread_mill(&ask) {
+            Ok(program) => program.text,
+            Err(error) if error.message.contains("arc of 1/8 turn") => continue,
+            Err(error) => panic!("{error}"),
+        };
+        compensated += 1;
         let side = if ask.cut == Cut::Climb { "G41 " } else { "G42 " };
         let on = text.lines().find(|line| line.starts_with(side)).expect("a way in");
         assert!(on.contains("X") && on.contains("Y") && !on.contains('I'), "{on}");
@@ -284,6 +310,7 @@ fn compensation_has_a_straight_way_in_and_out() {
         assert_eq!(path[at - 1].kind, SegmentKind::Line);
         assert!(path[at - 1].length_mm > 0.2);
     }
+    assert!(compensated > 100, "{compensated}");
 }
 
 /// A remark holds nothing that a control could take for the end of its block or of the remark.
