@@ -12,10 +12,13 @@ use chordal_geometry::Vec2;
 use super::outline::{Element, Outline, SAME_POINT_MM};
 
 /// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
-const NEARER_MM: f64 = 1e-7;
+const NEARER_MM: f64 = 1e-9;
+
+/// A loop shorter than this, mm, is what tangent candidates leave, and no room for a tool.
+const SHORT_LOOP_MM: f64 = 1e-2;
 
 /// Loose ends closer than this, mm, join: tangent candidates cross at shallow angles.
-const JOIN_MM: f64 = 1e-4;
+const JOIN_MM: f64 = 5e-4;
 
 /// The border of what a tool's centre may reach, `distance` (zero or more, mm) inside an
 /// outline: one counter-clockwise loop for each connected part.
@@ -161,7 +164,9 @@ fn chain(mut parts: Vec<Element>) -> Vec<Outline> {
         if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = chain.last_mut() {
             *to = start;
         }
-        loops.push(Outline::of_loop(chain));
+        if chain.iter().map(Element::length).sum::<f64>() > SHORT_LOOP_MM {
+            loops.push(Outline::of_loop(chain));
+        }
     }
     loops
 }
