@@ -105,7 +105,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 4_000_000_000 }
+        Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 1_000_000_000 }
     }
 }
 

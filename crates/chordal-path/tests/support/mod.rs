@@ -67,6 +67,23 @@ pub fn closed_contour(dice: &mut Dice) -> Vec<PlaneCurve> {
     curves
 }
 
+/// A pocket of 100 mm, wide at both ends and narrow between them, run counter-clockwise.
+pub fn necked_pocket(dice: &mut Dice) -> Vec<PlaneCurve> {
+    let mut points = Vec::new();
+    // The lower wall from left to right, then the same kind of wall turned by half a turn.
+    for way in [1.0, -1.0] {
+        points.push(Vec2::new(-50.0, -20.0) * way);
+        for k in 0..4 {
+            let a = -24.0 + 16.0 * f64::from(k) + dice.between(-6.0, 6.0);
+            points.push(Vec2::new(a, -dice.between(1.0, 6.0)) * way);
+        }
+        points.push(Vec2::new(50.0, -20.0) * way);
+    }
+    (0..points.len())
+        .map(|k| PlaneCurve::line(points[k], points[(k + 1) % points.len()]))
+        .collect()
+}
+
 fn fillet(curves: &mut Vec<PlaneCurve>, corner: Vec2, t1: Vec2, t2: Vec2, cut: f64) {
     let turn = t1.cross(t2).atan2(t1.dot(t2));
     if turn.abs() < 1e-3 {
