@@ -38,8 +38,7 @@ fn the_distance_of_two_curves_is_the_least_over_both() {
         let near = nearest(&first, &second);
         let distance = near.square.sqrt();
         assert!((near.first.distance(near.second) - distance).abs() < 1e-9, "seed {seed}");
-        let on_both =
-            point_distance(&first, near.first).max(point_distance(&second, near.second));
+        let on_both = point_distance(&first, near.first).max(point_distance(&second, near.second));
         assert!(on_both < 1e-9, "seed {seed}: {on_both}");
         let sampled = (0..=STEPS)
             .map(|k| point_distance(&second, first.at(k as f64 / STEPS as f64)))

@@ -213,7 +213,12 @@ impl Chain<'_> {
                 && self.inward(before, k) > self.options.tangent
             {
                 let blocks = [self.material.tags[before], self.material.tags[k]];
-                limit.lower(0.0, LimitReason::InsideCorner, &blocks, self.material.curves[k].from());
+                limit.lower(
+                    0.0,
+                    LimitReason::InsideCorner,
+                    &blocks,
+                    self.material.curves[k].from(),
+                );
                 break;
             }
         }
@@ -338,8 +343,9 @@ impl Chain<'_> {
                 let way = sweep.signum();
                 let angle = angle_of(meet - center);
                 // Inside its own sweep the meeting point leaves the rest; beyond, nothing.
-                within(start, sweep, angle)
-                    .then(|| wrapped((start + sweep - angle) * way).rem_euclid(core::f64::consts::TAU))
+                within(start, sweep, angle).then(|| {
+                    wrapped((start + sweep - angle) * way).rem_euclid(core::f64::consts::TAU)
+                })
             }
         }
     }
@@ -391,9 +397,9 @@ fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadAr
             {
                 leads.lower(radius, LimitReason::LeadArc, &[block.tag], center);
                 if lead_arc.is_none_or(|l| radius < l.radius) {
-                    let line_distance = k.checked_sub(1).and_then(|before| {
-                        line_distance(&contour.blocks[before].curve, center)
-                    });
+                    let line_distance = k
+                        .checked_sub(1)
+                        .and_then(|before| line_distance(&contour.blocks[before].curve, center));
                     lead_arc = Some(LeadArc { block: block.tag, radius, line_distance });
                 }
             }
