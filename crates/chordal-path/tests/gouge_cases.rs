@@ -68,10 +68,11 @@ fn cases() -> Vec<Case> {
                 });
             }
             "#" => {}
-            "move" => cases.last_mut().unwrap().path.push(Move {
-                tag: words[1].parse().unwrap(),
-                curve: curve(&words[2..], true),
-            }),
+            "move" => cases
+                .last_mut()
+                .unwrap()
+                .path
+                .push(Move { tag: words[1].parse().unwrap(), curve: curve(&words[2..], true) }),
             role => {
                 let blocks = &mut cases.last_mut().unwrap().contour.blocks;
                 let role = match role {
@@ -225,8 +226,7 @@ fn the_largest_radius_and_what_limits_it() {
     ] {
         let case = case(name);
         let found = range(&case.contour, corners, &case.options);
-        let largest =
-            if reason == LeadArc { found.largest() } else { found.no_gouge.clone() };
+        let largest = if reason == LeadArc { found.largest() } else { found.no_gouge.clone() };
         assert_eq!(largest.reason, reason, "{name}: {found:?}");
         assert!((largest.radius - radius).abs() < 1e-4 && found.complete, "{name}: {found:?}");
     }
@@ -266,9 +266,8 @@ fn radii_between_the_events_are_tried() {
     let case = case("28a typeA_linear");
     let found = range(&case.contour, Corners::Linear, &case.options);
     let limit = found.no_gouge.radius;
-    let tried = intervals(&case.contour, &[limit], &case.options, &mut |r| {
-        (r < 17.0).then(Vec::new)
-    });
+    let tried =
+        intervals(&case.contour, &[limit], &case.options, &mut |r| (r < 17.0).then(Vec::new));
     assert_eq!(tried.len(), 2);
     assert!(tried[0].clear && tried[0].to == limit);
     assert!(!tried[1].clear && tried[1].to == f64::INFINITY);

@@ -69,7 +69,8 @@ fn line_line(p: Vec2, q: Vec2, u: Vec2, v: Vec2) -> Near {
     }
     let foot = |point: Vec2, from: Vec2, along: Vec2| {
         let square = along.dot(along);
-        let t = if square > 0.0 { ((point - from).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let t =
+            if square > 0.0 { ((point - from).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
         from + along * t
     };
     Near::of(p, foot(p, u, other))
@@ -92,7 +93,8 @@ fn line_arc(from: Vec2, to: Vec2, line: &PlaneCurve, arc: &PlaneCurve) -> Near {
     let d = out.length();
     if (0.0..=1.0).contains(&t) {
         // Through the centre every direction of the normal is as good: the line's own.
-        let normal = if d > 0.0 { out * (1.0 / d) } else { along.turned_left() * (1.0 / square.sqrt()) };
+        let normal =
+            if d > 0.0 { out * (1.0 / d) } else { along.turned_left() * (1.0 / square.sqrt()) };
         for towards in [normal, -normal] {
             if arc.passes(angle_of(towards)) {
                 best = best.or(Near::of(foot, center + towards * radius));
@@ -112,8 +114,10 @@ fn line_arc(from: Vec2, to: Vec2, line: &PlaneCurve, arc: &PlaneCurve) -> Near {
 }
 
 fn arc_arc(first: &PlaneCurve, second: &PlaneCurve) -> Near {
-    let (PlaneCurve::Arc { center: c, radius: r, .. }, PlaneCurve::Arc { center: e, radius: q, .. }) =
-        (*first, *second)
+    let (
+        PlaneCurve::Arc { center: c, radius: r, .. },
+        PlaneCurve::Arc { center: e, radius: q, .. },
+    ) = (*first, *second)
     else {
         return ends(first, second);
     };

@@ -73,9 +73,8 @@ impl Material {
             }
             PlaneCurve::Line { .. } => false,
         };
-        let smooth = |before: &Block, after: &Block| {
-            turn(&before.curve, &after.curve).abs() <= tangent
-        };
+        let smooth =
+            |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= tangent;
         if let [first, second, ..] = chain[..]
             && leads(&first)
             && smooth(&first, &second)
@@ -100,7 +99,12 @@ impl Material {
         for block in chain {
             let (from, to) = (block.curve.from(), block.curve.to());
             let place = self.curves.len() as u32;
-            match seen.find_or_enter(Key::of(&block.curve, from, to, grain), place) {
+            let curves = &self.curves;
+            let key_at = |at: u32| {
+                let curve = &curves[at as usize];
+                Key::of(curve, curve.from(), curve.to(), grain)
+            };
+            match seen.find_or_enter(Key::of(&block.curve, from, to, grain), place, key_at) {
                 None => {
                     self.breaks.push(last.is_some_and(|p| p.distance(from) > grain));
                     self.curves.push(block.curve);
@@ -242,9 +246,8 @@ struct Key {
 impl Key {
     fn of(curve: &PlaneCurve, from: Vec2, to: Vec2, grain: f64) -> Key {
         // Off the round numbers, at which two roundings of one point would part.
-        let cell = |p: Vec2| {
-            ((p.a / grain + 0.37).floor() as i64, (p.b / grain + 0.37).floor() as i64)
-        };
+        let cells = 1.0 / grain;
+        let cell = |p: Vec2| ((p.a * cells + 0.37) as i64, (p.b * cells + 0.37) as i64);
         let (first, second) = (cell(from), cell(to));
         let (center, whole) = match *curve {
             PlaneCurve::Line { .. } => ((i64::MAX, 0), None),
@@ -274,30 +277,41 @@ impl Key {
     }
 }
 
-/// The curves entered so far: a table by hash, filled to one half at most.
+/// The curves entered so far: a table by hash, filled to one half at most. A slot holds the upper half
+/// of the hash and the place; the key itself is made again from the curve when these agree.
 struct Seen {
-    slots: Vec<u32>,
-    entries: Vec<(Key, u32)>,
+    slots: Vec<u64>,
 }
+
+/// No curve in the slot.
+const FREE: u64 = u64::MAX;
 
 impl Seen {
     fn with_room(count: usize) -> Seen {
-        let slots = (2 * count + 2).next_power_of_two();
-        Seen { slots: vec![NOWHERE; slots], entries: Vec::with_capacity(count) }
+        Seen { slots: vec![FREE; (2 * count + 2).next_power_of_two()] }
     }
 
     /// The place of an equal curve and whether it runs the same way, or enters this one.
-    fn find_or_enter(&mut self, key: Key, place: u32) -> Option<(u32, bool)> {
+    fn find_or_enter(
+        &mut self,
+        key: Key,
+        place: u32,
+        key_at: impl Fn(u32) -> Key,
+    ) -> Option<(u32, bool)> {
         let mask = self.slots.len() - 1;
-        let mut slot = (key.hash() >> 7) as usize & mask;
-        while let Some((other, at)) = self.entries.get(self.slots[slot] as usize) {
-            if (other.low, other.high, other.center) == (key.low, key.high, key.center) {
-                return Some((*at, other.forward == key.forward));
+        let hash = key.hash();
+        let mut slot = hash as usize & mask;
+        while self.slots[slot] != FREE {
+            let (mark, at) = (self.slots[slot] >> 32, self.slots[slot] as u32);
+            if mark == hash >> 32 {
+                let other = key_at(at);
+                if (other.low, other.high, other.center) == (key.low, key.high, key.center) {
+                    return Some((at, other.forward == key.forward));
+                }
             }
             slot = (slot + 1) & mask;
         }
-        self.slots[slot] = self.entries.len() as u32;
-        self.entries.push((key, place));
+        self.slots[slot] = hash >> 32 << 32 | u64::from(place);
         None
     }
 }

@@ -17,10 +17,8 @@ use chordal_geometry::Vec2;
 
 pub use distance::{Near, nearest};
 pub use material::Material;
-pub use range::{
-    Corners, Interval, LeadArc, Limit, LimitReason, OffsetRange, intervals, range,
-};
-use search::{Cluster, Hit, Search};
+pub use range::{Corners, Interval, LeadArc, Limit, LimitReason, OffsetRange, intervals, range};
+use search::{Aim, Cluster, Hit, Search};
 pub use shape::PlaneCurve;
 
 /// On which side of the programmed blocks the tool is, looking along them.
@@ -105,7 +103,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 4_000_000_000 }
+        Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 1_000_000_000 }
     }
 }
 
@@ -139,8 +137,8 @@ pub struct Gouge {
 /// What the check found.
 #[derive(Clone, Debug, Default)]
 pub struct GougeReport {
-    /// The gouges, the deepest first. Those within two tool diameters of each other on path and
-    /// contour are one.
+    /// The gouges, the deepest of all first. Those within a tool diameter of each other along path
+    /// and contour are one. With more than were asked for, the others are any of them.
     pub gouges: Vec<Gouge>,
     /// There are more than were reported.
     pub more: bool,
@@ -172,15 +170,26 @@ pub fn check_against(
         return report;
     }
     let mut search = Search::new(contour, material, path, options.epsilon, options.budget);
-    let mut clusters = Vec::new();
-    while let Some(hit) = search.nearest(limit, &clusters, true) {
+    let reach = 2.0 * contour.radius;
+    let around = |hit: &Hit| Cluster::around(hit, path, &material.curves, reach);
+    let mut clusters: Vec<Cluster> = Vec::new();
+    let mut aim = Aim::Deepest;
+    while let Some(hit) = search.nearest(limit, &clusters, aim) {
         if report.gouges.len() == options.most {
             report.more = true;
             break;
         }
-        clusters.push(Cluster::around(&hit, path, &material.curves, 2.0 * contour.radius));
+        // What was found first is somewhere in its gouge: the deepest place of it is looked for.
+        let deepest = match aim {
+            Aim::Any => search.nearest(limit, &clusters, Aim::DeepestIn(around(&hit))),
+            _ => Some(hit),
+        };
+        let hit = deepest.unwrap_or(hit);
+        clusters.push(around(&hit));
         report.gouges.push(gouge(&hit, material, contour, path));
+        aim = Aim::Any;
     }
+    report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));
     report.complete = search.budget > 0;
     report
 }
@@ -216,7 +225,7 @@ pub struct Clearance {
 pub fn clearance(contour: &Contour, path: &[Move], options: &Options) -> Option<Clearance> {
     let material = Material::of(contour, options);
     let mut search = Search::new(contour, &material, path, options.epsilon, options.budget);
-    let hit = search.nearest(f64::INFINITY, &[], false)?;
+    let hit = search.nearest(f64::INFINITY, &[], Aim::Clearance)?;
     Some(Clearance {
         clearance: hit.near.square.sqrt() - contour.radius,
         center: hit.near.first,

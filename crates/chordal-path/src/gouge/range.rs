@@ -8,6 +8,9 @@ use super::throat::Walls;
 use super::tree::unwrapped_tangents;
 use super::{Contour, Move, Options, Role, check_against};
 
+/// Lines that turn by less have no corner between them, rad.
+const STRAIGHT: f64 = 1e-9;
+
 /// How the tool goes round an outside corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Corners {
@@ -210,7 +213,12 @@ impl Chain<'_> {
                 && self.inward(before, k) > self.options.tangent
             {
                 let blocks = [self.material.tags[before], self.material.tags[k]];
-                limit.lower(0.0, LimitReason::InsideCorner, &blocks, self.material.curves[k].from());
+                limit.lower(
+                    0.0,
+                    LimitReason::InsideCorner,
+                    &blocks,
+                    self.material.curves[k].from(),
+                );
                 break;
             }
         }
@@ -223,16 +231,16 @@ impl Chain<'_> {
             let (before, after) = (self.neighbour_before(k), self.neighbour_after(k));
             let starts = before.map_or(0.0, |b| self.inward(b, k));
             let ends = after.map_or(0.0, |a| self.inward(k, a));
-            if starts <= self.options.tangent && ends <= self.options.tangent {
+            if starts <= STRAIGHT && ends <= STRAIGHT {
                 continue;
             }
             let radius = self.vanishes(k, before, after, limit.radius.min(below));
             if radius < limit.radius {
                 let mut blocks = vec![self.material.tags[k]];
-                if let (Some(b), true) = (before, starts > self.options.tangent) {
+                if let (Some(b), true) = (before, starts > STRAIGHT) {
                     blocks.insert(0, self.material.tags[b]);
                 }
-                if let (Some(a), true) = (after, ends > self.options.tangent) {
+                if let (Some(a), true) = (after, ends > STRAIGHT) {
                     blocks.push(self.material.tags[a]);
                 }
                 let at = self.material.curves[k].at(0.5);
@@ -273,7 +281,7 @@ impl Chain<'_> {
 
     /// How much of a line is lost at a corner for each mm of radius; outside something is gained.
     fn lost_per_radius(&self, inward: f64) -> f64 {
-        if inward.abs() <= 1e-12 {
+        if inward.abs() <= STRAIGHT {
             0.0
         } else if inward > 0.0 {
             libm::tan(0.5 * inward)
@@ -314,11 +322,16 @@ impl Chain<'_> {
         r: f64,
         side: f64,
     ) -> Option<f64> {
-        if inward <= self.options.tangent {
+        let of_lines = matches!((curve, next), (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }));
+        if of_lines || inward <= STRAIGHT {
             return match curve {
-                PlaneCurve::Line { .. } => Some(r * self.lost_per_radius(inward.min(0.0))),
+                PlaneCurve::Line { .. } => Some(r * self.lost_per_radius(inward)),
                 PlaneCurve::Arc { .. } => Some(0.0),
             };
+        }
+        // The offsets of a tangent joint with an arc may miss each other by rounding alone.
+        if inward <= self.options.tangent {
+            return Some(0.0);
         }
         let meet = meeting(&beside(curve, side * r)?, &beside(next, side * r)?, curve.to())?;
         match *curve {
@@ -330,8 +343,9 @@ impl Chain<'_> {
                 let way = sweep.signum();
                 let angle = angle_of(meet - center);
                 // Inside its own sweep the meeting point leaves the rest; beyond, nothing.
-                within(start, sweep, angle)
-                    .then(|| wrapped((start + sweep - angle) * way).rem_euclid(core::f64::consts::TAU))
+                within(start, sweep, angle).then(|| {
+                    wrapped((start + sweep - angle) * way).rem_euclid(core::f64::consts::TAU)
+                })
             }
         }
     }
@@ -383,9 +397,9 @@ fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadAr
             {
                 leads.lower(radius, LimitReason::LeadArc, &[block.tag], center);
                 if lead_arc.is_none_or(|l| radius < l.radius) {
-                    let line_distance = k.checked_sub(1).and_then(|before| {
-                        line_distance(&contour.blocks[before].curve, center)
-                    });
+                    let line_distance = k
+                        .checked_sub(1)
+                        .and_then(|before| line_distance(&contour.blocks[before].curve, center));
                     lead_arc = Some(LeadArc { block: block.tag, radius, line_distance });
                 }
             }

@@ -41,6 +41,12 @@ impl Cluster {
         }
     }
 
+    /// Whether a pair of stretches has any part in this one.
+    fn meets(&self, path: (usize, usize), contour: (usize, usize)) -> bool {
+        let meet = |part: (usize, usize), all: (usize, usize)| part.0 <= all.1 && part.1 >= all.0;
+        meet(path, self.path) && meet(contour, self.contour)
+    }
+
     fn holds(&self, path: (usize, usize), contour: (usize, usize)) -> bool {
         let inside = |part: (usize, usize), all: (usize, usize)| part.0 >= all.0 && part.1 <= all.1;
         inside(path, self.path) && inside(contour, self.contour)
@@ -62,6 +68,19 @@ fn stretch(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usi
         way += step;
     }
     (first, last)
+}
+
+/// Which hit a search is after.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Aim {
+    /// The nearest of all, whatever the lemma of the cone says.
+    Clearance,
+    /// The deepest gouge.
+    Deepest,
+    /// Any gouge: the first that is found.
+    Any,
+    /// The deepest gouge of a stretch.
+    DeepestIn(Cluster),
 }
 
 /// The trees over a contour and a path.
@@ -101,9 +120,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The place of the path nearest to the contour, if nearer than `limit` mm and in no cluster.
-    /// Without `lemma` every pair is looked at whose boxes are near enough.
-    pub(super) fn nearest(&mut self, limit: f64, clusters: &[Cluster], lemma: bool) -> Option<Hit> {
+    /// A place of the path nearer to the contour than `limit` mm, in no cluster.
+    pub(super) fn nearest(&mut self, limit: f64, clusters: &[Cluster], aim: Aim) -> Option<Hit> {
         if limit <= 0.0 || self.path.is_empty() || self.material.curves.is_empty() {
             return None;
         }
@@ -111,12 +129,15 @@ impl<'a> Search<'a> {
         let mut best = None;
         let mut stack = vec![(1, 1, self.path_boxes.nodes[1].gap_square(&self.boxes.nodes[1]))];
         while let Some((of_path, of_contour, gap)) = stack.pop() {
-            if gap >= limit || self.spent(1) || self.is_settled(of_path, of_contour, clusters, lemma)
+            if gap >= limit || self.spent(1) || self.is_settled(of_path, of_contour, clusters, aim)
             {
                 continue;
             }
             if self.path_boxes.is_leaf(of_path) && self.boxes.is_leaf(of_contour) {
                 self.try_leaves(of_path, of_contour, clusters, &mut limit, &mut best);
+                if best.is_some() && matches!(aim, Aim::Any) {
+                    break;
+                }
             } else {
                 self.split(of_path, of_contour, limit, &mut stack);
             }
@@ -130,14 +151,26 @@ impl<'a> Search<'a> {
     }
 
     /// Whether nothing new can be found in the pair of nodes, however near they are.
-    fn is_settled(&self, of_path: usize, of_contour: usize, clusters: &[Cluster], lemma: bool) -> bool {
+    fn is_settled(
+        &self,
+        of_path: usize,
+        of_contour: usize,
+        clusters: &[Cluster],
+        aim: Aim,
+    ) -> bool {
         let (first, end) = self.boxes.range(of_contour);
         let (path_first, path_end) = self.path_boxes.range(of_path);
         if first == end || path_first == path_end {
             return true;
         }
+        let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
+        if let Aim::DeepestIn(stretch) = aim
+            && !stretch.meets(path_span, span)
+        {
+            return true;
+        }
         let hull = self.hulls[of_path];
-        if lemma && !hull.foreign {
+        if !hull.foreign && !matches!(aim, Aim::Clearance) {
             let low = (hull.first as usize).min(first);
             let high = (hull.last as usize).max(end - 1);
             let span = self.turns.over_hull(low, high);
@@ -145,17 +178,27 @@ impl<'a> Search<'a> {
                 return true;
             }
         }
-        clusters.iter().any(|c| c.holds((path_first, path_end - 1), (first, end - 1)))
+        clusters.iter().any(|c| c.holds(path_span, span))
     }
 
     /// Replaces the larger of two nodes by its halves, the nearer one on top.
-    fn split(&self, of_path: usize, of_contour: usize, limit: f64, stack: &mut Vec<(usize, usize, f64)>) {
+    fn split(
+        &self,
+        of_path: usize,
+        of_contour: usize,
+        limit: f64,
+        stack: &mut Vec<(usize, usize, f64)>,
+    ) {
         let (path, contour) = (&self.path_boxes, &self.boxes);
         let path_first = contour.is_leaf(of_contour)
             || !path.is_leaf(of_path)
                 && path.nodes[of_path].size() >= contour.nodes[of_contour].size();
         let pair = |half: usize| {
-            let (p, c) = if path_first { (2 * of_path + half, of_contour) } else { (of_path, 2 * of_contour + half) };
+            let (p, c) = if path_first {
+                (2 * of_path + half, of_contour)
+            } else {
+                (of_path, 2 * of_contour + half)
+            };
             (p, c, path.nodes[p].gap_square(&contour.nodes[c]))
         };
         let (mut far, mut near) = (pair(0), pair(1));
@@ -241,9 +284,8 @@ fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> 
     match (step, block) {
         (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
             let Some(along) = (*end - *start).normalized() else { return false };
-            let beside = |p: chordal_geometry::Vec2| {
-                (along.cross(p - *start) - signed).abs() <= slack
-            };
+            let beside =
+                |p: chordal_geometry::Vec2| (along.cross(p - *start) - signed).abs() <= slack;
             (*to - *from).dot(along) > 0.0 && beside(*from) && beside(*to)
         }
         (

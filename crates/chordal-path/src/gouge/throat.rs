@@ -62,8 +62,14 @@ impl<'a> Walls<'a> {
         budget: u64,
     ) -> Self {
         let boxes = BoxTree::over(material.curves.iter());
-        let mut walls =
-            Walls { material, tangents, side, fans: vec![Fan::EMPTY; boxes.nodes.len()], boxes, budget };
+        let mut walls = Walls {
+            material,
+            tangents,
+            side,
+            fans: vec![Fan::EMPTY; boxes.nodes.len()],
+            boxes,
+            budget,
+        };
         for k in 0..material.curves.len() {
             let leaf = walls.boxes.leaves + k / LEAF;
             walls.fans[leaf] = walls.fans[leaf].join(walls.fan(k));
@@ -122,7 +128,8 @@ impl<'a> Walls<'a> {
                 let (low, high) = (2 * a, 2 * a + 1);
                 vec![(low, low), (low, high), (high, high)]
             } else if self.boxes.is_leaf(b)
-                || !self.boxes.is_leaf(a) && self.boxes.nodes[a].size() >= self.boxes.nodes[b].size()
+                || !self.boxes.is_leaf(a)
+                    && self.boxes.nodes[a].size() >= self.boxes.nodes[b].size()
             {
                 vec![(2 * a, b), (2 * a + 1, b)]
             } else {

@@ -43,8 +43,9 @@ pub fn closed_contour(dice: &mut Dice) -> Vec<PlaneCurve> {
         })
         .collect();
     let mut curves = Vec::new();
-    let fillets: Vec<f64> =
-        (0..corners).map(|_| if dice.unit() < 0.4 { dice.between(0.05, 0.3) } else { 0.0 }).collect();
+    let fillets: Vec<f64> = (0..corners)
+        .map(|_| if dice.unit() < 0.4 { dice.between(0.05, 0.3) } else { 0.0 })
+        .collect();
     for k in 0..corners {
         let (before, here, after) =
             (points[(k + corners - 1) % corners], points[k], points[(k + 1) % corners]);
@@ -65,6 +66,21 @@ pub fn closed_contour(dice: &mut Dice) -> Vec<PlaneCurve> {
         curves = curves.iter().rev().map(PlaneCurve::reversed).collect();
     }
     curves
+}
+
+/// A pocket of 100 mm, wide at both ends and narrow between them, run counter-clockwise.
+pub fn necked_pocket(dice: &mut Dice) -> Vec<PlaneCurve> {
+    let mut points = Vec::new();
+    // The lower wall from left to right, then the same kind of wall turned by half a turn.
+    for way in [1.0, -1.0] {
+        points.push(Vec2::new(-50.0, -20.0) * way);
+        for k in 0..4 {
+            let a = -24.0 + 16.0 * f64::from(k) + dice.between(-6.0, 6.0);
+            points.push(Vec2::new(a, -dice.between(1.0, 6.0)) * way);
+        }
+        points.push(Vec2::new(50.0, -20.0) * way);
+    }
+    (0..points.len()).map(|k| PlaneCurve::line(points[k], points[(k + 1) % points.len()])).collect()
 }
 
 fn fillet(curves: &mut Vec<PlaneCurve>, corner: Vec2, t1: Vec2, t2: Vec2, cut: f64) {
@@ -185,7 +201,8 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
                 start: out.b.atan2(out.a),
                 sweep: turn,
             });
-        } else if let (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) = (&curves[k], &curves[next])
+        } else if let (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) =
+            (&curves[k], &curves[next])
         {
             let meet = ends[k].1 - t1 * (radius * (turn.abs() / 2.0).tan());
             ends[k].1 = meet;
@@ -200,12 +217,9 @@ pub fn offset_path(curves: &[PlaneCurve], side: Side, radius: f64) -> Option<Vec
         let (from, to) = ends[k];
         let main = match *curve {
             PlaneCurve::Line { .. } => PlaneCurve::line(from, to),
-            PlaneCurve::Arc { center, radius, start, sweep } => PlaneCurve::Arc {
-                center,
-                radius: radius - signed * sweep.signum(),
-                start,
-                sweep,
-            },
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                PlaneCurve::Arc { center, radius: radius - signed * sweep.signum(), start, sweep }
+            }
         };
         path.push(Move { curve: main, tag });
         if let Some(link) = links[k] {
@@ -247,11 +261,7 @@ pub fn point_distance(curve: &PlaneCurve, p: Vec2) -> f64 {
         PlaneCurve::Arc { center, radius, start, sweep } => {
             let out = p - center;
             let turned = (out.b.atan2(out.a) - start) * sweep.signum();
-            if turned.rem_euclid(TAU) <= sweep.abs() {
-                (out.length() - radius).abs()
-            } else {
-                ends
-            }
+            if turned.rem_euclid(TAU) <= sweep.abs() { (out.length() - radius).abs() } else { ends }
         }
     }
 }
