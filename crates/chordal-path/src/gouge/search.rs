@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use super::distance::{Near, nearest};
 use super::material::{Material, turn};
 use super::shape::PlaneCurve;
-use super::tree::{BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
+use super::tree::{Bounds, BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
 use super::{Contour, Move};
 
 /// Tangents that span no more than this cannot bring the path back to its own contour.
@@ -225,17 +225,19 @@ impl<'a> Search<'a> {
         let whole = self.boxes.nodes[of_contour];
         for p in path_first..path_end {
             let bounds = self.path_boxes.elements[p];
-            if bounds.gap_square(&whole) >= *limit {
+            let curve = &self.path[p].curve;
+            if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
                 continue;
             }
             for c in first..end {
                 if bounds.gap_square(&self.boxes.elements[c]) >= *limit
+                    || is_beyond(curve, &self.boxes.elements[c], *limit)
                     || clusters.iter().any(|k| k.holds((p, p), (c, c)))
                 {
                     continue;
                 }
                 self.budget = self.budget.saturating_sub(1);
-                let near = nearest(&self.path[p].curve, &self.material.curves[c]);
+                let near = nearest(curve, &self.material.curves[c]);
                 if near.square < *limit {
                     *limit = near.square;
                     *best = Some(Hit { of_path: p, of_contour: c, near });
@@ -243,6 +245,19 @@ impl<'a> Search<'a> {
             }
         }
     }
+}
+
+/// Whether the circle around a box is farther from a curve than the root of `limit`. Of a slanting
+/// curve this is sharper than its own box.
+fn is_beyond(curve: &PlaneCurve, bounds: &Bounds, limit: f64) -> bool {
+    let center = (bounds.min + bounds.max) * 0.5;
+    let distance = match *curve {
+        PlaneCurve::Line { .. } => curve.nearest(center).distance(center),
+        PlaneCurve::Arc { center: about, radius, .. } => (center.distance(about) - radius).abs(),
+    };
+    let gap = distance - 0.5 * bounds.min.distance(bounds.max);
+    // The last digits of the sum must not hide a hit.
+    gap > 0.0 && gap * gap * (1.0 - 1e-12) >= limit
 }
 
 /// Finds for each move of the path the blocks it lies beside. Clears `broken` of the blocks that have

@@ -84,10 +84,9 @@ impl<'a> Walls<'a> {
     fn fan(&self, k: usize) -> Fan {
         let (start, end) = self.tangents[k];
         let mut fan = Fan { least: start.min(end), most: start.max(end) };
-        for angle in [self.before(k).map(|t| start - t), self.after(k).map(|t| end + t)] {
-            if let Some(angle) = angle {
-                fan = fan.join(Fan { least: angle, most: angle });
-            }
+        let (before, after) = (self.before(k).map(|t| start - t), self.after(k).map(|t| end + t));
+        for angle in before.into_iter().chain(after) {
+            fan = fan.join(Fan { least: angle, most: angle });
         }
         fan
     }
