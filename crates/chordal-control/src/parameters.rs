@@ -1,6 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::CycleRules;
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -192,6 +193,8 @@ pub struct Parameters {
     pub bare_home_moves_all: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
     pub return_label_in_callee: bool,
+    /// Canned cycles.
+    pub cycles: CycleRules,
 }
 
 impl Parameters {
@@ -236,5 +239,6 @@ impl Parameters {
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,
+        cycles: CycleRules::COMMON,
     };
 }

@@ -3,6 +3,7 @@
 use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FullCircleByRadius,
     OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
@@ -54,6 +55,7 @@ pub enum Field {
     LengthMustMatchTool,
     UnitCodes,
     ReturnLabelInCallee,
+    Cycle(CycleField),
 }
 
 /// A setting of a control's table.
@@ -324,6 +326,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
         Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
     }
     Ok(())
 }
@@ -380,6 +383,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::Cycle(rule) => cycle_rules::value_text(p, rule),
     }
 }
 

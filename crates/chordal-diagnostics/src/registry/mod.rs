@@ -4,6 +4,7 @@
 //! says what it is, and the text that `chordal explain` prints.
 
 mod compensation;
+mod cycles;
 mod machine;
 mod motion;
 mod program;
@@ -105,6 +106,24 @@ codes! {
     LengthOffsetOfOtherTool => machine::LENGTH_OFFSET_OF_OTHER_TOOL,
     BadSetting => machine::BAD_SETTING,
     SpindleOverLimit => machine::SPINDLE_OVER_LIMIT,
+    CycleWithoutR => cycles::WITHOUT_R,
+    CycleWithoutDepth => cycles::WITHOUT_DEPTH,
+    CycleWithoutPeck => cycles::WITHOUT_PECK,
+    CycleWithoutDwell => cycles::WITHOUT_DWELL,
+    CycleWithoutLead => cycles::WITHOUT_LEAD,
+    CycleLevels => cycles::LEVELS,
+    CycleInCompensation => cycles::IN_COMPENSATION,
+    NoCycle => cycles::NO_CYCLE,
+    CycleZeroRepeats => cycles::ZERO_REPEATS,
+    CycleInInverseTime => cycles::IN_INVERSE_TIME,
+    CycleRotaryWord => cycles::ROTARY_WORD,
+    TooManyPecks => cycles::TOO_MANY_PECKS,
+    CycleNotDocumented => cycles::NOT_DOCUMENTED,
+    NoMotionInForce => cycles::NO_MOTION,
+    CycleSpindle => cycles::SPINDLE,
+    CycleWithoutShift => cycles::WITHOUT_SHIFT,
+    PatternWords => cycles::PATTERN_WORDS,
+    CycleDepthIncremental => cycles::DEPTH_INCREMENTAL,
     InternalError => machine::INTERNAL_ERROR,
 }
 
