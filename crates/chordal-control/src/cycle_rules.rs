@@ -382,11 +382,8 @@ const ZERO_REPEATS: Choices<ZeroRepeats> = &[
     ("stored", ZeroRepeats::Stored),
     ("place-only", ZeroRepeats::PlaceOnly),
 ];
-const PECK_DWELLS: Choices<PeckDwell> = &[
-    ("none", PeckDwell::None),
-    ("bottom", PeckDwell::Bottom),
-    ("each-peck", PeckDwell::EachPeck),
-];
+const PECK_DWELLS: Choices<PeckDwell> =
+    &[("none", PeckDwell::None), ("bottom", PeckDwell::Bottom), ("each-peck", PeckDwell::EachPeck)];
 const TAP_FEEDS: Choices<TapFeed> = &[
     ("programmed", TapFeed::Programmed),
     ("lead", TapFeed::Lead),

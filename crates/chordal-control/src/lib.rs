@@ -21,8 +21,8 @@ pub mod table;
 
 pub use command::*;
 pub use control::Control;
-pub use cycle_rules::*;
 pub use controls::{ALL as CONTROLS, table};
+pub use cycle_rules::*;
 pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;

@@ -464,7 +464,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
-            Action::CancelCycle => self.cancel_cycle(block, at),
+            Action::CancelCycle => self.cancel_cycle(),
             Action::ModalCallOff => self.modal_subroutine = None,
             Action::NotSimulated => {
                 let word = block.words[at];

@@ -1,7 +1,7 @@
 //! When a block makes holes, how many, and what ends a cycle.
 
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_syntax::{Block, Letters};
+use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::Hole;
@@ -174,27 +174,10 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// G80.
-    pub(in super::super) fn cancel_cycle(&mut self, block: &Block, at: usize) {
+    pub(in super::super) fn cancel_cycle(&mut self) {
         self.state.cycle = None;
-        if !self.control.parameters.cycles.one_group_with_motion {
-            return;
-        }
-        self.state.motion = Motion::None;
-        const AXES: Letters = Letters::of("XYZABC");
-        let other_code = block.all(b'G').count() > 1;
-        if block.letters().meets(AXES) && !other_code {
-            let span = self.words_span(block, AXES);
-            let name = super::super::report::decimal_code(800);
-            let also = self.span(block.words[at].range);
-            self.report(
-                Diagnostic::new(
-                    Code::NoMotionInForce,
-                    span,
-                    format!("axis words beside G{name}, which moves nothing"),
-                )
-                .also(also, "this ends the cycle")
-                .help("write the move into a block of its own, with G0 or G1"),
-            );
+        if self.control.parameters.cycles.one_group_with_motion {
+            self.state.motion = Motion::None;
         }
     }
 

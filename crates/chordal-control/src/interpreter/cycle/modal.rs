@@ -30,10 +30,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// F of this block is the speed of a tap (Fadal Format 1), not a feed.
-    pub(in super::super) fn feed_is_tap_speed(
-        &self,
-        codes: &[(&'static CodeRow, usize)],
-    ) -> bool {
+    pub(in super::super) fn feed_is_tap_speed(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
         let by_lead = self.control.parameters.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         by_lead && self.is_about_tap(codes)
     }
@@ -128,7 +125,11 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// A repeated line under G66 would run the routine between its passes.
-    pub(in super::super) fn warn_of_repeated_modal_subroutine(&mut self, block: &Block, times: u32) {
+    pub(in super::super) fn warn_of_repeated_modal_subroutine(
+        &mut self,
+        block: &Block,
+        times: u32,
+    ) {
         if times < 2 || self.modal_subroutine.is_none() || !block.letters().meets(AXES) {
             return;
         }

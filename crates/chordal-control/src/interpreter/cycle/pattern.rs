@@ -78,13 +78,9 @@ impl<S: Sink> Interpreter<'_, S> {
     pub(super) fn report_pattern_words(&mut self, block: &Block, what: &str) {
         let span = self.span(block.range);
         self.report(
-            Diagnostic::new(
-                Code::PatternWords,
-                span,
-                format!("a pattern of holes without {what}"),
-            )
-            .label("nothing is drilled")
-            .help("I is the radius or the distance, J the first angle, L the number of holes"),
+            Diagnostic::new(Code::PatternWords, span, format!("a pattern of holes without {what}"))
+                .label("nothing is drilled")
+                .help("I is the radius or the distance, J the first angle, L the number of holes"),
         );
     }
 }

@@ -79,7 +79,8 @@ impl<S: Sink> Interpreter<'_, S> {
             return;
         }
         let before = self.state.spindle;
-        let reversed = if before == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
+        let reversed =
+            if before == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
         self.emit(CommandKind::Spindle { state: reversed, rpm });
         self.state.spindle = reversed;
         self.turn_spindle(before);

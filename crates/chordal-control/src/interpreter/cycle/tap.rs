@@ -5,9 +5,7 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::{Hole, LEVEL_EPSILON_MM};
-use crate::command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Sink, SpindleState,
-};
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Sink, SpindleState};
 use crate::cycle_rules::TapFeed;
 use crate::table::CycleKind;
 
