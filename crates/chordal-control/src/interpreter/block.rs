@@ -42,8 +42,8 @@ impl<S: Sink> Interpreter<'_, S> {
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
-        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE
-        {
+        let watched = self.state.cycle.is_some() || self.modal_subroutine.is_some();
+        if !letters.within(PLAIN) || watched || block.repeated() != Letters::NONE {
             return false;
         }
         let (words, explicit) = match block.word(b'G') {

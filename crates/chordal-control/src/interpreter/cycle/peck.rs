@@ -11,6 +11,9 @@ use crate::cycle_rules::PeckDwell;
 /// Most pecks of one hole: more is a slip in Q.
 const MAX_PECKS: u32 = 10_000;
 
+/// Pecks of a hole that are not counted against the budget.
+const FREE_PECKS: u32 = 100;
+
 /// How deep the pecks of a hole go.
 #[derive(Clone, Copy)]
 enum Steps {
@@ -60,8 +63,12 @@ impl<S: Sink> Interpreter<'_, S> {
             if depth <= hole.z + LEVEL_EPSILON_MM {
                 break;
             }
-            if !(total > returned_at) || peck == MAX_PECKS {
+            if steps.depth(peck) <= 0.0 || peck == MAX_PECKS {
                 self.report_too_many_pecks(block, hole);
+                break;
+            }
+            // So many pecks count as blocks, lest a repeated slip in Q goes on for hours.
+            if peck > FREE_PECKS && !self.count_repeated() {
                 break;
             }
             self.feed_to(block, hole, depth);

@@ -9,6 +9,9 @@ use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Sink, Spi
 use crate::cycle_rules::TapFeed;
 use crate::table::CycleKind;
 
+/// Pecks of a thread that are not counted against the budget.
+const FREE_PECKS: u32 = 100;
+
 /// Most pecks of one thread.
 const MAX_PECKS: u32 = 10_000;
 
@@ -83,6 +86,9 @@ impl<S: Sink> Interpreter<'_, S> {
         for peck in 1..MAX_PECKS {
             let depth = hole.r - f64::from(peck) * q;
             if depth <= hole.z + LEVEL_EPSILON_MM {
+                return;
+            }
+            if peck > FREE_PECKS && !self.count_repeated() {
                 return;
             }
             self.tap_to(block, hole, depth, 1.0);
