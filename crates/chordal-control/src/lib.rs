@@ -9,6 +9,7 @@
 mod command;
 mod control;
 mod controls;
+mod cycle_rules;
 mod interpreter;
 mod library;
 mod offsets;
@@ -22,6 +23,7 @@ pub mod table;
 pub use command::*;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
+pub use cycle_rules::*;
 pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;

@@ -1,6 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::CycleRules;
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -207,6 +208,8 @@ pub struct Parameters {
     pub fixed_routine_count: FixedRoutineCount,
     /// The register word that gives fixed bore milling its diameter.
     pub bore_diameter_register: u8,
+    /// Canned cycles.
+    pub cycles: CycleRules,
 }
 
 impl Parameters {
@@ -254,5 +257,6 @@ impl Parameters {
         pocket_stepover_mm: f64::INFINITY,
         fixed_routine_count: FixedRoutineCount::Repeat,
         bore_diameter_register: 1,
+        cycles: CycleRules::COMMON,
     };
 }

@@ -3,6 +3,7 @@
 use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
     FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
@@ -57,6 +58,7 @@ pub enum Field {
     PocketStepover,
     FixedRoutineCount,
     BoreDiameterRegister,
+    Cycle(CycleField),
 }
 
 /// A setting of a control's table.
@@ -336,6 +338,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
         Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
+        Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
     }
     Ok(())
 }
@@ -395,6 +398,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::PocketStepover => mm(p.pocket_stepover_mm),
         Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
+        Field::Cycle(rule) => cycle_rules::value_text(p, rule),
     }
 }
 

@@ -4,11 +4,15 @@ use chordal_diagnostics::Code;
 use chordal_syntax::Lexicon;
 
 use crate::command::RapidPath;
+use crate::cycle_rules::{
+    BoreRules, CycleField, CycleRules, DefinitionFires, FiringWords, MissingLevel, PeckDwell,
+    PeckRules, ShiftWords, TapRules, ZeroRepeats,
+};
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, Pattern, Sign, Subroutines, row,
 };
 
 /// Haas mill, NGC.
@@ -32,10 +36,6 @@ pub static HAAS: ControlTable = ControlTable {
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 0.001,
-    cycle_repeat: b'L',
-    cycle_levels_incremental: true,
-    cycle_r_register: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G154",
@@ -58,7 +58,26 @@ const PARAMETERS: Parameters = Parameters {
     bare_home_moves_all: true,
     return_label_in_callee: true,
     preset_clears_shift: true,
+    cycles: CYCLES,
     ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    fires_on: FiringWords::Place,
+    // Setting 28 on.
+    definition: DefinitionFires::Always,
+    missing_r: MissingLevel::Current,
+    zero_repeats: ZeroRepeats::PlaceOnly,
+    dwell_point_s: 1.0,
+    peck: PeckRules {
+        decreasing: true,
+        return_after_k: true,
+        dwell: PeckDwell::Bottom,
+        ..CycleRules::COMMON.peck
+    },
+    tap: TapRules { out_factor_by_j: true, ..CycleRules::COMMON.tap },
+    bore: BoreRules { shift: ShiftWords::QOrVector, ..CycleRules::COMMON.bore },
+    ..CycleRules::COMMON
 };
 
 const SETTINGS: &[Setting] = &[
@@ -80,9 +99,9 @@ const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        Field::ChipBreak,
+        Field::Cycle(CycleField::Lifts),
         &[],
-        "lift of G73 between pecks",
+        "lift of G73 and clearance of G83 between pecks",
         Certainty::Documented,
         "Setting 22, Can Cycle Delta Z",
     ),
@@ -125,6 +144,70 @@ const SETTINGS: &[Setting] = &[
         "straight rapids",
         Certainty::Documented,
         "Setting 335, Linear Rapid Mode",
+    ),
+    setting(
+        "Setting 27",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[("X+", "x+"), ("X-", "x-"), ("Y+", "y+"), ("Y-", "y-")],
+        "where Q shifts the tool in G76 and G77",
+        Certainty::Documented,
+        "Setting 27, G76/G77 Shift Dir.",
+    ),
+    setting(
+        "Setting 28",
+        Field::Cycle(CycleField::Definition),
+        &[("on", "always"), ("off", "with-place")],
+        "on: a cycle drills also where it is defined without X and Y",
+        Certainty::Documented,
+        "Setting 28, Can Cycle Act w/o X/Y",
+    ),
+    setting(
+        "Setting 52",
+        Field::Cycle(CycleField::ReturnAboveR),
+        &[],
+        "how far above R the chip-clearing return of G83 goes",
+        Certainty::Documented,
+        "Setting 52, G83 Retract Above R",
+    ),
+    setting(
+        "Setting 52 in G73",
+        Field::Cycle(CycleField::ChipBreakAboveR),
+        &[],
+        "G73 returns that far above R too",
+        Certainty::Documented,
+        "manual of 1999",
+    ),
+    setting(
+        "Setting 130",
+        Field::Cycle(CycleField::TapOutFactor),
+        &[],
+        "speed of a tap on the way out over that on the way in; 0 or 1: the same",
+        Certainty::Documented,
+        "Setting 130, Tap Retract Speed",
+    ),
+    setting(
+        "cycle fires on",
+        Field::Cycle(CycleField::FiresOn),
+        &[],
+        "what sets off a hole of a cycle in force: `place`, `any-axis` or `axis-or-level`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "cycle axis",
+        Field::Cycle(CycleField::Axis),
+        &[],
+        "cycles drill along `z` or the `plane-normal`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "G77 scheme",
+        Field::Cycle(CycleField::BackBore),
+        &[],
+        "back boring: `shift-at-initial`, or `shift-at-r` as the prose of the manual has it",
+        Certainty::Unknown,
+        "G77",
     ),
 ];
 
@@ -245,9 +328,9 @@ const G_CODES: &[CodeRow] = &[
     row(650, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "macro call"),
     row(680, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "rotation"),
     row(690, Group::Rotation, Action::NoEffect, "", "rotation off"),
-    row(700, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt circle"),
-    row(710, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt arc"),
-    row(720, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "holes on a line"),
+    row(700, Group::OneShot, Action::Pattern(Pattern::Circle), "IJL", "bolt circle"),
+    row(710, Group::OneShot, Action::Pattern(Pattern::Arc), "IJKL", "bolt arc"),
+    row(720, Group::OneShot, Action::Pattern(Pattern::Line), "IJL", "holes on a line"),
     row(
         730,
         Group::Cycle,

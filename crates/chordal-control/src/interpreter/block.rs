@@ -17,6 +17,9 @@ use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutin
 /// Letters of a block that only moves: no mode, no table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 
+/// The fixed subroutine that drills a bolt circle (Fadal L93NN).
+const BOLT_CIRCLE: u32 = 93;
+
 /// Letters that every block may have.
 const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
@@ -39,8 +42,8 @@ impl<S: Sink> Interpreter<'_, S> {
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
-        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE
-        {
+        let watched = self.state.cycle.is_some() || self.modal_subroutine.is_some();
+        if !letters.within(PLAIN) || watched || block.repeated() != Letters::NONE {
             return false;
         }
         let (words, explicit) = match block.word(b'G') {
@@ -99,7 +102,7 @@ impl<S: Sink> Interpreter<'_, S> {
             let letter = block.words[second.1].letter;
             let clash = codes[..index].iter().find(|first| {
                 block.words[first.1].letter == letter
-                    && first.0.group == second.0.group
+                    && self.one_group(first.0.group, second.0.group)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
             });
             if let Some(first) = clash {
@@ -212,6 +215,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
                 let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
                 self.motion_or_cycle(block, motion.map(|c| c.0.action), cycle.map(|c| c.0.action));
+                self.modal_subroutine_after(block);
             }
         }
         self.take_after_motion(block, codes)
@@ -225,7 +229,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 Action::Absolute => self.state.incremental = false,
                 Action::Incremental => self.state.incremental = true,
                 action if row.group == Group::Motion => {
-                    self.state.cycle = None;
+                    self.end_cycle_if(self.control.parameters.cycles.cancel.by_motion);
                     self.take_motion_code(action);
                 }
                 _ => {}
@@ -294,6 +298,9 @@ impl<S: Sink> Interpreter<'_, S> {
 
     fn check_comma_words(&mut self, block: &Block) {
         for word in block.words.iter().filter(|word| word.comma) {
+            if word.letter == b'R' && self.tap_stands_in(block) {
+                continue;
+            }
             let letter = word.letter as char;
             self.report(
                 Diagnostic::new(
@@ -314,15 +321,17 @@ impl<S: Sink> Interpreter<'_, S> {
         claims: Letters,
     ) -> Option<Flow> {
         let table = self.control.table;
-        // L counts holes while a cycle is in force, and still calls from 100 on.
-        let in_cycle = self.state.cycle.is_some()
-            && table.subroutines == Subroutines::LetterL
-            && codes.is_empty();
-        if claims.has(b'L') && !in_cycle || !block.letters().has(b'L') {
+        let calls = table.subroutines == Subroutines::LetterL;
+        let taken = claims.has(b'L') && !(calls && self.cycle_counts_in_l(block, codes));
+        if taken || !block.letters().has(b'L') {
             return None;
         }
         let word = *block.last(b'L')?;
         let count = self.count(&word)?;
+        // Below a hundred L repeats the hole of the cycle in force.
+        if claims.has(b'L') && count < 100 {
+            return None;
+        }
         if table.subroutines == Subroutines::LetterL && count >= 100 {
             let mut claims = claims;
             claims.insert(b'L');
@@ -332,20 +341,29 @@ impl<S: Sink> Interpreter<'_, S> {
             if self.fixed_routine(block, &word, count) {
                 return Some(Flow::Next);
             }
-            let (target, named) = self.target(block);
-            if named != AxisMask::NONE {
-                self.straight(block, target, named);
+            if count / 100 == BOLT_CIRCLE {
+                self.bolt_circle(block, &word, count % 100);
+                return Some(Flow::Next);
+            }
+            if self.state.cycle.is_some() {
+                self.next_hole_beside_call(block);
+            } else {
+                let (target, named) = self.target(block);
+                if named != AxisMask::NONE {
+                    self.straight(block, target, named);
+                }
             }
             self.call_subroutine(&word, count);
             return Some(Flow::Next);
         }
-        if in_cycle || table.line_repeat == LineRepeat::None {
+        if table.line_repeat == LineRepeat::None {
             return None;
         }
         let mut claims = claims;
         claims.insert(b'L');
         self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
+        self.warn_of_repeated_modal_subroutine(block, times);
         for pass in 0..times {
             if pass > 0 && !self.count_repeated() {
                 return Some(Flow::End(EndReason::Budget));
@@ -399,7 +417,7 @@ impl<S: Sink> Interpreter<'_, S> {
     /// E, F, S, T, D, and M6, spindle and coolant on.
     fn take_letters(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let letters = block.letters();
-        if letters.has(b'F') {
+        if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
             self.take_feed(block);
         }
         if letters.has(b'S') {
@@ -453,7 +471,8 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
-            Action::CancelCycle => self.state.cycle = None,
+            Action::CancelCycle => self.cancel_cycle(),
+            Action::ModalCallOff => self.modal_subroutine = None,
             Action::NotSimulated => {
                 let word = block.words[at];
                 self.not_simulated(&word, row);
@@ -546,6 +565,8 @@ impl<S: Sink> Interpreter<'_, S> {
                     self.emit(CommandKind::End);
                     return Flow::End(EndReason::ProgramEnd);
                 }
+                Action::RunCycleHere => self.run_cycle_here(block, *at),
+                Action::ModalSubroutine => self.set_modal_subroutine(block),
                 Action::CallProgram => self.call_program(block, *at),
                 Action::CallLabel => self.call_label(block, *at),
                 Action::Return => return self.return_from_program(block, *at),
@@ -583,6 +604,7 @@ fn takes_axes(action: Action) -> bool {
             | Action::CircularPocketCw
             | Action::CircularPocketCcw
             | Action::GeneralPocket
+            | Action::Pattern(_)
             | Action::NotSimulated
     )
 }

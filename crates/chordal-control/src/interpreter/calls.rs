@@ -31,7 +31,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.cut_to_limit(word, count)
     }
 
-    fn cut_to_limit(&mut self, word: &Word, count: u32) -> u32 {
+    pub(super) fn cut_to_limit(&mut self, word: &Word, count: u32) -> u32 {
         let limit = self.control.parameters.max_repeats;
         if count <= limit {
             return count;

@@ -119,6 +119,8 @@ struct Interpreter<'a, S> {
     codes: Vec<(&'static CodeRow, usize)>,
     told: Told,
     preset_kept: [f64; 6],
+    /// L of G66 and the depth of calls at which it runs (Fadal).
+    modal_subroutine: Option<(chordal_syntax::Word, u32, usize)>,
     lost_jump: bool,
     carried_out: bool,
 }
@@ -203,6 +205,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             codes: Vec::new(),
             told: Told::default(),
             preset_kept: [0.0; 6],
+            modal_subroutine: None,
             lost_jump: false,
             carried_out: false,
         }

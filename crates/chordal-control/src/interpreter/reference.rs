@@ -16,8 +16,15 @@ impl<S: Sink> Interpreter<'_, S> {
         match action {
             Action::Dwell => self.dwell(block, at),
             Action::SetData => self.set_data(block, at),
-            Action::ReturnToReference { second } => self.return_to_reference(block, second),
-            Action::ReturnFromReference => self.return_from_reference(block),
+            Action::ReturnToReference { second } => {
+                self.end_cycle_if(self.control.parameters.cycles.cancel.by_reference);
+                self.return_to_reference(block, second);
+            }
+            Action::ReturnFromReference => {
+                self.end_cycle_if(self.control.parameters.cycles.cancel.by_reference);
+                self.return_from_reference(block);
+            }
+            Action::Pattern(pattern) => self.pattern(block, at, pattern),
             Action::MachineCoordinates => self.machine_coordinates(block),
             Action::LocalShift => self.local_shift(block),
             Action::PresetPosition => self.preset_position(block),

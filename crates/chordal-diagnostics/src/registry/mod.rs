@@ -4,6 +4,7 @@
 //! says what it is, and the text that `chordal explain` prints.
 
 mod compensation;
+mod cycles;
 mod machine;
 mod motion;
 mod pockets;
@@ -119,6 +120,24 @@ codes! {
     PocketRidges => pockets::RIDGES,
     PocketUnreached => pockets::UNREACHED,
     PocketPathAssumed => pockets::PATH_ASSUMED,
+    CycleWithoutR => cycles::WITHOUT_R,
+    CycleWithoutDepth => cycles::WITHOUT_DEPTH,
+    CycleWithoutPeck => cycles::WITHOUT_PECK,
+    CycleWithoutDwell => cycles::WITHOUT_DWELL,
+    CycleWithoutLead => cycles::WITHOUT_LEAD,
+    CycleLevels => cycles::LEVELS,
+    CycleInCompensation => cycles::IN_COMPENSATION,
+    NoCycle => cycles::NO_CYCLE,
+    CycleZeroRepeats => cycles::ZERO_REPEATS,
+    CycleInInverseTime => cycles::IN_INVERSE_TIME,
+    CycleRotaryWord => cycles::ROTARY_WORD,
+    TooManyPecks => cycles::TOO_MANY_PECKS,
+    CycleNotDocumented => cycles::NOT_DOCUMENTED,
+    NoMotionInForce => cycles::NO_MOTION,
+    CycleSpindle => cycles::SPINDLE,
+    CycleWithoutShift => cycles::WITHOUT_SHIFT,
+    PatternWords => cycles::PATTERN_WORDS,
+    CycleDepthIncremental => cycles::DEPTH_INCREMENTAL,
     InternalError => machine::INTERNAL_ERROR,
 }
 

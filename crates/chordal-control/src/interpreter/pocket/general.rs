@@ -99,7 +99,7 @@ impl<S: Sink> Interpreter<'_, S> {
             return None;
         };
         // In G91, R counts from where the tool stands and Z from R, as in drilling cycles.
-        let relative = self.state.incremental && self.control.table.cycle_levels_incremental;
+        let relative = self.state.incremental;
         let z_word = z - self.state.position[2];
         let r = if relative { self.state.position[2] + r } else { r };
         let z = if relative { r + z_word } else { z };
