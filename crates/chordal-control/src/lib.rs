@@ -11,6 +11,7 @@ mod control;
 mod controls;
 mod interpreter;
 mod library;
+pub mod macros;
 mod offsets;
 mod parameters;
 mod recognize;

@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Letters, Lexicon};
 
+use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::Setting;
 
@@ -329,6 +330,8 @@ pub struct ControlTable {
     pub extended_offset_code: &'static str,
     /// Start label word of M98 (Mitsubishi H).
     pub call_start_label: Option<u8>,
+    /// Its macro language.
+    pub macros: &'static MacroRules,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],
 }

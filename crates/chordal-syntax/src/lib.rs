@@ -9,13 +9,19 @@
 mod block;
 mod decimal;
 mod encoding;
+mod expression;
 mod lexicon;
 mod programs;
 mod reader;
+mod statement;
 
 pub use block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 pub use decimal::Decimal;
 pub use encoding::{Decoded, Encoding, decode};
+pub use expression::{
+    Brackets, Expression, ExpressionParser, Function, MacroGrammar, Op, Operator, OperatorRow, Step,
+};
 pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
 pub use programs::{ProgramHead, find_programs};
 pub use reader::{BlockReader, Position};
+pub use statement::{Branch, Output, Statement, Target, parse_statement};

@@ -1,9 +1,10 @@
 //! Fadal CNC 88, Format 1 and 2.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::{Lexicon, ParenthesisComment, Semicolon};
+use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::{FeedAlong, RapidPath};
+use crate::macros::rules::MacroRules;
 use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -40,6 +41,7 @@ pub static FADAL: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",
     call_start_label: None,
+    macros: &MacroRules::NONE,
     evidence: EVIDENCE,
 };
 
@@ -51,6 +53,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: true,
     blanks_in_numbers: false,
     o_words: false,
+    grammar: &MacroGrammar::FADAL,
 };
 
 const PARAMETERS: Parameters = Parameters {

@@ -40,6 +40,7 @@ pub static FANUC: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
     call_start_label: None,
+    macros: &super::macro_b::FANUC,
     evidence: EVIDENCE,
 };
 

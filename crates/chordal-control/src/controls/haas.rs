@@ -1,7 +1,7 @@
 //! Haas mill, NGC.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::Lexicon;
+use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::RapidPath;
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
@@ -40,10 +40,11 @@ pub static HAAS: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G154",
     call_start_label: None,
+    macros: &super::macro_b::HAAS,
     evidence: EVIDENCE,
 };
 
-const LEXICON: Lexicon = Lexicon::FANUC_STYLE;
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE };
 
 const PARAMETERS: Parameters = Parameters {
     decimal_point: DecimalPoint::LeastIncrement,

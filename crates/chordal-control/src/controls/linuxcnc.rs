@@ -1,9 +1,10 @@
 //! LinuxCNC (RS274/NGC), version 2.9.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::{Lexicon, ParenthesisComment, Semicolon};
+use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::RapidPath;
+use crate::macros::rules::MacroRules;
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -40,6 +41,7 @@ pub static LINUXCNC: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G59",
     call_start_label: None,
+    macros: &MacroRules::NONE,
     evidence: EVIDENCE,
 };
 
@@ -51,6 +53,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
+    grammar: &MacroGrammar::LINUXCNC,
 };
 
 const PARAMETERS: Parameters = Parameters {

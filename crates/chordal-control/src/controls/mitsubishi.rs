@@ -1,7 +1,7 @@
 //! Mitsubishi M700 and M800.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::Lexicon;
+use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::FeedAlong;
 use crate::parameters::{OffsetKind, Parameters, SpiralForm};
@@ -40,10 +40,11 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
     call_start_label: Some(b'H'),
+    macros: &super::macro_b::MITSUBISHI,
     evidence: EVIDENCE,
 };
 
-const LEXICON: Lexicon = Lexicon::FANUC_STYLE;
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
 
 const PARAMETERS: Parameters = Parameters {
     helix_feed: FeedAlong::Path,

@@ -9,6 +9,7 @@ mod arc;
 mod block;
 mod calls;
 mod cycle;
+mod macros;
 mod motion;
 mod offsets;
 mod reference;
@@ -54,6 +55,8 @@ pub enum EndReason {
     Repeats,
     /// A jump to a block that is not there.
     LostJump,
+    /// The program stopped itself with an alarm (`#3000=1 (TEXT)`).
+    Alarm,
     /// The budget was used up.
     Budget,
 }
@@ -89,6 +92,8 @@ struct Frame<'a> {
     remaining: u32,
     /// The called thing is an L subroutine.
     subroutine: bool,
+    /// Loops of the caller.
+    loops: Vec<macros::Loop>,
 }
 
 struct Interpreter<'a, S> {
@@ -107,7 +112,7 @@ struct Interpreter<'a, S> {
     /// L subroutines of the main program: number → first block.
     subroutines: HashMap<u32, TextPosition>,
     /// N numbers of each program that was jumped in.
-    labels: HashMap<usize, HashMap<i64, TextPosition>>,
+    labels: HashMap<usize, HashMap<i64, Vec<TextPosition>>>,
     jumps: HashMap<u32, u32>,
     missing: Vec<u32>,
     blocks: u64,
@@ -120,6 +125,14 @@ struct Interpreter<'a, S> {
     preset_kept: [f64; 6],
     lost_jump: bool,
     carried_out: bool,
+    macros: macros::MacroState<'a>,
+    /// Blocks of the main program before this place are repeats after a jump back; 0 when
+    /// there are none.
+    repeat_until: u32,
+    /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
+    message: Option<TextRange>,
+    /// Set where a statement ends the run.
+    stopped: Option<EndReason>,
 }
 
 /// Things that are told once, not for every block.
@@ -202,6 +215,10 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             preset_kept: [0.0; 6],
             lost_jump: false,
             carried_out: false,
+            macros: macros::MacroState::new(control.table),
+            repeat_until: 0,
+            message: None,
+            stopped: None,
         }
     }
 
@@ -215,7 +232,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 }
                 self.text_ended_in_call();
             }
-            if !self.frames.is_empty() && !self.count_repeated() {
+            if (!self.frames.is_empty() || self.is_repeat(&block)) && !self.count_repeated() {
                 return EndReason::Budget;
             }
             match self.execute(&mut block) {
@@ -253,6 +270,12 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             BlockKind::Percent => return self.percent(),
             BlockKind::Folder => return Flow::Next,
             BlockKind::Macro(range) => {
+                if self.rules().macro_b {
+                    return match self.is_deleted(block) {
+                        true => Flow::Next,
+                        false => self.macro_block(block),
+                    };
+                }
                 self.report_macro(range);
                 if block.words.is_empty() {
                     return Flow::Next;
@@ -271,11 +294,33 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.sequence = Some(number);
         }
         self.carried_out = true;
+        if block.expressions {
+            self.resolve_words(block);
+        }
         if self.is_next_subroutine_head(block) {
             self.leave(None);
             return Flow::Next;
         }
         self.carry_out(block)
+    }
+
+    /// True when block delete takes the macro statement, which is the last of its block.
+    fn is_deleted(&self, block: &Block) -> bool {
+        block
+            .delete
+            .is_some_and(|delete| self.machine.switches.block_delete[delete.switch.min(9) as usize])
+    }
+
+    /// True for a block of the main program that a jump back leads through again.
+    #[inline]
+    fn is_repeat(&mut self, block: &Block) -> bool {
+        if self.repeat_until == 0 {
+            return false;
+        }
+        if block.range.start >= self.repeat_until {
+            self.repeat_until = 0;
+        }
+        self.repeat_until != 0
     }
 
     /// A percent sign ends the tape, once something stood before it.

@@ -5,6 +5,7 @@
 
 mod compensation;
 mod machine;
+mod macros;
 mod motion;
 mod program;
 mod reading;
@@ -105,6 +106,32 @@ codes! {
     LengthOffsetOfOtherTool => machine::LENGTH_OFFSET_OF_OTHER_TOOL,
     BadSetting => machine::BAD_SETTING,
     SpindleOverLimit => machine::SPINDLE_OVER_LIMIT,
+    BadExpression => macros::BAD_EXPRESSION,
+    UnbalancedBrackets => macros::UNBALANCED_BRACKETS,
+    BracketsTooDeep => macros::BRACKETS_TOO_DEEP,
+    UnsupportedMacro => macros::UNSUPPORTED_MACRO,
+    BadStatement => macros::BAD_STATEMENT,
+    BadVariable => macros::BAD_VARIABLE,
+    ReadOnlyVariable => macros::READ_ONLY_VARIABLE,
+    DivisionByZero => macros::DIVISION_BY_ZERO,
+    OutsideDomain => macros::OUTSIDE_DOMAIN,
+    NumberOverflow => macros::NUMBER_OVERFLOW,
+    ConditionAsValue => macros::CONDITION_AS_VALUE,
+    BadLoopNumber => macros::BAD_LOOP_NUMBER,
+    LoopMismatch => macros::LOOP_MISMATCH,
+    MacroNesting => macros::MACRO_NESTING,
+    BadArgument => macros::BAD_ARGUMENT,
+    MixedBlock => macros::MIXED_BLOCK,
+    ProgramAlarm => macros::PROGRAM_ALARM,
+    OutputLimit => macros::OUTPUT_LIMIT,
+    BadOutput => macros::BAD_OUTPUT,
+    SystemVariable => macros::SYSTEM_VARIABLE,
+    WordRounded => macros::WORD_ROUNDED,
+    UnsetName => macros::UNSET_NAME,
+    ProgramStop => macros::PROGRAM_STOP,
+    SkipAssumed => macros::SKIP_ASSUMED,
+    DateNotSet => macros::DATE_NOT_SET,
+    OutputClosed => macros::OUTPUT_CLOSED,
     InternalError => machine::INTERNAL_ERROR,
 }
 
