@@ -1,6 +1,6 @@
 use chordal_diagnostics::{Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange};
 
-use crate::block::{Block, BlockDelete, BlockKind, Value, Word};
+use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
 
@@ -22,6 +22,8 @@ pub struct BlockReader<'a> {
     at: usize,
     line: u32,
     end: usize,
+    /// Letters that are never plain words: registers, and the O of flow control.
+    special: Letters,
 }
 
 /// How many unreadable places of one block are told; a megabyte of garbage on one line is
@@ -69,7 +71,14 @@ const STRANGE_BEHIND_NUMBER: [bool; 256] = {
 impl<'a> BlockReader<'a> {
     /// Reads `text` from its beginning.
     pub fn new(text: &'a [u8], file: FileId, lexicon: Lexicon) -> BlockReader<'a> {
-        BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len() }
+        let mut special = Letters::NONE;
+        if lexicon.registers {
+            special.insert(b'R');
+        }
+        if lexicon.o_words {
+            special.insert(b'O');
+        }
+        BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len(), special }
     }
 
     /// Where the next block begins.
@@ -172,6 +181,10 @@ impl<'a> BlockReader<'a> {
                 self.read_word(block, b'O', false);
             }
             b',' => self.comma_word(block),
+            b'#' if self.lexicon.macro_lines => {
+                self.skip_to_line_end();
+                block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
+            }
             b'#' | b'[' => {
                 self.skip_statement();
                 let range = TextRange::new(start as u32, self.at as u32);
@@ -265,7 +278,7 @@ impl<'a> BlockReader<'a> {
     /// rest of the line.
     #[inline(always)]
     fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
-        let plain = !comma && (letter != b'R' || !self.lexicon.registers);
+        let plain = !comma && !self.special.has(letter);
         if plain
             && !self.lexicon.blanks_in_numbers
             && let Some(rest) = self.text[..self.end].get(self.at + 1..)
@@ -285,6 +298,11 @@ impl<'a> BlockReader<'a> {
     #[inline(never)]
     fn read_any_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
         let start = self.at - usize::from(comma);
+        if letter == b'O' && self.lexicon.o_words && self.flow_control() {
+            self.skip_to_line_end();
+            block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
+            return false;
+        }
         self.at += 1;
         let mut register = None;
         let text = &self.text[..self.end];
@@ -385,6 +403,9 @@ impl<'a> BlockReader<'a> {
             Some(b'R' | b'r') if self.lexicon.registers => {
                 if let Some(digit) = rest.get(sign + 1).filter(|b| b.is_ascii_digit()) {
                     self.at += sign + 2;
+                    // `X+R6.`: a point that means nothing.
+                    let more = rest.get(sign + 3).is_some_and(u8::is_ascii_digit);
+                    self.at += usize::from(rest.get(sign + 2) == Some(&b'.') && !more);
                     return Some(Value::Register {
                         index: digit - b'0',
                         negative: rest[0] == b'-',
@@ -412,12 +433,6 @@ impl<'a> BlockReader<'a> {
             block.kind = BlockKind::Macro(range);
             return None;
         }
-        if letter == b'O' && rest.first() == Some(&b'<') && self.lexicon.o_words {
-            self.at = start;
-            self.skip_to_line_end();
-            block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
-            return None;
-        }
         self.problem(block, || {
             let span = Span::new(self.file, start as u32, start as u32 + 1);
             let name = letter as char;
@@ -426,6 +441,38 @@ impl<'a> BlockReader<'a> {
                 .help(format!("write the number, or take the `{name}` out"))
         });
         Some(Value::Missing)
+    }
+
+    /// The letter O at `self.at` begins flow control: a number, a name or a bracket, and then
+    /// a word.
+    #[cold]
+    fn flow_control(&self) -> bool {
+        let line = &self.text[self.at + 1..self.end];
+        let line = &line[..memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len())];
+        let blank = |b: &u8| CLASSES[*b as usize] == Class::Blank;
+        let mut at = line.iter().take_while(|b| blank(b)).count();
+        match line.get(at) {
+            Some(b'<') => return true,
+            Some(b'[') => {
+                let mut depth = 0usize;
+                for byte in &line[at..] {
+                    at += 1;
+                    match byte {
+                        b'[' => depth += 1,
+                        b']' => depth = depth.saturating_sub(1),
+                        _ => {}
+                    }
+                    if depth == 0 {
+                        break;
+                    }
+                }
+            }
+            _ => {
+                let number = |b: &u8| b.is_ascii_digit() || blank(b);
+                at += line[at..].iter().take_while(|b| number(b)).count();
+            }
+        }
+        line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
     }
 
     /// Keywords of macro languages, by the letters from `start`.

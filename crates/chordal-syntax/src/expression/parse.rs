@@ -378,9 +378,14 @@ impl<'a> ExpressionParser<'a> {
     fn call(&mut self, function: Function, start: usize) {
         let (open, close) = self.grammar.bracket_bytes();
         let mut two = false;
+        if function == Function::Not {
+            // NOT binds looser than a comparison: `NOT V1=2`.
+            self.within_limit(start, |parser| parser.binary(1));
+            return self.push(Op::Call { function, two }, start);
+        }
         if self.next_mark() != open {
             // `SIN#1`: some writers leave the brackets out, and most controls read it.
-            self.unary_within_limit(start);
+            self.within_limit(start, Self::unary);
             return self.push(Op::Call { function, two }, start);
         }
         let bracket = self.at;
@@ -413,13 +418,13 @@ impl<'a> ExpressionParser<'a> {
         self.push(Op::Call { function, two }, start);
     }
 
-    fn unary_within_limit(&mut self, start: usize) {
+    fn within_limit(&mut self, start: usize, read: impl FnOnce(&mut Self)) {
         self.depth += 1;
         if self.depth > HARD_DEPTH {
             self.at = self.end;
             self.push(Op::Unreadable, start);
         } else {
-            self.unary();
+            read(self);
         }
         self.depth -= 1;
     }
