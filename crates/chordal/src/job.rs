@@ -94,7 +94,10 @@ impl<'a> Job<'a> {
         library.duplicate_diagnostics().for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mains = match self.program {
             Some(number) => library.find(number, FileId(0)).into_iter().collect(),
-            None => library.mains(&self.control.table.lexicon),
+            None => {
+                let called = self.control.alias_programs();
+                library.mains(&self.control.table.lexicon, &called)
+            }
         };
         let mut outcomes = Vec::new();
         for program in mains {
