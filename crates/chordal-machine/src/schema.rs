@@ -95,7 +95,8 @@ impl Stamp {
         }
         let mut number = 0;
         for ((part, width), (low, high)) in parts.into_iter().zip(widths).zip(limits) {
-            let value = whole(part).filter(|value| part.len() == width && (low..=high).contains(value))?;
+            let value =
+                whole(part).filter(|value| part.len() == width && (low..=high).contains(value))?;
             number = number * 100 + value;
         }
         Some(number)
@@ -409,7 +410,8 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
         "<variable>" => {
             let digits = key.strip_prefix('#').unwrap_or(key);
             keys.number = whole(digits).filter(|number| *number > 0).ok_or_else(|| {
-                let help = "a variable is named by its number, as `macros.variables.500`".to_string();
+                let help =
+                    "a variable is named by its number, as `macros.variables.500`".to_string();
                 (format!("`{key}` is not the number of a variable"), help)
             })?;
         }

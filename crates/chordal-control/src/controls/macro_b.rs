@@ -1,13 +1,18 @@
 //! The macro rules of Fanuc, Haas and Mitsubishi.
 
 use crate::macros::rules::{
-    ArgumentScale, MacroRules, ModalGroup, System, SystemRow, Then, VariableRange, alias, common, system,
+    ArgumentScale, MacroRules, ModalGroup, System, SystemRow, Then, VariableRange, alias, common,
+    system,
 };
 
 /// Fanuc custom macro B (B-63684EN, B-63944EN), and where the manuals were not at hand what
 /// probe makers' programs rely on.
-pub(super) static FANUC: MacroRules =
-    MacroRules { common: FANUC_COMMON, system: FANUC_SYSTEM, modal_groups: FANUC_GROUPS, ..MacroRules::MACRO_B };
+pub(super) static FANUC: MacroRules = MacroRules {
+    common: FANUC_COMMON,
+    system: FANUC_SYSTEM,
+    modal_groups: FANUC_GROUPS,
+    ..MacroRules::MACRO_B
+};
 
 /// Groups 1 to 17 of a Fanuc; 14 is that of the work offsets.
 const FANUC_GROUPS: &[ModalGroup] = &[

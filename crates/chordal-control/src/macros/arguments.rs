@@ -40,6 +40,17 @@ pub(crate) const fn reserved_variable(letter: u8) -> Option<u32> {
     }
 }
 
+/// The letter of an argument number: 24 is X, and of the call's own words 14 is N.
+pub(crate) fn letter_of(number: u32) -> Option<u8> {
+    let own = match number {
+        14 => Some(b'N'),
+        15 => Some(b'O'),
+        16 => Some(b'P'),
+        _ => None,
+    };
+    own.or_else(|| (b'A'..=b'Z').find(|letter| type_one(*letter) == number))
+}
+
 /// Gives each word its variable: A to Z of type I, and I, J, K in sets. A repeated I, J or K,
 /// or one out of order, starts the next set (Fanuc B-63684EN, 15.6.1).
 pub(crate) struct Assigner {

@@ -14,7 +14,10 @@ pub(crate) struct Format {
 pub(crate) enum Part {
     Text(u8),
     /// A variable and its places; `None` where they cannot be read.
-    Value { expression: TextRange, format: Option<Format> },
+    Value {
+        expression: TextRange,
+        format: Option<Format>,
+    },
 }
 
 /// The next part of the text between the brackets of DPRNT; `*` is a blank, blanks are none.

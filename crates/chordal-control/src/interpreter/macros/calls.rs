@@ -28,9 +28,14 @@ pub(in super::super) struct ModalCall {
 /// What a block calls.
 enum Call {
     Once,
-    Modal { every_block: bool },
+    Modal {
+        every_block: bool,
+    },
     /// A code that a setting makes a call: the program, and whether it takes arguments.
-    Alias { program: u32, arguments: bool },
+    Alias {
+        program: u32,
+        arguments: bool,
+    },
 }
 
 /// Letters whose words move.
@@ -62,9 +67,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             match self.control.g_code(code)?.action {
                 Action::MacroCall => Some((Call::Once, at)),
-                Action::ModalMacroCall { every_block } => {
-                    Some((Call::Modal { every_block }, at))
-                }
+                Action::ModalMacroCall { every_block } => Some((Call::Modal { every_block }, at)),
                 _ => None,
             }
         })

@@ -65,6 +65,8 @@ impl<S: Sink> Interpreter<'_, S> {
         let mut rest = text;
         while let Some(part) = next_part(whole, &mut rest) {
             match part {
+                // What would steer a terminal is no text.
+                Part::Text(byte) if byte < b' ' => {}
                 Part::Text(byte) => line.push(byte as char),
                 Part::Value { expression, format } => {
                     let Some(value) = self.word_value(expression, Purpose::VALUE) else {

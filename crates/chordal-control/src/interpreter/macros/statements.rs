@@ -2,8 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, Branch, Position as TextPosition, Statement,
-    parse_statement,
+    Block, BlockKind, BlockReader, Branch, Position as TextPosition, Statement, parse_statement,
 };
 
 use super::super::{Flow, Interpreter};

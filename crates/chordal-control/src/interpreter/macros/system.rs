@@ -5,6 +5,7 @@ use chordal_geometry::{Direction, Plane};
 
 use super::super::{EndReason, Interpreter};
 use crate::command::{CommandKind, FeedMode, Side, Sink, Units, WorkName};
+use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
 use crate::macros::rules::{ModalGroup, System};
 use crate::macros::value::{Value, number};
@@ -57,9 +58,9 @@ impl<S: Sink> Interpreter<'_, S> {
                 None => 0.0,
             },
             System::ModalWord(letter) => self.modal_word(index, letter, range)?,
-            System::ModalArgument => match u8::try_from(at) {
-                Ok(at @ 0..=25) => self.modal_word(index, b'A' + at, range)?,
-                _ => 0.0,
+            System::ModalArgument => match letter_of(at + 1) {
+                Some(letter) => self.modal_word(index, letter, range)?,
+                None => 0.0,
             },
             System::Length | System::LengthWear | System::Radius | System::RadiusWear => {
                 self.tool_value(what, at + 1)
