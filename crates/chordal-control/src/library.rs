@@ -77,14 +77,19 @@ impl<'a> Library<'a> {
     }
 
     /// Programs that no other program of the same file calls: the mains. When every one is
-    /// called, the first.
-    pub fn mains(&self, lexicon: &Lexicon) -> Vec<usize> {
+    /// called, or a call computes its number, the first. `also_called` are programs that
+    /// something else than the text calls.
+    pub fn mains(&self, lexicon: &Lexicon, also_called: &[u32]) -> Vec<usize> {
         let here: Vec<usize> =
             (0..self.programs.len()).filter(|i| self.programs[*i].file == FileId(0)).collect();
         if here.len() <= 1 {
             return here;
         }
-        let called = referenced_programs(self.text(FileId(0)), lexicon);
+        let mut called = called_programs(self.text(FileId(0)), lexicon);
+        if called.contains(&COMPUTED) {
+            return here[..1].to_vec();
+        }
+        called.extend(also_called);
         let mains: Vec<usize> = here
             .iter()
             .copied()
@@ -121,9 +126,18 @@ impl<'a> Library<'a> {
     }
 }
 
+/// Stands among the called programs for a call whose number is computed.
+const COMPUTED: u32 = u32::MAX;
+
 /// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`, packed
 /// repeats (`P51000`) read both ways.
 pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
+    let mut numbers = called_programs(text, lexicon);
+    numbers.retain(|number| *number != COMPUTED);
+    numbers
+}
+
+fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     let mut numbers = Vec::new();
     for at in memchr::memmem::find_iter(text, b"98") {
         call_at(text, at, b'M', lexicon, &mut numbers);
@@ -156,6 +170,9 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
     let mut block = Block::new();
     while reader.read(&mut block) {
         for word in block.all(b'P') {
+            if matches!(word.value, chordal_syntax::Value::Expression(_)) {
+                numbers.push(COMPUTED);
+            }
             let number = word.number().and_then(|d| d.to_integer());
             if let Some(number) = number.and_then(|n| u32::try_from(n).ok()) {
                 numbers.push(number);

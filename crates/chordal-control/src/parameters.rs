@@ -192,6 +192,21 @@ pub struct Parameters {
     pub bare_home_moves_all: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
     pub return_label_in_callee: bool,
+    /// Codes that call macros.
+    pub aliases: Aliases,
+}
+
+/// Codes that call macros, by their numbers; 0 where there is none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Aliases {
+    /// There is any.
+    pub any: bool,
+    /// G codes.
+    pub g: [u16; 10],
+    /// M codes that call a macro.
+    pub m: [u16; 10],
+    /// M codes that call a subprogram.
+    pub m_subprogram: [u16; 9],
 }
 
 impl Parameters {
@@ -236,5 +251,6 @@ impl Parameters {
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,
+        aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

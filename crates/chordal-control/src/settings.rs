@@ -54,6 +54,12 @@ pub enum Field {
     LengthMustMatchTool,
     UnitCodes,
     ReturnLabelInCallee,
+    /// A G code that calls a macro, by its place.
+    AliasG(u8),
+    /// An M code that does.
+    AliasM(u8),
+    /// An M code that calls a subprogram.
+    AliasSubprogram(u8),
 }
 
 /// A setting of a control's table.
@@ -324,6 +330,16 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
         Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
+            let code = count()?.min(6000) as u16;
+            p.aliases.any |= code > 0;
+            match field {
+                Field::AliasG(at) => p.aliases.g[at as usize] = code,
+                Field::AliasM(at) => p.aliases.m[at as usize] = code,
+                Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize] = code,
+                _ => {}
+            }
+        }
     }
     Ok(())
 }
@@ -380,6 +396,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
+        Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
+        Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
 

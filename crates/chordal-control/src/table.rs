@@ -115,6 +115,12 @@ pub enum Action {
     Return,
     SubroutineEnd,
     RunCycleHere,
+    /// G65: calls a program with its words as arguments.
+    MacroCall,
+    /// G66: the same after every move; G66.1: for every block.
+    ModalMacroCall {
+        every_block: bool,
+    },
     ModalCallOff,
     /// Carried out without effect on path or time.
     NoEffect,

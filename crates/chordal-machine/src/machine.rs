@@ -41,6 +41,8 @@ pub struct Machine {
     pub clearance_mm: Option<f64>,
     /// What takes time besides moving.
     pub times: Times,
+    /// What macro programs find.
+    pub macros: Macros,
 }
 
 /// The limits of an axis: millimetres, or radians on a rotary axis.
@@ -126,6 +128,17 @@ pub struct Times {
     pub tool_change_s: Option<f64>,
 }
 
+/// What macro programs find when the program starts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Macros {
+    /// Values of variables by number (`#500`).
+    pub variables: BTreeMap<u32, f64>,
+    /// The date as a control shows it, YYYYMMDD.
+    pub date: Option<u32>,
+    /// The time, HHMMSS.
+    pub time: Option<u32>,
+}
+
 impl Machine {
     /// A machine of which only the control is known: X, Y and Z without limits.
     pub fn new(name: &str, control: ControlName) -> Machine {
@@ -152,6 +165,7 @@ impl Machine {
             switches: Switches::default(),
             clearance_mm: None,
             times: Times::default(),
+            macros: Macros::default(),
         }
     }
 

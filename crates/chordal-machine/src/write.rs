@@ -47,6 +47,7 @@ impl Machine {
             out.table("times");
             out.quantity("tool_change", self.times.tool_change_s, Dimension::Time);
         }
+        self.write_macros(&mut out);
         self.write_tools(&mut out);
         for (name, offset) in &self.work_offsets {
             out.table(&format!("work_offsets.{}", key_text(name)));
@@ -101,6 +102,28 @@ impl Machine {
         }
         if switches.optional_stop {
             out.line("optional_stop", "true");
+        }
+    }
+
+    fn write_macros(&self, out: &mut Out) {
+        let macros = &self.macros;
+        if *macros == Default::default() {
+            return;
+        }
+        out.table("macros");
+        if let Some(date) = macros.date {
+            let (year, month, day) = (date / 10_000, date / 100 % 100, date % 100);
+            out.line("date", &format!("\"{year:04}-{month:02}-{day:02}\""));
+        }
+        if let Some(time) = macros.time {
+            let (hour, minute, second) = (time / 10_000, time / 100 % 100, time % 100);
+            out.line("time", &format!("\"{hour:02}:{minute:02}:{second:02}\""));
+        }
+        if !macros.variables.is_empty() {
+            out.table("macros.variables");
+            for (number, value) in &macros.variables {
+                out.line(&number.to_string(), &format!("{value:?}"));
+            }
         }
     }
 

@@ -1,15 +1,59 @@
 //! The macro rules of Fanuc, Haas and Mitsubishi.
 
-use chordal_syntax::Letters;
-
 use crate::macros::rules::{
-    ArgumentScale, MacroRules, System, SystemRow, Then, VariableRange, alias, common, system,
+    ArgumentScale, MacroRules, ModalGroup, System, SystemRow, Then, VariableRange, alias, common,
+    system,
 };
 
 /// Fanuc custom macro B (B-63684EN, B-63944EN), and where the manuals were not at hand what
 /// probe makers' programs rely on.
-pub(super) static FANUC: MacroRules =
-    MacroRules { common: FANUC_COMMON, system: FANUC_SYSTEM, ..MacroRules::MACRO_B };
+pub(super) static FANUC: MacroRules = MacroRules {
+    common: FANUC_COMMON,
+    system: FANUC_SYSTEM,
+    modal_groups: FANUC_GROUPS,
+    ..MacroRules::MACRO_B
+};
+
+/// Groups 1 to 17 of a Fanuc; 14 is that of the work offsets.
+const FANUC_GROUPS: &[ModalGroup] = &[
+    ModalGroup::Motion,
+    ModalGroup::Plane,
+    ModalGroup::Distance,
+    ModalGroup::Fixed(23),
+    ModalGroup::FeedMode,
+    ModalGroup::Units,
+    ModalGroup::Compensation,
+    ModalGroup::Length,
+    ModalGroup::Cycle,
+    ModalGroup::ReturnLevel,
+    ModalGroup::Fixed(50),
+    ModalGroup::ModalCall,
+    ModalGroup::Fixed(97),
+    ModalGroup::WorkOffset,
+    ModalGroup::Fixed(64),
+    ModalGroup::Fixed(69),
+    ModalGroup::Fixed(15),
+];
+
+/// Groups 1 to 16 of a Haas; 12 is that of the work offsets.
+const HAAS_GROUPS: &[ModalGroup] = &[
+    ModalGroup::Motion,
+    ModalGroup::Plane,
+    ModalGroup::Distance,
+    ModalGroup::Fixed(0),
+    ModalGroup::FeedMode,
+    ModalGroup::Units,
+    ModalGroup::Compensation,
+    ModalGroup::Length,
+    ModalGroup::Cycle,
+    ModalGroup::ReturnLevel,
+    ModalGroup::Fixed(50),
+    ModalGroup::WorkOffset,
+    ModalGroup::Fixed(0),
+    ModalGroup::Fixed(0),
+    ModalGroup::Fixed(64),
+    ModalGroup::Fixed(69),
+];
 
 /// #150–199 and #532–999 are an option that most machines have.
 const FANUC_COMMON: &[VariableRange] = &[common(100, 199), common(500, 999)];
@@ -66,12 +110,13 @@ pub(super) static HAAS: MacroRules = MacroRules {
     mixed_blocks: true,
     call_depth: 9,
     argument_scale: ArgumentScale::ByLetter,
-    whole_arguments: Letters::of("DEFHMST"),
     alarm_base: 1000,
     alarm_last: 999,
-    work_offset_group: 12,
     output_blanks: false,
+    output_needs_open: false,
+    modal_groups: HAAS_GROUPS,
     m_alias_programs: 9000,
+    m_alias_arguments: false,
     ..MacroRules::MACRO_B
 };
 
@@ -125,6 +170,7 @@ pub(super) static MITSUBISHI: MacroRules = MacroRules {
     loop_depth: 27,
     alarm_base: 0,
     alarm_last: 9999,
+    modal_groups: FANUC_GROUPS,
     ..MacroRules::MACRO_B
 };
 

@@ -133,6 +133,9 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::NestingTooDeep, "P230 Subprogram nesting over"),
     (Code::MissingFeed, "P62 No F command"),
     (Code::UnknownCode, "P34 Improper G code"),
+    (Code::OutsideDomain, "P282 CALCULATION IMPOSSIBLE"),
+    (Code::DivisionByZero, "P283 DIVIDE BY ZERO"),
+    (Code::BadVariable, "P241 NO VARI NUMBER"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -242,13 +245,19 @@ const G_CODES: &[CodeRow] = &[
     row(620, Group::PathMode, Action::PathContinuous, "", "corner override"),
     row(630, Group::PathMode, Action::PathContinuous, "", "tapping mode"),
     row(640, Group::PathMode, Action::PathContinuous, "", "cutting mode"),
-    row(650, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "macro call"),
-    row(660, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "modal macro call"),
+    row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
+    row(
+        660,
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: false },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
+        "modal macro call",
+    ),
     row(
         661,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: true },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
         "macro call in every block",
     ),
     row(670, Group::ModalCall, Action::ModalCallOff, "", "modal macro call off"),

@@ -26,12 +26,15 @@ impl<S: Sink> Interpreter<'_, S> {
         if self.plain_motion(block) {
             return Flow::Next;
         }
+        if let Some(flow) = self.macro_call(block) {
+            return flow;
+        }
         let mut codes = std::mem::take(&mut self.codes);
         self.gather(block, &mut codes);
         let flow = self.carry_out_codes(block, &codes);
         codes.clear();
         self.codes = codes;
-        flow
+        if self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
     }
 
     /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
@@ -39,7 +42,10 @@ impl<S: Sink> Interpreter<'_, S> {
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
-        if !letters.within(PLAIN) || self.state.cycle.is_some() || block.repeated() != Letters::NONE
+        if !letters.within(PLAIN)
+            || self.state.cycle.is_some()
+            || self.macros.active > 0
+            || block.repeated() != Letters::NONE
         {
             return false;
         }
@@ -443,6 +449,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
             Action::CancelCycle => self.state.cycle = None,
+            Action::ModalCallOff => self.end_modal_call(),
             Action::NotSimulated => {
                 let word = block.words[at];
                 self.not_simulated(&word, row);

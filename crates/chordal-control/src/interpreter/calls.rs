@@ -31,7 +31,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.cut_to_limit(word, count)
     }
 
-    fn cut_to_limit(&mut self, word: &Word, count: u32) -> u32 {
+    pub(super) fn cut_to_limit(&mut self, word: &Word, count: u32) -> u32 {
         let limit = self.control.parameters.max_repeats;
         if count <= limit {
             return count;
@@ -241,7 +241,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn report_missing_program(&mut self, word: &Word, number: u32) {
+    pub(super) fn report_missing_program(&mut self, word: &Word, number: u32) {
         if !self.missing.contains(&number) {
             self.missing.push(number);
         }
@@ -279,14 +279,15 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn enter(
+    /// Goes into a program; false when it would be too deep, which is told.
+    pub(super) fn enter(
         &mut self,
         word: &Word,
         program: usize,
         start: TextPosition,
         repeats: u32,
         subroutine: bool,
-    ) {
+    ) -> bool {
         let depth = self.frames.len() as u32 + 1;
         let limit = self.control.parameters.nesting;
         if depth > limit {
@@ -299,7 +300,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 .label("not called")
                 .help("a program that calls itself never returns; look at the calls above"),
             );
-            return;
+            return false;
         }
         let mut callee = self.library.reader(program, self.control.table.lexicon);
         callee.seek(start);
@@ -316,7 +317,11 @@ impl<S: Sink> Interpreter<'_, S> {
             remaining: repeats - 1,
             subroutine,
             loops: std::mem::take(&mut self.macros.loops),
+            modal_calls: self.macros.active,
+            own_locals: false,
+            by_alias: false,
         });
+        true
     }
 
     /// M17.
@@ -408,6 +413,11 @@ impl<S: Sink> Interpreter<'_, S> {
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;
+        self.macros.active = frame.modal_calls;
+        self.macros.in_alias -= u32::from(frame.by_alias);
+        if frame.own_locals {
+            self.macros.store.leave();
+        }
         self.program = frame.program;
         self.path = frame.path;
         let callee_file = self.file;

@@ -94,6 +94,12 @@ struct Frame<'a> {
     subroutine: bool,
     /// Loops of the caller.
     loops: Vec<macros::Loop>,
+    /// Modal macro calls in force in the caller.
+    modal_calls: usize,
+    /// The called program has local variables of its own.
+    own_locals: bool,
+    /// It was called by a code that a setting makes a call.
+    by_alias: bool,
 }
 
 struct Interpreter<'a, S> {
@@ -215,7 +221,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             preset_kept: [0.0; 6],
             lost_jump: false,
             carried_out: false,
-            macros: macros::MacroState::new(control.table),
+            macros: macros::MacroState::new(control.table, machine),
             repeat_until: 0,
             message: None,
             stopped: None,

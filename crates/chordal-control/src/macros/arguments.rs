@@ -28,6 +28,29 @@ pub(crate) const fn type_one(letter: u8) -> u32 {
     }
 }
 
+/// The variable of a word that belongs to the call itself, where it is an argument too
+/// (G66.1).
+pub(crate) const fn reserved_variable(letter: u8) -> Option<u32> {
+    match letter {
+        b'G' => Some(10),
+        b'L' => Some(12),
+        b'O' => Some(15),
+        b'P' => Some(16),
+        _ => None,
+    }
+}
+
+/// The letter of an argument number: 24 is X, and of the call's own words 14 is N.
+pub(crate) fn letter_of(number: u32) -> Option<u8> {
+    let own = match number {
+        14 => Some(b'N'),
+        15 => Some(b'O'),
+        16 => Some(b'P'),
+        _ => None,
+    };
+    own.or_else(|| (b'A'..=b'Z').find(|letter| type_one(*letter) == number))
+}
+
 /// Gives each word its variable: A to Z of type I, and I, J, K in sets. A repeated I, J or K,
 /// or one out of order, starts the next set (Fanuc B-63684EN, 15.6.1).
 pub(crate) struct Assigner {

@@ -126,6 +126,25 @@ pub enum Logic {
     Logical,
 }
 
+/// What a variable of a modal code shows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum ModalGroup {
+    Motion,
+    Plane,
+    Distance,
+    FeedMode,
+    Units,
+    Compensation,
+    Length,
+    Cycle,
+    ReturnLevel,
+    WorkOffset,
+    ModalCall,
+    /// A group whose other codes are not carried out: always this one.
+    Fixed(u16),
+}
+
 /// What stands behind THEN.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Then {
@@ -200,13 +219,16 @@ pub struct MacroRules {
     pub alarm_last: u32,
     /// Leading blanks before the integer places of DPRNT.
     pub output_blanks: bool,
-    /// Groups of [`System::ModalGroup`] as the control numbers them: the work offset's.
-    pub work_offset_group: u8,
-    /// G codes that call a macro with arguments: first G number when set by parameter, and
-    /// the program of the first.
+    /// DPRNT needs POPEN before.
+    pub output_needs_open: bool,
+    /// What the variables of [`System::ModalGroup`] show, group 1 first.
+    pub modal_groups: &'static [ModalGroup],
+    /// The program that the first G code calls which a setting makes a call.
     pub g_alias_programs: u32,
-    /// M codes that call a macro with arguments: the program of the first.
+    /// The same for M codes.
     pub m_alias_programs: u32,
+    /// M codes hand their words on as arguments.
+    pub m_alias_arguments: bool,
 }
 
 impl MacroRules {
@@ -237,9 +259,11 @@ impl MacroRules {
         alarm_base: 0,
         alarm_last: 0,
         output_blanks: false,
-        work_offset_group: 12,
+        output_needs_open: false,
+        modal_groups: &[],
         g_alias_programs: 9010,
         m_alias_programs: 9020,
+        m_alias_arguments: true,
     };
 
     /// What Fanuc, Haas and Mitsubishi share.
@@ -260,11 +284,12 @@ impl MacroRules {
         loop_depth: 3,
         call_depth: 4,
         argument_scale: ArgumentScale::LeastIncrement,
+        whole_arguments: Letters::of("DEFHMST"),
         argument_sets: true,
         alarm_base: 3000,
         alarm_last: 200,
         output_blanks: true,
-        work_offset_group: 14,
+        output_needs_open: true,
         ..MacroRules::NONE
     };
 

@@ -3,18 +3,21 @@
 //! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
 //! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
 
+mod calls;
 mod flow;
+mod output;
 mod statements;
 mod system;
 mod words;
 
 use std::collections::{BTreeSet, HashMap};
 
-use chordal_diagnostics::{Diagnostic, FileId, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
+use chordal_machine::Machine;
 use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
 
 use super::Interpreter;
-use crate::command::Sink;
+use crate::command::{Position, Sink};
 use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
 use crate::macros::rules::MacroRules;
 use crate::macros::value::Value;
@@ -35,9 +38,23 @@ pub(super) struct MacroState<'a> {
     /// Where the END of a loop is, by file and beginning of the loop.
     loop_ends: HashMap<(FileId, u32), Option<TextPosition>>,
     /// Places of which a problem was told: a loop would tell it again and again.
-    told: BTreeSet<(FileId, u32)>,
+    told: BTreeSet<(FileId, u32, Code)>,
     /// A macro statement was carried out: what comes is no longer the text alone.
     pub(super) used: bool,
+    /// Modal calls, the first one first.
+    modal: Vec<calls::ModalCall>,
+    /// How many of them are in force here.
+    pub(super) active: usize,
+    /// Running programs that were called by a code that a setting makes a call.
+    pub(super) in_alias: u32,
+    /// The words of the last such call.
+    last_words: [Option<f64>; 26],
+    /// Where the last skip move stopped, as #5061 shows it: mm, rad.
+    skip: Position,
+    /// POPEN.
+    port_open: bool,
+    /// Bytes printed.
+    printed: usize,
 }
 
 /// A loop that runs.
@@ -50,17 +67,31 @@ pub(super) struct Loop {
 }
 
 impl MacroState<'_> {
-    pub fn new(table: &ControlTable) -> Self {
+    pub fn new(table: &ControlTable, machine: &Machine) -> Self {
+        let mut store = VariableStore::new(table.macros);
+        let mut kept = HashMap::new();
+        for (&number, &value) in &machine.macros.variables {
+            if store.write(number, Some(value)).is_err() {
+                kept.insert(number, value);
+            }
+        }
         MacroState {
             parser: ExpressionParser::new(&[], FileId(0), table.lexicon.grammar),
             stack: Vec::new(),
             words: Vec::new(),
-            store: VariableStore::new(table.macros),
-            kept: HashMap::new(),
+            store,
+            kept,
             loops: Vec::new(),
             loop_ends: HashMap::new(),
             told: BTreeSet::new(),
             used: false,
+            modal: Vec::new(),
+            active: 0,
+            in_alias: 0,
+            last_words: [None; 26],
+            skip: [0.0; 6],
+            port_open: false,
+            printed: 0,
         }
     }
 }
@@ -125,7 +156,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     /// Reports a problem the first time that its place shows one.
     fn report_once(&mut self, diagnostic: Diagnostic) {
         let span = diagnostic.primary.span;
-        if self.macros.told.insert((span.file, span.range.start)) {
+        if self.macros.told.insert((span.file, span.range.start, diagnostic.code)) {
             self.report(diagnostic);
         }
     }
@@ -208,7 +239,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
 fn not_here(range: TextRange) -> Fault {
     Fault::new(
-        chordal_diagnostics::Code::UnsupportedMacro,
+        Code::UnsupportedMacro,
         range,
         "this form of variable is not known here",
         "write `#` and the number of a variable",

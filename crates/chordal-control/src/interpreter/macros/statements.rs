@@ -2,8 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, Branch, Output, Position as TextPosition, Statement,
-    parse_statement,
+    Block, BlockKind, BlockReader, Branch, Position as TextPosition, Statement, parse_statement,
 };
 
 use super::super::{Flow, Interpreter};
@@ -15,6 +14,8 @@ use crate::macros::rules::Then;
 enum Next {
     /// What is left of the line.
     Rest(TextRange),
+    /// What is left of it and belongs to a condition.
+    Then(TextRange),
     /// The next block.
     Over(Flow),
 }
@@ -26,6 +27,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.carried_out = true;
         self.macros.used = true;
         let line = block.line;
+        let mut before = None;
         loop {
             let statement = match block.kind {
                 BlockKind::Macro(range) => Some(range),
@@ -35,7 +37,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 self.sequence = Some(number);
             }
             if block.words.iter().any(|word| word.letter != b'N') {
-                if let Some(range) = statement {
+                if let Some(range) = statement.or(before) {
                     self.check_mixed(block, range);
                 }
                 if block.expressions {
@@ -47,7 +49,14 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             let Some(range) = statement else { return Flow::Next };
             let rest = match self.statement(block, range) {
-                Next::Rest(rest) => rest,
+                Next::Rest(rest) => {
+                    before = before.or(Some(range));
+                    rest
+                }
+                Next::Then(rest) => {
+                    before = None;
+                    rest
+                }
                 Next::Over(flow) => return flow,
             };
             // The rest is read as a block of its own. It is shorter every time.
@@ -111,8 +120,11 @@ impl<S: Sink> Interpreter<'_, S> {
                         let label = self.value_of(&parser, label, Purpose::VALUE);
                         next = Next::Over(self.goto(block, range, label));
                     }
-                    Branch::Then => self.check_then(parser.rest()),
-                    Branch::Rest => {}
+                    Branch::Then => {
+                        self.check_then(parser.rest());
+                        next = Next::Then(parser.rest());
+                    }
+                    Branch::Rest => next = Next::Then(parser.rest()),
                 }
             }
             Statement::Goto(label) => {
@@ -129,7 +141,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 next = Next::Over(self.while_loop(block, range, number, holds));
             }
             Statement::End(number) => next = Next::Over(self.end_of_loop(block, range, number)),
-            Statement::Output(output) => self.output(range, output),
+            Statement::Output(output) => self.print(range, output),
         }
         self.macros.parser = parser;
         if let Some(reason) = self.stopped.take() {
@@ -155,9 +167,5 @@ impl<S: Sink> Interpreter<'_, S> {
             .label("NC words")
             .help("jump over the words with IF and GOTO"),
         );
-    }
-
-    fn output(&mut self, range: TextRange, output: Output) {
-        let _ = (range, output);
     }
 }

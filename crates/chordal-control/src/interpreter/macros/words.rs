@@ -158,11 +158,3 @@ fn shortest(mut mantissa: i64, mut scale: u8) -> Decimal {
     }
     Decimal { mantissa, scale, has_point: true, negative: mantissa < 0 }
 }
-
-impl<S: Sink> Interpreter<'_, S> {
-    /// True when a block calls a macro with its words as arguments.
-    pub(super) fn is_macro_call(&self, block: &Block) -> bool {
-        let _ = block;
-        false
-    }
-}
