@@ -76,6 +76,16 @@ impl<'a> Library<'a> {
         here.or(Some(first))
     }
 
+    /// The first program of the file with a name, its folder and ending left out.
+    pub fn program_of_file(&self, name: &str) -> Option<usize> {
+        self.programs.iter().position(|program| {
+            let file = self.sources.get(program.file).map_or("", |source| source.name());
+            let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
+            let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+            stem.eq_ignore_ascii_case(name)
+        })
+    }
+
     /// Programs that no other program of the same file calls: the mains. When every one is
     /// called, or a call computes its number, the first. `also_called` are programs that
     /// something else than the text calls.

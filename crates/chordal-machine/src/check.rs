@@ -236,6 +236,14 @@ impl Value<'_> {
                 }
                 _ => return Err(self.takes("a number", None)),
             },
+            Slot::NumberList(place) => {
+                let DeValue::Array(items) = value else {
+                    let help = Some("write it as `[1.5, 2]`".to_string());
+                    return Err(self.takes("a list of numbers", help));
+                };
+                let number = |item| Value { value: item, ..*self }.plain_number();
+                *place(machine, keys) = items.iter().map(number).collect::<Result<_, _>>()?;
+            }
             Slot::Stamp { stamp, place } => {
                 let (what, form) = stamp.words();
                 let help = Some(format!("write it as `\"{form}\"`"));

@@ -43,6 +43,8 @@ pub struct Machine {
     pub times: Times,
     /// What macro programs find.
     pub macros: Macros,
+    /// What probe moves find.
+    pub probe: Probe,
 }
 
 /// The limits of an axis: millimetres, or radians on a rotary axis.
@@ -137,7 +139,29 @@ pub struct Macros {
     pub date: Option<u32>,
     /// The time, HHMMSS.
     pub time: Option<u32>,
+    /// What the operator types where the program asks (Fadal INPUT), in order.
+    pub inputs: Vec<f64>,
 }
+
+/// Where probe and skip moves (G31, G38.2) touch the part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Probe {
+    /// What they touch; `None`: nothing is said, and they touch where they end.
+    pub hit: Option<ProbeHit>,
+    /// Planes of which the nearest on the way is touched: work coordinates by `axis as usize`,
+    /// mm or rad. They hold where `hit` is `None`.
+    pub planes: [Option<f64>; 6],
+}
+
+/// What a probe move meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProbeHit {
+    /// Something where the move ends.
+    End,
+    /// Nothing.
+    Nothing,
+}
+
 
 impl Machine {
     /// A machine of which only the control is known: X, Y and Z without limits.
@@ -166,6 +190,7 @@ impl Machine {
             clearance_mm: None,
             times: Times::default(),
             macros: Macros::default(),
+            probe: Probe::default(),
         }
     }
 

@@ -3,7 +3,7 @@
 
 use crate::axis::Axis;
 use crate::control::ControlName;
-use crate::machine::{AxisLimits, Machine, RapidShape, Tool, WorkOffset};
+use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Tool, WorkOffset};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
 
@@ -50,6 +50,8 @@ pub(crate) enum Slot {
     Flag(Place<bool>),
     /// A number without a unit.
     Number(Place<f64>),
+    /// Numbers without a unit.
+    NumberList(Place<Vec<f64>>),
     /// A date or a time, kept as its digits.
     Stamp {
         stamp: Stamp,
@@ -342,6 +344,36 @@ pub(crate) const ROWS: &[Row] = &[
         doc: "the time that macro programs read",
     },
     Row {
+        path: "macros.inputs",
+        slot: Slot::NumberList(|m, _| &mut m.macros.inputs),
+        doc: "what the operator types where the program asks (Fadal INPUT), in order",
+    },
+    Row {
+        path: "probe.hit",
+        slot: Slot::Word {
+            what: "hit",
+            words: &["end", "none"],
+            set: |m, word| {
+                m.probe.planes = [None; 6];
+                m.probe.hit = Some(match word {
+                    "none" => ProbeHit::Nothing,
+                    _ => ProbeHit::End,
+                });
+            },
+        },
+        doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; without it they touch where they end",
+    },
+    quantity(
+        "probe.hit.<axis>",
+        Dimension::Length,
+        Sign::Any,
+        |m, k| {
+            m.probe.hit = None;
+            by_axis(&mut m.probe.planes, k)
+        },
+        "a plane that probe moves touch, work coordinates; of several the nearest on the way",
+    ),
+    Row {
         path: "settings.<setting>",
         slot: Slot::Setting,
         doc: "a parameter of the control, by the name its manual uses",
@@ -479,6 +511,7 @@ impl Row {
             }
             Slot::Flag(_) => "`true` or `false`".into(),
             Slot::Number(_) => "a number".into(),
+            Slot::NumberList(_) => "a list of numbers".into(),
             Slot::Stamp { stamp, .. } => {
                 let (what, form) = stamp.words();
                 format!("{what}: `\"{form}\"`")

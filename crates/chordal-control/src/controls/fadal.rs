@@ -4,7 +4,7 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::{FeedAlong, RapidPath};
-use crate::macros::rules::MacroRules;
+use crate::macros::rules::{Fix, MacroForm, MacroRules};
 use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -41,7 +41,7 @@ pub static FADAL: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",
     call_start_label: None,
-    macros: &MacroRules::NONE,
+    macros: &MACROS,
     evidence: EVIDENCE,
 };
 
@@ -94,6 +94,17 @@ const SETTINGS: &[Setting] = &[
     ),
 ];
 
+/// Section 18. Macro lines hold nothing else; of comparisons no value is taken.
+const MACROS: MacroRules = MacroRules {
+    form: MacroForm::Lines,
+    fix: Fix::TowardZero,
+    modulo_positive: false,
+    comparison_is_value: false,
+    mixed_blocks: false,
+    index_tolerance: 0.5,
+    ..MacroRules::NONE
+};
+
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),
     (10, DataTarget::Length),
@@ -128,6 +139,16 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::PlaneChangeInCompensation, "ATTEMPT TO SWITCH PLANE DURING CRC"),
     (Code::CompensationWithoutOffset, "CRC CALLED WITH NO TOOL ASSIGNED"),
     (Code::NestingTooDeep, "TOO MANY SUBR. CALLS (7)"),
+    (Code::DivisionByZero, "ATTEMPTED DIVISION BY ZERO"),
+    (Code::OutsideDomain, "ATTEMPTED SQR OF A NEGATIVE NUMBER"),
+    (Code::NumberOverflow, "NUMBER OUT OF RANGE"),
+    (Code::NumberOutOfRange, "NUMBER OUT OF RANGE"),
+    (Code::BadVariable, "NUMBER OUT OF RANGE"),
+    (Code::MixedBlock, "ONLY BLOCK SKIP ALLOWED WITH MACRO"),
+    (Code::BadStatement, "UNDEFINED MACRO ERROR"),
+    (Code::BadExpression, "UNDEFINED MACRO ERROR"),
+    (Code::UnbalancedBrackets, "UNDEFINED MACRO ERROR"),
+    (Code::UnsupportedMacro, "UNDEFINED MACRO ERROR"),
 ];
 
 const EVIDENCE: &[Evidence] = &[

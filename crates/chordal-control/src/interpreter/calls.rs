@@ -417,6 +417,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.macros.in_alias -= u32::from(frame.by_alias);
         if frame.own_locals {
             self.macros.store.leave();
+            self.macros.names.leave();
         }
         self.program = frame.program;
         self.path = frame.path;

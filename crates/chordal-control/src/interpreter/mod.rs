@@ -26,6 +26,7 @@ use chordal_syntax::{Block, BlockKind, BlockReader, Position as TextPosition};
 use crate::command::{AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Sink, WorkName};
 use crate::control::Control;
 use crate::library::Library;
+use crate::macros::rules::MacroForm;
 use crate::offsets::Offsets;
 use crate::state::State;
 use crate::table::CodeRow;
@@ -249,6 +250,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     fn finish(&mut self, end: EndReason) {
+        self.print_held();
         if end == EndReason::EndOfText {
             self.report_missing_end();
         }
@@ -271,16 +273,26 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 self.report(problem);
             }
         }
+        if !block.comments.is_empty()
+            && self.rules().comments_act
+            && let Some(flow) = self.acting_comment(&block.comments)
+        {
+            return flow;
+        }
         match block.kind {
             BlockKind::Words => {}
             BlockKind::Percent => return self.percent(),
             BlockKind::Folder => return Flow::Next,
             BlockKind::Macro(range) => {
-                if self.rules().macro_b {
-                    return match self.is_deleted(block) {
-                        true => Flow::Next,
-                        false => self.macro_block(block),
-                    };
+                let form = self.rules().form;
+                if form != MacroForm::None && self.is_deleted(block) {
+                    return Flow::Next;
+                }
+                match form {
+                    MacroForm::Blocks => return self.macro_block(block),
+                    MacroForm::OWords => return self.parameter_line(block, range),
+                    MacroForm::Lines => return self.macro_line(block, range),
+                    MacroForm::None => {}
                 }
                 self.report_macro(range);
                 if block.words.is_empty() {

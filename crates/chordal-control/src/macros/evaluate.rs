@@ -20,6 +20,9 @@ pub(crate) trait Variables {
 
     /// A variable written with letters: its place in the grammar's list, and its number.
     fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault>;
+
+    /// Angles are radians, not degrees.
+    fn radians(&self) -> bool;
 }
 
 /// Why an expression has no value.
@@ -104,8 +107,12 @@ pub(crate) fn evaluate(
             }
             Op::Call { function: Function::Exists, .. } => pop(stack),
             Op::Call { function, two: false } => {
+                let radians = variables.radians();
                 let x = number(pop(stack));
-                Some(defined(functions::one(function, x, rules, purpose.round_digits), step)?)
+                let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
+                let value = defined(functions::one(function, x, rules, purpose.round_digits), step)?;
+                let angle = radians && function == Function::Atan;
+                Some(if angle { value.to_radians() } else { value })
             }
             Op::Call { function, two: true } => {
                 let b = number(pop(stack));
@@ -116,6 +123,10 @@ pub(crate) fn evaluate(
         stack.push(value);
     }
     Ok(pop(stack))
+}
+
+fn takes_angle(function: Function) -> bool {
+    matches!(function, Function::Sin | Function::Cos | Function::Tan)
 }
 
 fn pop(stack: &mut Vec<Value>) -> Value {

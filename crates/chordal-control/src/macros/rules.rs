@@ -81,6 +81,20 @@ pub enum System {
     Setting,
     /// A constant.
     Constant(u32),
+    /// Place of the first reference point, machine coordinates (LinuxCNC 5161).
+    Home,
+    /// Place of the second.
+    SecondHome,
+    /// The shift of G92.
+    Preset,
+    /// Number of the work coordinate system in force: 1 is G54, 7 is G59.1.
+    WorkSystem,
+    /// Tables of the work offsets 1 to 9, twenty numbers for each, in mm.
+    WorkTable,
+    /// Diameter of the tool in force.
+    ToolDiameter,
+    /// 1 where the last probe move found something.
+    ProbeResult,
 }
 
 /// Some system variables in a row.
@@ -145,6 +159,19 @@ pub enum ModalGroup {
     Fixed(u16),
 }
 
+/// How macro statements are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MacroForm {
+    /// They are not carried out.
+    None,
+    /// Blocks of macro B: `#1=2`, `IF[…]GOTO5`, `WHILE[…]DO1`.
+    Blocks,
+    /// Assignments that hold from the next line on, and O words (LinuxCNC).
+    OWords,
+    /// Lines behind `#` in the manner of BASIC (Fadal).
+    Lines,
+}
+
 /// What stands behind THEN.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Then {
@@ -168,9 +195,12 @@ pub enum ArgumentScale {
 /// The macro rules of a control.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MacroRules {
-    /// The control has a macro language of the macro B family: macro statements are carried
-    /// out, G65 calls.
+    /// The control has a macro language of the macro B family: G65 calls.
     pub macro_b: bool,
+    /// How macro statements are written.
+    pub form: MacroForm,
+    /// Comments may print, stop and show text (`(PRINT, X is #1)`).
+    pub comments_act: bool,
     /// Number of the last local variable; each level of macro calls has its own.
     pub locals: u32,
     /// Common variables in order.
@@ -235,6 +265,8 @@ impl MacroRules {
     /// No macro language of this family.
     pub const NONE: MacroRules = MacroRules {
         macro_b: false,
+        form: MacroForm::None,
+        comments_act: false,
         locals: 0,
         common: &[],
         system: &[],
@@ -269,6 +301,7 @@ impl MacroRules {
     /// What Fanuc, Haas and Mitsubishi share.
     pub const MACRO_B: MacroRules = MacroRules {
         macro_b: true,
+        form: MacroForm::Blocks,
         locals: 33,
         unset: Unset::Null,
         index_tolerance: 0.5,

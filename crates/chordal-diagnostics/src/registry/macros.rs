@@ -242,8 +242,15 @@ pub(super) const SKIP_ASSUMED: CodeInfo = CodeInfo {
     name: "skip-assumed",
     severity: Severity::Note,
     summary: "where a skip move stops is assumed",
-    explanation: r#"G31 moves until a probe touches. Where it touches depends on the part, so Chordal assumes what the machine
-file's `[probe] hit` says; without it the move runs to its end."#,
+    explanation: r#"A probe or skip move (G31, LinuxCNC G38.2 to G38.5) ends where the probe touches the part, which no program
+tells. The machine file says what to assume:
+
+    [probe]
+    hit = "end"             # it touches where the move ends (the default)
+    hit = "none"            # it touches nothing
+    hit = { Z = "-10 mm" }  # it touches where Z reaches -10 mm, work coordinates
+
+The positions that a program reads afterwards follow from that."#,
 };
 
 pub(super) const DATE_NOT_SET: CodeInfo = CodeInfo {
@@ -263,4 +270,60 @@ pub(super) const OUTPUT_CLOSED: CodeInfo = CodeInfo {
     severity: Severity::Note,
     summary: "the program prints without POPEN",
     explanation: r#"On most controls POPEN must open the port before DPRNT sends anything. The text is kept all the same."#,
+};
+
+pub(super) const NUMBER_OUT_OF_RANGE: CodeInfo = CodeInfo {
+    code: Code::NumberOutOfRange,
+    id: "CH740",
+    name: "number-out-of-range",
+    severity: Severity::Warning,
+    summary: "a value is outside the range of the control",
+    explanation: r#"A Fadal refuses numbers of twelve digits and more, and results that are not zero but nearer to it than 0.0001
+(NUMBER OUT OF RANGE). Differences that should be zero are the usual cause: round them with RND before they are
+used. The value is kept here."#,
+};
+
+pub(super) const MACRO_LINE_TOO_LONG: CodeInfo = CodeInfo {
+    code: Code::MacroLineTooLong,
+    id: "CH741",
+    name: "macro-line-too-long",
+    severity: Severity::Warning,
+    summary: "a macro line is longer than the control takes",
+    explanation: r#"A Fadal reads 63 characters of a macro line. Compute a part of the formula in a line before."#,
+};
+
+pub(super) const INPUT_NOT_ANSWERED: CodeInfo = CodeInfo {
+    code: Code::InputNotAnswered,
+    id: "CH742",
+    name: "input-not-answered",
+    severity: Severity::Error,
+    summary: "the program asks the operator, and nothing answers",
+    explanation: r#"`#INPUT V1` stops the program until the operator has typed a number. A run here has no operator: the answers
+come from the machine file, in the order in which the program asks:
+
+    [macros]
+    inputs = [1.5, 2]
+
+Without an answer 0 is taken, which is what the control takes for an empty one, and what depends on it means
+little."#,
+};
+
+pub(super) const PROBE_WITHOUT_HIT: CodeInfo = CodeInfo {
+    code: Code::ProbeWithoutHit,
+    id: "CH744",
+    name: "probe-without-hit",
+    severity: Severity::Warning,
+    summary: "a probe move touches nothing, and the control takes that for an error",
+    explanation: r#"G38.2 and G38.4 of LinuxCNC stop the program with an error when the move ends without a touch; G38.3 and G38.5
+go on. The machine file's `[probe] hit` says what the probe finds."#,
+};
+
+pub(super) const BAD_PROBE_MOVE: CodeInfo = CodeInfo {
+    code: Code::BadProbeMove,
+    id: "CH745",
+    name: "bad-probe-move",
+    severity: Severity::Error,
+    summary: "a probe move that the control refuses",
+    explanation: r#"A probe move needs a point to go to that is not where it stands, a feed, no cutter compensation, and on
+LinuxCNC no inverse-time feed."#,
 };

@@ -132,6 +132,11 @@ codes! {
     SkipAssumed => macros::SKIP_ASSUMED,
     DateNotSet => macros::DATE_NOT_SET,
     OutputClosed => macros::OUTPUT_CLOSED,
+    NumberOutOfRange => macros::NUMBER_OUT_OF_RANGE,
+    MacroLineTooLong => macros::MACRO_LINE_TOO_LONG,
+    InputNotAnswered => macros::INPUT_NOT_ANSWERED,
+    ProbeWithoutHit => macros::PROBE_WITHOUT_HIT,
+    BadProbeMove => macros::BAD_PROBE_MOVE,
     InternalError => machine::INTERNAL_ERROR,
 }
 

@@ -57,6 +57,11 @@ impl<'a> ExpressionParser<'a> {
         self.deepest = 0;
     }
 
+    /// The file of the text.
+    pub fn file(&self) -> FileId {
+        self.file
+    }
+
     /// Where reading stands.
     pub fn position(&self) -> u32 {
         self.at as u32

@@ -3,9 +3,16 @@
 //! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
 //! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
 
+mod assignments;
 mod calls;
+mod comments;
 mod flow;
+mod letters;
+mod lines;
+mod named;
 mod output;
+mod owords;
+mod probe;
 mod statements;
 mod system;
 mod words;
@@ -19,8 +26,9 @@ use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition,
 use super::Interpreter;
 use crate::command::{Position, Sink};
 use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
+use crate::macros::names::Names;
 use crate::macros::rules::MacroRules;
-use crate::macros::value::Value;
+use crate::macros::value::{Value, number};
 use crate::macros::variables::VariableStore;
 use crate::table::ControlTable;
 
@@ -55,6 +63,14 @@ pub(super) struct MacroState<'a> {
     port_open: bool,
     /// Bytes printed.
     printed: usize,
+    /// Named variables.
+    pub(super) names: Names,
+    /// O words.
+    owords: owords::OWords,
+    /// Macro lines.
+    lines: lines::Lines,
+    /// Probe moves.
+    pub(super) probe: probe::Probe,
 }
 
 /// A loop that runs.
@@ -92,6 +108,10 @@ impl MacroState<'_> {
             skip: [0.0; 6],
             port_open: false,
             printed: 0,
+            names: Names::default(),
+            owords: owords::OWords::default(),
+            lines: lines::Lines::default(),
+            probe: probe::Probe::default(),
         }
     }
 }
@@ -132,14 +152,23 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 index.unwrap_or(0.0)
             }
         };
-        let written = match target.kind {
-            Op::Read => self.write_number(index, value, target.range),
-            Op::ReadNamed(name) => self.write_named(name, value, target.range),
-            Op::Letters(letters) => self.write_letters(letters, index, value, target.range),
-            _ => Ok(()),
-        };
-        if let Err(fault) = written {
+        if let Err(fault) = self.write_target(target.kind, index, value, target.range) {
             self.report_fault(fault);
+        }
+    }
+
+    fn write_target(
+        &mut self,
+        kind: Op,
+        index: f64,
+        value: Value,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        match kind {
+            Op::Read => self.write_number(index, value, range),
+            Op::ReadNamed(name) => self.write_named(name, number(value), range),
+            Op::Letters(letters) => self.write_letters(letters, index, number(value), range),
+            _ => Ok(()),
         }
     }
 
@@ -188,18 +217,19 @@ impl<S: Sink> Variables for Interpreter<'_, S> {
     }
 
     fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
-        let _ = name;
-        Err(not_here(range))
+        self.named(name, range).map(Some)
     }
 
     fn is_set(&mut self, name: TextRange) -> bool {
-        let _ = name;
-        false
+        self.is_named(name)
     }
 
     fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault> {
-        let _ = (letters, number);
-        Err(not_here(range))
+        self.letter_variable(letters, number, range).map(Some)
+    }
+
+    fn radians(&self) -> bool {
+        self.macros.lines.radians
     }
 }
 
@@ -214,34 +244,4 @@ impl<S: Sink> Interpreter<'_, S> {
             Err(_) => self.write_system(number, value, range),
         }
     }
-
-    fn write_named(
-        &mut self,
-        name: TextRange,
-        value: Value,
-        range: TextRange,
-    ) -> Result<(), Fault> {
-        let _ = (name, value);
-        Err(not_here(range))
-    }
-
-    fn write_letters(
-        &mut self,
-        letters: u8,
-        number: f64,
-        value: Value,
-        range: TextRange,
-    ) -> Result<(), Fault> {
-        let _ = (letters, number, value);
-        Err(not_here(range))
-    }
-}
-
-fn not_here(range: TextRange) -> Fault {
-    Fault::new(
-        Code::UnsupportedMacro,
-        range,
-        "this form of variable is not known here",
-        "write `#` and the number of a variable",
-    )
 }

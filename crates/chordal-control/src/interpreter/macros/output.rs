@@ -41,6 +41,11 @@ impl<S: Sink> Interpreter<'_, S> {
             );
         }
         let Some(line) = self.format_line(text) else { return };
+        self.print_text(range, line);
+    }
+
+    /// Prints a line, as long as there is room for it.
+    pub(super) fn print_text(&mut self, range: TextRange, line: String) {
         if self.macros.printed + line.len() > MOST_OUTPUT {
             let kept = MOST_OUTPUT >> 20;
             self.report_once(

@@ -73,7 +73,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn check_mixed(&mut self, block: &Block, range: TextRange) {
+    pub(super) fn check_mixed(&mut self, block: &Block, range: TextRange) {
         if self.rules().mixed_blocks {
             return;
         }

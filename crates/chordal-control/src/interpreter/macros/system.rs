@@ -82,6 +82,18 @@ impl<S: Sink> Interpreter<'_, S> {
             System::Tool => f64::from(self.state.tool),
             System::SpindleSpeed => self.state.rpm,
             System::Constant(value) => f64::from(value),
+            System::Home => self.axis_out(axis, self.machine.home[axis].unwrap_or(0.0)),
+            System::SecondHome => {
+                self.axis_out(axis, self.machine.reference_points[0][axis].unwrap_or(0.0))
+            }
+            System::Preset => self.axis_out(axis, self.state.offsets.preset()[axis]),
+            System::WorkSystem => self.work_system(),
+            System::WorkTable => self.work_table(at),
+            System::ToolDiameter => {
+                let number = self.state.offsets.length().number.unwrap_or(self.state.tool);
+                2.0 * self.state.offsets.radius_mm(number).unwrap_or(0.0) / self.unit()
+            }
+            System::ProbeResult => f64::from(u8::from(self.macros.probe.found)),
         };
         Ok(Some(value))
     }
@@ -133,7 +145,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// A coordinate as a variable shows it.
-    fn axis_out(&self, axis: usize, value: f64) -> f64 {
+    pub(super) fn axis_out(&self, axis: usize, value: f64) -> f64 {
         if axis < 3 { value / self.unit() } else { value.to_degrees() }
     }
 
@@ -151,6 +163,26 @@ impl<S: Sink> Interpreter<'_, S> {
             _ => WorkName::G(54 + system as u16),
         };
         (axis < 6).then(|| (self.state.offsets.key(name), axis))
+    }
+
+    fn work_system(&self) -> f64 {
+        match self.state.offsets.active() {
+            WorkName::G(number) => f64::from(number) - 53.0,
+            WorkName::G59(number) => f64::from(number) + 6.0,
+            _ => 1.0,
+        }
+    }
+
+    /// A value of the tables of the nine work offsets, mm and degrees.
+    fn work_table(&self, at: u32) -> f64 {
+        let (system, axis) = ((at / OFFSET_STEP) as u16, (at % OFFSET_STEP) as usize);
+        let name = if system < 6 { WorkName::G(54 + system) } else { WorkName::G59(system - 5) };
+        let key = self.state.offsets.key(name);
+        match axis {
+            0..3 => self.state.offsets.work_value(&key, axis).unwrap_or(0.0),
+            3..6 => self.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
+            _ => 0.0,
+        }
     }
 
     fn tool_value(&self, what: System, number: u32) -> f64 {
@@ -180,7 +212,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// A value that the program alone does not tell: the machine file's, else zero.
-    fn given(&mut self, index: u32, range: TextRange) -> f64 {
+    pub(super) fn given(&mut self, index: u32, range: TextRange) -> f64 {
         if let Some(value) = self.macros.kept.get(&index) {
             return *value;
         }
@@ -287,7 +319,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// F as the program wrote it.
-    fn feed_word(&self) -> f64 {
+    pub(super) fn feed_word(&self) -> f64 {
         let state = &self.state;
         if state.feed.is_nan() {
             return 0.0;

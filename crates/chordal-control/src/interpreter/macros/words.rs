@@ -150,6 +150,13 @@ fn exact_digits(value: f64) -> u8 {
     digits
 }
 
+/// A value with all its decimals; `None` where it is too large.
+pub(super) fn decimal(value: f64) -> Option<Decimal> {
+    let digits = exact_digits(value);
+    let scaled = round(value * 10f64.powi(i32::from(digits)));
+    (scaled.abs() <= LARGEST).then(|| shortest(scaled as i64, digits))
+}
+
 /// The number without zeros at its end.
 fn shortest(mut mantissa: i64, mut scale: u8) -> Decimal {
     while scale > 0 && mantissa % 10 == 0 {
