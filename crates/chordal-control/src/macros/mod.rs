@@ -11,3 +11,6 @@ pub(crate) mod output;
 pub mod rules;
 pub(crate) mod value;
 pub(crate) mod variables;
+
+#[cfg(test)]
+mod tests;
