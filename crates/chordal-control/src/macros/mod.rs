@@ -12,3 +12,6 @@ pub(crate) mod output;
 pub mod rules;
 pub(crate) mod value;
 pub(crate) mod variables;
+
+#[cfg(test)]
+mod tests;

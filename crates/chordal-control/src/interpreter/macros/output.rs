@@ -74,9 +74,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 Part::Text(byte) if byte < b' ' => {}
                 Part::Text(byte) => line.push(byte as char),
                 Part::Value { expression, format } => {
-                    let Some(value) = self.word_value(expression, Purpose::VALUE) else {
-                        return None;
-                    };
+                    let value = self.word_value(expression, Purpose::VALUE)?;
                     let format = format.unwrap_or_else(|| {
                         self.report_format(expression);
                         Format { whole: 4, decimals: 4 }
