@@ -121,7 +121,13 @@ pub enum Action {
     ModalMacroCall {
         every_block: bool,
     },
+    /// Fadal G66: calls a subroutine after every move.
+    ModalSubroutine,
     ModalCallOff,
+    /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
+    Probe {
+        must_hit: bool,
+    },
     /// Carried out without effect on path or time.
     NoEffect,
     /// The control carries it out and Chordal does not.

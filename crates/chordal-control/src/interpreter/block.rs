@@ -29,12 +29,14 @@ impl<S: Sink> Interpreter<'_, S> {
         if let Some(flow) = self.macro_call(block) {
             return flow;
         }
+        let active = self.macros.active;
         let mut codes = std::mem::take(&mut self.codes);
         self.gather(block, &mut codes);
         let flow = self.carry_out_codes(block, &codes);
         codes.clear();
         self.codes = codes;
-        if self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
+        // The block that begins it does not call.
+        if active > 0 && self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
     }
 
     /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
@@ -449,6 +451,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
             Action::CancelCycle => self.state.cycle = None,
+            Action::ModalSubroutine => self.begin_modal_subroutine(block, at),
             Action::ModalCallOff => self.end_modal_call(),
             Action::NotSimulated => {
                 let word = block.words[at];
@@ -576,6 +579,7 @@ fn takes_axes(action: Action) -> bool {
             | Action::PresetPosition
             | Action::ClearPreset { .. }
             | Action::RestorePreset
+            | Action::Probe { .. }
             | Action::NotSimulated
     )
 }

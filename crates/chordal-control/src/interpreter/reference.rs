@@ -17,6 +17,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::SetData => self.set_data(block, at),
             Action::ReturnToReference { second } => self.return_to_reference(block, second),
             Action::ReturnFromReference => self.return_from_reference(block),
+            Action::Probe { must_hit } => self.probe_move(block, at, must_hit),
             Action::MachineCoordinates => self.machine_coordinates(block),
             Action::LocalShift => self.local_shift(block),
             Action::PresetPosition => self.preset_position(block),

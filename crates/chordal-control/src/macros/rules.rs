@@ -223,6 +223,8 @@ pub struct MacroRules {
     pub modulo_positive: bool,
     /// AND, OR and XOR.
     pub logic: Logic,
+    /// The place of a skip move is told with the tool length in it.
+    pub skip_with_length: bool,
     /// A comparison may be assigned: 1 or 0.
     pub comparison_is_value: bool,
     /// EQ, NE, LE and GE take values as equal that are nearer than this.
@@ -278,6 +280,7 @@ impl MacroRules {
         fix: Fix::Floor,
         modulo_positive: true,
         logic: Logic::Logical,
+        skip_with_length: false,
         comparison_is_value: true,
         equal_tolerance: 0.0,
         then: Then::Statement,
@@ -311,6 +314,7 @@ impl MacroRules {
         fix: Fix::TowardZero,
         modulo_positive: false,
         logic: Logic::Bitwise,
+        skip_with_length: true,
         comparison_is_value: false,
         mixed_blocks: false,
         last_loop: 3,

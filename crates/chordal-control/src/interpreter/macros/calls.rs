@@ -23,6 +23,8 @@ pub(in super::super) struct ModalCall {
     arguments: Vec<(u32, f64)>,
     /// G66.1: every block calls, its words are the arguments.
     every_block: bool,
+    /// An L word calls a subroutine, not a program.
+    subroutine: bool,
 }
 
 /// What a block calls.
@@ -141,8 +143,28 @@ impl<S: Sink> Interpreter<'_, S> {
             self.report_macro_nesting(&word, active as u32 + 1, limit);
             return;
         }
-        self.macros.modal.push(ModalCall { word, program, repeats, arguments, every_block });
+        self.macros.modal.push(ModalCall { word, program, repeats, arguments, every_block, subroutine: false });
         self.macros.active = active + 1;
+    }
+
+    /// Fadal G66 L: a subroutine after every move; there is one such call at most.
+    pub(in super::super) fn begin_modal_subroutine(&mut self, block: &Block, at: usize) {
+        let Some(word) = block.last(b'L').copied() else {
+            let span = self.span(block.words[at].range);
+            let message = "G66 without a subroutine".to_string();
+            return self.missing_word(span, message, "write L and the subroutine: `G66 L201`");
+        };
+        let Some(program) = self.count(&word) else { return };
+        self.macros.modal.clear();
+        self.macros.modal.push(ModalCall {
+            word,
+            program,
+            repeats: 1,
+            arguments: Vec::new(),
+            every_block: false,
+            subroutine: true,
+        });
+        self.macros.active = 1;
     }
 
     /// G67: the last modal call is over.
@@ -210,6 +232,14 @@ impl<S: Sink> Interpreter<'_, S> {
 
     fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, f64)]) {
         let outer = self.macros.active - 1;
+        if call.subroutine {
+            let depth = self.frames.len();
+            self.call_subroutine(&call.word, call.program);
+            if self.frames.len() > depth {
+                self.macros.active = outer;
+            }
+            return;
+        }
         if self.enter_macro(&call.word, call.program, call.repeats, arguments) {
             // Moves inside trigger the call that was in force before this one.
             self.macros.active = outer;
