@@ -157,9 +157,27 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
             call_at(text, at, b'G', lexicon, &mut numbers);
         }
     }
+    if lexicon.macro_lines {
+        for at in memchr::memmem::find_iter(text, b"START") {
+            started_at(text, at, &mut numbers);
+        }
+    }
     numbers.sort_unstable();
     numbers.dedup();
     numbers
+}
+
+/// Notes the program of `START 9200`, on a macro line.
+fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
+    let line = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
+    if memchr::memchr(b'#', &text[line..at]).is_none() {
+        return;
+    }
+    let rest = text[at + 5..].iter().copied().skip_while(|b| matches!(b, b' ' | b'O'));
+    let digits: Vec<u8> = rest.take_while(u8::is_ascii_digit).take(9).collect();
+    let digits = std::str::from_utf8(&digits).unwrap_or("");
+    let number: Option<u32> = digits.parse().ok();
+    numbers.extend(number);
 }
 
 /// Reads the block around a call code at `at` and notes the P words.

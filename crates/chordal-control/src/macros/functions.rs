@@ -131,9 +131,9 @@ pub(crate) fn binary(operator: Operator, a: Value, b: Value, rules: &MacroRules)
         Operator::NotEqual => truth(!equal(a, b, near)),
         // In these null acts as zero.
         Operator::Greater => truth(x > y),
-        Operator::GreaterOrEqual => truth(x >= y || (x - y).abs() < near),
+        Operator::GreaterOrEqual => truth(x >= y),
         Operator::Less => truth(x < y),
-        Operator::LessOrEqual => truth(x <= y || (x - y).abs() < near),
+        Operator::LessOrEqual => truth(x <= y),
     })
 }
 

@@ -227,7 +227,7 @@ pub struct MacroRules {
     pub skip_with_length: bool,
     /// A comparison may be assigned: 1 or 0.
     pub comparison_is_value: bool,
-    /// EQ, NE, LE and GE take values as equal that are nearer than this.
+    /// EQ and NE take values as equal that are nearer than this.
     pub equal_tolerance: f64,
     /// THEN.
     pub then: Then,

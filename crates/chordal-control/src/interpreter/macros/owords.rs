@@ -228,7 +228,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             FlowWord::If => self.next_branch(block, parser, &index, line, row.next),
             // Reached from above: the branch before it was taken.
             FlowWord::ElseIf | FlowWord::Else => self.after(block, &index, line, row.close),
-            FlowWord::EndIf | FlowWord::Do => Flow::Next,
+            FlowWord::Do => Flow::Next,
+            FlowWord::EndIf if row.open != here => Flow::Next,
             FlowWord::While if row.open != here => match holds {
                 // The end of do … while.
                 true => self.after(block, &index, line, row.open),
@@ -247,6 +248,9 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 self.after(block, &index, line, row.close)
             }
             FlowWord::Continue if row.open != here && row.close != NONE => {
+                if index.lines[row.open].word == FlowWord::Repeat {
+                    self.report_structure(line, "continue belongs into while and do, not repeat");
+                }
                 self.go_to(block, index.lines[row.close].at);
                 Flow::Next
             }

@@ -41,7 +41,8 @@ impl<S: Sink> Interpreter<'_, S> {
                 continue;
             }
             let digits = self.digits_of(word.letter, units);
-            let purpose = Purpose { round_digits: Some(digits), condition: false };
+            let round_digits = self.rules().round_words.then_some(digits);
+            let purpose = Purpose { round_digits, condition: false };
             let value = match self.word_value(range, purpose) {
                 Some(None) => continue,
                 Some(Some(value)) => self.decimal_of(word, value, digits),
