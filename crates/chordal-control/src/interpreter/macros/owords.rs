@@ -318,7 +318,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     ) -> Flow {
         let times = self.bracket(parser, Purpose::VALUE).unwrap_or(0.0);
         self.drop_repeat(here);
-        let times = libm::round(times);
+        // Half goes to the even number.
+        let times = libm::rint(times);
         if times < 1.0 {
             return self.after(block, index, line, index.lines[here].close);
         }
