@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use chordal::{Command, Job, Report, Segment};
+use chordal::{Command, CommandKind, Job, Report, Segment};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
 use tempfile::NamedTempFile;
 
@@ -21,16 +21,19 @@ pub enum Format {
     Csv,
     Jsonl,
     Canon,
+    /// What the program itself prints.
+    Txt,
 }
 
 impl Format {
-    const ALL: [(&str, Format); 6] = [
+    const ALL: [(&str, Format); 7] = [
         ("svg", Format::Svg),
         ("png", Format::Png),
         ("dxf", Format::Dxf),
         ("csv", Format::Csv),
         ("jsonl", Format::Jsonl),
         ("canon", Format::Canon),
+        ("txt", Format::Txt),
     ];
 
     fn of(path: &Path) -> Result<Format, Failure> {
@@ -169,6 +172,7 @@ enum Writer<'a> {
     Csv(Box<CommandCsv<Draft>>),
     Jsonl(CommandJsonLines<'a, Draft>),
     Canon(Canon<'a, Draft>),
+    Printed(Draft),
     /// A picture, drawn when the whole path is known.
     Picture(Draft, Format),
 }
@@ -205,6 +209,10 @@ impl<'a> Outputs<'a> {
                 Writer::Jsonl(out) => out.command(command),
                 Writer::Canon(out) => out.command(command),
                 Writer::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
+                Writer::Printed(out) => match &command.kind {
+                    CommandKind::Output { text } => writeln!(out, "{text}"),
+                    _ => Ok(()),
+                },
                 Writer::Picture(..) => Ok(()),
             };
             if let Err(error) = done {
@@ -233,6 +241,7 @@ impl<'a> Outputs<'a> {
                 Writer::Jsonl(out) => out.finish(),
                 Writer::Canon(out) => out.finish(),
                 Writer::Dxf(out) => out.finish(),
+                Writer::Printed(out) => Ok(out),
                 Writer::Picture(out, format) => draw(out, format, plot.as_ref(), options),
             };
             done.and_then(|draft| put(draft, &path)).map_err(|error| failure(&path, &error))?;
@@ -253,6 +262,7 @@ fn open<'a>(path: &Path, format: Format, job: &'a Job<'a>) -> io::Result<Writer<
         Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
         Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
         Format::Canon => Writer::Canon(Canon::new(out, job)?),
+        Format::Txt => Writer::Printed(out),
     })
 }
 

@@ -23,6 +23,7 @@ Outputs by ending:
   .svg .png   planned views with axes and scale, rapids dashed, feeds coloured by tool
   .dxf        the path with true arcs
   .csv .jsonl .canon   the canonical commands, as `chordal commands` prints them
+  .txt        what the program itself prints (DPRNT)
 
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
 the number in the file. The exit code is 1 when there is an error: the control would stop.";

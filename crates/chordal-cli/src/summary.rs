@@ -14,6 +14,9 @@ use crate::terminal::{BOLD, BOLD_RED, style};
 
 /// Most programs, evidence, line ranges and speeds that are listed.
 const MOST_PROGRAMS: usize = 12;
+
+/// Most lines of the program's own output that are shown.
+const MOST_PRINTED: usize = 20;
 const MOST_EVIDENCE: usize = 4;
 const MOST_RANGES: usize = 4;
 const MOST_SPEEDS: usize = 4;
@@ -44,6 +47,7 @@ pub fn text(loaded: &Loaded, job: &Job, report: &Report, color: bool) -> String 
         format!("{} {unit} of cuts, {} {unit} of rapids", units.length(cuts), units.length(rapids));
     sheet.row("lengths", &lengths);
     sheet.row("time", &time(summary));
+    sheet.printed(report);
     sheet.end(job, report);
     sheet.text
 }
@@ -89,7 +93,7 @@ impl Sheet {
         let library = Library::new(job.sources(), lexicon);
         let mains = match program {
             Some(number) => library.find(number, FileId(0)).into_iter().collect(),
-            None => library.mains(lexicon),
+            None => library.mains(lexicon, &job.control().alias_programs()),
         };
         let shown = |index: &usize| {
             let program = &library.programs()[*index];
@@ -152,6 +156,16 @@ impl Sheet {
                 }
                 self.row("machine", &format!("{known}; say --machine for another"));
             }
+        }
+    }
+
+    /// What the program prints.
+    fn printed(&mut self, report: &Report) {
+        let lines: Vec<String> = report.output.iter().take(MOST_PRINTED).cloned().collect();
+        self.rows("prints", &lines);
+        let more = report.output.len().saturating_sub(MOST_PRINTED);
+        if more > 0 {
+            self.more(&format!("and {more} lines more; `-o NAME.txt` writes them all"));
         }
     }
 

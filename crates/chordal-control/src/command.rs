@@ -328,6 +328,11 @@ pub enum CommandKind {
     },
     /// Text for the operator.
     Message(TextRange),
+    /// A line that the program prints (DPRNT), its values put in.
+    Output {
+        /// The line without its end.
+        text: String,
+    },
 }
 
 /// The active work coordinate system.

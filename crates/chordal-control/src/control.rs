@@ -54,11 +54,27 @@ impl Control {
         self.m_rows.get(code as usize).copied().flatten()
     }
 
+    /// Programs that codes call by settings of the machine: nothing in the text names them.
+    pub fn alias_programs(&self) -> Vec<u32> {
+        let aliases = &self.parameters.aliases;
+        let rules = self.table.macros;
+        let of = |codes: &[u16], first: u32| -> Vec<u32> {
+            (first..).zip(codes).filter(|(_, code)| **code > 0).map(|(number, _)| number).collect()
+        };
+        let mut programs = of(&aliases.g, rules.g_alias_programs);
+        programs.extend(of(&aliases.m, rules.m_alias_programs));
+        programs.extend(of(&aliases.m_subprogram, FIRST_ALIAS_SUBPROGRAM));
+        programs
+    }
+
     /// The axes of the machine.
     pub fn axes(&self) -> AxisMask {
         self.axes
     }
 }
+
+/// The program of the first M code that calls a subprogram (Fanuc No. 6071).
+pub(crate) const FIRST_ALIAS_SUBPROGRAM: u32 = 9001;
 
 fn by_number(codes: &'static [CodeRow]) -> Vec<Option<&'static CodeRow>> {
     let size = codes.iter().map(|row| row.code as usize + 1).max().unwrap_or(0);

@@ -12,6 +12,7 @@ mod controls;
 mod cycle_rules;
 mod interpreter;
 mod library;
+pub mod macros;
 mod offsets;
 mod parameters;
 mod pocket;

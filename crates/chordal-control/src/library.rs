@@ -76,15 +76,30 @@ impl<'a> Library<'a> {
         here.or(Some(first))
     }
 
+    /// The first program of the file with a name, its folder and ending left out.
+    pub fn program_of_file(&self, name: &str) -> Option<usize> {
+        self.programs.iter().position(|program| {
+            let file = self.sources.get(program.file).map_or("", |source| source.name());
+            let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
+            let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+            stem.eq_ignore_ascii_case(name)
+        })
+    }
+
     /// Programs that no other program of the same file calls: the mains. When every one is
-    /// called, the first.
-    pub fn mains(&self, lexicon: &Lexicon) -> Vec<usize> {
+    /// called, or a call computes its number, the first. `also_called` are programs that
+    /// something else than the text calls.
+    pub fn mains(&self, lexicon: &Lexicon, also_called: &[u32]) -> Vec<usize> {
         let here: Vec<usize> =
             (0..self.programs.len()).filter(|i| self.programs[*i].file == FileId(0)).collect();
         if here.len() <= 1 {
             return here;
         }
-        let called = referenced_programs(self.text(FileId(0)), lexicon);
+        let mut called = called_programs(self.text(FileId(0)), lexicon);
+        if called.contains(&COMPUTED) {
+            return here[..1].to_vec();
+        }
+        called.extend(also_called);
         let mains: Vec<usize> = here
             .iter()
             .copied()
@@ -121,9 +136,18 @@ impl<'a> Library<'a> {
     }
 }
 
+/// Stands among the called programs for a call whose number is computed.
+const COMPUTED: u32 = u32::MAX;
+
 /// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`, packed
 /// repeats (`P51000`) read both ways.
 pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
+    let mut numbers = called_programs(text, lexicon);
+    numbers.retain(|number| *number != COMPUTED);
+    numbers
+}
+
+fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     let mut numbers = Vec::new();
     for at in memchr::memmem::find_iter(text, b"98") {
         call_at(text, at, b'M', lexicon, &mut numbers);
@@ -134,9 +158,27 @@ pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
             call_at(text, at, b'G', lexicon, &mut numbers);
         }
     }
+    if lexicon.macro_lines {
+        for at in memchr::memmem::find_iter(text, b"START") {
+            started_at(text, at, &mut numbers);
+        }
+    }
     numbers.sort_unstable();
     numbers.dedup();
     numbers
+}
+
+/// Notes the program of `START 9200`, on a macro line.
+fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
+    let line = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
+    if memchr::memchr(b'#', &text[line..at]).is_none() {
+        return;
+    }
+    let rest = text[at + 5..].iter().copied().skip_while(|b| matches!(b, b' ' | b'O'));
+    let digits: Vec<u8> = rest.take_while(u8::is_ascii_digit).take(9).collect();
+    let digits = std::str::from_utf8(&digits).unwrap_or("");
+    let number: Option<u32> = digits.parse().ok();
+    numbers.extend(number);
 }
 
 /// Reads the block around a call code at `at` and notes the P words.
@@ -157,6 +199,9 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
     let mut block = Block::new();
     while reader.read(&mut block) {
         for word in block.all(b'P') {
+            if matches!(word.value, chordal_syntax::Value::Expression(_)) {
+                numbers.push(COMPUTED);
+            }
             let number = word.number().and_then(|d| d.to_integer());
             if let Some(number) = number.and_then(|n| u32::try_from(n).ok()) {
                 numbers.push(number);

@@ -155,6 +155,19 @@ impl Offsets {
         values[axis] = Some(if add { old + value } else { value });
     }
 
+    /// One value of a work offset.
+    pub fn work_value(&self, key: &str, axis: usize) -> Option<f64> {
+        if key == "EXT" {
+            return self.external[axis];
+        }
+        self.systems.get(key)?[axis]
+    }
+
+    /// The offsets of a tool.
+    pub fn tool(&self, number: u32) -> Option<&Tool> {
+        self.tools.get(&number)
+    }
+
     pub fn tool_mut(&mut self, number: u32) -> &mut Tool {
         self.tools.entry(number).or_default()
     }

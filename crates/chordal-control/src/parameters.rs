@@ -210,6 +210,21 @@ pub struct Parameters {
     pub bore_diameter_register: u8,
     /// Canned cycles.
     pub cycles: CycleRules,
+    /// Codes that call macros.
+    pub aliases: Aliases,
+}
+
+/// Codes that call macros, by their numbers; 0 where there is none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Aliases {
+    /// There is any.
+    pub any: bool,
+    /// G codes.
+    pub g: [u16; 10],
+    /// M codes that call a macro.
+    pub m: [u16; 10],
+    /// M codes that call a subprogram.
+    pub m_subprogram: [u16; 9],
 }
 
 impl Parameters {
@@ -258,5 +273,6 @@ impl Parameters {
         fixed_routine_count: FixedRoutineCount::Repeat,
         bore_diameter_register: 1,
         cycles: CycleRules::COMMON,
+        aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

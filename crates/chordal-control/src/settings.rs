@@ -59,6 +59,12 @@ pub enum Field {
     FixedRoutineCount,
     BoreDiameterRegister,
     Cycle(CycleField),
+    /// A G code that calls a macro, by its place.
+    AliasG(u8),
+    /// An M code that does.
+    AliasM(u8),
+    /// An M code that calls a subprogram.
+    AliasSubprogram(u8),
 }
 
 /// A setting of a control's table.
@@ -339,6 +345,16 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
         Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
         Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
+        Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
+            let code = count()?.min(6000) as u16;
+            p.aliases.any |= code > 0;
+            match field {
+                Field::AliasG(at) => p.aliases.g[at as usize] = code,
+                Field::AliasM(at) => p.aliases.m[at as usize] = code,
+                Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize] = code,
+                _ => {}
+            }
+        }
     }
     Ok(())
 }
@@ -399,6 +415,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
         Field::Cycle(rule) => cycle_rules::value_text(p, rule),
+        Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
+        Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
+        Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
 

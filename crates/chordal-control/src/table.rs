@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Letters, Lexicon};
 
+use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::Setting;
 
@@ -93,8 +94,6 @@ pub enum Action {
     Cycle(CycleKind),
     /// Holes of the cycle in force on a circle, an arc or a line.
     Pattern(Pattern),
-    /// A subroutine after each position (Fadal G66 L).
-    ModalSubroutine,
     PathExact,
     PathExactStop,
     PathContinuous,
@@ -118,12 +117,24 @@ pub enum Action {
     Return,
     SubroutineEnd,
     RunCycleHere,
+    /// G65: calls a program with its words as arguments.
+    MacroCall,
+    /// G66: the same after every move; G66.1: for every block.
+    ModalMacroCall {
+        every_block: bool,
+    },
+    /// Fadal G66: calls a subroutine after every move.
+    ModalSubroutine,
     ModalCallOff,
     /// A round pocket by one block, clockwise.
     CircularPocketCw,
     CircularPocketCcw,
     /// A pocket of any outline by one block.
     GeneralPocket,
+    /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
+    Probe {
+        must_hit: bool,
+    },
     /// Carried out without effect on path or time.
     NoEffect,
     /// The control carries it out and Chordal does not.
@@ -385,6 +396,8 @@ pub struct ControlTable {
     pub extended_offset_code: &'static str,
     /// Start label word of M98 (Mitsubishi H).
     pub call_start_label: Option<u8>,
+    /// Its macro language.
+    pub macros: &'static MacroRules,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],
 }

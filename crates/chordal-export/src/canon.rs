@@ -79,6 +79,9 @@ impl<'a, W: Write> Canon<'a, W> {
                 let words = self.sources.words(range.in_file(command.origin.span.file));
                 self.plain(line, &format!("MESSAGE(\"{}\")", one_line(&words)));
             }
+            CommandKind::Output { text } => {
+                self.plain(line, &format!("PRINT(\"{}\")", one_line(text)));
+            }
             CommandKind::FeedMode(mode) => self.feed_mode(line, *mode),
             // The feed is written where it is used, in mm/min; the units are always mm.
             CommandKind::FeedRate { .. } => {}

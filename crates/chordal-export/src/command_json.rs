@@ -123,6 +123,10 @@ impl Context<'_> {
                 let span = range.in_file(command.origin.span.file);
                 object.text("text", &self.sources.words(span));
             }
+            CommandKind::Output { text } => {
+                object.word("kind", "print");
+                object.text("text", text);
+            }
             other => state(object, other),
         }
     }

@@ -230,6 +230,34 @@ impl Value<'_> {
                 DeValue::Boolean(flag) => *place(machine, keys) = *flag,
                 _ => return Err(self.takes("`true` or `false`", None)),
             },
+            Slot::Number(place) => match value {
+                DeValue::Integer(_) | DeValue::Float(_) => {
+                    *place(machine, keys) = self.plain_number()?;
+                }
+                _ => return Err(self.takes("a number", None)),
+            },
+            Slot::NumberList(place) => {
+                let DeValue::Array(items) = value else {
+                    let help = Some("write it as `[1.5, 2]`".to_string());
+                    return Err(self.takes("a list of numbers", help));
+                };
+                let number = |item| Value { value: item, ..*self }.plain_number();
+                *place(machine, keys) = items.iter().map(number).collect::<Result<_, _>>()?;
+            }
+            Slot::Stamp { stamp, place } => {
+                let (what, form) = stamp.words();
+                let help = Some(format!("write it as `\"{form}\"`"));
+                let text = match value {
+                    DeValue::String(text) => text.to_string(),
+                    DeValue::Datetime(stamp) => stamp.to_string(),
+                    _ => return Err(self.takes(what, help)),
+                };
+                let Some(number) = stamp.parse(&text) else {
+                    let message = format!("`{}` takes {what}; this is `{text}`", self.name());
+                    return Err(self.error(message, help));
+                };
+                *place(machine, keys) = Some(number);
+            }
             Slot::Switches => machine.switches.block_delete = self.switches()?,
             Slot::Setting => {
                 let location = Some(self.source.location(self.value.span()));
@@ -249,6 +277,15 @@ impl Value<'_> {
             }
         }
         Ok(())
+    }
+
+    fn plain_number(&self) -> Result<f64, MachineError> {
+        let number = match self.setting()? {
+            SettingValue::Integer(number) => number as f64,
+            SettingValue::Float(number) => number,
+            _ => f64::NAN,
+        };
+        if number.is_finite() { Ok(number) } else { Err(self.takes("a number", None)) }
     }
 
     fn error(&self, message: impl Into<String>, help: Option<String>) -> MachineError {

@@ -41,6 +41,10 @@ pub struct Machine {
     pub clearance_mm: Option<f64>,
     /// What takes time besides moving.
     pub times: Times,
+    /// What macro programs find.
+    pub macros: Macros,
+    /// What probe moves find.
+    pub probe: Probe,
 }
 
 /// The limits of an axis: millimetres, or radians on a rotary axis.
@@ -126,6 +130,38 @@ pub struct Times {
     pub tool_change_s: Option<f64>,
 }
 
+/// What macro programs find when the program starts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Macros {
+    /// Values of variables by number (`#500`).
+    pub variables: BTreeMap<u32, f64>,
+    /// The date as a control shows it, YYYYMMDD.
+    pub date: Option<u32>,
+    /// The time, HHMMSS.
+    pub time: Option<u32>,
+    /// What the operator types where the program asks (Fadal INPUT), in order.
+    pub inputs: Vec<f64>,
+}
+
+/// Where probe and skip moves (G31, G38.2) touch the part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Probe {
+    /// What they touch; `None`: nothing is said, and they touch where they end.
+    pub hit: Option<ProbeHit>,
+    /// Planes of which the nearest on the way is touched: work coordinates by `axis as usize`,
+    /// mm or rad. They hold where `hit` is `None`.
+    pub planes: [Option<f64>; 6],
+}
+
+/// What a probe move meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProbeHit {
+    /// Something where the move ends.
+    End,
+    /// Nothing.
+    Nothing,
+}
+
 impl Machine {
     /// A machine of which only the control is known: X, Y and Z without limits.
     pub fn new(name: &str, control: ControlName) -> Machine {
@@ -152,6 +188,8 @@ impl Machine {
             switches: Switches::default(),
             clearance_mm: None,
             times: Times::default(),
+            macros: Macros::default(),
+            probe: Probe::default(),
         }
     }
 

@@ -3,7 +3,7 @@
 
 use crate::axis::Axis;
 use crate::control::ControlName;
-use crate::machine::{AxisLimits, Machine, RapidShape, Tool, WorkOffset};
+use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Tool, WorkOffset};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
 
@@ -48,6 +48,15 @@ pub(crate) enum Slot {
         set: fn(&mut Machine, &str),
     },
     Flag(Place<bool>),
+    /// A number without a unit.
+    Number(Place<f64>),
+    /// Numbers without a unit.
+    NumberList(Place<Vec<f64>>),
+    /// A date or a time, kept as its digits.
+    Stamp {
+        stamp: Stamp,
+        place: Place<Option<u32>>,
+    },
     /// The block delete switches.
     Switches,
     /// A setting of the control, kept raw.
@@ -58,6 +67,42 @@ pub(crate) enum Slot {
     Table(fn(&mut Machine, &Keys)),
     /// The same for an axis, which `false` takes away.
     Axis,
+}
+
+/// A date or a time.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stamp {
+    Date,
+    Time,
+}
+
+impl Stamp {
+    /// What it is called, and how it is written.
+    pub(crate) const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Stamp::Date => ("a date", "2024-05-17"),
+            Stamp::Time => ("a time", "13:45:00"),
+        }
+    }
+
+    /// Its digits as one number; `None` when the text is no such thing.
+    pub(crate) fn parse(self, text: &str) -> Option<u32> {
+        let (separator, widths, limits) = match self {
+            Stamp::Date => ('-', [4, 2, 2], [(0, 9999), (1, 12), (1, 31)]),
+            Stamp::Time => (':', [2, 2, 2], [(0, 23), (0, 59), (0, 59)]),
+        };
+        let parts: Vec<&str> = text.split(separator).collect();
+        if parts.len() != 3 {
+            return None;
+        }
+        let mut number = 0;
+        for ((part, width), (low, high)) in parts.into_iter().zip(widths).zip(limits) {
+            let value =
+                whole(part).filter(|value| part.len() == width && (low..=high).contains(value))?;
+            number = number * 100 + value;
+        }
+        Some(number)
+    }
 }
 
 /// Which signs a quantity may have.
@@ -284,6 +329,51 @@ pub(crate) const ROWS: &[Row] = &[
         "how long a change of tool takes",
     ),
     Row {
+        path: "macros.variables.<variable>",
+        slot: Slot::Number(|m, k| m.macros.variables.entry(k.number).or_default()),
+        doc: "value of a macro variable when the program starts: common variables, inputs, timers and others that a program alone does not tell",
+    },
+    Row {
+        path: "macros.date",
+        slot: Slot::Stamp { stamp: Stamp::Date, place: |m, _| &mut m.macros.date },
+        doc: "the date that macro programs read; a run never asks a clock",
+    },
+    Row {
+        path: "macros.time",
+        slot: Slot::Stamp { stamp: Stamp::Time, place: |m, _| &mut m.macros.time },
+        doc: "the time that macro programs read",
+    },
+    Row {
+        path: "macros.inputs",
+        slot: Slot::NumberList(|m, _| &mut m.macros.inputs),
+        doc: "what the operator types where the program asks (Fadal INPUT), in order",
+    },
+    Row {
+        path: "probe.hit",
+        slot: Slot::Word {
+            what: "hit",
+            words: &["end", "none"],
+            set: |m, word| {
+                m.probe.planes = [None; 6];
+                m.probe.hit = Some(match word {
+                    "none" => ProbeHit::Nothing,
+                    _ => ProbeHit::End,
+                });
+            },
+        },
+        doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; without it they touch where they end",
+    },
+    quantity(
+        "probe.hit.<axis>",
+        Dimension::Length,
+        Sign::Any,
+        |m, k| {
+            m.probe.hit = None;
+            by_axis(&mut m.probe.planes, k)
+        },
+        "a plane that probe moves touch, work coordinates; of several the nearest on the way",
+    ),
+    Row {
         path: "settings.<setting>",
         slot: Slot::Setting,
         doc: "a parameter of the control, by the name its manual uses",
@@ -349,6 +439,14 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
                 (format!("`{key}` is not a tool number"), help)
             })?;
         }
+        "<variable>" => {
+            let digits = key.strip_prefix('#').unwrap_or(key);
+            keys.number = whole(digits).filter(|number| *number > 0).ok_or_else(|| {
+                let help =
+                    "a variable is named by its number, as `macros.variables.500`".to_string();
+                (format!("`{key}` is not the number of a variable"), help)
+            })?;
+        }
         "<point>" => {
             keys.number = whole(key).filter(|n| (2..=4).contains(n)).ok_or_else(|| {
                 let help = match key {
@@ -412,6 +510,12 @@ impl Row {
                 crate::suggest::or_list(&words)
             }
             Slot::Flag(_) => "`true` or `false`".into(),
+            Slot::Number(_) => "a number".into(),
+            Slot::NumberList(_) => "a list of numbers".into(),
+            Slot::Stamp { stamp, .. } => {
+                let (what, form) = stamp.words();
+                format!("{what}: `\"{form}\"`")
+            }
             Slot::Switches => "`true`, `false` or a list of 1 to 9".into(),
             Slot::Setting => "a text, a number or `true`/`false`, as the control takes it".into(),
             Slot::Table(_) => "a table".into(),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::axis::Axis;
 use crate::check::{key_text, string_text};
-use crate::machine::Machine;
+use crate::machine::{Machine, ProbeHit};
 use crate::quantity::Dimension;
 use crate::value::SettingValue;
 
@@ -46,6 +46,15 @@ impl Machine {
         if self.times != Default::default() {
             out.table("times");
             out.quantity("tool_change", self.times.tool_change_s, Dimension::Time);
+        }
+        self.write_macros(&mut out);
+        match self.probe.hit {
+            Some(hit) => {
+                out.table("probe");
+                let word = if hit == ProbeHit::End { "end" } else { "none" };
+                out.line("hit", &string_text(word));
+            }
+            None => out.positions("probe.hit", &self.probe.planes),
         }
         self.write_tools(&mut out);
         for (name, offset) in &self.work_offsets {
@@ -101,6 +110,32 @@ impl Machine {
         }
         if switches.optional_stop {
             out.line("optional_stop", "true");
+        }
+    }
+
+    fn write_macros(&self, out: &mut Out) {
+        let macros = &self.macros;
+        if *macros == Default::default() {
+            return;
+        }
+        out.table("macros");
+        if let Some(date) = macros.date {
+            let (year, month, day) = (date / 10_000, date / 100 % 100, date % 100);
+            out.line("date", &format!("\"{year:04}-{month:02}-{day:02}\""));
+        }
+        if let Some(time) = macros.time {
+            let (hour, minute, second) = (time / 10_000, time / 100 % 100, time % 100);
+            out.line("time", &format!("\"{hour:02}:{minute:02}:{second:02}\""));
+        }
+        if !macros.inputs.is_empty() {
+            let inputs: Vec<String> = macros.inputs.iter().map(|n| format!("{n:?}")).collect();
+            out.line("inputs", &format!("[{}]", inputs.join(", ")));
+        }
+        if !macros.variables.is_empty() {
+            out.table("macros.variables");
+            for (number, value) in &macros.variables {
+                out.line(&number.to_string(), &format!("{value:?}"));
+            }
         }
     }
 

@@ -117,3 +117,30 @@ fn refusals() {
         assert!(message.contains(part), "{text}: {message}");
     }
 }
+
+#[test]
+fn variables_date_and_time_of_macro_programs() {
+    let mut machine = Machine::from_builtin("haas-vf2").unwrap();
+    machine.set("macros.variables.500 = 1.5").unwrap();
+    machine.set("macros.variables.#1001 = 1").unwrap();
+    machine.set("macros.date = 2024-05-17").unwrap();
+    machine.set("macros.time=13:45:00").unwrap();
+    assert_eq!(machine.macros.variables.get(&500), Some(&1.5));
+    assert_eq!(machine.macros.variables.get(&1001), Some(&1.0));
+    assert_eq!(machine.macros.date, Some(20_240_517));
+    assert_eq!(machine.macros.time, Some(134_500));
+    let text = machine.to_toml();
+    let again = Machine::from_toml("again.toml", &text, &|_| Err(String::new())).unwrap();
+    assert_eq!(again.macros, machine.macros);
+    for wrong in [
+        "macros.variables.500 = yes",
+        "macros.variables.x = 1",
+        "macros.variables.0 = 1",
+        "macros.date = 17.5.2024",
+        "macros.date = 2024-13-01",
+        "macros.time = 24:00:00",
+        "macros.day = 1",
+    ] {
+        assert!(machine.set(wrong).is_err(), "{wrong}");
+    }
+}

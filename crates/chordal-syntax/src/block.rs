@@ -145,6 +145,8 @@ pub struct Block {
     pub words: Vec<Word>,
     /// Comments with their marks.
     pub comments: Vec<TextRange>,
+    /// A word's value is an expression.
+    pub expressions: bool,
     /// What could not be read.
     pub problems: Vec<Diagnostic>,
     letters: Letters,
@@ -163,6 +165,7 @@ impl Block {
         self.line = line;
         self.kind = BlockKind::Words;
         self.delete = None;
+        self.expressions = false;
         self.words.clear();
         self.comments.clear();
         self.problems.clear();

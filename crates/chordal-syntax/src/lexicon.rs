@@ -1,3 +1,5 @@
+use crate::expression::MacroGrammar;
+
 /// How a `(` comment ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ParenthesisComment {
@@ -34,6 +36,8 @@ pub struct Lexicon {
     pub blanks_in_numbers: bool,
     /// `O` words may be flow control (`o100 sub`), not only program heads.
     pub o_words: bool,
+    /// Expressions and macro statements.
+    pub grammar: &'static MacroGrammar,
 }
 
 impl Lexicon {
@@ -46,5 +50,6 @@ impl Lexicon {
         macro_lines: false,
         blanks_in_numbers: false,
         o_words: false,
+        grammar: &MacroGrammar::FANUC,
     };
 }

@@ -9,13 +9,23 @@
 mod block;
 mod decimal;
 mod encoding;
+mod expression;
 mod lexicon;
+mod line_statement;
+mod oword;
 mod programs;
 mod reader;
+mod statement;
 
 pub use block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 pub use decimal::Decimal;
 pub use encoding::{Decoded, Encoding, decode};
+pub use expression::{
+    Brackets, Expression, ExpressionParser, Function, MacroGrammar, Op, Operator, OperatorRow, Step,
+};
 pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
+pub use line_statement::{LineStatement, PrintItem, parse_line_statement};
+pub use oword::{FlowWord, OLabel, OWord, parse_o_word};
 pub use programs::{ProgramHead, find_programs};
 pub use reader::{BlockReader, Position};
+pub use statement::{Branch, Output, Statement, Target, parse_statement};

@@ -1,6 +1,6 @@
 use chordal_diagnostics::{Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange};
 
-use crate::block::{Block, BlockDelete, BlockKind, Value, Word};
+use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
 
@@ -22,6 +22,8 @@ pub struct BlockReader<'a> {
     at: usize,
     line: u32,
     end: usize,
+    /// Letters that are never plain words: registers, and the O of flow control.
+    special: Letters,
 }
 
 /// How many unreadable places of one block are told; a megabyte of garbage on one line is
@@ -69,7 +71,14 @@ const STRANGE_BEHIND_NUMBER: [bool; 256] = {
 impl<'a> BlockReader<'a> {
     /// Reads `text` from its beginning.
     pub fn new(text: &'a [u8], file: FileId, lexicon: Lexicon) -> BlockReader<'a> {
-        BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len() }
+        let mut special = Letters::NONE;
+        if lexicon.registers {
+            special.insert(b'R');
+        }
+        if lexicon.o_words {
+            special.insert(b'O');
+        }
+        BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len(), special }
     }
 
     /// Where the next block begins.
@@ -172,8 +181,12 @@ impl<'a> BlockReader<'a> {
                 self.read_word(block, b'O', false);
             }
             b',' => self.comma_word(block),
-            b'#' | b'[' => {
+            b'#' if self.lexicon.macro_lines => {
                 self.skip_to_line_end();
+                block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
+            }
+            b'#' | b'[' => {
+                self.skip_statement();
                 let range = TextRange::new(start as u32, self.at as u32);
                 block.kind = BlockKind::Macro(range);
             }
@@ -265,7 +278,7 @@ impl<'a> BlockReader<'a> {
     /// rest of the line.
     #[inline(always)]
     fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
-        let plain = !comma && (letter != b'R' || !self.lexicon.registers);
+        let plain = !comma && !self.special.has(letter);
         if plain
             && !self.lexicon.blanks_in_numbers
             && let Some(rest) = self.text[..self.end].get(self.at + 1..)
@@ -285,6 +298,11 @@ impl<'a> BlockReader<'a> {
     #[inline(never)]
     fn read_any_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
         let start = self.at - usize::from(comma);
+        if letter == b'O' && self.lexicon.o_words && self.flow_control() {
+            self.skip_to_line_end();
+            block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
+            return false;
+        }
         self.at += 1;
         let mut register = None;
         let text = &self.text[..self.end];
@@ -367,11 +385,27 @@ impl<'a> BlockReader<'a> {
         let text = &self.text[..self.end];
         let rest = &text[self.at..];
         let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));
+        let blanks = rest[sign..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        match rest.get(sign + blanks) {
+            Some(b'#' | b'[') => {
+                block.expressions = true;
+                return Some(self.expression());
+            }
+            Some(mark)
+                if mark.is_ascii_alphabetic() && self.function_at(self.at + sign + blanks) =>
+            {
+                block.expressions = true;
+                return Some(self.expression());
+            }
+            _ => {}
+        }
         match rest.get(sign) {
-            Some(b'#' | b'[') => return Some(self.expression()),
             Some(b'R' | b'r') if self.lexicon.registers => {
                 if let Some(digit) = rest.get(sign + 1).filter(|b| b.is_ascii_digit()) {
                     self.at += sign + 2;
+                    // `X+R6.`: a point that means nothing.
+                    let more = rest.get(sign + 3).is_some_and(u8::is_ascii_digit);
+                    self.at += usize::from(rest.get(sign + 2) == Some(&b'.') && !more);
                     return Some(Value::Register {
                         index: digit - b'0',
                         negative: rest[0] == b'-',
@@ -380,7 +414,10 @@ impl<'a> BlockReader<'a> {
             }
             _ => {}
         }
-        if let Some(value) = self.letter_for_digit(block, start) {
+        // `DO1` alone in its block begins a loop.
+        let in_words = block.words.iter().any(|word| word.letter != b'N');
+        let do_loop = letter == b'D' && !in_words && self.keyword(start);
+        if !do_loop && let Some(value) = self.letter_for_digit(block, start) {
             return Some(value);
         }
         let begins_number = rest.first().is_some_and(|b| CLASSES[*b as usize] == Class::Digit);
@@ -391,15 +428,9 @@ impl<'a> BlockReader<'a> {
         // Two letters in a row are a keyword (IF, WHILE, DPRNT, sub): a macro statement.
         if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.keyword(start) {
             self.at = start;
-            self.skip_to_line_end();
+            self.skip_statement();
             let range = TextRange::new(start as u32, self.at as u32);
             block.kind = BlockKind::Macro(range);
-            return None;
-        }
-        if letter == b'O' && rest.first() == Some(&b'<') && self.lexicon.o_words {
-            self.at = start;
-            self.skip_to_line_end();
-            block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
             return None;
         }
         self.problem(block, || {
@@ -410,6 +441,38 @@ impl<'a> BlockReader<'a> {
                 .help(format!("write the number, or take the `{name}` out"))
         });
         Some(Value::Missing)
+    }
+
+    /// The letter O at `self.at` begins flow control: a number, a name or a bracket, and then
+    /// a word.
+    #[cold]
+    fn flow_control(&self) -> bool {
+        let line = &self.text[self.at + 1..self.end];
+        let line = &line[..memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len())];
+        let blank = |b: &u8| CLASSES[*b as usize] == Class::Blank;
+        let mut at = line.iter().take_while(|b| blank(b)).count();
+        match line.get(at) {
+            Some(b'<') => return true,
+            Some(b'[') => {
+                let mut depth = 0usize;
+                for byte in &line[at..] {
+                    at += 1;
+                    match byte {
+                        b'[' => depth += 1,
+                        b']' => depth = depth.saturating_sub(1),
+                        _ => {}
+                    }
+                    if depth == 0 {
+                        break;
+                    }
+                }
+            }
+            _ => {
+                let number = |b: &u8| b.is_ascii_digit() || blank(b);
+                at += line[at..].iter().take_while(|b| number(b)).count();
+            }
+        }
+        line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
     }
 
     /// Keywords of macro languages, by the letters from `start`.
@@ -425,28 +488,99 @@ impl<'a> BlockReader<'a> {
         KEYWORDS.iter().any(|keyword| word == *keyword)
     }
 
-    /// `#12`, `#[…]`, `[…]`, with a sign; brackets are matched, the line end closes all.
-    fn expression(&mut self) -> Value {
-        let start = self.at;
+    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside
+    /// brackets and comments where that ends a block.
+    fn skip_statement(&mut self) {
+        if self.lexicon.semicolon == Semicolon::Comment {
+            return self.skip_to_line_end();
+        }
         let mut depth = 0usize;
         while self.at < self.end {
             match self.text[self.at] {
-                b'[' => depth += 1,
-                b']' => {
-                    depth = depth.saturating_sub(1);
-                    if depth == 0 {
-                        self.at += 1;
-                        break;
-                    }
-                }
-                b'\n' | b'\r' => break,
-                b'#' | b'+' | b'-' | b'.' | b'0'..=b'9' => {}
-                _ if depth == 0 => break,
+                b'[' | b'(' => depth += 1,
+                b']' | b')' => depth = depth.saturating_sub(1),
+                b';' if depth == 0 => return,
+                b'\n' | b'\r' => return,
                 _ => {}
             }
             self.at += 1;
         }
+    }
+
+    /// A function of the control with its bracket (`SIN[30.]`) stands at a place.
+    fn function_at(&self, at: usize) -> bool {
+        let rest = &self.text[at..self.end];
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let open = self.lexicon.grammar.bracket_bytes().0;
+        let behind = rest[letters..].iter().find(|b| !matches!(b, b' ' | b'\t'));
+        let known = |(name, _): &(&str, _)| rest[..letters].eq_ignore_ascii_case(name.as_bytes());
+        behind == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
+    }
+
+    /// `#12`, `#[…]`, `[…]`, `SIN[…]`, with a sign; brackets are matched, the line end closes
+    /// all. What is inside is read when the block is carried out.
+    fn expression(&mut self) -> Value {
+        let start = self.at;
+        self.operand();
+        // `X#1+10.`: a sum without brackets.
+        while !self.lexicon.grammar.operators_in_brackets_only
+            && matches!(self.peek(), b'+' | b'-')
+            && matches!(
+                self.text[..self.end].get(self.at + 1),
+                Some(b'#' | b'[' | b'0'..=b'9' | b'.')
+            )
+        {
+            self.operand();
+        }
         Value::Expression(TextRange::new(start as u32, self.at as u32))
+    }
+
+    fn operand(&mut self) {
+        let blank = |b: u8| CLASSES[b as usize] == Class::Blank;
+        while self.at < self.end
+            && (matches!(self.peek(), b'+' | b'-' | b'#') || blank(self.peek()))
+        {
+            self.at += 1;
+        }
+        match self.peek() {
+            b'<' if self.lexicon.grammar.names => {
+                let rest = &self.text[self.at..self.end];
+                let end = memchr::memchr3(b'>', b'\n', b'\r', rest).unwrap_or(rest.len());
+                self.at += end + usize::from(rest.get(end) == Some(&b'>'));
+            }
+            b'[' => self.brackets(),
+            byte if byte.is_ascii_alphabetic() => {
+                while self.peek().is_ascii_alphabetic() || blank(self.peek()) {
+                    self.at += 1;
+                }
+                self.brackets();
+                if self.peek() == b'/' && self.text[..self.end].get(self.at + 1) == Some(&b'[') {
+                    self.at += 1;
+                    self.brackets();
+                }
+            }
+            _ => {
+                while matches!(self.peek(), b'0'..=b'9' | b'.') {
+                    self.at += 1;
+                }
+            }
+        }
+    }
+
+    /// From an opening bracket to the one that closes it.
+    fn brackets(&mut self) {
+        let mut depth = 0usize;
+        while self.at < self.end && !matches!(self.text[self.at], b'\n' | b'\r') {
+            match self.text[self.at] {
+                b'[' => depth += 1,
+                b']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            self.at += 1;
+            if depth == 0 {
+                return;
+            }
+        }
     }
 
     /// `X1O.5`, `XO`, `Xl.5`: the letter O for a zero, a small l for a one.

@@ -1,5 +1,6 @@
 use chordal_control::{
-    AxisMask, Command, Control, Library, Outcome, RunOptions, SettingError, Sink, initial_offset,
+    AxisMask, Command, CommandKind, Control, Library, Outcome, RunOptions, SettingError, Sink,
+    initial_offset,
 };
 use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
@@ -39,6 +40,8 @@ pub struct Report {
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
     pub counts: Counts,
+    /// The lines that the program printed (DPRNT), in order.
+    pub output: Vec<String>,
     /// How each program that was run ended.
     pub outcomes: Vec<Outcome>,
 }
@@ -94,7 +97,10 @@ impl<'a> Job<'a> {
         library.duplicate_diagnostics().for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mains = match self.program {
             Some(number) => library.find(number, FileId(0)).into_iter().collect(),
-            None => library.mains(&self.control.table.lexicon),
+            None => {
+                let called = self.control.alias_programs();
+                library.mains(&self.control.table.lexicon, &called)
+            }
         };
         let mut outcomes = Vec::new();
         for program in mains {
@@ -149,6 +155,7 @@ impl<'a> Job<'a> {
             checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
             summary: SummaryBuilder::new(&self.control),
             collector: Collector::new(KEPT_PER_CODE),
+            output: Vec::new(),
             segments: Vec::new(),
             observe: &mut observe,
         };
@@ -167,11 +174,12 @@ impl<'a> Job<'a> {
         let mut sink = CheckSink {
             checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
             collector: Collector::new(KEPT_PER_CODE),
+            output: Vec::new(),
         };
         let outcomes = self.run(&mut sink);
-        let CheckSink { mut checks, mut collector } = sink;
+        let CheckSink { mut checks, mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));
-        Report::new(Summary::default(), collector, outcomes)
+        Report::new(Summary::default(), collector, output, outcomes)
     }
 
     fn initial_offset(&self) -> ([f64; 6], AxisMask) {
@@ -180,9 +188,15 @@ impl<'a> Job<'a> {
 }
 
 impl Report {
-    fn new(summary: Summary, collector: Collector, outcomes: Vec<Outcome>) -> Report {
+    fn new(
+        summary: Summary,
+        collector: Collector,
+        output: Vec<String>,
+        outcomes: Vec<Outcome>,
+    ) -> Report {
         Report {
             summary,
+            output,
             dropped: collector.dropped().collect(),
             counts: collector.counts(),
             diagnostics: collector.into_sorted(),
@@ -214,14 +228,23 @@ impl<F: FnMut(&Segment)> Sink for PathSink<'_, F> {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
+/// Notes a line that the program prints.
+fn note_output(command: &Command, output: &mut Vec<String>) {
+    if let CommandKind::Output { text } = &command.kind {
+        output.push(text.clone());
+    }
+}
+
 struct CheckSink<'m> {
     checks: Checks<'m>,
     collector: Collector,
+    output: Vec<String>,
 }
 
 impl Sink for CheckSink<'_> {
     fn command(&mut self, command: &Command) {
         self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+        note_output(command, &mut self.output);
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
@@ -234,6 +257,7 @@ struct ReportSink<'m, F> {
     checks: Checks<'m>,
     summary: SummaryBuilder,
     collector: Collector,
+    output: Vec<String>,
     segments: Vec<Segment>,
     observe: F,
 }
@@ -241,6 +265,7 @@ struct ReportSink<'m, F> {
 impl<F: FnMut(&Command, &[Segment])> Sink for ReportSink<'_, F> {
     fn command(&mut self, command: &Command) {
         self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+        note_output(command, &mut self.output);
         self.segments.clear();
         let segments = &mut self.segments;
         self.builder.command(command, |segment| segments.push(*segment));
@@ -257,6 +282,6 @@ impl<F> ReportSink<'_, F> {
     fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
         let collector = &mut self.collector;
         self.checks.finish(|diagnostic| collector.push(diagnostic));
-        Report::new(self.summary.finish(), self.collector, outcomes)
+        Report::new(self.summary.finish(), self.collector, self.output, outcomes)
     }
 }

@@ -54,7 +54,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
         let path = entry.path();
         if path.is_dir() {
             collect(&path, files);
-        } else if path.extension().is_some_and(|extension| extension == "nc") {
+        } else if path.extension().is_some_and(|ending| ending == "nc" || ending == "ngc") {
             files.push(path);
         }
     }

@@ -1,13 +1,14 @@
 //! Fadal CNC 88, Format 1 and 2.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::{Lexicon, ParenthesisComment, Semicolon};
+use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::{FeedAlong, RapidPath};
 use crate::cycle_rules::{
     BoreRules, Cancel, CycleField, CycleRules, DefinitionFires, FiringWords, IncrementalLevels,
     LevelOrder, MissingLevel, PeckRules, ShiftDirection, TapFeed, TapRules,
 };
+use crate::macros::rules::{Fix, MacroForm, MacroRules};
 use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -40,6 +41,7 @@ pub static FADAL: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",
     call_start_label: None,
+    macros: &MACROS,
     evidence: EVIDENCE,
 };
 
@@ -51,6 +53,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: true,
     blanks_in_numbers: false,
     o_words: false,
+    grammar: &MacroGrammar::FADAL,
 };
 
 const PARAMETERS: Parameters = Parameters {
@@ -202,6 +205,17 @@ const SETTINGS: &[Setting] = &[
     ),
 ];
 
+/// Section 18. Macro lines hold nothing else; of comparisons no value is taken.
+const MACROS: MacroRules = MacroRules {
+    form: MacroForm::Lines,
+    fix: Fix::TowardZero,
+    modulo_positive: false,
+    comparison_is_value: false,
+    mixed_blocks: false,
+    index_tolerance: 0.5,
+    ..MacroRules::NONE
+};
+
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),
     (10, DataTarget::Length),
@@ -243,6 +257,16 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::CycleWithoutLead, "THREAD LEAD NOT SPECIFIED"),
     (Code::CycleLevels, "BAD Z OR R0"),
     (Code::CycleDepthIncremental, "BAD Z OR R0"),
+    (Code::DivisionByZero, "ATTEMPTED DIVISION BY ZERO"),
+    (Code::OutsideDomain, "ATTEMPTED SQR OF A NEGATIVE NUMBER"),
+    (Code::NumberOverflow, "NUMBER OUT OF RANGE"),
+    (Code::NumberOutOfRange, "NUMBER OUT OF RANGE"),
+    (Code::BadVariable, "NUMBER OUT OF RANGE"),
+    (Code::MixedBlock, "ONLY BLOCK SKIP ALLOWED WITH MACRO"),
+    (Code::BadStatement, "UNDEFINED MACRO ERROR"),
+    (Code::BadExpression, "UNDEFINED MACRO ERROR"),
+    (Code::UnbalancedBrackets, "UNDEFINED MACRO ERROR"),
+    (Code::UnsupportedMacro, "UNDEFINED MACRO ERROR"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -293,14 +317,8 @@ const G_CODES: &[CodeRow] = &[
         "return to the reference point",
     ),
     row(290, Group::OneShot, Action::ReturnFromReference, "", "return from the reference point"),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
-    row(
-        311,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
-        "probing move without alarm",
-    ),
+    row(310, Group::OneShot, Action::Probe { must_hit: true }, "", "probing move"),
+    row(311, Group::OneShot, Action::Probe { must_hit: false }, "", "probing move without alarm"),
     row(400, Group::Compensation, Action::CompensationOff, "", "cutter compensation off"),
     row(410, Group::Compensation, Action::CompensationLeft, "D", "cutter left of the contour"),
     row(420, Group::Compensation, Action::CompensationRight, "D", "cutter right of the contour"),

@@ -37,6 +37,7 @@ pub static FANUC: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
     call_start_label: None,
+    macros: &super::macro_b::FANUC,
     evidence: EVIDENCE,
 };
 
@@ -61,6 +62,10 @@ const CYCLES: CycleRules = CycleRules {
     tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
     ..CycleRules::COMMON
 };
+/// A code that calls a program; 0 for none.
+const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
+    setting(name, field, &[], text, Certainty::Trade, "16i")
+}
 
 const SETTINGS: &[Setting] = &[
     setting(
@@ -217,6 +222,35 @@ const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "",
     ),
+    call("No. 6050", Field::AliasG(0), "G code that calls macro O9010"),
+    call("No. 6051", Field::AliasG(1), "G code that calls macro O9011"),
+    call("No. 6052", Field::AliasG(2), "G code that calls macro O9012"),
+    call("No. 6053", Field::AliasG(3), "G code that calls macro O9013"),
+    call("No. 6054", Field::AliasG(4), "G code that calls macro O9014"),
+    call("No. 6055", Field::AliasG(5), "G code that calls macro O9015"),
+    call("No. 6056", Field::AliasG(6), "G code that calls macro O9016"),
+    call("No. 6057", Field::AliasG(7), "G code that calls macro O9017"),
+    call("No. 6058", Field::AliasG(8), "G code that calls macro O9018"),
+    call("No. 6059", Field::AliasG(9), "G code that calls macro O9019"),
+    call("No. 6071", Field::AliasSubprogram(0), "M code that calls subprogram O9001"),
+    call("No. 6072", Field::AliasSubprogram(1), "M code that calls subprogram O9002"),
+    call("No. 6073", Field::AliasSubprogram(2), "M code that calls subprogram O9003"),
+    call("No. 6074", Field::AliasSubprogram(3), "M code that calls subprogram O9004"),
+    call("No. 6075", Field::AliasSubprogram(4), "M code that calls subprogram O9005"),
+    call("No. 6076", Field::AliasSubprogram(5), "M code that calls subprogram O9006"),
+    call("No. 6077", Field::AliasSubprogram(6), "M code that calls subprogram O9007"),
+    call("No. 6078", Field::AliasSubprogram(7), "M code that calls subprogram O9008"),
+    call("No. 6079", Field::AliasSubprogram(8), "M code that calls subprogram O9009"),
+    call("No. 6080", Field::AliasM(0), "M code that calls macro O9020"),
+    call("No. 6081", Field::AliasM(1), "M code that calls macro O9021"),
+    call("No. 6082", Field::AliasM(2), "M code that calls macro O9022"),
+    call("No. 6083", Field::AliasM(3), "M code that calls macro O9023"),
+    call("No. 6084", Field::AliasM(4), "M code that calls macro O9024"),
+    call("No. 6085", Field::AliasM(5), "M code that calls macro O9025"),
+    call("No. 6086", Field::AliasM(6), "M code that calls macro O9026"),
+    call("No. 6087", Field::AliasM(7), "M code that calls macro O9027"),
+    call("No. 6088", Field::AliasM(8), "M code that calls macro O9028"),
+    call("No. 6089", Field::AliasM(9), "M code that calls macro O9029"),
 ];
 
 const SET_DATA: &[(u16, DataTarget)] = &[
@@ -252,6 +286,22 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::UnknownCode, "PS0010 IMPROPER G-CODE"),
     (Code::BadNumber, "PS0007 ILLEGAL USE OF DECIMAL POINT"),
     (Code::CycleWithoutPeck, "PS0045 ADDRESS Q NOT FOUND (G73/G83)"),
+    (Code::BadExpression, "PS0114 ILLEGAL EXPRESSION FORMAT"),
+    (Code::UnbalancedBrackets, "PS0118 TOO MANY BRACKET NESTING"),
+    (Code::BracketsTooDeep, "PS0118 TOO MANY BRACKET NESTING"),
+    (Code::UnsupportedMacro, "PS0114 ILLEGAL EXPRESSION FORMAT"),
+    (Code::BadStatement, "PS0125 MACRO STATEMENT FORMAT ERROR"),
+    (Code::BadVariable, "PS0115 VARIABLE NO. OUT OF RANGE"),
+    (Code::ReadOnlyVariable, "PS0116 WRITE PROTECTED VARIABLE"),
+    (Code::DivisionByZero, "PS0112 ZERO DIVIDE"),
+    (Code::OutsideDomain, "PS0119 ARGUMENT VALUE OUT OF RANGE"),
+    (Code::NumberOverflow, "PS0111 OVERFLOW :FLOATING"),
+    (Code::ConditionAsValue, "PS0114 ILLEGAL EXPRESSION FORMAT"),
+    (Code::BadLoopNumber, "PS0126 ILLEGAL LOOP NUMBER"),
+    (Code::LoopMismatch, "PS0124 MISSING END STATEMENT"),
+    (Code::MacroNesting, "PS0122 TOO MANY MACRO NESTING"),
+    (Code::BadArgument, "PS0129 USE G AS ARGUMENT"),
+    (Code::MixedBlock, "PS0127 DUPLICATE NC,MACRO STATEMENT"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -308,7 +358,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to a further reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "skip move"),
+    row(310, Group::OneShot, Action::Probe { must_hit: false }, "PQ", "skip move"),
     row(330, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "thread cutting"),
     row(370, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "tool length measurement"),
     row(390, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "corner arc"),
@@ -355,13 +405,19 @@ const G_CODES: &[CodeRow] = &[
     row(620, Group::PathMode, Action::PathContinuous, "", "corner override"),
     row(630, Group::PathMode, Action::PathContinuous, "", "tapping mode"),
     row(640, Group::PathMode, Action::PathContinuous, "", "cutting mode"),
-    row(650, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "macro call"),
-    row(660, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "modal macro call"),
+    row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
+    row(
+        660,
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: false },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
+        "modal macro call",
+    ),
     row(
         661,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: true },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
         "macro call in every block",
     ),
     row(670, Group::ModalCall, Action::ModalCallOff, "", "modal macro call off"),

@@ -1,7 +1,7 @@
 //! Haas mill, NGC.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::Lexicon;
+use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::RapidPath;
 use crate::cycle_rules::{
@@ -40,10 +40,11 @@ pub static HAAS: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G154",
     call_start_label: None,
+    macros: &super::macro_b::HAAS,
     evidence: EVIDENCE,
 };
 
-const LEXICON: Lexicon = Lexicon::FANUC_STYLE;
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE };
 
 const PARAMETERS: Parameters = Parameters {
     decimal_point: DecimalPoint::LeastIncrement,
@@ -79,6 +80,17 @@ const CYCLES: CycleRules = CycleRules {
     bore: BoreRules { shift: ShiftWords::QOrVector, ..CycleRules::COMMON.bore },
     ..CycleRules::COMMON
 };
+/// A code that calls a program; 0 for none.
+const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
+    setting(
+        name,
+        field,
+        &[],
+        text,
+        Certainty::Trade,
+        "Aliasing; on an NGC the pages of G and M codes",
+    )
+}
 
 const SETTINGS: &[Setting] = &[
     setting(
@@ -209,6 +221,26 @@ const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "G77",
     ),
+    call("Parameter 81", Field::AliasM(0), "M code that calls O9000"),
+    call("Parameter 82", Field::AliasM(1), "M code that calls O9001"),
+    call("Parameter 83", Field::AliasM(2), "M code that calls O9002"),
+    call("Parameter 84", Field::AliasM(3), "M code that calls O9003"),
+    call("Parameter 85", Field::AliasM(4), "M code that calls O9004"),
+    call("Parameter 86", Field::AliasM(5), "M code that calls O9005"),
+    call("Parameter 87", Field::AliasM(6), "M code that calls O9006"),
+    call("Parameter 88", Field::AliasM(7), "M code that calls O9007"),
+    call("Parameter 89", Field::AliasM(8), "M code that calls O9008"),
+    call("Parameter 90", Field::AliasM(9), "M code that calls O9009"),
+    call("Parameter 91", Field::AliasG(0), "G code that calls macro O9010"),
+    call("Parameter 92", Field::AliasG(1), "G code that calls macro O9011"),
+    call("Parameter 93", Field::AliasG(2), "G code that calls macro O9012"),
+    call("Parameter 94", Field::AliasG(3), "G code that calls macro O9013"),
+    call("Parameter 95", Field::AliasG(4), "G code that calls macro O9014"),
+    call("Parameter 96", Field::AliasG(5), "G code that calls macro O9015"),
+    call("Parameter 97", Field::AliasG(6), "G code that calls macro O9016"),
+    call("Parameter 98", Field::AliasG(7), "G code that calls macro O9017"),
+    call("Parameter 99", Field::AliasG(8), "G code that calls macro O9018"),
+    call("Parameter 100", Field::AliasG(9), "G code that calls macro O9019"),
 ];
 
 const SET_DATA: &[(u16, DataTarget)] = &[
@@ -236,6 +268,14 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::LengthOffsetOfOtherTool, "alarm 332 H and T not matched"),
     (Code::PocketWithoutGeometry, "alarm 314 SUBPROGRAM NOT IN MEMORY"),
     (Code::PocketGeometry, "alarm 370 POCKET DEFINITION ERROR"),
+    (Code::BadVariable, "503"),
+    (Code::UnbalancedBrackets, "504"),
+    (Code::DivisionByZero, "508"),
+    (Code::BadExpression, "510"),
+    (Code::LoopMismatch, "524"),
+    (Code::BadArgument, "529"),
+    (Code::MacroNesting, "531"),
+    (Code::BadOutput, "535"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -289,7 +329,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to the second reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
+    row(310, Group::OneShot, Action::Probe { must_hit: false }, "PQ", "probing move"),
     row(
         350,
         Group::Auxiliary,
@@ -325,7 +365,7 @@ const G_CODES: &[CodeRow] = &[
     ),
     row(610, Group::PathMode, Action::PathExactStop, "", "exact stop"),
     row(640, Group::PathMode, Action::PathContinuous, "", "exact stop off"),
-    row(650, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "macro call"),
+    row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
     row(680, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "rotation"),
     row(690, Group::Rotation, Action::NoEffect, "", "rotation off"),
     row(700, Group::OneShot, Action::Pattern(Pattern::Circle), "IJL", "bolt circle"),

@@ -1,12 +1,15 @@
 //! LinuxCNC (RS274/NGC), version 2.9.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::{Lexicon, ParenthesisComment, Semicolon};
+use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::RapidPath;
 use crate::cycle_rules::{
     Approach, BackBore, BoreRules, CycleRules, DrillingAxis, FiringWords, IncrementalLevels,
     LevelOrder, PeckRules, ShiftWords, TapRules, ZeroRepeats,
+};
+use crate::macros::rules::{
+    MacroForm, MacroRules, System, SystemRow, VariableRange, common, system,
 };
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::settings::{Certainty, Field, Setting, setting};
@@ -40,6 +43,7 @@ pub static LINUXCNC: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G59",
     call_start_label: None,
+    macros: &MACROS,
     evidence: EVIDENCE,
 };
 
@@ -51,6 +55,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
+    grammar: &MacroGrammar::LINUXCNC,
 };
 
 const PARAMETERS: Parameters = Parameters {
@@ -110,6 +115,52 @@ const SETTINGS: &[Setting] = &[setting(
     "INI file, [RS274NGC]",
 )];
 
+/// "Overview", numbered and named parameters, expressions, binary operators, functions.
+const MACROS: MacroRules = MacroRules {
+    form: MacroForm::OWords,
+    comments_act: true,
+    locals: 30,
+    common: VARIABLES,
+    system: SYSTEM,
+    equal_tolerance: 1e-6,
+    ..MacroRules::NONE
+};
+
+/// Those of the program, and the room between those of the control.
+const VARIABLES: &[VariableRange] = &[
+    common(31, 5020),
+    common(5030, 5060),
+    common(5071, 5160),
+    common(5170, 5180),
+    common(5190, 5209),
+    common(5414, 5419),
+    common(5429, 5601),
+];
+
+/// The axes U, V and W, of which Chordal knows nothing, stay as they are written.
+const SYSTEM: &[SystemRow] = &[
+    system(5021, 5026, System::MachinePosition),
+    system(5027, 5029, System::Kept),
+    system(5061, 5066, System::SkipPosition),
+    system(5067, 5069, System::Kept),
+    system(5070, 5070, System::ProbeResult),
+    system(5161, 5166, System::Home),
+    system(5167, 5169, System::Kept),
+    system(5181, 5186, System::SecondHome),
+    system(5187, 5189, System::Kept),
+    system(5210, 5210, System::Kept),
+    system(5211, 5216, System::Preset),
+    system(5217, 5219, System::Kept),
+    system(5220, 5220, System::WorkSystem),
+    system(5221, 5400, System::WorkTable),
+    system(5401, 5406, System::ActiveToolOffset),
+    system(5407, 5409, System::Kept),
+    system(5410, 5410, System::ToolDiameter),
+    system(5411, 5413, System::Kept),
+    system(5420, 5425, System::BlockEnd),
+    system(5426, 5428, System::Kept),
+];
+
 const SET_DATA: &[(u16, DataTarget)] = &[
     (1, DataTarget::ToolTable),
     (2, DataTarget::WorkOffset),
@@ -134,6 +185,12 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::UnclosedComment, "Unclosed comment found"),
     (Code::BadNumber, "Bad number format"),
     (Code::PlaneChangeInCompensation, "Cannot change planes with cutter radius compensation on"),
+    (Code::DivisionByZero, "Attempt to divide by zero"),
+    (Code::NestingTooDeep, "Too many subroutine levels"),
+    (Code::UnsetName, "Named parameter not defined"),
+    (Code::BadVariable, "Parameter number out of range"),
+    (Code::UnbalancedBrackets, "Unclosed expression"),
+    (Code::ProbeWithoutHit, "G38.2 probe move finished without making contact"),
     (Code::ProgramWithoutEnd, "File ended with no percent sign or program end"),
     (Code::CycleWithoutR, "R clearance plane unspecified in cycle"),
     (Code::CycleWithoutDepth, "Z value unspecified in xy plane canned cycle"),
@@ -203,10 +260,10 @@ const G_CODES: &[CodeRow] = &[
     ),
     row(330, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "synchronized motion"),
     row(331, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "rigid tapping"),
-    row(382, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
-    row(383, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
-    row(384, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
-    row(385, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
+    row(382, Group::OneShot, Action::Probe { must_hit: true }, "", "probing move"),
+    row(383, Group::OneShot, Action::Probe { must_hit: false }, "", "probing move"),
+    row(384, Group::OneShot, Action::Probe { must_hit: true }, "", "probing move"),
+    row(385, Group::OneShot, Action::Probe { must_hit: false }, "", "probing move"),
     row(400, Group::Compensation, Action::CompensationOff, "", "cutter compensation off"),
     row(410, Group::Compensation, Action::CompensationLeft, "D", "cutter left of the contour"),
     row(

@@ -1,7 +1,7 @@
 //! Mitsubishi M700 and M800.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::Lexicon;
+use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::FeedAlong;
 use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
@@ -37,10 +37,11 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
     call_start_label: Some(b'H'),
+    macros: &super::macro_b::MITSUBISHI,
     evidence: EVIDENCE,
 };
 
-const LEXICON: Lexicon = Lexicon::FANUC_STYLE;
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
 
 const PARAMETERS: Parameters = Parameters {
     helix_feed: FeedAlong::Path,
@@ -173,6 +174,9 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::NestingTooDeep, "P230 Subprogram nesting over"),
     (Code::MissingFeed, "P62 No F command"),
     (Code::UnknownCode, "P34 Improper G code"),
+    (Code::OutsideDomain, "P282 CALCULATION IMPOSSIBLE"),
+    (Code::DivisionByZero, "P283 DIVIDE BY ZERO"),
+    (Code::BadVariable, "P241 NO VARI NUMBER"),
 ];
 
 const EVIDENCE: &[Evidence] = &[
@@ -238,7 +242,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to a further reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "skip move"),
+    row(310, Group::OneShot, Action::Probe { must_hit: false }, "PQ", "skip move"),
     row(330, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "thread cutting"),
     row(340, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt circle"),
     row(350, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "holes on a line"),
@@ -282,13 +286,19 @@ const G_CODES: &[CodeRow] = &[
     row(620, Group::PathMode, Action::PathContinuous, "", "corner override"),
     row(630, Group::PathMode, Action::PathContinuous, "", "tapping mode"),
     row(640, Group::PathMode, Action::PathContinuous, "", "cutting mode"),
-    row(650, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "macro call"),
-    row(660, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "modal macro call"),
+    row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
+    row(
+        660,
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: false },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
+        "modal macro call",
+    ),
     row(
         661,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
+        Group::ModalCall,
+        Action::ModalMacroCall { every_block: true },
+        "ABCDEFHIJKLMPQRSTUVWXYZ",
         "macro call in every block",
     ),
     row(670, Group::ModalCall, Action::ModalCallOff, "", "modal macro call off"),

@@ -4,6 +4,7 @@ mod fadal;
 mod fanuc;
 mod haas;
 mod linuxcnc;
+mod macro_b;
 mod mitsubishi;
 
 use chordal_machine::ControlName;

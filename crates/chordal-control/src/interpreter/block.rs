@@ -29,12 +29,17 @@ impl<S: Sink> Interpreter<'_, S> {
         if self.plain_motion(block) {
             return Flow::Next;
         }
+        if let Some(flow) = self.macro_call(block) {
+            return flow;
+        }
+        let active = self.macros.active;
         let mut codes = std::mem::take(&mut self.codes);
         self.gather(block, &mut codes);
         let flow = self.carry_out_codes(block, &codes);
         codes.clear();
         self.codes = codes;
-        flow
+        // The block that begins it does not call.
+        if active > 0 && self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
     }
 
     /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
@@ -42,8 +47,11 @@ impl<S: Sink> Interpreter<'_, S> {
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
-        let watched = self.state.cycle.is_some() || self.modal_subroutine.is_some();
-        if !letters.within(PLAIN) || watched || block.repeated() != Letters::NONE {
+        if !letters.within(PLAIN)
+            || self.state.cycle.is_some()
+            || self.macros.active > 0
+            || block.repeated() != Letters::NONE
+        {
             return false;
         }
         let (words, explicit) = match block.word(b'G') {
@@ -215,7 +223,6 @@ impl<S: Sink> Interpreter<'_, S> {
                 let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
                 let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
                 self.motion_or_cycle(block, motion.map(|c| c.0.action), cycle.map(|c| c.0.action));
-                self.modal_subroutine_after(block);
             }
         }
         self.take_after_motion(block, codes)
@@ -472,7 +479,8 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
             Action::CancelCycle => self.cancel_cycle(),
-            Action::ModalCallOff => self.modal_subroutine = None,
+            Action::ModalSubroutine => self.begin_modal_subroutine(block, at),
+            Action::ModalCallOff => self.end_modal_call(),
             Action::NotSimulated => {
                 let word = block.words[at];
                 self.not_simulated(&word, row);
@@ -566,7 +574,6 @@ impl<S: Sink> Interpreter<'_, S> {
                     return Flow::End(EndReason::ProgramEnd);
                 }
                 Action::RunCycleHere => self.run_cycle_here(block, *at),
-                Action::ModalSubroutine => self.set_modal_subroutine(block),
                 Action::CallProgram => self.call_program(block, *at),
                 Action::CallLabel => self.call_label(block, *at),
                 Action::Return => return self.return_from_program(block, *at),
@@ -605,6 +612,7 @@ fn takes_axes(action: Action) -> bool {
             | Action::CircularPocketCcw
             | Action::GeneralPocket
             | Action::Pattern(_)
+            | Action::Probe { .. }
             | Action::NotSimulated
     )
 }

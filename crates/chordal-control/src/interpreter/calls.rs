@@ -241,7 +241,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn report_missing_program(&mut self, word: &Word, number: u32) {
+    pub(super) fn report_missing_program(&mut self, word: &Word, number: u32) {
         if !self.missing.contains(&number) {
             self.missing.push(number);
         }
@@ -279,14 +279,15 @@ impl<S: Sink> Interpreter<'_, S> {
         }
     }
 
-    fn enter(
+    /// Goes into a program; false when it would be too deep, which is told.
+    pub(super) fn enter(
         &mut self,
         word: &Word,
         program: usize,
         start: TextPosition,
         repeats: u32,
         subroutine: bool,
-    ) {
+    ) -> bool {
         let depth = self.frames.len() as u32 + 1;
         let limit = self.control.parameters.nesting;
         if depth > limit {
@@ -299,7 +300,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 .label("not called")
                 .help("a program that calls itself never returns; look at the calls above"),
             );
-            return;
+            return false;
         }
         let mut callee = self.library.reader(program, self.control.table.lexicon);
         callee.seek(start);
@@ -315,7 +316,12 @@ impl<S: Sink> Interpreter<'_, S> {
             start,
             remaining: repeats - 1,
             subroutine,
+            loops: std::mem::take(&mut self.macros.loops),
+            modal_calls: self.macros.active,
+            own_locals: false,
+            by_alias: false,
         });
+        true
     }
 
     /// M17.
@@ -373,7 +379,7 @@ impl<S: Sink> Interpreter<'_, S> {
         *taken += 1;
         // Nothing but positions changes between two passes, so the second one through the
         // same jump will be followed by a third.
-        if *taken > 1 && self.frames.is_empty() {
+        if *taken > 1 && self.frames.is_empty() && !self.macros.used {
             let span = self.span(block.words[at].range);
             self.report(
                 Diagnostic::new(Code::EndlessLoop, span, "this jump is taken again and again")
@@ -400,11 +406,19 @@ impl<S: Sink> Interpreter<'_, S> {
         if frame.remaining > 0 && label.is_none() {
             frame.remaining -= 1;
             let start = frame.start;
+            self.macros.loops.clear();
             self.reader.seek(start);
             return;
         }
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
+        self.macros.loops = frame.loops;
+        self.macros.active = frame.modal_calls;
+        self.macros.in_alias -= u32::from(frame.by_alias);
+        if frame.own_locals {
+            self.macros.store.leave();
+            self.macros.names.leave();
+        }
         self.program = frame.program;
         self.path = frame.path;
         let callee_file = self.file;
@@ -456,11 +470,27 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// Where the block with an N number begins. The numbers of a program are read once.
     pub(super) fn label(&mut self, program: usize, label: i64) -> Option<TextPosition> {
+        self.labels(program, label).first().copied()
+    }
+
+    /// The block with an N number that comes next below a place, else the first.
+    pub(super) fn label_below(
+        &mut self,
+        program: usize,
+        label: i64,
+        below: u32,
+    ) -> Option<TextPosition> {
+        let places = self.labels(program, label);
+        let next = places.partition_point(|place| place.offset <= below);
+        places.get(next).or(places.first()).copied()
+    }
+
+    fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
         let library = self.library;
         let lexicon = self.control.table.lexicon;
         let labels = self.labels.entry(program).or_insert_with(|| {
             let mut reader: BlockReader<'_> = library.reader(program, lexicon);
-            let mut labels = HashMap::new();
+            let mut labels: HashMap<i64, Vec<TextPosition>> = HashMap::new();
             let mut block = Block::new();
             loop {
                 if !reader.read(&mut block) {
@@ -470,11 +500,11 @@ impl<S: Sink> Interpreter<'_, S> {
                 if let Some(number) = number.and_then(|n| n.to_integer()) {
                     let line = block.line;
                     let start = TextPosition { offset: block.range.start, line };
-                    labels.entry(number).or_insert(start);
+                    labels.entry(number).or_default().push(start);
                 }
             }
         });
-        labels.get(&label).copied()
+        labels.get(&label).map_or(&[], Vec::as_slice)
     }
 }
 

@@ -9,6 +9,7 @@ mod arc;
 mod block;
 mod calls;
 mod cycle;
+mod macros;
 mod motion;
 mod offsets;
 mod pocket;
@@ -26,6 +27,7 @@ use chordal_syntax::{Block, BlockKind, BlockReader, Position as TextPosition};
 use crate::command::{AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Sink, WorkName};
 use crate::control::Control;
 use crate::library::Library;
+use crate::macros::rules::MacroForm;
 use crate::offsets::Offsets;
 use crate::state::State;
 use crate::table::CodeRow;
@@ -55,6 +57,8 @@ pub enum EndReason {
     Repeats,
     /// A jump to a block that is not there.
     LostJump,
+    /// The program stopped itself with an alarm (`#3000=1 (TEXT)`).
+    Alarm,
     /// The budget was used up.
     Budget,
 }
@@ -90,6 +94,14 @@ struct Frame<'a> {
     remaining: u32,
     /// The called thing is an L subroutine.
     subroutine: bool,
+    /// Loops of the caller.
+    loops: Vec<macros::Loop>,
+    /// Modal macro calls in force in the caller.
+    modal_calls: usize,
+    /// The called program has local variables of its own.
+    own_locals: bool,
+    /// It was called by a code that a setting makes a call.
+    by_alias: bool,
 }
 
 struct Interpreter<'a, S> {
@@ -108,7 +120,7 @@ struct Interpreter<'a, S> {
     /// L subroutines of the main program: number → first block.
     subroutines: HashMap<u32, TextPosition>,
     /// N numbers of each program that was jumped in.
-    labels: HashMap<usize, HashMap<i64, TextPosition>>,
+    labels: HashMap<usize, HashMap<i64, Vec<TextPosition>>>,
     jumps: HashMap<u32, u32>,
     missing: Vec<u32>,
     blocks: u64,
@@ -119,10 +131,16 @@ struct Interpreter<'a, S> {
     codes: Vec<(&'static CodeRow, usize)>,
     told: Told,
     preset_kept: [f64; 6],
-    /// L of G66 and the depth of calls at which it runs (Fadal).
-    modal_subroutine: Option<(chordal_syntax::Word, u32, usize)>,
     lost_jump: bool,
     carried_out: bool,
+    macros: macros::MacroState<'a>,
+    /// Blocks of the main program before this place are repeats after a jump back; 0 when
+    /// there are none.
+    repeat_until: u32,
+    /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
+    message: Option<TextRange>,
+    /// Set where a statement ends the run.
+    stopped: Option<EndReason>,
 }
 
 /// Things that are told once, not for every block.
@@ -205,9 +223,12 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             codes: Vec::new(),
             told: Told::default(),
             preset_kept: [0.0; 6],
-            modal_subroutine: None,
             lost_jump: false,
             carried_out: false,
+            macros: macros::MacroState::new(control.table, machine),
+            repeat_until: 0,
+            message: None,
+            stopped: None,
         }
     }
 
@@ -221,7 +242,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 }
                 self.text_ended_in_call();
             }
-            if !self.frames.is_empty() && !self.count_repeated() {
+            if (!self.frames.is_empty() || self.is_repeat(&block)) && !self.count_repeated() {
                 return EndReason::Budget;
             }
             match self.execute(&mut block) {
@@ -232,6 +253,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     fn finish(&mut self, end: EndReason) {
+        self.print_held();
         if end == EndReason::EndOfText {
             self.report_missing_end();
         }
@@ -254,11 +276,27 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 self.report(problem);
             }
         }
+        if !block.comments.is_empty()
+            && self.rules().comments_act
+            && let Some(flow) = self.acting_comment(&block.comments)
+        {
+            return flow;
+        }
         match block.kind {
             BlockKind::Words => {}
             BlockKind::Percent => return self.percent(),
             BlockKind::Folder => return Flow::Next,
             BlockKind::Macro(range) => {
+                let form = self.rules().form;
+                if form != MacroForm::None && self.is_deleted(block) {
+                    return Flow::Next;
+                }
+                match form {
+                    MacroForm::Blocks => return self.macro_block(block),
+                    MacroForm::OWords => return self.parameter_line(block, range),
+                    MacroForm::Lines => return self.macro_line(block, range),
+                    MacroForm::None => {}
+                }
                 self.report_macro(range);
                 if block.words.is_empty() {
                     return Flow::Next;
@@ -277,11 +315,33 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.sequence = Some(number);
         }
         self.carried_out = true;
+        if block.expressions {
+            self.resolve_words(block);
+        }
         if self.is_next_subroutine_head(block) {
             self.leave(None);
             return Flow::Next;
         }
         self.carry_out(block)
+    }
+
+    /// True when block delete takes the macro statement, which is the last of its block.
+    fn is_deleted(&self, block: &Block) -> bool {
+        block
+            .delete
+            .is_some_and(|delete| self.machine.switches.block_delete[delete.switch.min(9) as usize])
+    }
+
+    /// True for a block of the main program that a jump back leads through again.
+    #[inline]
+    fn is_repeat(&mut self, block: &Block) -> bool {
+        if self.repeat_until == 0 {
+            return false;
+        }
+        if block.range.start >= self.repeat_until {
+            self.repeat_until = 0;
+        }
+        self.repeat_until != 0
     }
 
     /// A percent sign ends the tape, once something stood before it.

@@ -340,7 +340,17 @@ impl<S: Sink> Interpreter<'_, S> {
             let message = "G10 for a tool needs P, its number, and R, the value".to_string();
             return self.missing_word(span, message, "write P and R");
         };
-        let add = self.state.incremental;
+        self.store_tool_value(target, number, value, self.state.incremental);
+    }
+
+    /// Writes a tool offset, mm.
+    pub(super) fn store_tool_value(
+        &mut self,
+        target: DataTarget,
+        number: u32,
+        value: f64,
+        add: bool,
+    ) {
         let diameter = match self.control.parameters.radius_offsets {
             OffsetKind::Diameter => 1.0,
             OffsetKind::Radius => 2.0,

@@ -25,6 +25,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 self.return_from_reference(block);
             }
             Action::Pattern(pattern) => self.pattern(block, at, pattern),
+            Action::Probe { must_hit } => self.probe_move(block, at, must_hit),
             Action::MachineCoordinates => self.machine_coordinates(block),
             Action::LocalShift => self.local_shift(block),
             Action::PresetPosition => self.preset_position(block),

@@ -6,6 +6,7 @@
 mod compensation;
 mod cycles;
 mod machine;
+mod macros;
 mod motion;
 mod pockets;
 mod program;
@@ -138,6 +139,37 @@ codes! {
     CycleWithoutShift => cycles::WITHOUT_SHIFT,
     PatternWords => cycles::PATTERN_WORDS,
     CycleDepthIncremental => cycles::DEPTH_INCREMENTAL,
+    BadExpression => macros::BAD_EXPRESSION,
+    UnbalancedBrackets => macros::UNBALANCED_BRACKETS,
+    BracketsTooDeep => macros::BRACKETS_TOO_DEEP,
+    UnsupportedMacro => macros::UNSUPPORTED_MACRO,
+    BadStatement => macros::BAD_STATEMENT,
+    BadVariable => macros::BAD_VARIABLE,
+    ReadOnlyVariable => macros::READ_ONLY_VARIABLE,
+    DivisionByZero => macros::DIVISION_BY_ZERO,
+    OutsideDomain => macros::OUTSIDE_DOMAIN,
+    NumberOverflow => macros::NUMBER_OVERFLOW,
+    ConditionAsValue => macros::CONDITION_AS_VALUE,
+    BadLoopNumber => macros::BAD_LOOP_NUMBER,
+    LoopMismatch => macros::LOOP_MISMATCH,
+    MacroNesting => macros::MACRO_NESTING,
+    BadArgument => macros::BAD_ARGUMENT,
+    MixedBlock => macros::MIXED_BLOCK,
+    ProgramAlarm => macros::PROGRAM_ALARM,
+    OutputLimit => macros::OUTPUT_LIMIT,
+    BadOutput => macros::BAD_OUTPUT,
+    SystemVariable => macros::SYSTEM_VARIABLE,
+    WordRounded => macros::WORD_ROUNDED,
+    UnsetName => macros::UNSET_NAME,
+    ProgramStop => macros::PROGRAM_STOP,
+    SkipAssumed => macros::SKIP_ASSUMED,
+    DateNotSet => macros::DATE_NOT_SET,
+    OutputClosed => macros::OUTPUT_CLOSED,
+    NumberOutOfRange => macros::NUMBER_OUT_OF_RANGE,
+    MacroLineTooLong => macros::MACRO_LINE_TOO_LONG,
+    InputNotAnswered => macros::INPUT_NOT_ANSWERED,
+    ProbeWithoutHit => macros::PROBE_WITHOUT_HIT,
+    BadProbeMove => macros::BAD_PROBE_MOVE,
     InternalError => machine::INTERNAL_ERROR,
 }
 

@@ -101,6 +101,7 @@ fn what_was_dropped_is_counted() {
         collector.push(diagnostic);
     }
     let report = Report {
+        output: Vec::new(),
         summary: Default::default(),
         dropped: collector.dropped().collect(),
         counts: collector.counts(),

@@ -11,6 +11,7 @@ pub fn check(name: &str, text: &str) -> Result<(), String> {
     let ran = run(&program, &program.machine).map_err(|error| format!("{name}: {error}"))?;
     let mut wrong = Vec::new();
     check_lines(&program, &ran, &mut wrong);
+    check_printed(&program, &ran, &mut wrong);
     check_diagnostics(&program, &ran, &mut wrong);
     check_whole(&program, &ran, &mut wrong);
     for other in &program.same_on {
@@ -52,6 +53,17 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
         }
         for &index in made.iter().skip(motions.len()) {
             wrong.push((line, format!("not expected: {}", ran.made[index].describe(ran.unit))));
+        }
+    }
+}
+
+fn check_printed(program: &Program, ran: &Ran, wrong: &mut Wrong) {
+    for (&line, expected) in &program.lines {
+        let Some(prints) = &expected.prints else { continue };
+        let printed: Vec<&str> =
+            ran.printed.iter().filter(|(at, _)| *at == line).map(|(_, text)| &**text).collect();
+        if printed != *prints {
+            wrong.push((line, format!("printed {printed:?}, not {prints:?}")));
         }
     }
 }

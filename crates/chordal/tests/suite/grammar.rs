@@ -2,6 +2,7 @@
 //!
 //! `(= rapid to X1.5 Y-2 | arc ccw radius 2 sweep 90 x3 | ! CH401 "0.1683 in")` beside a line
 //! lists the motions of that line in order and the diagnostics that point at it. A line with
+//! `> "X1.5000"` is a line that the program prints. A line with
 //! nothing but such a comment goes on with the expectations of the line above.
 //!
 //! Ends, starts and feeds are what the program says, so they are compared exactly (1e-6);
@@ -51,6 +52,8 @@ pub struct Line {
     /// `None`: the line's motions are free.
     pub motions: Option<Vec<Motion>>,
     pub problems: Vec<Problem>,
+    /// What the line prints, in order; `None`: free.
+    pub prints: Option<Vec<String>>,
 }
 
 /// A suite program: its text, its machine and its expectations.
@@ -142,6 +145,10 @@ fn read_items(text: &str, line: &mut Line) -> Result<(), String> {
             }
             let texts = parts.step_by(2).filter(|t| !t.is_empty()).map(String::from).collect();
             line.problems.push(Problem { code, texts });
+        } else if let Some(printed) = item.strip_prefix('>') {
+            let text = printed.trim().strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+            let text = text.ok_or_else(|| format!("`{printed}` is no text in quotes"))?;
+            line.prints.get_or_insert_default().push(text.to_string());
         } else if item == "none" {
             line.motions.get_or_insert_default();
         } else {

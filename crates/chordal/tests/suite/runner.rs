@@ -40,6 +40,8 @@ pub struct Told {
 pub struct Ran {
     pub made: Vec<Made>,
     pub told: Vec<Told>,
+    /// Lines that were printed, each with the line of the program that printed it.
+    pub printed: Vec<(u32, String)>,
     pub report: Report,
     /// mm in one unit of the expectations' lengths.
     pub unit: f64,
@@ -55,8 +57,13 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let mut made = Vec::new();
-    let report = job.report_with(|command, _| made.extend(made_by(command)));
+    let (mut made, mut printed) = (Vec::new(), Vec::new());
+    let report = job.report_with(|command, _| {
+        made.extend(made_by(command));
+        if let CommandKind::Output { text } = &command.kind {
+            printed.push((command.origin.line, text.clone()));
+        }
+    });
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
         None => job.control().parameters.units == Units::Inch,
@@ -73,7 +80,7 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
             text: words_of(d),
         })
         .collect();
-    Ok(Ran { made, told, report, unit: if inch { 25.4 } else { 1.0 } })
+    Ok(Ran { made, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
 }
 
 fn words_of(diagnostic: &Diagnostic) -> String {

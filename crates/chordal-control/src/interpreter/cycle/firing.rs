@@ -145,7 +145,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if self.state.cycle.is_some() {
             let place = self.state.position;
             self.fire_hole_at(block, place);
-        } else if !self.run_modal_subroutine(block) {
+        } else if !self.run_modal_call_here() {
             let span = self.span(block.words[at].range);
             self.report_no_cycle(span, "there is no cycle in force to run here");
         }

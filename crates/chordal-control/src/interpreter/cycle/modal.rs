@@ -96,41 +96,13 @@ impl<S: Sink> Interpreter<'_, S> {
         self.holes_about_here(block, count, |index| (radius_mm, first + f64::from(index) * step));
     }
 
-    /// G66 Lnnn: from the next block on the subroutine runs after each position.
-    pub(in super::super) fn set_modal_subroutine(&mut self, block: &Block) {
-        let Some(word) = block.last(b'L').copied() else {
-            let span = self.span(block.range);
-            let message = "G66 without a subroutine".to_string();
-            return self.missing_word(span, message, "write L and the number, as in L101");
-        };
-        if let Some(value) = self.count(&word) {
-            self.modal_subroutine = Some((word, value, self.frames.len()));
-        }
-    }
-
-    /// After a block: runs the routine of G66 where the block named a position.
-    pub(in super::super) fn modal_subroutine_after(&mut self, block: &Block) {
-        if self.modal_subroutine.is_some() && block.letters().meets(AXES) {
-            self.run_modal_subroutine(block);
-        }
-    }
-
-    /// Runs the routine of G66; false where there is none. Its own moves do not run it again.
-    pub(in super::super) fn run_modal_subroutine(&mut self, _block: &Block) -> bool {
-        let Some((word, value, depth)) = self.modal_subroutine else { return false };
-        if self.frames.len() == depth {
-            self.call_subroutine(&word, value);
-        }
-        true
-    }
-
     /// A repeated line under G66 would run the routine between its passes.
     pub(in super::super) fn warn_of_repeated_modal_subroutine(
         &mut self,
         block: &Block,
         times: u32,
     ) {
-        if times < 2 || self.modal_subroutine.is_none() || !block.letters().meets(AXES) {
+        if times < 2 || self.macros.active == 0 || !block.letters().meets(AXES) {
             return;
         }
         let span = self.words_span(block, Letters::of("L"));

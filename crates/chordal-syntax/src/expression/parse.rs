@@ -1,0 +1,483 @@
+use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
+
+use super::{Brackets, Expression, Function, MacroGrammar, Op, Step};
+use crate::decimal;
+
+/// Brackets deeper than this are not read on any control, so that reading cannot overflow.
+const HARD_DEPTH: u32 = 64;
+
+/// How many problems of one line are told.
+const PROBLEMS_PER_LINE: usize = 4;
+
+/// Reads expressions of one line into steps. Its memory is used again for the next line.
+#[derive(Clone, Debug)]
+pub struct ExpressionParser<'a> {
+    pub(crate) text: &'a [u8],
+    pub(crate) file: FileId,
+    pub(crate) grammar: &'static MacroGrammar,
+    pub(crate) at: usize,
+    pub(crate) end: usize,
+    steps: Vec<Step>,
+    depth: u32,
+    deepest: u32,
+    /// What could not be read.
+    pub problems: Vec<Diagnostic>,
+}
+
+impl<'a> ExpressionParser<'a> {
+    /// A parser of a text.
+    pub fn new(text: &'a [u8], file: FileId, grammar: &'static MacroGrammar) -> Self {
+        ExpressionParser {
+            text,
+            file,
+            grammar,
+            at: 0,
+            end: 0,
+            steps: Vec::new(),
+            depth: 0,
+            deepest: 0,
+            problems: Vec::new(),
+        }
+    }
+
+    /// Forgets the steps and begins to read at `range`.
+    pub fn start(&mut self, text: &'a [u8], file: FileId, range: TextRange) {
+        self.text = text;
+        self.file = file;
+        self.steps.clear();
+        self.problems.clear();
+        self.go_to(range);
+    }
+
+    /// Goes on at `range` and keeps the steps.
+    pub fn go_to(&mut self, range: TextRange) {
+        self.end = (range.end as usize).min(self.text.len());
+        self.at = (range.start as usize).min(self.end);
+        self.depth = 0;
+        self.deepest = 0;
+    }
+
+    /// The file of the text.
+    pub fn file(&self) -> FileId {
+        self.file
+    }
+
+    /// Where reading stands.
+    pub fn position(&self) -> u32 {
+        self.at as u32
+    }
+
+    /// The steps of an expression.
+    pub fn steps(&self, expression: Expression) -> &[Step] {
+        &self.steps[expression.first as usize..expression.end as usize]
+    }
+
+    /// What is left of the line.
+    pub fn rest(&self) -> TextRange {
+        TextRange::new(self.at as u32, self.end as u32)
+    }
+
+    pub(crate) fn peek(&self) -> u8 {
+        if self.at < self.end { self.text[self.at] } else { b'\n' }
+    }
+
+    /// The next byte that is not a blank.
+    pub fn next_mark(&mut self) -> u8 {
+        while matches!(self.peek(), b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f)
+            && self.at < self.end
+        {
+            self.at += 1;
+        }
+        self.peek()
+    }
+
+    /// True when the next mark is `byte`, which is then passed.
+    pub fn take(&mut self, byte: u8) -> bool {
+        let found = self.next_mark() == byte && self.at < self.end;
+        self.at += usize::from(found);
+        found
+    }
+
+    /// True when the text goes on with `word`, without regard to case; it is then passed.
+    pub fn take_text(&mut self, word: &str) -> bool {
+        self.next_mark();
+        let found = self.begins_with(word);
+        if found {
+            self.at += word.len();
+        }
+        found
+    }
+
+    pub(crate) fn begins_with(&self, word: &str) -> bool {
+        let rest = &self.text[self.at..self.end];
+        rest.get(..word.len()).is_some_and(|head| head.eq_ignore_ascii_case(word.as_bytes()))
+    }
+
+    /// Reads a whole expression, operators and all.
+    pub fn expression(&mut self) -> Expression {
+        self.begin(|parser| parser.binary(0))
+    }
+
+    /// Reads one value: a number, a variable, a bracket, a function, with its signs.
+    pub fn value(&mut self) -> Expression {
+        self.begin(Self::unary)
+    }
+
+    fn begin(&mut self, read: impl FnOnce(&mut Self)) -> Expression {
+        self.next_mark();
+        let (first, start) = (self.steps.len() as u32, self.at as u32);
+        self.deepest = 0;
+        read(self);
+        let range = TextRange::new(start, (self.at as u32).max(start));
+        if let Some(limit) = self.grammar.bracket_limit
+            && self.deepest > u32::from(limit)
+        {
+            let deepest = self.deepest;
+            self.problem(Code::BracketsTooDeep, range, |d| {
+                d.label("nested too deep")
+                    .help(format!("this control reads {limit} levels; compute a part before"))
+                    .note(format!("the brackets are {deepest} deep, those of functions counted"))
+            });
+        }
+        Expression { first, end: self.steps.len() as u32, range }
+    }
+
+    /// Reads `#…` up to the number of the variable, without reading its value: the target of
+    /// an assignment. The last step says what kind of variable it is: it is left out for a
+    /// numbered one.
+    pub fn variable(&mut self) -> (Expression, Option<Op>) {
+        let mut whole = self.begin(Self::primary);
+        let last = self.steps.last().map(|step| step.op).filter(|_| !whole.is_empty());
+        match last {
+            Some(op @ (Op::Read | Op::ReadNamed(_) | Op::Letters(_))) => {
+                self.steps.pop();
+                whole.end -= 1;
+                (whole, Some(op))
+            }
+            _ => (whole, None),
+        }
+    }
+
+    fn push(&mut self, op: Op, start: usize) {
+        let range = TextRange::new(start as u32, self.at as u32);
+        self.steps.push(Step { op, range });
+    }
+
+    /// Operands joined by operators of at least a level. The loop takes operators of equal
+    /// level from the left, so a long sum needs no depth.
+    fn binary(&mut self, level: u8) {
+        self.next_mark();
+        let start = self.at;
+        self.unary();
+        if self.grammar.operators_in_brackets_only && self.depth == 0 {
+            return;
+        }
+        while let Some(row) = self.operator().filter(|row| row.level > level) {
+            self.at += row.text.len();
+            self.binary(row.level);
+            self.push(Op::Binary(row.operator), start);
+        }
+    }
+
+    fn operator(&mut self) -> Option<&'static super::OperatorRow> {
+        let mark = self.next_mark().to_ascii_uppercase();
+        let rows = self.grammar.operators;
+        rows.iter().find(|row| row.text.as_bytes()[0] == mark && self.begins_with(row.text))
+    }
+
+    fn unary(&mut self) {
+        self.next_mark();
+        let start = self.at;
+        let mut negative = false;
+        while matches!(self.next_mark(), b'-' | b'+') {
+            negative ^= self.peek() == b'-';
+            self.at += 1;
+        }
+        self.primary();
+        if negative {
+            self.push(Op::Negate, start);
+        }
+    }
+
+    fn primary(&mut self) {
+        let (open, _) = self.grammar.bracket_bytes();
+        let mark = self.next_mark();
+        let start = self.at;
+        match mark {
+            b'#' => self.hash(start),
+            b'0'..=b'9' | b'.' => self.number(start),
+            _ if mark == open => self.bracket(),
+            _ if mark.is_ascii_alphabetic() => self.name(start),
+            _ => self.missing(start),
+        }
+    }
+
+    fn number(&mut self, start: usize) {
+        match decimal::scan(&self.text[self.at..self.end]) {
+            Some((number, length)) => {
+                self.at += length;
+                self.push(Op::Number(number.to_f64()), start);
+            }
+            None => {
+                let digits = |b: &u8| b.is_ascii_digit() || *b == b'.';
+                let rest = &self.text[self.at..self.end];
+                self.at += rest.iter().take_while(|b| digits(b)).count().max(1);
+                self.push(Op::Unreadable, start);
+                let range = TextRange::new(start as u32, self.at as u32);
+                self.problem(Code::BadExpression, range, |d| d.label("this is not a number"));
+            }
+        }
+    }
+
+    /// `[…]`.
+    fn bracket(&mut self) {
+        let (_, close) = self.grammar.bracket_bytes();
+        let start = self.at;
+        self.at += 1;
+        self.depth += 1;
+        self.deepest = self.deepest.max(self.depth);
+        if self.depth > HARD_DEPTH {
+            self.at = self.end;
+            self.push(Op::Unreadable, start);
+            let range = TextRange::new(start as u32, start as u32 + 1);
+            self.problem(Code::BracketsTooDeep, range, |d| {
+                d.label("the rest of the line is not read").help("no control nests this deep")
+            });
+        } else {
+            self.binary(0);
+            self.close(start, close);
+        }
+        self.depth -= 1;
+    }
+
+    fn close(&mut self, start: usize, close: u8) {
+        if self.take(close) {
+            return;
+        }
+        let range = TextRange::new(start as u32, start as u32 + 1);
+        let at = TextRange::new(self.at as u32, self.at as u32);
+        let file = self.file;
+        let mark = close as char;
+        self.problem(Code::UnbalancedBrackets, range, |d| {
+            d.label("this bracket is not closed")
+                .also(at.in_file(file), "reading stopped here")
+                .help(format!("close it with `{mark}`"))
+        });
+        // What could not be read inside would be told again behind it.
+        if let Some(found) = self.text[self.at..self.end].iter().position(|b| *b == close) {
+            self.at += found + 1;
+        }
+    }
+
+    /// `#1`, `#[…]`, `##1`, `#<name>`.
+    fn hash(&mut self, start: usize) {
+        let mut marks = 0usize;
+        while self.take(b'#') {
+            marks += 1;
+        }
+        if marks > 1 && !self.grammar.chained {
+            let range = TextRange::new(start as u32, self.at as u32);
+            self.problem(Code::UnsupportedMacro, range, |d| {
+                d.label("`##` is not known here").help("write `#[#1]`")
+            });
+        }
+        let (open, _) = self.grammar.bracket_bytes();
+        match self.next_mark() {
+            b'0'..=b'9' => {
+                let digits_at = self.at;
+                let rest = &self.text[self.at..self.end];
+                let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+                self.at += digits;
+                let index = rest[..digits]
+                    .iter()
+                    .fold(0.0, |sum: f64, digit| sum * 10.0 + f64::from(digit - b'0'));
+                self.push(Op::Number(index), digits_at);
+            }
+            mark if mark == open => self.bracket(),
+            b'<' if self.grammar.names => return self.named(start, marks),
+            _ => {
+                self.push(Op::Unreadable, start);
+                let range = TextRange::new(start as u32, self.at as u32);
+                self.problem(Code::BadExpression, range, |d| {
+                    d.label("which variable?").help("write its number behind the `#`")
+                });
+                return;
+            }
+        }
+        for _ in 0..marks {
+            self.push(Op::Read, start);
+        }
+    }
+
+    fn named(&mut self, start: usize, marks: usize) {
+        self.at += 1;
+        let name = self.at;
+        let rest = &self.text[self.at..self.end];
+        match rest.iter().position(|b| *b == b'>') {
+            Some(length) => {
+                self.at += length + 1;
+                let name = TextRange::new(name as u32, (name + length) as u32);
+                self.push(Op::ReadNamed(name), start);
+                for _ in 1..marks {
+                    self.push(Op::Read, start);
+                }
+            }
+            None => {
+                self.at = self.end;
+                self.push(Op::Unreadable, start);
+                let range = TextRange::new(start as u32, name as u32);
+                self.problem(Code::BadExpression, range, |d| {
+                    d.label("this name is not closed").help("close it with `>`")
+                });
+            }
+        }
+    }
+
+    /// A function, or a variable that is written with letters.
+    fn name(&mut self, start: usize) {
+        let letters = self.text[self.at..self.end].iter().take_while(|b| b.is_ascii_alphabetic());
+        let length = letters.count();
+        if let Some(function) = self.function(length) {
+            self.at += length;
+            return self.call(function, start);
+        }
+        let variables = self.grammar.letter_variables;
+        let found =
+            variables.iter().position(|name| name.len() == length && self.begins_with(name));
+        if let Some(index) = found {
+            self.at += length;
+            return self.letter_variable(index, start);
+        }
+        self.at += length;
+        self.push(Op::Unreadable, start);
+        let range = TextRange::new(start as u32, self.at as u32);
+        let known: Vec<&str> = self.grammar.functions.iter().map(|(name, _)| *name).collect();
+        self.problem(Code::UnsupportedMacro, range, |d| {
+            d.label("no function of this control").help(format!("it has {}", known.join(", ")))
+        });
+        // The arguments of what is not known would only be told as further problems.
+        if self.next_mark() == self.grammar.bracket_bytes().0 {
+            let problems = self.problems.len();
+            let steps = self.steps.len();
+            self.bracket();
+            self.problems.truncate(problems);
+            self.steps.truncate(steps);
+        }
+    }
+
+    fn function(&self, length: usize) -> Option<Function> {
+        let word = &self.text[self.at..self.at + length];
+        let exact =
+            self.grammar.functions.iter().find(|(name, _)| {
+                name.len() == length && word.eq_ignore_ascii_case(name.as_bytes())
+            });
+        let short = || {
+            let two = length == 2 && self.grammar.abbreviations;
+            const CUT: [&str; 3] = ["ROUND", "FIX", "FUP"];
+            let cut = |name: &str| CUT.contains(&name) && self.begins_with(&name[..2]);
+            self.grammar.functions.iter().find(|(name, _)| two && cut(name))
+        };
+        exact.or_else(short).map(|(_, function)| *function)
+    }
+
+    fn call(&mut self, function: Function, start: usize) {
+        let (open, close) = self.grammar.bracket_bytes();
+        let mut two = false;
+        if function == Function::Not {
+            // NOT binds looser than a comparison: `NOT V1=2`.
+            self.within_limit(start, |parser| parser.binary(1));
+            return self.push(Op::Call { function, two }, start);
+        }
+        if self.next_mark() != open {
+            // `SIN#1`: some writers leave the brackets out, and most controls read it.
+            self.within_limit(start, Self::unary);
+            return self.push(Op::Call { function, two }, start);
+        }
+        let bracket = self.at;
+        self.at += 1;
+        self.depth += 1;
+        self.deepest = self.deepest.max(self.depth);
+        if self.depth > HARD_DEPTH {
+            self.depth -= 1;
+            self.at = bracket;
+            self.bracket();
+        } else {
+            self.binary(0);
+            if self.take(b',') {
+                two = true;
+                self.binary(0);
+            }
+            self.close(bracket, close);
+            self.depth -= 1;
+        }
+        let takes_two = matches!(function, Function::Atan | Function::Parameter);
+        let before = self.at;
+        if takes_two && !two && self.take(b'/') {
+            if self.next_mark() == open {
+                two = true;
+                self.bracket();
+            } else {
+                self.at = before;
+            }
+        }
+        self.push(Op::Call { function, two }, start);
+    }
+
+    fn within_limit(&mut self, start: usize, read: impl FnOnce(&mut Self)) {
+        self.depth += 1;
+        if self.depth > HARD_DEPTH {
+            self.at = self.end;
+            self.push(Op::Unreadable, start);
+        } else {
+            read(self);
+        }
+        self.depth -= 1;
+    }
+
+    /// `V1`, `V(V2+1)`, `G(1)`.
+    fn letter_variable(&mut self, index: usize, start: usize) {
+        let (open, _) = self.grammar.bracket_bytes();
+        match self.next_mark() {
+            b'0'..=b'9' => self.number(self.at),
+            mark if mark == open => self.bracket(),
+            // `VF`, `AX`: there is only one.
+            _ => self.push(Op::Number(0.0), start),
+        }
+        self.push(Op::Letters(index as u8), start);
+    }
+
+    fn missing(&mut self, start: usize) {
+        self.push(Op::Unreadable, start);
+        let mark = self.peek();
+        let shown = self.at < self.end && self.grammar.brackets == Brackets::Square;
+        let end = start as u32 + u32::from(self.at < self.end);
+        self.problem(Code::BadExpression, TextRange::new(start as u32, end), |d| {
+            let d = d.label("a value is due here");
+            if shown && mark == b'(' {
+                d.help("brackets of expressions are `[` and `]`; `(` begins a comment")
+            } else {
+                d.help("a value is a number, a variable, a function or a bracket")
+            }
+        });
+    }
+
+    pub(crate) fn problem(
+        &mut self,
+        code: Code,
+        range: TextRange,
+        add: impl FnOnce(Diagnostic) -> Diagnostic,
+    ) {
+        if self.problems.len() >= PROBLEMS_PER_LINE {
+            return;
+        }
+        let message = match code {
+            Code::UnbalancedBrackets => "the brackets of this expression do not match",
+            Code::BracketsTooDeep => "the brackets of this expression are nested too deep",
+            Code::UnsupportedMacro => "this form is not known on this control",
+            Code::BadStatement => "this macro statement cannot be read",
+            _ => "this expression cannot be read",
+        };
+        let diagnostic = Diagnostic::new(code, range.in_file(self.file), message);
+        self.problems.push(add(diagnostic));
+    }
+}

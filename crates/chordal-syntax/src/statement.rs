@@ -1,0 +1,266 @@
+//! Macro statements of the macro B family: assignments, IF, WHILE, GOTO, output.
+
+use chordal_diagnostics::{Code, TextRange};
+
+use crate::expression::{Expression, ExpressionParser, Op};
+
+/// What is written to.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Target {
+    /// The number of the variable; empty for a named one.
+    pub index: Expression,
+    /// What kind of variable: [`Op::Read`], [`Op::ReadNamed`] or [`Op::Letters`].
+    pub kind: Op,
+    /// Its text.
+    pub range: TextRange,
+}
+
+/// What follows a condition.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Branch {
+    /// GOTO.
+    Goto(Expression),
+    /// THEN: what follows on the line.
+    Then,
+    /// Nothing: the condition holds for the rest of the line (`[#1EQ2] M99`).
+    Rest,
+}
+
+/// Codes of output.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Output {
+    /// POPEN.
+    Open,
+    /// PCLOS.
+    Close,
+    /// DPRNT and the text in its brackets.
+    Text(TextRange),
+    /// BPRNT and the text in its brackets.
+    Binary(TextRange),
+}
+
+/// One macro statement.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Statement {
+    /// Nothing.
+    Empty,
+    /// `#1=…`.
+    Assign {
+        /// What is written to.
+        target: Target,
+        /// The value.
+        value: Expression,
+        /// The text in brackets that hugs it (`#3000=1(TEXT)`), without the brackets.
+        text: Option<TextRange>,
+    },
+    /// `IF[…]…`, or `[…]…`.
+    If {
+        /// The condition.
+        condition: Expression,
+        /// What it decides.
+        branch: Branch,
+    },
+    /// GOTO.
+    Goto(Expression),
+    /// `WHILE[…]DOn`; `DOn` alone has no condition.
+    While {
+        /// The condition.
+        condition: Option<Expression>,
+        /// n.
+        number: u32,
+    },
+    /// `ENDn`.
+    End(u32),
+    /// POPEN, PCLOS, DPRNT, BPRNT.
+    Output(Output),
+    /// Something that is not a statement of this control; told as a problem.
+    Unknown(TextRange),
+}
+
+/// Reads the next statement of a macro B line; what is behind it stays to be read
+/// ([`ExpressionParser::rest`]). Problems are left in the parser.
+pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
+    let mark = parser.next_mark();
+    let start = parser.position();
+    match mark {
+        b'#' => return assignment(parser),
+        b'[' => {
+            let condition = parser.value();
+            return Statement::If { condition, branch: Branch::Rest };
+        }
+        _ if !mark.is_ascii_alphabetic() => return Statement::Empty,
+        _ => {}
+    }
+    let short = parser.grammar.abbreviations;
+    if parser.take_text("IF") {
+        return condition(parser);
+    }
+    if parser.take_text("WHILE") || short && parser.take_text("WH") {
+        return while_loop(parser);
+    }
+    if parser.take_text("GOTO") || short && parser.take_text("GO") {
+        return Statement::Goto(parser.expression());
+    }
+    if parser.take_text("ENDIF") || parser.take_text("ELSE") || parser.take_text("THEN") {
+        return unknown(parser, start, "there is no IF block of several lines here");
+    }
+    if parser.take_text("END") {
+        return match loop_number(parser) {
+            Some(number) => Statement::End(number),
+            None => bad_loop_number(parser, start),
+        };
+    }
+    if parser.take_text("DO") {
+        return do_number(parser, None, start);
+    }
+    if parser.take_text("POPEN") {
+        return Statement::Output(Output::Open);
+    }
+    if parser.take_text("PCLOS") {
+        return Statement::Output(Output::Close);
+    }
+    if parser.take_text("DPRNT") {
+        return output(parser, start, Output::Text);
+    }
+    if parser.take_text("BPRNT") {
+        return output(parser, start, Output::Binary);
+    }
+    unknown(parser, start, "no macro statement of this control begins so")
+}
+
+fn assignment(parser: &mut ExpressionParser<'_>) -> Statement {
+    let start = parser.position();
+    let (index, kind) = parser.variable();
+    let range = index.range;
+    let Some(kind) = kind else { return unknown_quietly(parser, start) };
+    if !parser.take(b'=') {
+        return unknown(parser, start, "a variable alone does nothing: `=` and a value are due");
+    }
+    let value = parser.expression();
+    let text = hugging_text(parser);
+    Statement::Assign { target: Target { index, kind, range }, value, text }
+}
+
+/// The comment right behind the value.
+fn hugging_text(parser: &mut ExpressionParser<'_>) -> Option<TextRange> {
+    if parser.next_mark() != b'(' {
+        return None;
+    }
+    let start = parser.at + 1;
+    let line = &parser.text[start..parser.end];
+    let length = line.iter().position(|b| *b == b')').unwrap_or(line.len());
+    parser.at = (start + length + 1).min(parser.end);
+    Some(TextRange::new(start as u32, (start + length) as u32))
+}
+
+fn condition(parser: &mut ExpressionParser<'_>) -> Statement {
+    let start = parser.position();
+    if parser.next_mark() != b'[' {
+        return unknown(parser, start, "the condition belongs in brackets: `IF[#1EQ2]`");
+    }
+    let condition = parser.value();
+    let short = parser.grammar.abbreviations;
+    if parser.take_text("GOTO") || short && parser.take_text("GO") {
+        return Statement::If { condition, branch: Branch::Goto(parser.expression()) };
+    }
+    if parser.take_text("THEN") {
+        return Statement::If { condition, branch: Branch::Then };
+    }
+    if !parser.problems.is_empty() {
+        return unknown_quietly(parser, start);
+    }
+    let (at, end) = (parser.position(), parser.end as u32);
+    parser.at = parser.end;
+    parser.problem(Code::BadStatement, TextRange::new(at, end.max(at)), |d| {
+        d.label("GOTO or THEN is due here").help("write `IF[…]GOTO 10`, or `IF[…]THEN #1=2`")
+    });
+    Statement::Unknown(TextRange::new(start, end))
+}
+
+fn while_loop(parser: &mut ExpressionParser<'_>) -> Statement {
+    let start = parser.position();
+    if parser.next_mark() != b'[' {
+        return unknown(parser, start, "the condition belongs in brackets: `WHILE[#1LT5]DO1`");
+    }
+    let condition = parser.value();
+    let at = parser.position();
+    if !parser.take_text("DO") {
+        return unknown(parser, at, "DO and a number are due here: `WHILE[#1LT5]DO1`");
+    }
+    do_number(parser, Some(condition), at)
+}
+
+fn do_number(
+    parser: &mut ExpressionParser<'_>,
+    condition: Option<Expression>,
+    start: u32,
+) -> Statement {
+    match loop_number(parser) {
+        Some(number) => Statement::While { condition, number },
+        None => bad_loop_number(parser, start),
+    }
+}
+
+/// The number of DO and END; not one with a leading zero, which is DO and the letter O
+/// mistyped.
+fn loop_number(parser: &mut ExpressionParser<'_>) -> Option<u32> {
+    parser.next_mark();
+    let rest = &parser.text[parser.at..parser.end];
+    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+    if digits == 0 || digits > 4 || rest[0] == b'0' {
+        return None;
+    }
+    parser.at += digits;
+    Some(rest[..digits].iter().fold(0, |sum, b| sum * 10 + u32::from(b - b'0')))
+}
+
+fn bad_loop_number(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+    unknown(parser, start, "DO and END take a number without a leading zero: `DO1`, `END1`")
+}
+
+fn output(
+    parser: &mut ExpressionParser<'_>,
+    start: u32,
+    make: fn(TextRange) -> Output,
+) -> Statement {
+    if parser.next_mark() != b'[' {
+        return unknown(parser, start, "the text belongs in brackets: `DPRNT[X#1[44]]`");
+    }
+    let text = parser.at + 1;
+    let mut depth = 0usize;
+    while parser.at < parser.end {
+        match parser.text[parser.at] {
+            b'[' => depth += 1,
+            b']' => depth -= 1,
+            _ => {}
+        }
+        parser.at += 1;
+        if depth == 0 {
+            let range = TextRange::new(text as u32, parser.at as u32 - 1);
+            return Statement::Output(make(range));
+        }
+    }
+    unknown(parser, start, "the bracket of this text is not closed")
+}
+
+/// Passes over the rest of the line.
+fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> Statement {
+    parser.at = parser.end;
+    let mut end = parser.end as u32;
+    let text = parser.text;
+    while end > start && text[end as usize - 1].is_ascii_whitespace() {
+        end -= 1;
+    }
+    let range = TextRange::new(start, end);
+    parser.problem(Code::BadStatement, range, |d| d.label("passed over").help(why));
+    Statement::Unknown(range)
+}
+
+/// The same where the problem is told already.
+fn unknown_quietly(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+    if parser.problems.is_empty() {
+        return unknown(parser, start, "a macro statement is an assignment, IF, WHILE, GOTO, END");
+    }
+    parser.at = parser.end;
+    Statement::Unknown(TextRange::new(start, parser.end as u32))
+}
