@@ -115,6 +115,8 @@ pub enum Action {
     Return,
     SubroutineEnd,
     RunCycleHere,
+    /// G31: a cut that a probe ends.
+    Skip,
     /// G65: calls a program with its words as arguments.
     MacroCall,
     /// G66: the same after every move; G66.1: for every block.

@@ -274,7 +274,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to a further reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "skip move"),
+    row(310, Group::OneShot, Action::Skip, "P", "skip move"),
     row(330, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "thread cutting"),
     row(370, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "tool length measurement"),
     row(390, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "corner arc"),

@@ -251,7 +251,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to the second reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "probing move"),
+    row(310, Group::OneShot, Action::Skip, "P", "probing move"),
     row(
         350,
         Group::Auxiliary,

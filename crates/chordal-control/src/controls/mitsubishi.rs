@@ -201,7 +201,7 @@ const G_CODES: &[CodeRow] = &[
         "P",
         "return to a further reference point",
     ),
-    row(310, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "skip move"),
+    row(310, Group::OneShot, Action::Skip, "P", "skip move"),
     row(330, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "thread cutting"),
     row(340, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt circle"),
     row(350, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "holes on a line"),

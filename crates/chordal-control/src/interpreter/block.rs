@@ -576,6 +576,7 @@ fn takes_axes(action: Action) -> bool {
             | Action::PresetPosition
             | Action::ClearPreset { .. }
             | Action::RestorePreset
+            | Action::Skip
             | Action::NotSimulated
     )
 }

@@ -14,6 +14,7 @@ mod motion;
 mod offsets;
 mod reference;
 mod report;
+mod skip;
 mod spiral;
 mod values;
 
@@ -150,6 +151,7 @@ struct Told {
     offsets: Vec<String>,
     axes: AxisMask,
     points_seen: bool,
+    skip: bool,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

@@ -18,6 +18,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::ReturnToReference { second } => self.return_to_reference(block, second),
             Action::ReturnFromReference => self.return_from_reference(block),
             Action::MachineCoordinates => self.machine_coordinates(block),
+            Action::Skip => self.skip_move(block, at),
             Action::LocalShift => self.local_shift(block),
             Action::PresetPosition => self.preset_position(block),
             Action::ClearPreset { keep } => self.clear_preset(keep),

@@ -242,8 +242,8 @@ pub(super) const SKIP_ASSUMED: CodeInfo = CodeInfo {
     name: "skip-assumed",
     severity: Severity::Note,
     summary: "where a skip move stops is assumed",
-    explanation: r#"G31 moves until a probe touches. Where it touches depends on the part, so Chordal assumes what the machine
-file's `[probe] hit` says; without it the move runs to its end."#,
+    explanation: r#"G31 moves until a probe touches. Where it touches depends on the part, so Chordal takes the
+move to its end, and the variables of the skip position (#5061 and on) show that point."#,
 };
 
 pub(super) const DATE_NOT_SET: CodeInfo = CodeInfo {

@@ -124,6 +124,14 @@ impl<S: Sink> Interpreter<'_, S> {
         Ok(())
     }
 
+    /// The place as the variables of the skip position show it: the tool length included.
+    pub(in super::super) fn note_skip_position(&mut self) {
+        let (total, work) = (self.state.offsets.total(), self.state.offsets.work());
+        for axis in 0..6 {
+            self.macros.skip[axis] = self.state.position[axis] + total[axis] - work[axis];
+        }
+    }
+
     /// mm in one unit of the program.
     pub(super) fn unit(&self) -> f64 {
         match self.state.units {
