@@ -192,6 +192,8 @@ pub struct Parameters {
     pub bare_home_moves_all: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
     pub return_label_in_callee: bool,
+    /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
+    pub macro_angles_full_circle: bool,
     /// Codes that call macros.
     pub aliases: Aliases,
 }
@@ -251,6 +253,7 @@ impl Parameters {
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,
+        macro_angles_full_circle: false,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

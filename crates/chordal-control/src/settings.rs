@@ -54,6 +54,7 @@ pub enum Field {
     LengthMustMatchTool,
     UnitCodes,
     ReturnLabelInCallee,
+    MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
     /// An M code that does.
@@ -330,6 +331,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
         Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::MacroAngles => {
+            p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
+        }
         Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
             let code = count()?.min(6000) as u16;
             p.aliases.any |= code > 0;
@@ -396,6 +400,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
@@ -407,6 +412,8 @@ const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
 
 const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
     &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
+
+const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
 
 const UNIT_CODES: &[(&str, UnitCodes)] =
     &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];
