@@ -181,6 +181,17 @@ fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
     numbers.extend(number);
 }
 
+/// Notes the numbers behind P in a macro statement.
+fn called_in_statement(words: &[u8], numbers: &mut Vec<u32>) {
+    for at in memchr::memchr2_iter(b'P', b'p', words) {
+        let rest = words[at + 1..].trim_ascii_start();
+        let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let number =
+            std::str::from_utf8(&rest[..digits]).ok().and_then(|text| text.parse::<u32>().ok());
+        numbers.extend(number);
+    }
+}
+
 /// Reads the block around a call code at `at` and notes the P words.
 fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut Vec<u32>) {
     let mut back = at;
@@ -198,6 +209,10 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
     let mut reader = BlockReader::new(&text[start..end], FileId(0), *lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
+        // `IF[#1EQ2]THEN M98 P1000`: the call stands inside a macro statement.
+        if let chordal_syntax::BlockKind::Macro(range) = block.kind {
+            called_in_statement(range.slice(&text[start..end]), numbers);
+        }
         for word in block.all(b'P') {
             if matches!(word.value, chordal_syntax::Value::Expression(_)) {
                 numbers.push(COMPUTED);

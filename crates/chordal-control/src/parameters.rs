@@ -210,6 +210,8 @@ pub struct Parameters {
     pub bore_diameter_register: u8,
     /// Canned cycles.
     pub cycles: CycleRules,
+    /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
+    pub macro_angles_full_circle: bool,
     /// Codes that call macros.
     pub aliases: Aliases,
 }
@@ -273,6 +275,7 @@ impl Parameters {
         fixed_routine_count: FixedRoutineCount::Repeat,
         bore_diameter_register: 1,
         cycles: CycleRules::COMMON,
+        macro_angles_full_circle: false,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

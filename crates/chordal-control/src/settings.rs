@@ -59,6 +59,7 @@ pub enum Field {
     FixedRoutineCount,
     BoreDiameterRegister,
     Cycle(CycleField),
+    MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
     /// An M code that does.
@@ -345,6 +346,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
         Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
         Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
+        Field::MacroAngles => {
+            p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
+        }
         Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
             let code = count()?.min(6000) as u16;
             p.aliases.any |= code > 0;
@@ -415,6 +419,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
         Field::Cycle(rule) => cycle_rules::value_text(p, rule),
+        Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
@@ -431,6 +436,8 @@ const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
 
 const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
     &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
+
+const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
 
 const UNIT_CODES: &[(&str, UnitCodes)] =
     &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];

@@ -51,6 +51,7 @@ const PARAMETERS: Parameters = Parameters {
     radius_offsets: OffsetKind::Radius,
     nesting: 10,
     packed_calls: true,
+    macro_angles_full_circle: true,
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
@@ -68,6 +69,14 @@ const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
 }
 
 const SETTINGS: &[Setting] = &[
+    setting(
+        "No. 6004#0",
+        Field::MacroAngles,
+        &[("0", "0-to-360"), ("1", "180")],
+        "NAT: ATAN and ASIN give 0 to 360 degrees (0) or -180 to 180 (1)",
+        Certainty::Trade,
+        "16i",
+    ),
     setting(
         "No. 3410",
         Field::RadiusErrorTolerance,

@@ -51,6 +51,7 @@ const PARAMETERS: Parameters = Parameters {
     spiral_end_tolerance_mm: 0.1,
     radius_offsets: OffsetKind::Radius,
     nesting: 8,
+    macro_angles_full_circle: true,
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
