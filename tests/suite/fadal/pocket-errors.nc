@@ -23,10 +23,11 @@ L9601 R0+10. R1+0 R2+3.00001 R3+.50000 (= line to X1.250005 | line to X-1.250005
 X1. G41
 L9601 R0+10. R1+0 R2+3. R3+2. (= none | ! CH820 "compensation is on")
 X0 G40
+G0 Z.2
 G81 G99 R0+.1 Z-.2 F20. X0 Y0
 L9601 R0+10. R1+0 R2+3. R3+2. (= none | ! CH820 "cycle is in force")
 G80
-G1 L9301 (= none | ! CH306 "L9301")
+G1 L9301 (= none | ! CH807 "L93")
 L9601 R0+450. R1+0 R2+3. R3+.5 (= line x3 | ! CH407 "450 in/min")
 G0 Z.1
 H0 Z0
