@@ -22,6 +22,7 @@ mod machines;
 mod numbers;
 mod options;
 mod output;
+mod path;
 mod run;
 mod session;
 mod summary;
@@ -73,6 +74,7 @@ enum Command {
     Run(run::Args),
     Check(check::Args),
     Commands(commands::Args),
+    Path(path::Args),
     Chords(chords::Args),
     Explain(explain::Args),
     Machines(machines::Args),
@@ -85,6 +87,7 @@ impl Command {
             Command::Run(args) => run::run(args, terminal),
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
+            Command::Path(args) => path::run(&args, terminal),
             Command::Chords(args) => chords::run(&args, terminal),
             Command::Explain(args) => explain::run(&args),
             Command::Machines(args) => machines::run(&args),

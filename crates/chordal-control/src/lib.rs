@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod command;
+mod compensation;
 mod control;
 mod controls;
 mod interpreter;
@@ -19,6 +20,7 @@ mod state;
 pub mod table;
 
 pub use command::*;
+pub use compensation::*;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};

@@ -1,6 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::compensation::CompensationRules;
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -107,6 +108,8 @@ pub enum CompensationEntry {
     A,
     /// By the intersection, or round the corner with a further line.
     B,
+    /// As if the first move were already part of the contour.
+    Contour,
 }
 
 /// The parameters of a control, as the tables set them and a machine file may change them.
@@ -168,6 +171,8 @@ pub struct Parameters {
     pub outside_corner: OutsideCorner,
     /// Start and end of compensation.
     pub compensation_entry: CompensationEntry,
+    /// All else of compensation.
+    pub compensation: CompensationRules,
     /// H brings the length offset into force by itself (Fadal Format 1).
     pub length_by_h_alone: bool,
     /// How deep calls may be nested.
@@ -224,6 +229,7 @@ impl Parameters {
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,
         compensation_entry: CompensationEntry::A,
+        compensation: CompensationRules::COMMON,
         length_by_h_alone: false,
         nesting: 4,
         max_repeats: 9999,

@@ -130,12 +130,12 @@ pub const COMMON: &[Setting] = &[
     common(
         "outside_corner",
         Field::OutsideCorner,
-        "outside corners with compensation: `linear` or `arc` (kept; compensation is not carried out yet)",
+        "outside corners with compensation: `linear` or `arc`",
     ),
     common(
         "compensation_entry",
         Field::CompensationEntry,
-        "start and end of compensation: `A` or `B` (kept; compensation is not carried out yet)",
+        "start and end of compensation: `A`, `B` or `contour`",
     ),
     common("nesting", Field::Nesting, "how deep calls may be nested"),
     common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
@@ -387,7 +387,7 @@ const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
     &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
 
 const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
-    &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
+    &[("A", CompensationEntry::A), ("B", CompensationEntry::B), ("contour", CompensationEntry::Contour)];
 
 const UNIT_CODES: &[(&str, UnitCodes)] =
     &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];

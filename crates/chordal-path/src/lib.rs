@@ -8,11 +8,13 @@
 
 mod builder;
 mod checks;
+pub mod compensation;
 mod frame;
 mod rapid;
 mod segment;
 
 pub use builder::{PathBuilder, duration_s};
 pub use checks::Checks;
+pub use compensation::{Compensator, ContourPiece, PathCommand, PathSink, PlaneCurve, Role};
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of};

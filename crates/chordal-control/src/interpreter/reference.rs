@@ -26,6 +26,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
                 self.emit_work_offset();
             }
+            Action::CornerArc { .. } => self.corner_arc(block, true),
             // Told when its mode was taken; its axis words belong to it.
             _ => {}
         }
