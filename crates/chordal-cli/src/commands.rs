@@ -85,7 +85,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let job = loaded.job()?;
     let mut writer = Writer::new(args.format, &job)?;
     let mut done = Ok(());
-    let report = job.report_with(|command, _| keep(&mut done, || writer.command(command)));
+    let report = job.report_of_commands(|command| keep(&mut done, || writer.command(command)));
     done?;
     writer.finish()?;
     Ok(tell(&report, &loaded, &job, terminal))

@@ -23,6 +23,7 @@ mod machines;
 mod numbers;
 mod options;
 mod output;
+mod path;
 mod run;
 mod session;
 mod summary;
@@ -74,6 +75,7 @@ enum Command {
     Run(run::Args),
     Check(check::Args),
     Commands(commands::Args),
+    Path(path::Args),
     Chords(chords::Args),
     Calc(Box<calc::Args>),
     Explain(explain::Args),
@@ -87,6 +89,7 @@ impl Command {
             Command::Run(args) => run::run(args, terminal),
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
+            Command::Path(args) => path::run(&args, terminal),
             Command::Chords(args) => chords::run(&args, terminal),
             Command::Calc(args) => calc::run(&args),
             Command::Explain(args) => explain::run(&args),

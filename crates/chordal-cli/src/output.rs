@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use chordal::{Command, CommandKind, Job, Report, Segment};
+use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
 use tempfile::NamedTempFile;
 
@@ -198,30 +198,15 @@ impl<'a> Outputs<'a> {
         Ok(outputs)
     }
 
-    /// Takes a command and its piece of path. After a failure nothing more is taken.
-    pub fn take(&mut self, command: &Command, segments: &[Segment]) {
+    fn take(&mut self, mut write: impl FnMut(&mut Writer) -> io::Result<()>) {
         if self.failed.is_some() {
             return;
         }
         for (path, writer) in &mut self.writers {
-            let done = match writer {
-                Writer::Csv(out) => out.command(command),
-                Writer::Jsonl(out) => out.command(command),
-                Writer::Canon(out) => out.command(command),
-                Writer::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
-                Writer::Printed(out) => match &command.kind {
-                    CommandKind::Output { text } => writeln!(out, "{text}"),
-                    _ => Ok(()),
-                },
-                Writer::Picture(..) => Ok(()),
-            };
-            if let Err(error) = done {
+            if let Err(error) = write(writer) {
                 self.failed = Some(failure(path, &error));
                 return;
             }
-        }
-        if let Some(plot) = &mut self.plot {
-            segments.iter().for_each(|segment| plot.segment(segment));
         }
     }
 
@@ -283,6 +268,33 @@ fn draw(
 
 fn failure(path: &Path, error: &io::Error) -> Failure {
     Failure::write(path.to_string_lossy(), error)
+}
+
+/// The writers of commands see the program as written, pictures see the tool centre. After a
+/// failure nothing more is taken.
+impl Watch for Outputs<'_> {
+    fn programmed(&mut self, command: &Command) {
+        self.take(|writer| match writer {
+            Writer::Csv(out) => out.command(command),
+            Writer::Jsonl(out) => out.command(command),
+            Writer::Canon(out) => out.command(command),
+            Writer::Printed(out) => match &command.kind {
+                CommandKind::Output { text } => writeln!(out, "{text}"),
+                _ => Ok(()),
+            },
+            Writer::Dxf(_) | Writer::Picture(..) => Ok(()),
+        });
+    }
+
+    fn path(&mut self, _: PathCommand<'_>, segments: &[Segment]) {
+        self.take(|writer| match writer {
+            Writer::Dxf(out) => segments.iter().try_for_each(|segment| out.segment(segment)),
+            _ => Ok(()),
+        });
+        if let Some(plot) = &mut self.plot {
+            segments.iter().for_each(|segment| plot.segment(segment));
+        }
+    }
 }
 
 #[cfg(test)]

@@ -64,7 +64,7 @@ fn one(
 ) -> Result<(String, Verdict), Failure> {
     let job = loaded.job()?;
     let mut outputs = Outputs::open(targets, &job)?;
-    let report = job.report_with(|command, segments| outputs.take(command, segments));
+    let report = job.report_watched(&mut outputs);
     let options = PlotOptions {
         title: loaded.name().to_string(),
         subtitle: summary::subtitle(&job, &report),

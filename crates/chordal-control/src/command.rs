@@ -280,9 +280,19 @@ pub enum CommandKind {
         side: Side,
         /// Number of the offset.
         number: Option<u32>,
-        /// Radius of the offset, mm, where the table has one.
+        /// Radius of the offset, mm, where the table has one; negative for the other side.
         radius_mm: Option<f64>,
+        /// Direction on the axes of the plane that I J K give beside G40, G41 or G42, mm.
+        toward: Option<[f64; 2]>,
     },
+    /// The outside corner at the end of this block's move, or without one of the block
+    /// before, is rounded (G39).
+    CornerArc {
+        /// Direction of the next block on the axes of the plane, where the block gives it.
+        toward: Option<[f64; 2]>,
+    },
+    /// A block that moves nothing, told while compensation is on: controls count them.
+    Idle,
     /// The spindle.
     Spindle {
         /// What it does.

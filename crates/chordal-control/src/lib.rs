@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod command;
+mod compensation;
 mod control;
 mod controls;
 mod cycle_rules;
@@ -22,6 +23,7 @@ mod state;
 pub mod table;
 
 pub use command::*;
+pub use compensation::*;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;

@@ -1,6 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::compensation::CompensationRules;
 use crate::cycle_rules::CycleRules;
 
 /// How a number without a decimal point is read.
@@ -108,6 +109,8 @@ pub enum CompensationEntry {
     A,
     /// By the intersection, or round the corner with a further line.
     B,
+    /// As if the first move were already part of the contour.
+    Contour,
 }
 
 /// What the last two digits of a fixed pocket routine (Fadal L96NN to L99NN) do.
@@ -178,6 +181,8 @@ pub struct Parameters {
     pub outside_corner: OutsideCorner,
     /// Start and end of compensation.
     pub compensation_entry: CompensationEntry,
+    /// All else of compensation.
+    pub compensation: CompensationRules,
     /// H brings the length offset into force by itself (Fadal Format 1).
     pub length_by_h_alone: bool,
     /// How deep calls may be nested.
@@ -259,6 +264,7 @@ impl Parameters {
         radius_offsets: OffsetKind::Radius,
         outside_corner: OutsideCorner::Linear,
         compensation_entry: CompensationEntry::A,
+        compensation: CompensationRules::COMMON,
         length_by_h_alone: false,
         nesting: 4,
         max_repeats: 9999,

@@ -142,12 +142,12 @@ pub const COMMON: &[Setting] = &[
     common(
         "outside_corner",
         Field::OutsideCorner,
-        "outside corners with compensation: `linear` or `arc` (kept; compensation is not carried out yet)",
+        "outside corners with compensation: `linear` or `arc`",
     ),
     common(
         "compensation_entry",
         Field::CompensationEntry,
-        "start and end of compensation: `A` or `B` (kept; compensation is not carried out yet)",
+        "start and end of compensation: `A`, `B` or `contour`",
     ),
     common("nesting", Field::Nesting, "how deep calls may be nested"),
     common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
@@ -434,8 +434,11 @@ const REGISTERS: &[(&str, u8)] = &[("R1", 1), ("R2", 2), ("R3", 3), ("R4", 4)];
 const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
     &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
 
-const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
-    &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
+const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
+    ("A", CompensationEntry::A),
+    ("B", CompensationEntry::B),
+    ("contour", CompensationEntry::Contour),
+];
 
 const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
 

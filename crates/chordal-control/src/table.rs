@@ -80,6 +80,10 @@ pub enum Action {
     CompensationOff,
     CompensationLeft,
     CompensationRight,
+    /// An arc round an outside corner (G39), in a block of its own or beside a move.
+    CornerArc {
+        own_block: bool,
+    },
     LengthPlus,
     LengthMinus,
     LengthCancel,

@@ -5,12 +5,12 @@ use std::io::{self, Write};
 use chordal::control::{ArcShape, AxisMask, Feed, Move, Position};
 use chordal::geometry::ParamCurve;
 use chordal::path::curve_of;
-use chordal::{Command, CommandKind, Job};
+use chordal::{Command, CommandKind, Job, PathCommand};
 
-use crate::motion::{direction_word, path_feed, plane_word, spindle_word};
+use crate::motion::{direction_word, path_feed, plane_word, side_word, spindle_word};
 use crate::number::number;
 
-const COLUMNS: [&str; 27] = [
+const COLUMNS: [&str; 30] = [
     "line",
     "kind",
     "x_from_mm",
@@ -38,7 +38,13 @@ const COLUMNS: [&str; 27] = [
     "number",
     "state",
     "rpm",
+    "compensation",
+    "cutter_radius_mm",
+    "inserted",
 ];
+
+/// The columns that commands as programmed have.
+const PROGRAMMED: usize = 27;
 
 const FROM: usize = 2;
 const TO: usize = 8;
@@ -49,6 +55,7 @@ const SECONDS: usize = 23;
 const NUMBER: usize = 24;
 const STATE: usize = 25;
 const RPM: usize = 26;
+const COMPENSATION: usize = 27;
 
 /// Writes moves, dwells, tools and the spindle as CSV: one row each, fixed columns, blank
 /// where a column does not apply. Rotary axes that the machine does not have stay blank; the
@@ -57,6 +64,7 @@ const RPM: usize = 26;
 pub struct CommandCsv<W: Write> {
     out: csv::Writer<W>,
     axes: AxisMask,
+    columns: usize,
     row: [String; COLUMNS.len()],
 }
 
@@ -66,10 +74,38 @@ impl<W: Write> CommandCsv<W> {
     /// # Errors
     /// Those of the output.
     pub fn new(out: W, job: &Job) -> io::Result<Self> {
+        Self::with_columns(out, job, PROGRAMMED)
+    }
+
+    /// Writes the header of a table for commands of the tool centre, which has columns for
+    /// cutter compensation.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn of_path(out: W, job: &Job) -> io::Result<Self> {
+        Self::with_columns(out, job, COLUMNS.len())
+    }
+
+    fn with_columns(out: W, job: &Job, columns: usize) -> io::Result<Self> {
         let mut out = csv::Writer::from_writer(out);
-        out.write_record(COLUMNS)?;
+        out.write_record(&COLUMNS[..columns])?;
         let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
-        Ok(Self { out, axes, row: Default::default() })
+        Ok(Self { out, axes, columns, row: Default::default() })
+    }
+
+    /// Writes a command of the tool centre.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn path_command(&mut self, path: PathCommand<'_>) -> io::Result<()> {
+        if path.command.kind.feed().is_some() {
+            self.row[COMPENSATION] = side_word(path.side).into();
+            self.row[COMPENSATION + 1] = number(path.cutter_radius_mm);
+        }
+        if path.command.kind.motion().is_some() {
+            self.row[COMPENSATION + 2] = u8::from(path.inserted).to_string();
+        }
+        self.command(path.command)
     }
 
     /// Writes a command, if it is one of those that have a row.
@@ -104,7 +140,7 @@ impl<W: Write> CommandCsv<W> {
         };
         self.row[0] = command.origin.line.to_string();
         self.row[1] = kind.into();
-        self.out.write_record(&self.row)?;
+        self.out.write_record(&self.row[..self.columns])?;
         self.row.iter_mut().for_each(String::clear);
         Ok(())
     }

@@ -4,14 +4,15 @@ use std::io::{self, Write};
 
 use chordal::control::{
     ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, PathMode, Position, RapidPath,
-    Side, Units, WorkName,
+    Units, WorkName,
 };
 use chordal::diagnostics::FileId;
-use chordal::{Command, CommandKind, Job, SourceMap};
+use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
 use crate::motion::{
-    curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, spindle_word,
+    curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, side_word,
+    spindle_word,
 };
 
 /// Writes commands as JSON lines, schema `chordal.commands/1`: a header object, then one
@@ -63,10 +64,33 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn command(&mut self, command: &Command) -> io::Result<()> {
+        self.write(command, |_| {})
+    }
+
+    /// Writes a command of the tool centre: feed moves tell the side and the radius of cutter
+    /// compensation, links that it made say so.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn path_command(&mut self, path: PathCommand<'_>) -> io::Result<()> {
+        let feeds = path.command.kind.feed().is_some();
+        self.write(path.command, |object| {
+            if feeds {
+                object.word("compensation", side_word(path.side));
+                object.number("cutter_radius", path.cutter_radius_mm);
+            }
+            if path.inserted {
+                object.boolean("inserted", true);
+            }
+        })
+    }
+
+    fn write(&mut self, command: &Command, more: impl FnOnce(&mut Object)) -> io::Result<()> {
         let mut object = Object::open(&mut self.line);
         write_origin(&mut object, &command.origin, self.sources);
         let context = Context { sources: self.sources, extended: self.extended, axes: self.axes };
         context.write(&mut object, command);
+        more(&mut object);
         object.close();
         self.flush_line()
     }
@@ -240,12 +264,13 @@ fn state(object: &mut Object, kind: &CommandKind) {
             object.optional_integer("number", *number);
             object.optional("length", *length_mm);
         }
-        CommandKind::Compensation { side, number, radius_mm } => {
+        CommandKind::Compensation { side, number, radius_mm, .. } => {
             object.word("kind", "compensation");
             object.word("side", side_word(*side));
             object.optional_integer("number", *number);
             object.optional("radius", *radius_mm);
         }
+        CommandKind::CornerArc { .. } => object.word("kind", "corner_arc"),
         CommandKind::Spindle { state, rpm } => {
             object.word("kind", "spindle");
             object.word("state", spindle_word(*state));
@@ -303,13 +328,5 @@ fn mode(object: &mut Object, kind: &CommandKind) {
         }
         // Motions, offsets and messages are written before this is asked.
         _ => {}
-    }
-}
-
-const fn side_word(side: Side) -> &'static str {
-    match side {
-        Side::Off => "off",
-        Side::Left => "left",
-        Side::Right => "right",
     }
 }

@@ -1,6 +1,6 @@
 //! What the writers of commands tell of a move beside its ends.
 
-use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, SpindleState};
+use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
 use chordal::geometry::{Curve, ParamCurve, Plane, Spiral};
 use chordal::path::curve_of;
 
@@ -80,5 +80,14 @@ pub(crate) const fn spindle_word(state: SpindleState) -> &'static str {
         SpindleState::Cw => "cw",
         SpindleState::Ccw => "ccw",
         SpindleState::Oriented => "oriented",
+    }
+}
+
+/// The side of cutter compensation.
+pub(crate) const fn side_word(side: Side) -> &'static str {
+    match side {
+        Side::Off => "off",
+        Side::Left => "left",
+        Side::Right => "right",
     }
 }

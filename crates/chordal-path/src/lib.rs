@@ -8,6 +8,7 @@
 
 mod builder;
 mod checks;
+pub mod compensation;
 mod frame;
 pub mod gouge;
 mod rapid;
@@ -15,5 +16,6 @@ mod segment;
 
 pub use builder::{PathBuilder, duration_s};
 pub use checks::Checks;
+pub use compensation::{Compensator, ContourPiece, PathCommand, PathSink, PlaneCurve, Role};
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of};

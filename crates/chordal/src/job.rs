@@ -1,11 +1,12 @@
 use chordal_control::{
-    AxisMask, Command, CommandKind, Control, Library, Outcome, RunOptions, SettingError, Sink,
-    initial_offset,
+    AxisMask, Command, CommandKind, Control, Library, Origin, Outcome, RunOptions, SettingError,
+    Sink, initial_offset,
 };
 use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
-use chordal_path::{Checks, PathBuilder, Segment};
+use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 
+use crate::compensated::Compensated;
 use crate::summary::{Summary, SummaryBuilder};
 
 /// Why there is no job.
@@ -88,8 +89,17 @@ impl<'a> Job<'a> {
     }
 
     /// Runs the main programs of the first text, one after the other, and pushes commands
-    /// and diagnostics into a sink.
+    /// and diagnostics into a sink: the programmed ones, before cutter compensation.
     pub fn run<S: Sink>(&self, sink: &mut S) -> Vec<Outcome> {
+        self.run_each(sink, |_, _| {})
+    }
+
+    /// The same, and says when a program has ended.
+    pub(crate) fn run_each<S: Sink>(
+        &self,
+        sink: &mut S,
+        mut ended: impl FnMut(&mut S, &Outcome),
+    ) -> Vec<Outcome> {
         if !self.is_readable(sink) {
             return Vec::new();
         }
@@ -104,14 +114,16 @@ impl<'a> Job<'a> {
         };
         let mut outcomes = Vec::new();
         for program in mains {
-            outcomes.push(chordal_control::run(
+            let outcome = chordal_control::run(
                 &library,
                 program,
                 &self.machine,
                 &self.control,
                 &self.options,
                 sink,
-            ));
+            );
+            ended(sink, &outcome);
+            outcomes.push(outcome);
         }
         if outcomes.iter().all(|outcome| outcome.blocks == 0) {
             sink.diagnostic(Diagnostic::new(
@@ -143,23 +155,63 @@ impl<'a> Job<'a> {
     pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
         let (offset, known) = self.initial_offset();
         let builder = PathBuilder::new(&self.machine, offset, known);
-        self.run(&mut PathSink { builder, push })
+        let (outcomes, _) = Compensated::run(self, PathSegments { builder, push });
+        outcomes
     }
 
-    /// Runs with all checks and sums up; `observe` sees every command and its segments on
-    /// the way.
+    /// Runs and pushes everything that cutter compensation makes: the commands of the tool
+    /// centre, problems, and the compensated contours; with another radius than the offset
+    /// table's, where one is given, mm.
+    pub fn compensated<S: chordal_path::PathSink>(
+        &self,
+        radius_mm: Option<f64>,
+        sink: &mut S,
+    ) -> Vec<Outcome> {
+        Compensated::run_with(self, radius_mm, sink).0
+    }
+
+    /// Runs with all checks and sums up; `observe` sees every command of the tool centre and
+    /// its segments on the way.
     pub fn report_with(&self, mut observe: impl FnMut(&Command, &[Segment])) -> Report {
+        self.report_of_path(|path, segments| observe(path.command, segments))
+    }
+
+    /// The same with what compensation did.
+    pub fn report_of_path(&self, observe: impl FnMut(PathCommand<'_>, &[Segment])) -> Report {
+        struct Path<F>(F);
+        impl<F: FnMut(PathCommand<'_>, &[Segment])> Watch for Path<F> {
+            fn path(&mut self, command: PathCommand<'_>, segments: &[Segment]) {
+                (self.0)(command, segments);
+            }
+        }
+        self.report_watched(&mut Path(observe))
+    }
+
+    /// Runs with all checks and sums up; `observe` sees every command as programmed, before
+    /// cutter compensation.
+    pub fn report_of_commands(&self, observe: impl FnMut(&Command)) -> Report {
+        struct Programmed<F>(F);
+        impl<F: FnMut(&Command)> Watch for Programmed<F> {
+            fn programmed(&mut self, command: &Command) {
+                (self.0)(command);
+            }
+        }
+        self.report_watched(&mut Programmed(observe))
+    }
+
+    /// Runs with all checks and sums up, watched.
+    pub fn report_watched(&self, watch: &mut impl Watch) -> Report {
         let (offset, known) = self.initial_offset();
-        let mut sink = ReportSink {
+        let sink = ReportSink {
             builder: PathBuilder::new(&self.machine, offset, known),
             checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
             summary: SummaryBuilder::new(&self.control),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
             segments: Vec::new(),
-            observe: &mut observe,
+            watch,
         };
-        let outcomes = self.run(&mut sink);
+        let (outcomes, sink) = Compensated::run(self, sink);
         sink.finish(outcomes)
     }
 
@@ -171,12 +223,12 @@ impl<'a> Job<'a> {
     /// Runs with the checks only: what `chordal check` asks.
     pub fn check(&self) -> Report {
         let (offset, known) = self.initial_offset();
-        let mut sink = CheckSink {
+        let sink = CheckSink {
             checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
         };
-        let outcomes = self.run(&mut sink);
+        let (outcomes, sink) = Compensated::run(self, sink);
         let CheckSink { mut checks, mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));
         Report::new(Summary::default(), collector, output, outcomes)
@@ -215,17 +267,25 @@ impl Report {
     }
 }
 
-struct PathSink<'m, F> {
+/// Sees a run go by.
+pub trait Watch {
+    /// A command as programmed, before cutter compensation.
+    fn programmed(&mut self, _command: &Command) {}
+    /// A command of the tool centre and its piece of path.
+    fn path(&mut self, _command: PathCommand<'_>, _segments: &[Segment]) {}
+}
+
+struct PathSegments<'m, F> {
     builder: PathBuilder<'m>,
     push: F,
 }
 
-impl<F: FnMut(&Segment)> Sink for PathSink<'_, F> {
-    fn command(&mut self, command: &Command) {
-        self.builder.command(command, &mut self.push);
+impl<F: FnMut(&Segment)> chordal_path::PathSink for PathSegments<'_, F> {
+    fn command(&mut self, path: PathCommand<'_>) {
+        self.builder.command(path.command, &mut self.push);
     }
 
-    fn diagnostic(&mut self, _: Diagnostic) {}
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
 }
 
 /// Notes a line that the program prints.
@@ -241,44 +301,49 @@ struct CheckSink<'m> {
     output: Vec<String>,
 }
 
-impl Sink for CheckSink<'_> {
-    fn command(&mut self, command: &Command) {
-        self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
-        note_output(command, &mut self.output);
+impl chordal_path::PathSink for CheckSink<'_> {
+    fn command(&mut self, path: PathCommand<'_>) {
+        self.checks.command(path.command, |diagnostic| self.collector.push(diagnostic));
+        note_output(path.command, &mut self.output);
     }
 
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
         self.collector.push(diagnostic);
     }
 }
 
-struct ReportSink<'m, F> {
+struct ReportSink<'m, 'w, W> {
     builder: PathBuilder<'m>,
     checks: Checks<'m>,
     summary: SummaryBuilder,
     collector: Collector,
     output: Vec<String>,
     segments: Vec<Segment>,
-    observe: F,
+    watch: &'w mut W,
 }
 
-impl<F: FnMut(&Command, &[Segment])> Sink for ReportSink<'_, F> {
-    fn command(&mut self, command: &Command) {
+impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
+    fn programmed(&mut self, command: &Command) {
+        self.watch.programmed(command);
+    }
+
+    fn command(&mut self, path: PathCommand<'_>) {
+        let command = path.command;
         self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
         note_output(command, &mut self.output);
         self.segments.clear();
         let segments = &mut self.segments;
         self.builder.command(command, |segment| segments.push(*segment));
         self.summary.command(command, &self.segments);
-        (self.observe)(command, &self.segments);
+        self.watch.path(path, &self.segments);
     }
 
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
         self.collector.push(diagnostic);
     }
 }
 
-impl<F> ReportSink<'_, F> {
+impl<W> ReportSink<'_, '_, W> {
     fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
         let collector = &mut self.collector;
         self.checks.finish(|diagnostic| collector.push(diagnostic));

@@ -18,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 
+mod compensated;
 mod job;
 mod summary;
 
@@ -31,6 +32,8 @@ pub use chordal_syntax as syntax;
 pub use chordal_control::{Command, CommandKind, Control, Outcome, RunOptions, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_machine::Machine;
-pub use chordal_path::{Segment, SegmentKind};
-pub use job::{Job, JobError, Report};
+pub use chordal_path::{
+    ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,
+};
+pub use job::{Job, JobError, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

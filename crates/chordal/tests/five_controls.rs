@@ -19,7 +19,7 @@ fn effects(machine: &str, setup: &str, block: &str) -> String {
     let job = Job::new(sources, machine).expect("good settings");
     let mut effects = Vec::new();
     let mut offset_from = [0.0; 6];
-    let report = job.report_with(|command, _| {
+    let report = job.report_of_commands(|command| {
         if command.origin.line != line {
             return;
         }

@@ -34,7 +34,7 @@ fn cuts(program: &str) -> Vec<(f64, Vec3, Vec3)> {
     let machine = Machine::from_builtin("fadal-4020").expect("a built-in machine");
     let job = Job::new(sources, machine).expect("good settings");
     let mut cuts = Vec::new();
-    job.report_with(|command, _| {
+    job.report_of_commands(|command| {
         if command.kind.feed().is_none() {
             return;
         }

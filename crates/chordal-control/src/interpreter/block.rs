@@ -439,7 +439,14 @@ impl<S: Sink> Interpreter<'_, S> {
         if letters.has(b'D')
             && let Some(number) = self.count_of(block, b'D')
         {
-            self.state.radius_offset = Some(number);
+            let before = self.state.radius_offset.replace(number);
+            // A G41 or G42 in the same block tells it by itself.
+            if self.state.side != crate::command::Side::Off
+                && before != Some(number)
+                && !codes.iter().any(|(row, _)| row.group == Group::Compensation)
+            {
+                self.change_compensation_offset(block);
+            }
         }
         for (row, at) in codes {
             match row.action {
@@ -464,6 +471,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::CompensationOff | Action::CompensationLeft | Action::CompensationRight => {
                 self.set_compensation(block, at, row.action);
             }
+            Action::CornerArc { own_block: false } => self.corner_arc(block, false),
             Action::WorkOffset(number) => self.select_work(WorkName::G(number)),
             Action::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
             Action::WorkOffsetNumbered(number) => self.select_work(WorkName::Extended(number)),
@@ -613,6 +621,7 @@ fn takes_axes(action: Action) -> bool {
             | Action::GeneralPocket
             | Action::Pattern(_)
             | Action::Probe { .. }
+            | Action::CornerArc { own_block: true }
             | Action::NotSimulated
     )
 }

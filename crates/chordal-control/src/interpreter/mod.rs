@@ -24,7 +24,9 @@ use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
 use chordal_machine::Machine;
 use chordal_syntax::{Block, BlockKind, BlockReader, Position as TextPosition};
 
-use crate::command::{AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Sink, WorkName};
+use crate::command::{
+    AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Side, Sink, WorkName,
+};
 use crate::control::Control;
 use crate::library::Library;
 use crate::macros::rules::MacroForm;
@@ -148,7 +150,6 @@ struct Interpreter<'a, S> {
 struct Told {
     missing_feed: bool,
     spindle_for_tool: Option<u32>,
-    compensation: bool,
     offsets: Vec<String>,
     axes: AxisMask,
     points_seen: bool,
@@ -322,6 +323,9 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.leave(None);
             return Flow::Next;
         }
+        if self.state.side != Side::Off {
+            return self.carry_out_compensated(block);
+        }
         self.carry_out(block)
     }
 
@@ -342,6 +346,16 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.repeat_until = 0;
         }
         self.repeat_until != 0
+    }
+
+    /// Controls count the blocks that move nothing while compensation is on.
+    fn carry_out_compensated(&mut self, block: &Block) -> Flow {
+        let before = self.state.position;
+        let flow = self.carry_out(block);
+        if self.state.side != Side::Off && self.state.position == before {
+            self.emit(CommandKind::Idle);
+        }
+        flow
     }
 
     /// A percent sign ends the tape, once something stood before it.

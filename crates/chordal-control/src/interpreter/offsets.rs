@@ -154,7 +154,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         let span = self.span(block.words[at].range);
         self.check_compensation_move(block, side, span);
-        let number = self.compensation_number();
+        let number = self.compensation_number(block);
         if side != Side::Off && number.is_none() {
             self.report(
                 Diagnostic::new(
@@ -166,24 +166,90 @@ impl<S: Sink> Interpreter<'_, S> {
             );
         }
         self.state.side = side;
-        let radius_mm = number.and_then(|number| self.state.offsets.radius_mm(number));
-        self.emit(CommandKind::Compensation { side, number, radius_mm });
-        if side != Side::Off && !self.told.compensation {
-            self.told.compensation = true;
-            self.report(
-                Diagnostic::new(
-                    Code::CompensationNotCarriedOut,
-                    span,
-                    "cutter compensation is on: the programmed contour is shown, not the path of \
-                     the tool centre",
-                )
-                .label("on from here"),
+        let toward = self.compensation_direction(block);
+        self.emit_compensation(number, toward, span);
+    }
+
+    /// D while compensation is on: the offset changes with this block.
+    pub(super) fn change_compensation_offset(&mut self, block: &Block) {
+        let number = self.compensation_number(block);
+        let span = self.words_span(block, Letters::of("D"));
+        self.emit_compensation(number, None, span);
+    }
+
+    fn emit_compensation(
+        &mut self,
+        number: Option<u32>,
+        toward: Option<[f64; 2]>,
+        span: chordal_diagnostics::Span,
+    ) {
+        let side = self.state.side;
+        let cancelled = number == Some(0);
+        let radius_mm = match number {
+            Some(0) => Some(0.0),
+            other => other.and_then(|number| self.state.offsets.radius_mm(number)),
+        };
+        self.emit(CommandKind::Compensation { side, number, radius_mm, toward });
+        if let (Some(number), None) = (number, radius_mm)
+            && side != Side::Off
+            && !cancelled
+        {
+            self.tell_unset(
+                span,
+                format!("radius {number}"),
+                format!(
+                    "the machine file gives no diameter for offset {number}: compensation moves \
+                     nothing, the programmed contour is shown"
+                ),
+                format!("set it with --set tools.{number}.diameter=\"…\""),
             );
         }
     }
 
-    /// D, or where H brings the diameter too, H.
-    pub(super) fn compensation_number(&self) -> Option<u32> {
+    /// I J K beside G40, G41 or G42, on the axes of the plane.
+    fn compensation_direction(&mut self, block: &Block) -> Option<[f64; 2]> {
+        if !self.control.parameters.compensation.off_toward
+            || !block.letters().meets(Letters::of("IJK"))
+            || self.moves_on_arc(block)
+        {
+            return None;
+        }
+        let (first, second, _) = self.state.plane.axes();
+        let along = |s: &mut Self, axis: usize| s.length_of(block, b"IJK"[axis]).unwrap_or(0.0);
+        Some([along(self, first), along(self, second)])
+    }
+
+    /// G39: the direction of what follows, by I J K, or by the axes where they are not moved.
+    pub(super) fn corner_arc(&mut self, block: &Block, own_block: bool) {
+        if self.state.side == Side::Off {
+            return;
+        }
+        let (first, second, _) = self.state.plane.axes();
+        let letters = block.letters();
+        let toward = if letters.meets(Letters::of("IJK")) && own_block {
+            let along = |s: &mut Self, axis: usize| s.length_of(block, b"IJK"[axis]).unwrap_or(0.0);
+            Some([along(self, first), along(self, second)])
+        } else if own_block && letters.meets(Letters::of("XYZ")) {
+            let (target, _) = self.target(block);
+            let from = self.state.position;
+            Some([target[first] - from[first], target[second] - from[second]])
+        } else {
+            None
+        };
+        self.emit(CommandKind::CornerArc { toward });
+    }
+
+    /// The offset in force, or the tool in the spindle.
+    fn compensation_number(&mut self, block: &Block) -> Option<u32> {
+        if self.control.parameters.compensation.offset_of_tool {
+            let given = if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
+            return given.filter(|number| *number > 0).or(Some(self.state.tool));
+        }
+        self.offset_in_force()
+    }
+
+    /// The number of the radius offset in force: D, or where H brings the diameter too, H.
+    pub(super) fn offset_in_force(&self) -> Option<u32> {
         let by_h = self.control.parameters.length_by_h_alone;
         self.state.radius_offset.or(self.state.offsets.length().number.filter(|_| by_h))
     }
@@ -195,7 +261,8 @@ impl<S: Sink> Interpreter<'_, S> {
         side: Side,
         span: chordal_diagnostics::Span,
     ) {
-        if !self.moves_on_arc(block) {
+        let may_start = side != Side::Off && self.control.parameters.compensation.start_on_arc;
+        if may_start || !self.moves_on_arc(block) {
             return;
         }
         let what = if side == Side::Off { "ends" } else { "starts" };

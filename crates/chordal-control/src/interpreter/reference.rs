@@ -38,6 +38,7 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
             Action::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
             Action::GeneralPocket => self.general_pocket(block, at),
+            Action::CornerArc { .. } => self.corner_arc(block, true),
             // Told when its mode was taken; its axis words belong to it.
             _ => {}
         }

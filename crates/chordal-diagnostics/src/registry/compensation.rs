@@ -13,16 +13,6 @@ pub(super) const ON_ARC: CodeInfo = CodeInfo {
 lead-out. With G41, G42 or G40 on an arc the control alarms."#,
 };
 
-pub(super) const NOT_CARRIED_OUT: CodeInfo = CodeInfo {
-    code: Code::CompensationNotCarriedOut,
-    id: "CH502",
-    name: "compensation-not-carried-out",
-    severity: Severity::Note,
-    summary: "the programmed path is shown, not the compensated one",
-    explanation: r#"The program turns cutter radius compensation on. This version follows the programmed contour and does
-not move the tool centre aside by the offset."#,
-};
-
 pub(super) const WITHOUT_OFFSET: CodeInfo = CodeInfo {
     code: Code::CompensationWithoutOffset,
     id: "CH503",
@@ -51,6 +41,164 @@ pub(super) const AT_END: CodeInfo = CodeInfo {
     summary: "compensation is still on at the end of the program",
     explanation: r#"The program ends with G41 or G42 active. Some controls alarm, others begin the next program with it.
 Put a G40 on the lead-out."#,
+};
+
+pub(super) const INSIDE_ARC_TOO_SMALL: CodeInfo = CodeInfo {
+    code: Code::InsideArcTooSmall,
+    id: "CH507",
+    name: "inside-arc-too-small",
+    severity: Severity::Error,
+    summary: "an inside arc is smaller than the offset",
+    explanation: r#"The tool runs inside the arc, and its radius (with wear) is larger than the arc's: it cannot touch the
+arc without cutting its neighbours.
+
+    G41 D1 G1 X-40. Y0.          D1 is 5 mm
+    G1 X0.
+    G3 X4.5 Y4.5 I0. J4.5        inside radius 4.5 mm
+
+Take a smaller tool, or a larger radius. Look also at the offset: a diameter typed where the control
+wants a radius doubles it."#,
+};
+
+pub(super) const INTERFERENCE: CodeInfo = CodeInfo {
+    code: Code::CompensationInterference,
+    id: "CH508",
+    name: "compensation-interference",
+    severity: Severity::Error,
+    summary: "the offset does not fit between two corners",
+    explanation: r#"Between its two corners the compensated move goes against the programmed one: a groove, a step or a
+pocket is narrower than the tool. The control's own look-ahead finds this only between
+neighbouring blocks. The block before may cut too deep already.
+
+Controls also alarm for a step lower than the tool radius where nothing would be cut. Take a smaller
+tool, or change the contour at this place."#,
+};
+
+pub(super) const NO_INTERSECTION: CodeInfo = CodeInfo {
+    code: Code::NoOffsetIntersection,
+    id: "CH509",
+    name: "no-offset-intersection",
+    severity: Severity::Error,
+    summary: "the offset paths of two blocks do not meet",
+    explanation: r#"At an inside corner the tool goes to where the two offset paths cross. Here they do not: an arc beside the
+corner is too small for the tool, or begins and ends so that no point is at the offset from
+both."#,
+};
+
+pub(super) const LEAD_IN_TOO_SHORT: CodeInfo = CodeInfo {
+    code: Code::LeadInTooShort,
+    id: "CH510",
+    name: "lead-in-too-short",
+    severity: Severity::Error,
+    summary: "the move that starts compensation is shorter than the offset",
+    explanation: r#"The control wants a straight lead-in at least as long as the offset (LinuxCNC: longer), so that the tool
+can move aside on the way. Start further away."#,
+};
+
+pub(super) const SIDE_CHANGE: CodeInfo = CodeInfo {
+    code: Code::SideChangeRefused,
+    id: "CH511",
+    name: "side-change-refused",
+    severity: Severity::Error,
+    summary: "G41 changes to G42 without G40 between",
+    explanation: r#"This control does not change the side here. Cancel with G40 on a move away from the contour, then start
+anew."#,
+};
+
+pub(super) const PLANE: CodeInfo = CodeInfo {
+    code: Code::CompensationPlane,
+    id: "CH512",
+    name: "compensation-plane",
+    severity: Severity::Error,
+    summary: "compensation does not work in this plane",
+    explanation: r#"Some controls compensate in some planes only: LinuxCNC in G17 and G18, Haas arcs in G17. The path is
+shown as programmed."#,
+};
+
+pub(super) const TWICE: CodeInfo = CodeInfo {
+    code: Code::CompensationTwice,
+    id: "CH513",
+    name: "compensation-twice",
+    severity: Severity::Error,
+    summary: "compensation is turned on and is on already",
+    explanation: r#"This control refuses G41 or G42 while compensation is on. Cancel with G40 first."#,
+};
+
+pub(super) const NEW_OFFSET: CodeInfo = CodeInfo {
+    code: Code::NewOffsetRefused,
+    id: "CH514",
+    name: "new-offset-refused",
+    severity: Severity::Error,
+    summary: "another D while compensation is on",
+    explanation: r#"This control does not take another offset here: not while compensation is on, or not on an arc."#,
+};
+
+pub(super) const LOOK_AHEAD_LOST: CodeInfo = CodeInfo {
+    code: Code::LookAheadLost,
+    id: "CH515",
+    name: "look-ahead-lost",
+    severity: Severity::Warning,
+    summary: "too many blocks without motion between two moves",
+    explanation: r#"The control looks ahead over few blocks. With more blocks without motion (M8, G4, a comment line with a
+number) it does not know where the contour goes on, and sets the tool square to the end of the
+block before. At an inside corner that cuts into the part by up to the tool radius.
+
+    X0.            the control needs the next move here
+    M8
+    G4 P500
+    Y40.           too late
+
+Put M and G4 blocks elsewhere, or in the block of a move."#,
+};
+
+pub(super) const SPIRAL: CodeInfo = CodeInfo {
+    code: Code::SpiralInCompensation,
+    id: "CH516",
+    name: "spiral-in-compensation",
+    severity: Severity::Error,
+    summary: "a spiral while compensation is on",
+    explanation: r#"The offset of a spiral is no spiral. Controls refuse it or approximate it by circles. The path is shown
+with the offset added to the radius at both ends."#,
+};
+
+pub(super) const SHIFT: CodeInfo = CodeInfo {
+    code: Code::ShiftInCompensation,
+    id: "CH517",
+    name: "shift-in-compensation",
+    severity: Severity::Error,
+    summary: "coordinates shift while compensation is on",
+    explanation: r#"G28, G53, G52, G92 or a work offset stands between G41 or G42 and G40. Controls refuse it or drop the
+offset for that move. Cancel with G40 first."#,
+};
+
+pub(super) const AVOIDED: CodeInfo = CodeInfo {
+    code: Code::InterferenceAvoided,
+    id: "CH519",
+    name: "interference-avoided",
+    severity: Severity::Warning,
+    summary: "the control leaves a block out to avoid interference",
+    explanation: r#"Interference avoidance is on: where a block does not fit, the control goes on at the crossing of its
+neighbours. The contour of the block left out is not cut to size."#,
+};
+
+pub(super) const TURN_LOST: CodeInfo = CodeInfo {
+    code: Code::FullTurnLost,
+    id: "CH520",
+    name: "full-turn-lost",
+    severity: Severity::Warning,
+    summary: "a compensated arc of more than a turn is cut short",
+    explanation: r#"By a change of side or by G40 with I J the compensated arc comes to more than a full turn. This control
+then runs the short arc, and a part of the circle stays uncut."#,
+};
+
+pub(super) const TOO_MANY_IDLE: CodeInfo = CodeInfo {
+    code: Code::TooManyIdleBlocks,
+    id: "CH521",
+    name: "too-many-idle-blocks",
+    severity: Severity::Error,
+    summary: "too many commands without motion within compensation",
+    explanation: r#"The next move of a compensated contour must come within a few thousand commands. Compensation goes on as
+if the contour ended square to the last move."#,
 };
 
 pub(super) const GOUGE: CodeInfo = CodeInfo {
@@ -105,4 +253,31 @@ pub(super) const GOUGE_SEARCH_LIMIT: CodeInfo = CodeInfo {
     summary: "not every place of the contour was checked for gouges",
     explanation: r#"The contour folds so often within a tool radius that the check stopped at its limit of comparisons.
 What it reported is real; there may be more. Check the contour in parts, or with a smaller tool."#,
+};
+
+pub(super) const SIDE_DOUBTFUL: CodeInfo = CodeInfo {
+    code: Code::CompensationSideDoubtful,
+    id: "CH534",
+    name: "compensation-side-doubtful",
+    severity: Severity::Warning,
+    summary: "the tool comes from one side of the contour and runs on the other",
+    explanation: r#"The lead-in begins on one side of the first wall, the lead-out ends on the same side of the last one, and
+G41 or G42 puts the tool on the other. It has to cross the contour twice: the other code was probably
+meant, or an offset of the other sign.
+
+    G18
+    Z-.56 G41 G1              comes down from above the profile
+    X1.6315 Z.942             G41 is below it here: G42 is meant
+
+In G18 the side is judged as seen from +Y, where +X points up and +Z to the right."#,
+};
+
+pub(super) const NOT_CHECKED: CodeInfo = CodeInfo {
+    code: Code::ContourNotChecked,
+    id: "CH535",
+    name: "contour-not-checked",
+    severity: Severity::Warning,
+    summary: "a contour is too long to be checked whole",
+    explanation: r#"The check for gouges keeps the whole contour from G41 or G42 to G40, up to a few million blocks. What comes
+after is run but not checked. End the contour with G40 earlier."#,
 };

@@ -10,7 +10,7 @@ use crate::common::{SMALL, job};
 
 fn commands(job: &Job) -> Vec<Command> {
     let mut commands = Vec::new();
-    job.report_with(|command, _| commands.push(command.clone()));
+    job.report_of_commands(|command| commands.push(command.clone()));
     commands
 }
 

@@ -207,7 +207,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// The radius of the tool, mm, from the offset in force.
     pub(super) fn routine_tool(&mut self, word: &Word) -> Option<f64> {
-        let Some(number) = self.compensation_number().filter(|number| *number > 0) else {
+        let Some(number) = self.offset_in_force().filter(|number| *number > 0) else {
             let message = "no tool offset is in force, so the routine has no diameter".to_string();
             self.improper(word, message, "call the offset with H or D before");
             return None;

@@ -41,7 +41,7 @@ impl<S: Sink> Interpreter<'_, S> {
     /// the angle, R4 the step of a serial number, the text behind a parenthesis.
     pub(super) fn engrave_routine(&mut self, block: &Block, word: &Word) {
         self.routine_allowed(word);
-        if self.compensation_number().is_none_or(|number| number == 0) {
+        if self.offset_in_force().is_none_or(|number| number == 0) {
             let message = "engraving with no tool offset in force".to_string();
             self.improper(word, message, "call the offset with H or D before");
         }

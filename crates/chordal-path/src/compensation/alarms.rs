@@ -1,0 +1,226 @@
+//! What is told about a compensated contour.
+
+use chordal_control::{Origin, SideChange, Units};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+
+use super::interference::Found;
+use super::queue::Block;
+use super::{Compensator, PathSink};
+
+impl Compensator {
+    /// Tells a problem with what the control shows; `{n}` stays for who knows the N word.
+    fn tell<P: PathSink>(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut P) {
+        self.tell_of(diagnostic, false, origin, out);
+    }
+
+    fn tell_of<P: PathSink>(
+        &self,
+        mut diagnostic: Diagnostic,
+        arc: bool,
+        origin: &Origin,
+        out: &mut P,
+    ) {
+        if diagnostic.severity == Severity::Error
+            && let Some(text) = self.table.alarm(diagnostic.code)
+        {
+            let moved = if arc { "Arc move" } else { "Straight feed" };
+            let text = text.replace("{move}", moved);
+            diagnostic.alarm = Some(format!("{}: {text}", self.table.title));
+        }
+        out.diagnostic(diagnostic, origin);
+    }
+
+    /// A length in the program's units.
+    fn length(&self, mm: f64) -> String {
+        let (value, digits, unit) = match self.units {
+            Units::Inch => (mm / 25.4, 4, "in"),
+            Units::Millimetre => (mm, 3, "mm"),
+        };
+        let text = format!("{value:.digits$}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        format!("{} {unit}", if text == "-0" { "0" } else { text })
+    }
+
+    pub(super) fn inside_arc_told<P: PathSink>(
+        &self,
+        block: &Block,
+        radius: f64,
+        offset: f64,
+        out: &mut P,
+    ) {
+        let origin = &block.command.origin;
+        let (radius, offset) = (self.length(radius), self.length(offset));
+        let how = if radius == offset { "not larger" } else { "smaller" };
+        let diagnostic = Diagnostic::new(
+            Code::InsideArcTooSmall,
+            origin.span,
+            format!("inside radius {radius} is {how} than the offset {offset}"),
+        )
+        .label("the tool runs inside this arc")
+        .help(format!("take a tool of less than {radius} radius, or look at the offset"));
+        self.tell_of(diagnostic, true, origin, out);
+    }
+
+    pub(super) fn interference_told<P: PathSink>(&self, block: &Block, found: &Found, out: &mut P) {
+        let origin = &block.command.origin;
+        let offset = self.length(block.radii.1);
+        let what = match found {
+            Found::Reversed { length, lost } => format!(
+                "this move of {} loses {} at its corners with the offset {offset}",
+                self.length(*length),
+                self.length(*lost),
+            ),
+            Found::Turned { programmed, becomes } => format!(
+                "this arc of {:.3} degrees comes out as {:.3} with the offset {offset}",
+                programmed.to_degrees().abs(),
+                becomes.to_degrees() * programmed.signum(),
+            ),
+            Found::Crossing => {
+                format!("the vectors of the offset {offset} cross between the ends of this block")
+            }
+        };
+        let diagnostic = Diagnostic::new(Code::CompensationInterference, origin.span, what)
+            .label("does not fit between its neighbours")
+            .help("take a smaller tool, or change the contour here");
+        self.tell_of(diagnostic, block.curve.is_arc(), origin, out);
+    }
+
+    pub(super) fn avoided<P: PathSink>(&self, block: &Block, out: &mut P) {
+        let origin = &block.command.origin;
+        let offset = self.length(block.radii.1);
+        let diagnostic = Diagnostic::new(
+            Code::InterferenceAvoided,
+            origin.span,
+            format!("with the offset {offset} the control leaves this block out"),
+        )
+        .help("take a smaller tool, or change the contour here");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn no_intersection<P: PathSink>(&self, before: &Block, new: &Block, out: &mut P) {
+        let origin = &new.command.origin;
+        let offset = self.length(new.radii.0);
+        let diagnostic = Diagnostic::new(
+            Code::NoOffsetIntersection,
+            origin.span,
+            format!("at the start of this block the offset paths of {offset} do not meet"),
+        )
+        .also(before.command.origin.span, "the block before")
+        .help("take a smaller tool, or change the corner");
+        self.tell_of(diagnostic, new.curve.is_arc(), origin, out);
+    }
+
+    pub(super) fn lead_too_short<P: PathSink>(&self, origin: &Origin, length: f64, out: &mut P) {
+        let (is, offset) = (self.length(length), self.length(self.radius));
+        let diagnostic = Diagnostic::new(
+            Code::LeadInTooShort,
+            origin.span,
+            format!("the lead-in of {is} is too short for the offset {offset}"),
+        )
+        .help(format!("start more than {offset} away"));
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn starts_on_arc<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        self.on_arc("starts", "put G41 or G42 on a straight move to the contour", origin, out);
+    }
+
+    pub(super) fn ends_on_arc<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        self.on_arc("ends", "put G40 on a straight move away from the contour", origin, out);
+    }
+
+    /// In the block of the code itself this was told when the block was read.
+    fn on_arc<P: PathSink>(&self, what: &str, help: &str, origin: &Origin, out: &mut P) {
+        if self.code.span == origin.span {
+            return;
+        }
+        let message = format!("cutter compensation {what} on an arc");
+        let diagnostic = Diagnostic::new(Code::CompensationOnArc, origin.span, message)
+            .label("this block is an arc")
+            .also(self.code.span, "from here")
+            .help(help);
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn side_change_told<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        if self.parameters.compensation.side_change == SideChange::Refused {
+            self.side_change_refused(origin, out);
+        }
+    }
+
+    pub(super) fn side_change_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "compensation changes to the other side here";
+        let diagnostic = Diagnostic::new(Code::SideChangeRefused, origin.span, message)
+            .help("cancel with G40 on a move away from the contour, then start anew");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn new_offset_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "another offset is chosen while compensation is on";
+        let diagnostic = Diagnostic::new(Code::NewOffsetRefused, origin.span, message)
+            .help("cancel with G40 first");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn twice<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "compensation is on already";
+        let diagnostic = Diagnostic::new(Code::CompensationTwice, origin.span, message)
+            .help("take this code out, or cancel with G40 first");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn plane_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "this control does not compensate in this plane";
+        let diagnostic = Diagnostic::new(Code::CompensationPlane, origin.span, message)
+            .label("shown as programmed")
+            .help("compensate in G17");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn look_ahead_lost<P: PathSink>(&self, before: &Block, out: &mut P) {
+        let origin = &before.command.origin;
+        let limit = self.parameters.compensation.idle_blocks.unwrap_or(0);
+        let idle = before.idle;
+        let blocks = if idle == 1 { "block" } else { "blocks" };
+        let said = if idle >= 1000 {
+            "a stop follows this move".to_string()
+        } else {
+            format!("{idle} {blocks} without motion follow this move; the control allows {limit}")
+        };
+        let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, said)
+            .label("the tool ends square to this move")
+            .help("put the blocks without motion elsewhere");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn too_many_idle<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let limit = super::queue::MAX_TRAILING;
+        let message = format!("more than {limit} commands without motion within compensation");
+        let diagnostic = Diagnostic::new(Code::TooManyIdleBlocks, origin.span, message)
+            .help("cancel compensation with G40 first");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn spiral<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "a spiral is not compensated exactly";
+        let diagnostic = Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
+            .label("shown with the offset added to both radii")
+            .help("program the tool-centre path for this spiral");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn shift_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let message = "the coordinates shift while compensation is on";
+        let diagnostic = Diagnostic::new(Code::ShiftInCompensation, origin.span, message)
+            .help("cancel compensation with G40 first");
+        self.tell(diagnostic, origin, out);
+    }
+
+    pub(super) fn turn_lost<P: PathSink>(&self, block: &Block, out: &mut P) {
+        let origin = &block.command.origin;
+        let message = "with its offset this arc is longer than a turn; the control runs the rest";
+        let diagnostic = Diagnostic::new(Code::FullTurnLost, origin.span, message)
+            .help("divide the circle, or lead out tangentially");
+        self.tell(diagnostic, origin, out);
+    }
+}

@@ -1,0 +1,154 @@
+//! The points of the tool centre at a corner of the contour.
+
+use chordal_geometry::Vec2;
+
+use super::plane::{Edge, NOTHING_MM, meeting};
+
+/// How the tool goes round a corner: points joined by straight links, or an arc between two.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Corner {
+    points: [Vec2; 4],
+    count: usize,
+    /// The link from the first point to the last is an arc about this centre by this angle.
+    pub arc: Option<(Vec2, f64)>,
+    /// The offsets do not meet.
+    pub missed: bool,
+    /// It is an inside corner, where the blocks lose length.
+    pub inside: bool,
+}
+
+impl Corner {
+    pub fn at(point: Vec2) -> Corner {
+        let mut corner = Corner::default();
+        corner.push(point);
+        corner
+    }
+
+    pub fn of(points: &[Vec2]) -> Corner {
+        let mut corner = Corner::default();
+        points.iter().for_each(|point| corner.push(*point));
+        corner
+    }
+
+    fn push(&mut self, point: Vec2) {
+        let again = self.count > 0 && self.points[self.count - 1].distance(point) <= NOTHING_MM;
+        if !again && self.count < self.points.len() {
+            self.points[self.count] = point;
+            self.count += 1;
+        }
+    }
+
+    pub fn points(&self) -> &[Vec2] {
+        &self.points[..self.count]
+    }
+
+    /// Where the block before ends.
+    pub fn first(&self) -> Vec2 {
+        self.points[0]
+    }
+
+    /// Where the block after begins.
+    pub fn last(&self) -> Vec2 {
+        self.points[self.count.max(1) - 1]
+    }
+
+    /// Takes the last point away; false when it is the only one.
+    pub fn drop_last(&mut self) -> bool {
+        let may = self.count > 1;
+        self.count -= usize::from(may);
+        may
+    }
+
+    /// Takes the first point away; false when it is the only one.
+    pub fn drop_first(&mut self) -> bool {
+        let may = self.count > 1;
+        if may {
+            self.points.rotate_left(1);
+            self.count -= 1;
+        }
+        may
+    }
+
+    /// Leaves out the later of two points that lie close on both axes.
+    pub fn drop_short_links(&mut self, limit: f64) {
+        let mut kept = 1;
+        for index in 1..self.count {
+            let between = self.points[index] - self.points[kept - 1];
+            if between.a.abs() > limit || between.b.abs() > limit {
+                self.points[kept] = self.points[index];
+                kept += 1;
+            }
+        }
+        self.count = kept.min(self.count);
+    }
+}
+
+/// What of the control's rules a corner needs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CornerRules {
+    pub tangent_mm: f64,
+    /// Sine of the largest kink that is left as it is.
+    pub tangent_sine: f64,
+    pub round: bool,
+}
+
+/// A corner between two blocks of the contour on the same side.
+pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) -> Corner {
+    let r = end.radius;
+    let (n1, n2, t1, t2) = (end.normal, start.normal, end.tangent, start.tangent);
+    let turn = t1.cross(t2);
+    let ahead = t1.dot(t2);
+    if ahead > 0.0 && rules.tangent_sine > 0.0 && turn.abs() < rules.tangent_sine {
+        return Corner::at(at + n1 * r);
+    }
+    if ahead > 0.0
+        && (n1 - n2).length() * r <= rules.tangent_mm
+        && let Some(middle) = (n1 + n2).normalized()
+    {
+        return Corner::at(at + middle * r);
+    }
+    // An exact reversal is the sharpest outside corner.
+    let reversal = ahead < 0.0 && turn.abs() < 1e-9;
+    let inside = end.sign * turn > 0.0 && !reversal;
+    if inside {
+        let mut corner = match meeting(at, end, start, rules.tangent_mm) {
+            Some(point) => Corner::at(point),
+            None => Corner { missed: true, ..Corner::of(&[at + n1 * r, at + n2 * r]) },
+        };
+        corner.inside = true;
+        return corner;
+    }
+    if rules.round {
+        let mut corner = Corner::of(&[at + n1 * r, at + n2 * r]);
+        let swept = super::plane::angle(n1, n2).abs() * -end.sign;
+        corner.arc = (corner.count > 1).then_some((at, swept));
+        return corner;
+    }
+    outside(at, end, start, ahead)
+}
+
+/// An outside corner of straight links; arcs are extended by their tangents.
+pub(super) fn outside(at: Vec2, end: &Edge, start: &Edge, ahead: f64) -> Corner {
+    let r = end.radius;
+    let (n1, n2, t1, t2) = (end.normal, start.normal, end.tangent, start.tangent);
+    let mut corner = Corner::default();
+    if end.curve.is_arc() {
+        corner.push(at + n1 * r);
+    }
+    if ahead >= 0.0 {
+        corner.push(at + (n1 + n2) * (r / (1.0 + n1.dot(n2))));
+    } else {
+        corner.push(at + (n1 + t1) * r);
+        corner.push(at + (n2 - t2) * r);
+    }
+    if start.curve.is_arc() {
+        corner.push(at + n2 * r);
+    }
+    corner
+}
+
+/// An arc about the corner whatever the angle asks (G39): only outside there is something to
+/// round.
+pub(super) fn rounded(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) -> Corner {
+    corner(at, end, start, &CornerRules { round: true, ..*rules })
+}

@@ -1,0 +1,349 @@
+//! Blocks whose corners are known, as commands of the tool centre.
+
+use chordal_control::{ArcShape, Command, CommandKind, Feed, Move, Side};
+use chordal_geometry::Vec2;
+
+use super::corner::Corner;
+use super::plane::{NOTHING_MM, PlaneCurve, offset_between};
+use super::queue::Block;
+use super::{Compensator, ContourPiece, PathCommand, PathSink, Role};
+
+/// A compensated arc may come out longer than a turn by so much from rounding, rad.
+const TURN_SLACK_RAD: f64 = 0.01;
+
+impl Compensator {
+    /// A command that is not offset itself: its place in the plane is that of the tool centre.
+    pub(super) fn put<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        let (side, radius) = (self.side, if self.side == Side::Off { 0.0 } else { self.radius });
+        let told =
+            |command| PathCommand { command, side, cutter_radius_mm: radius, inserted: false };
+        match (self.at, command.kind.motion()) {
+            (Some(at), Some(_)) => {
+                let mut moved = command.clone();
+                if let Some(motion) = motion_mut(&mut moved.kind) {
+                    self.place(&mut motion.from, at);
+                    self.place(&mut motion.to, at);
+                }
+                out.command(told(&moved));
+            }
+            _ => out.command(told(command)),
+        }
+    }
+
+    fn place(&self, position: &mut [f64; 6], at: Vec2) {
+        let (a, b, _) = self.plane.axes();
+        position[a] = at.a;
+        position[b] = at.b;
+    }
+
+    /// A block and what stands behind it.
+    pub(super) fn emit<P: PathSink>(&mut self, block: Block, out: &mut P) {
+        let corner = block.corner.unwrap_or_else(|| Corner::at(block.square_end()));
+        let mut centre = Vec::with_capacity(1 + corner.points().len());
+        let mut at = self.at.unwrap_or(block.start);
+        if block.loose && block.curve.is_arc() {
+            at = self.to_the_arc(&block, at, &mut centre, out);
+        }
+        let curve = self.centre_curve(&block, at, corner.first(), out);
+        self.put_main(&block, &curve, out);
+        centre.push(curve);
+        self.links(&block, &corner, &mut centre, out);
+        self.at = Some(corner.last());
+        self.tell_contour(&block, centre, out);
+        let (side, radius) = (self.side, self.radius);
+        (self.side, self.radius) = (block.side, block.radii.1);
+        for command in &block.trailing {
+            self.put(command, out);
+        }
+        (self.side, self.radius) = (side, radius);
+    }
+
+    /// An arc that begins beside its offset circle is reached by a straight move.
+    fn to_the_arc<P: PathSink>(
+        &mut self,
+        block: &Block,
+        at: Vec2,
+        centre: &mut Vec<PlaneCurve>,
+        out: &mut P,
+    ) -> Vec2 {
+        let Some((tangent, _)) = block.curve.tangents() else { return at };
+        let start = block.curve.from() + tangent.turned_left() * (block.sign * block.radii.0);
+        if start.distance(at) > self.parameters.compensation.tangent_mm {
+            let link = PlaneCurve::Line { from: at, to: start };
+            self.put_link(block, &link, block.command.kind.motion().map(|m| m.from), out);
+            centre.push(link);
+        }
+        start
+    }
+
+    fn centre_curve<P: PathSink>(
+        &mut self,
+        block: &Block,
+        from: Vec2,
+        to: Vec2,
+        out: &mut P,
+    ) -> PlaneCurve {
+        if block.straight {
+            return PlaneCurve::Line { from, to };
+        }
+        if block.role == Role::StartUp && block.curve.is_arc() {
+            return entry_arc(&block.curve, from, to);
+        }
+        let mut curve = offset_between(&block.curve, block.sign, block.radii, from, to);
+        if let (PlaneCurve::Arc { sweep, .. }, PlaneCurve::Arc { sweep: programmed, .. }) =
+            (&mut curve, block.curve)
+        {
+            let turn = std::f64::consts::TAU;
+            if programmed.abs() <= turn + 1e-9 && sweep.abs() > turn + TURN_SLACK_RAD {
+                *sweep -= turn * sweep.signum();
+                self.turn_lost(block, out);
+            }
+        }
+        curve
+    }
+
+    fn put_main<P: PathSink>(&mut self, block: &Block, curve: &PlaneCurve, out: &mut P) {
+        let mut command = block.command.clone();
+        let Some(motion) = motion_mut(&mut command.kind) else { return };
+        self.place(&mut motion.from, curve.from());
+        self.place(&mut motion.to, curve.to());
+        let moves = motion.from != motion.to;
+        let motion = *motion;
+        match (&mut command.kind, curve) {
+            (
+                CommandKind::Arc { shape, feed, .. } | CommandKind::Spiral { shape, feed, .. },
+                PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. },
+            ) => {
+                *feed = self.inside_feed(block, *feed, *radius_to);
+                if radius_from.max(*radius_to) <= NOTHING_MM * 1e3 {
+                    // The arc has shrunk to a point.
+                    command.kind = CommandKind::Line { motion, feed: *feed };
+                    if !moves {
+                        return;
+                    }
+                } else {
+                    *shape = ArcShape {
+                        plane: shape.plane,
+                        center: [center.a, center.b],
+                        sweep: *sweep,
+                        radius_from: *radius_from,
+                        radius_to: *radius_to,
+                    };
+                }
+            }
+            (
+                CommandKind::Arc { feed, .. } | CommandKind::Spiral { feed, .. },
+                PlaneCurve::Line { .. },
+            ) => {
+                let feed = *feed;
+                command.kind = CommandKind::Line { motion, feed };
+            }
+            (CommandKind::Line { .. } | CommandKind::Rapid { .. }, _) if !moves => return,
+            _ => {}
+        }
+        out.command(PathCommand {
+            command: &command,
+            side: block.side,
+            cutter_radius_mm: block.radii.1,
+            inserted: block.made_up,
+        });
+    }
+
+    /// Inside arcs may be fed more slowly, so that the cutting edge keeps the feed.
+    fn inside_feed(&self, block: &Block, feed: Feed, radius: f64) -> Feed {
+        let least = self.parameters.compensation.inside_feed_least;
+        let PlaneCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
+        let inside = block.sign * sweep.signum() > 0.0;
+        if least >= 1.0 || !inside || radius_to <= NOTHING_MM {
+            return feed;
+        }
+        Feed { value: feed.value * (radius / radius_to).clamp(least, 1.0), ..feed }
+    }
+
+    fn links<P: PathSink>(
+        &mut self,
+        block: &Block,
+        corner: &Corner,
+        centre: &mut Vec<PlaneCurve>,
+        out: &mut P,
+    ) {
+        let points = corner.points();
+        let to = block.command.kind.motion().map(|motion| motion.to);
+        if let Some((center, sweep)) = corner.arc {
+            let radius = block.radii.1;
+            let link = PlaneCurve::Arc {
+                from: corner.first(),
+                to: corner.last(),
+                center,
+                sweep,
+                radius_from: radius,
+                radius_to: radius,
+            };
+            self.put_link(block, &link, to, out);
+            centre.push(link);
+            return;
+        }
+        for pair in points.windows(2) {
+            let link = PlaneCurve::Line { from: pair[0], to: pair[1] };
+            self.put_link(block, &link, to, out);
+            centre.push(link);
+        }
+    }
+
+    /// A link belongs to the block and moves in the plane alone.
+    fn put_link<P: PathSink>(
+        &mut self,
+        block: &Block,
+        link: &PlaneCurve,
+        place: Option<[f64; 6]>,
+        out: &mut P,
+    ) {
+        let Some(place) = place else { return };
+        let Some(programmed) = block.command.kind.motion() else { return };
+        let mut motion = Move {
+            from: place,
+            to: place,
+            from_known: programmed.to_known,
+            to_known: programmed.to_known,
+        };
+        self.place(&mut motion.from, link.from());
+        self.place(&mut motion.to, link.to());
+        let kind = match (&block.command.kind, *link) {
+            (CommandKind::Rapid { path, .. }, _) => CommandKind::Rapid { motion, path: *path },
+            (kind, PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
+                let Some(feed) = kind.feed() else { return };
+                let shape = ArcShape {
+                    plane: self.plane,
+                    center: [center.a, center.b],
+                    sweep,
+                    radius_from,
+                    radius_to,
+                };
+                CommandKind::Arc { motion, shape, feed: *feed }
+            }
+            (kind, PlaneCurve::Line { .. }) => {
+                let Some(feed) = kind.feed() else { return };
+                CommandKind::Line { motion, feed: *feed }
+            }
+        };
+        out.command(PathCommand {
+            command: &Command { kind, origin: block.command.origin },
+            side: block.side,
+            cutter_radius_mm: block.radii.1,
+            inserted: true,
+        });
+    }
+
+    /// G40 alone, type C: the tool comes back to the end of the contour.
+    pub(super) fn move_back<P: PathSink>(&mut self, command: &Command, to: Vec2, out: &mut P) {
+        let (Some(at), Some(motion)) = (self.at, command.kind.motion()) else { return };
+        let mut motion = Move { to: motion.from, to_known: motion.from_known, ..*motion };
+        self.place(&mut motion.from, at);
+        self.place(&mut motion.to, to);
+        let kind = match &command.kind {
+            CommandKind::Rapid { path, .. } => CommandKind::Rapid { motion, path: *path },
+            other => match other.feed() {
+                Some(feed) => CommandKind::Line { motion, feed: *feed },
+                None => return,
+            },
+        };
+        out.command(PathCommand {
+            command: &Command { kind, origin: self.code },
+            side: self.side,
+            cutter_radius_mm: self.radius,
+            inserted: true,
+        });
+        self.at = Some(to);
+    }
+
+    /// The last move: from beside the contour straight to its programmed end.
+    pub(super) fn emit_cancel<P: PathSink>(
+        &mut self,
+        command: &Command,
+        curve: PlaneCurve,
+        out: &mut P,
+    ) {
+        let from = self.at.unwrap_or(curve.from());
+        let mut moved = command.clone();
+        if let Some(motion) = motion_mut(&mut moved.kind) {
+            self.place(&mut motion.from, from);
+        }
+        out.command(PathCommand {
+            command: &moved,
+            side: Side::Off,
+            cutter_radius_mm: 0.0,
+            inserted: false,
+        });
+        out.contour(&ContourPiece {
+            stretch: self.stretch,
+            role: Role::Cancel,
+            plane: self.plane,
+            programmed: Some(curve),
+            centre: vec![PlaneCurve::Line { from, to: curve.to() }],
+            sign: self.sign,
+            radius_mm: self.radius,
+            height: self.height(command),
+            origin: command.origin,
+        });
+    }
+
+    fn tell_contour<P: PathSink>(&self, block: &Block, centre: Vec<PlaneCurve>, out: &mut P) {
+        out.contour(&ContourPiece {
+            stretch: self.stretch,
+            role: block.role,
+            plane: self.plane,
+            programmed: (!block.made_up).then_some(block.curve),
+            centre,
+            sign: block.sign,
+            radius_mm: block.radii.1,
+            height: self.height(&block.command),
+            origin: block.command.origin,
+        });
+    }
+
+    fn height(&self, command: &Command) -> (f64, f64) {
+        let (_, _, normal) = self.plane.axes();
+        command.kind.motion().map_or((0.0, 0.0), |m| (m.from[normal], m.to[normal]))
+    }
+}
+
+/// The arc on which compensation starts: from where the tool stands, with the direction of the
+/// programmed arc at the end.
+fn entry_arc(curve: &PlaneCurve, from: Vec2, to: Vec2) -> PlaneCurve {
+    let straight = PlaneCurve::Line { from, to };
+    let (PlaneCurve::Arc { sweep, .. }, Some((_, tangent))) = (curve, curve.tangents()) else {
+        return straight;
+    };
+    let w = sweep.signum();
+    let inward = tangent.turned_left() * w;
+    let chord = from - to;
+    let along = inward.dot(chord);
+    if along.abs() <= NOTHING_MM {
+        return straight;
+    }
+    let radius = chord.dot(chord) / (2.0 * along);
+    let center = to + inward * radius;
+    let mut swept = super::plane::angle(from - center, to - center);
+    if swept * w < 0.0 {
+        swept += std::f64::consts::TAU * w;
+    }
+    PlaneCurve::Arc {
+        from,
+        to,
+        center,
+        sweep: swept,
+        radius_from: from.distance(center),
+        radius_to: to.distance(center),
+    }
+}
+
+/// The move of a motion command.
+fn motion_mut(kind: &mut CommandKind) -> Option<&mut Move> {
+    match kind {
+        CommandKind::Rapid { motion, .. }
+        | CommandKind::Line { motion, .. }
+        | CommandKind::Arc { motion, .. }
+        | CommandKind::Spiral { motion, .. } => Some(motion),
+        _ => None,
+    }
+}

@@ -1,0 +1,65 @@
+//! The first and the last corner of a compensated contour.
+
+use chordal_control::CompensationEntry;
+use chordal_geometry::Vec2;
+
+use super::corner::{Corner, CornerRules, corner, outside};
+use super::plane::{Edge, meeting};
+
+/// Cosine of 179 degrees: sharper corners than this start and end as type A does.
+const NEARLY_REVERSED: f64 = -0.999_847_695_156_391_3;
+
+/// The corner between the move that starts compensation and the first block of the contour.
+pub(super) fn start(
+    entry: CompensationEntry,
+    at: Vec2,
+    lead: &Edge,
+    first: &Edge,
+    rules: &CornerRules,
+) -> Corner {
+    let square = at + first.normal * first.radius;
+    match entry {
+        CompensationEntry::A => Corner::at(square),
+        CompensationEntry::Contour => corner(at, lead, first, rules),
+        CompensationEntry::B => {
+            let inside = lead.sign * lead.tangent.cross(first.tangent) > 0.0;
+            let ahead = lead.tangent.dot(first.tangent);
+            if inside || ahead < NEARLY_REVERSED {
+                return Corner::at(square);
+            }
+            outside(at, lead, first, ahead)
+        }
+    }
+}
+
+/// The corner between the last block of the contour and the move that ends compensation.
+pub(super) fn cancel(entry: CompensationEntry, at: Vec2, last: &Edge, lead: &Edge) -> Corner {
+    let square = at + last.normal * last.radius;
+    match entry {
+        CompensationEntry::A | CompensationEntry::Contour => Corner::at(square),
+        CompensationEntry::B => {
+            let inside = last.sign * last.tangent.cross(lead.tangent) > 0.0;
+            let ahead = last.tangent.dot(lead.tangent);
+            if inside || ahead < NEARLY_REVERSED {
+                return Corner::at(square);
+            }
+            outside(at, last, lead, ahead)
+        }
+    }
+}
+
+/// G40 with I J: the last point is where the last block's offset meets the offset of a line
+/// from the corner along that direction.
+pub(super) fn toward(at: Vec2, last: &Edge, direction: Vec2, tolerance: f64) -> Option<Corner> {
+    let line = super::plane::PlaneCurve::Line { from: at, to: at + direction };
+    let start = Edge::start(line, last.sign, last.radius)?;
+    meeting(at, last, &start, tolerance).map(Corner::at)
+}
+
+/// A change of side: where the old and the new offset cross.
+pub(super) fn side_change(at: Vec2, end: &Edge, start: &Edge, tolerance: f64) -> Corner {
+    match meeting(at, end, start, tolerance) {
+        Some(point) => Corner::at(point),
+        None => Corner::at(at + start.normal * start.radius),
+    }
+}

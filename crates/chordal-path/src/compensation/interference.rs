@@ -1,0 +1,139 @@
+//! The control's own checks of a block between two corners. They look at neighbours only;
+//! the whole contour is another check.
+
+use chordal_control::{Interference, Units};
+use chordal_geometry::Vec2;
+
+use super::plane::{PlaneCurve, offset_between};
+use super::queue::Block;
+use super::{Compensator, PathSink, Role};
+
+/// A move reversed by less than this is a rounding error, mm.
+const REVERSED_MM: f64 = 1e-6;
+
+/// An arc turned by less than this otherwise is a rounding error, rad.
+const TURNED_RAD: f64 = 1e-6;
+
+/// What does not fit.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Found {
+    /// A straight move of this length loses so much at its corners, mm.
+    Reversed { length: f64, lost: f64 },
+    /// The arc turns otherwise than programmed, rad.
+    Turned { programmed: f64, becomes: f64 },
+    /// The offset vectors at its ends cross.
+    Crossing,
+}
+
+impl Compensator {
+    /// An inside arc that the tool does not fit into; told at once.
+    pub(super) fn inside_arc_too_small<P: PathSink>(&self, block: &Block, out: &mut P) -> bool {
+        let PlaneCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
+            return false;
+        };
+        let rules = &self.parameters.compensation;
+        let inside = block.sign * sweep.signum() > 0.0;
+        if !inside || rules.interference == Interference::None {
+            return false;
+        }
+        let radius = radius_from.min(radius_to);
+        let offset = block.radii.0.max(block.radii.1);
+        let short = if rules.equal_radius_refused { 0.0 } else { rules.tangent_mm };
+        let too_small = if rules.equal_radius_refused {
+            radius <= offset + 1e-9
+        } else {
+            radius < offset - short
+        };
+        if too_small {
+            self.inside_arc_told(block, radius, offset, out);
+        }
+        too_small
+    }
+
+    /// The check of this control; first it leaves out the corner points that face each other.
+    pub(super) fn interferes(&mut self, block: &mut Block, _new: Option<&Block>) -> Option<Found> {
+        loop {
+            let found = self.test(block)?;
+            if self.parameters.compensation.interference != Interference::Direction {
+                return Some(found);
+            }
+            let before = self.queue.back_mut()?.corner.as_mut();
+            let (Some(before), Some(own)) = (before, block.corner.as_mut()) else {
+                return Some(found);
+            };
+            let links = before.points().len() > 1 && own.points().len() > 1;
+            if !links || before.arc.is_some() || own.arc.is_some() {
+                return Some(found);
+            }
+            before.drop_last();
+            own.drop_first();
+            block.start = before.last();
+            block.straight = true;
+        }
+    }
+
+    fn test(&self, block: &Block) -> Option<Found> {
+        let (start, end) = (block.start, block.corner.as_ref()?.first());
+        match self.parameters.compensation.interference {
+            Interference::None => None,
+            Interference::Direction => direction(block, start, end),
+            Interference::Vectors => crossing(block.curve.from(), start, block.curve.to(), end)
+                .then_some(Found::Crossing),
+            Interference::Strict => self.strict(block, start, end),
+        }
+    }
+
+    fn strict(&self, block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+        match block.curve {
+            PlaneCurve::Line { .. } => direction(block, start, end),
+            PlaneCurve::Arc { sweep, .. } => {
+                if block.role == Role::StartUp {
+                    return None;
+                }
+                let becomes = swept(block, start, end);
+                let limits = self.parameters.compensation.longer_arc_rad;
+                let limit = limits[usize::from(self.units == Units::Inch)];
+                let longer = becomes * sweep.signum() - sweep.abs();
+                let reversed = becomes * sweep.signum() < -TURNED_RAD;
+                (longer > limit || reversed).then_some(Found::Turned { programmed: sweep, becomes })
+            }
+        }
+    }
+}
+
+/// Compensated against programmed direction, and for an arc its angle too.
+fn direction(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+    let moved = end - start;
+    match block.curve {
+        PlaneCurve::Line { from, to } => {
+            let along = (to - from).normalized()?;
+            let forward = moved.dot(along);
+            let length = from.distance(to);
+            (forward < -REVERSED_MM).then_some(Found::Reversed { length, lost: length - forward })
+        }
+        PlaneCurve::Arc { .. } if block.straight => None,
+        PlaneCurve::Arc { from, to, sweep, .. } => {
+            let becomes = swept(block, start, end);
+            let backward = (to - from).dot(moved) < -REVERSED_MM * from.distance(to);
+            let turned = (becomes - sweep).abs() > std::f64::consts::PI
+                || becomes * sweep.signum() < -TURNED_RAD;
+            (backward || turned).then_some(Found::Turned { programmed: sweep, becomes })
+        }
+    }
+}
+
+fn swept(block: &Block, start: Vec2, end: Vec2) -> f64 {
+    match offset_between(&block.curve, block.sign, block.radii, start, end) {
+        PlaneCurve::Arc { sweep, .. } => sweep,
+        PlaneCurve::Line { .. } => 0.0,
+    }
+}
+
+/// True when the way from `a` to `b` and the way from `c` to `d` cross between their ends.
+fn crossing(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
+    let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).cross(r - p);
+    let apart = |one: f64, other: f64| {
+        (one > REVERSED_MM && other < -REVERSED_MM) || (one < -REVERSED_MM && other > REVERSED_MM)
+    };
+    apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
+}

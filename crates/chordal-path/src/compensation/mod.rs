@@ -1,0 +1,343 @@
+//! Cutter radius compensation: from the programmed path to the path of the tool centre, by
+//! the rules of the control.
+//!
+//! [`Compensator`] takes the commands of a run and gives commands: the same ones, with the
+//! moves between G41 and G40 replaced, and the links that compensation inserts. It looks two
+//! moves ahead and keeps no more than that.
+//!
+//! One file per concern: `plane` has blocks and offsets in the two coordinates of the plane,
+//! `corner` the points at a corner, `entry` the first and the last corner, `interference` the
+//! control's own checks, `queue` what waits for the next move, `alarms` the diagnostics.
+
+mod alarms;
+mod corner;
+mod emit;
+mod entry;
+mod interference;
+mod plane;
+mod queue;
+
+use std::collections::VecDeque;
+
+use chordal_control::{
+    Allowance, Command, CommandKind, Control, Origin, Parameters, Repeated, Side, Units,
+    table::ControlTable,
+};
+use chordal_diagnostics::Diagnostic;
+use chordal_geometry::{Plane, Vec2};
+
+pub use plane::PlaneCurve;
+use queue::Block;
+
+/// A command of the tool-centre path.
+#[derive(Clone, Copy, Debug)]
+pub struct PathCommand<'a> {
+    /// The command; positions of moves are those of the tool centre.
+    pub command: &'a Command,
+    /// The side the tool is on.
+    pub side: Side,
+    /// By how much, mm; 0 without compensation.
+    pub cutter_radius_mm: f64,
+    /// A link or a corner arc that compensation made, with the origin of the block before.
+    pub inserted: bool,
+}
+
+/// What a block is to its contour.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Role {
+    /// The move on which compensation starts.
+    StartUp,
+    /// A block of the contour.
+    Contour,
+    /// The move on which compensation ends.
+    Cancel,
+}
+
+/// A block of a compensated contour and what the tool centre does for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContourPiece {
+    /// Counts the stretches from G41 or G42 to G40, from 1.
+    pub stretch: u32,
+    /// What the block is to the contour.
+    pub role: Role,
+    /// The plane of the coordinates.
+    pub plane: Plane,
+    /// The programmed curve; `None` where the control only moves aside.
+    pub programmed: Option<PlaneCurve>,
+    /// The path of the tool centre, links after the block included.
+    pub centre: Vec<PlaneCurve>,
+    /// +1: the tool is left of the contour; −1: right.
+    pub sign: f64,
+    /// The offset, mm.
+    pub radius_mm: f64,
+    /// The third axis at start and end, mm.
+    pub height: (f64, f64),
+    /// The block.
+    pub origin: Origin,
+}
+
+/// Takes the tool-centre path as it is produced.
+pub trait PathSink {
+    /// A command as programmed, before anything of it reaches the tool centre.
+    fn programmed(&mut self, _command: &Command) {}
+    /// A command.
+    fn command(&mut self, command: PathCommand<'_>);
+    /// A problem at a block.
+    fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin);
+    /// A block of a compensated contour.
+    fn contour(&mut self, _piece: &ContourPiece) {}
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Phase {
+    Off,
+    /// G41 or G42 stands, the first move is to come.
+    Starting,
+    On,
+    /// G40 stands, the last move is to come.
+    Cancelling,
+}
+
+impl<S: PathSink> PathSink for &mut S {
+    fn programmed(&mut self, command: &Command) {
+        (**self).programmed(command);
+    }
+
+    fn command(&mut self, command: PathCommand<'_>) {
+        (**self).command(command);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin) {
+        (**self).diagnostic(diagnostic, origin);
+    }
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        (**self).contour(piece);
+    }
+}
+
+/// Turns programmed moves into moves of the tool centre.
+#[derive(Debug)]
+pub struct Compensator {
+    parameters: Parameters,
+    table: &'static ControlTable,
+    radius_override: Option<f64>,
+    plane: Plane,
+    units: Units,
+    phase: Phase,
+    side: Side,
+    sign: f64,
+    radius: f64,
+    /// The block of the last G40, G41, G42 or D.
+    code: Origin,
+    toward: Option<Vec2>,
+    /// The same code stands again; the block before ends square if it stands alone.
+    again: bool,
+    /// G39 beside the next move.
+    round_next: Option<Origin>,
+    queue: VecDeque<Block>,
+    /// The tool centre, where it is beside the programmed point.
+    at: Option<Vec2>,
+    stretch: u32,
+}
+
+impl Compensator {
+    /// A compensator for one run on a control.
+    pub fn new(control: &Control) -> Compensator {
+        Compensator {
+            parameters: control.parameters,
+            table: control.table,
+            radius_override: None,
+            plane: Plane::Xy,
+            units: control.parameters.units,
+            phase: Phase::Off,
+            side: Side::Off,
+            sign: 1.0,
+            radius: 0.0,
+            code: Origin::default(),
+            toward: None,
+            again: false,
+            round_next: None,
+            queue: VecDeque::new(),
+            at: None,
+            stretch: 0,
+        }
+    }
+
+    /// Takes this radius, mm, instead of the offset table's.
+    #[must_use]
+    pub fn with_radius(mut self, radius_mm: f64) -> Compensator {
+        self.radius_override = Some(radius_mm);
+        self
+    }
+
+    /// Follows a command.
+    #[inline]
+    pub fn command<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        if self.phase == Phase::Off && !concerns(&command.kind) {
+            return out.command(PathCommand {
+                command,
+                side: Side::Off,
+                cutter_radius_mm: 0.0,
+                inserted: false,
+            });
+        }
+        self.follow(command, out);
+    }
+
+    /// Ends what waits, as the end of a program does.
+    pub fn finish<P: PathSink>(&mut self, out: &mut P) {
+        self.end_square(out);
+        self.phase = Phase::Off;
+        self.side = Side::Off;
+        self.at = None;
+        self.plane = Plane::Xy;
+        self.units = self.parameters.units;
+    }
+
+    fn follow<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        match &command.kind {
+            CommandKind::Idle => self.idle(&command.origin),
+            CommandKind::CornerArc { .. } => self.corner_arc(command.origin),
+            CommandKind::Compensation { side, number: _, radius_mm, toward } => {
+                self.pass_on(command, out);
+                let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));
+                let radius = radius.or(*radius_mm).unwrap_or(0.0);
+                self.switch(*side, radius, *toward, &command.origin, out);
+            }
+            CommandKind::Units(units) => {
+                self.units = *units;
+                self.pass_on(command, out);
+            }
+            CommandKind::Plane(plane) => {
+                if self.phase != Phase::Off {
+                    self.leave(out);
+                }
+                self.plane = *plane;
+                self.pass_on(command, out);
+            }
+            CommandKind::WorkOffset { position, .. } => self.shift(command, position, out),
+            CommandKind::Stop { .. } if self.parameters.compensation.stops_end_look_ahead => {
+                if let Some(last) = self.queue.back_mut() {
+                    last.idle = last.idle.saturating_add(1000);
+                }
+                self.pass_on(command, out);
+            }
+            CommandKind::End => {
+                self.finish(out);
+                self.pass_on(command, out);
+            }
+            kind if kind.motion().is_some() => self.motion(command, out),
+            _ => self.pass_on(command, out),
+        }
+    }
+
+    /// A command that moves nothing: behind what waits.
+    fn pass_on<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        if self.queue.is_empty() {
+            return self.put(command, out);
+        }
+        let last = self.queue.len() - 1;
+        self.queue[last].trailing.push(command.clone());
+        if self.queue[last].trailing.len() > queue::MAX_TRAILING {
+            self.too_many_idle(&command.origin, out);
+            self.end_square(out);
+        }
+    }
+
+    /// G40, G41, G42, or another D.
+    fn switch<P: PathSink>(
+        &mut self,
+        side: Side,
+        radius: f64,
+        toward: Option<[f64; 2]>,
+        origin: &Origin,
+        out: &mut P,
+    ) {
+        let on = side != Side::Off && radius != 0.0 && radius.is_finite();
+        let left = if side == Side::Right { -1.0 } else { 1.0 };
+        let sign = if radius < 0.0 { -left } else { left };
+        let rules = self.parameters.compensation;
+        self.toward = None;
+        match (self.phase, on) {
+            (Phase::Off, false) => {}
+            (Phase::Off | Phase::Starting, true) => self.phase = Phase::Starting,
+            (Phase::Starting, false) => self.phase = Phase::Off,
+            (Phase::On, true) => {
+                let same = sign == self.sign && side == self.side;
+                if !same {
+                    self.side_change_told(origin, out);
+                } else if radius.abs() != self.radius {
+                    if rules.new_offset == Allowance::Refused {
+                        self.new_offset_refused(origin, out);
+                    }
+                } else if rules.repeated == Repeated::Refused {
+                    self.twice(origin, out);
+                } else {
+                    self.again = rules.repeated == Repeated::Perpendicular;
+                }
+            }
+            (Phase::On, false) => {
+                self.phase = Phase::Cancelling;
+                self.toward = toward.map(|[a, b]| Vec2::new(a, b));
+            }
+            (Phase::Cancelling, true) => self.phase = Phase::On,
+            (Phase::Cancelling, false) => {}
+        }
+        self.code = *origin;
+        if on {
+            (self.side, self.sign, self.radius) = (side, sign, radius.abs());
+        }
+        if self.phase == Phase::Off {
+            self.side = Side::Off;
+        }
+    }
+
+    /// A block without motion.
+    fn idle(&mut self, origin: &Origin) {
+        if let Some(last) = self.queue.back_mut()
+            && last.command.origin.span != origin.span
+            && last.zero_move != Some(origin.span)
+        {
+            last.idle = last.idle.saturating_add(1);
+        }
+    }
+
+    /// G39: beside a move for its end, alone for the end of the move before.
+    fn corner_arc(&mut self, origin: Origin) {
+        self.round_next = Some(origin);
+        if let Some(last) = self.queue.back_mut() {
+            last.round = true;
+        }
+    }
+
+    /// The program coordinates move against the machine: the tool stands still, and the
+    /// contour goes on from there.
+    fn shift<P: PathSink>(&mut self, command: &Command, position: &[f64; 6], out: &mut P) {
+        let before = self.queue.back().map(|block| block.curve.to());
+        if matches!(self.phase, Phase::On | Phase::Cancelling) {
+            if self.parameters.compensation.coordinate_change == Allowance::Refused {
+                self.shift_refused(&command.origin, out);
+            }
+            self.end_square(out);
+            if let (Some(at), Some(before)) = (self.at, before) {
+                self.at = Some(at + (plane::ab(position, self.plane) - before));
+            }
+        }
+        self.pass_on(command, out);
+    }
+}
+
+/// The commands that matter while compensation is off.
+#[inline]
+fn concerns(kind: &CommandKind) -> bool {
+    matches!(
+        kind,
+        CommandKind::Compensation { .. }
+            | CommandKind::Plane(_)
+            | CommandKind::Units(_)
+            | CommandKind::Idle
+            | CommandKind::CornerArc { .. }
+            | CommandKind::End
+    )
+}

@@ -1,0 +1,197 @@
+//! Blocks in the two coordinates of the plane, and their offsets.
+
+use chordal_control::{ArcShape, Move};
+use chordal_geometry::{
+    Circle2, Line2, Meeting, Plane, Vec2, circle_circle, line_circle, line_line,
+};
+
+/// A line or an arc in the plane of compensation, mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum PlaneCurve {
+    /// A straight piece.
+    Line {
+        /// Where it begins.
+        from: Vec2,
+        /// Where it ends.
+        to: Vec2,
+    },
+    /// An arc, or where the radii differ a spiral.
+    Arc {
+        /// Where it begins.
+        from: Vec2,
+        /// Where it ends.
+        to: Vec2,
+        /// Its centre.
+        center: Vec2,
+        /// Directed angle, rad: positive from the first axis to the second.
+        sweep: f64,
+        /// Radius at the start, mm.
+        radius_from: f64,
+        /// Radius at the end, mm.
+        radius_to: f64,
+    },
+}
+
+/// Below this a length is nothing, mm: far below any least increment, far above rounding.
+pub(super) const NOTHING_MM: f64 = 1e-9;
+
+impl PlaneCurve {
+    /// The curve of a motion command, seen in the plane.
+    pub(super) fn of(motion: &Move, shape: Option<&ArcShape>, plane: Plane) -> PlaneCurve {
+        let (from, to) = (ab(&motion.from, plane), ab(&motion.to, plane));
+        match shape {
+            Some(shape) if shape.plane == plane => PlaneCurve::Arc {
+                from,
+                to,
+                center: Vec2::new(shape.center[0], shape.center[1]),
+                sweep: shape.sweep,
+                radius_from: shape.radius_from,
+                radius_to: shape.radius_to,
+            },
+            _ => PlaneCurve::Line { from, to },
+        }
+    }
+
+    /// Where it begins.
+    pub fn from(&self) -> Vec2 {
+        match *self {
+            PlaneCurve::Line { from, .. } | PlaneCurve::Arc { from, .. } => from,
+        }
+    }
+
+    /// Where it ends.
+    pub fn to(&self) -> Vec2 {
+        match *self {
+            PlaneCurve::Line { to, .. } | PlaneCurve::Arc { to, .. } => to,
+        }
+    }
+
+    /// True for an arc.
+    pub fn is_arc(&self) -> bool {
+        matches!(self, PlaneCurve::Arc { .. })
+    }
+
+    /// True when it goes somewhere.
+    pub(super) fn moves(&self) -> bool {
+        match *self {
+            PlaneCurve::Line { from, to } => from.distance(to) > NOTHING_MM,
+            PlaneCurve::Arc { sweep, radius_from, radius_to, .. } => {
+                sweep != 0.0 && radius_from.max(radius_to) > NOTHING_MM
+            }
+        }
+    }
+
+    /// Unit tangents at the start and at the end; on an arc from the centre, not the chord.
+    pub(super) fn tangents(&self) -> Option<(Vec2, Vec2)> {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                let t = (to - from).normalized()?;
+                Some((t, t))
+            }
+            PlaneCurve::Arc { from, to, center, sweep, .. } => {
+                let w = sweep.signum();
+                let along = |p: Vec2| Some((p - center).normalized()?.turned_left() * w);
+                Some((along(from)?, along(to)?))
+            }
+        }
+    }
+}
+
+/// The plane coordinates of a position.
+pub(super) fn ab(position: &[f64; 6], plane: Plane) -> Vec2 {
+    let (a, b, _) = plane.axes();
+    Vec2::new(position[a], position[b])
+}
+
+/// A block's curve and its offset: `sign` +1 left, −1 right, by `radius` at the corner asked.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub curve: PlaneCurve,
+    /// Unit tangent at the corner.
+    pub tangent: Vec2,
+    /// Unit normal at the corner, to the tool's side.
+    pub normal: Vec2,
+    pub sign: f64,
+    pub radius: f64,
+}
+
+impl Edge {
+    /// The end of a block.
+    pub fn end(curve: PlaneCurve, sign: f64, radius: f64) -> Option<Edge> {
+        let tangent = curve.tangents()?.1;
+        Some(Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius })
+    }
+
+    /// The start of a block.
+    pub fn start(curve: PlaneCurve, sign: f64, radius: f64) -> Option<Edge> {
+        let tangent = curve.tangents()?.0;
+        Some(Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius })
+    }
+
+    /// Radius of the offset arc; negative where the offset is larger than an inside radius.
+    pub fn offset_radius(&self, radius: f64) -> f64 {
+        match self.curve {
+            PlaneCurve::Arc { sweep, .. } => radius - self.sign * sweep.signum() * self.radius,
+            PlaneCurve::Line { .. } => f64::INFINITY,
+        }
+    }
+}
+
+/// Where the offsets of two blocks meet, nearest to their corner; `at_end` is the end of the
+/// first, `at_start` the start of the second.
+pub(super) fn meeting(corner: Vec2, end: &Edge, start: &Edge, tolerance: f64) -> Option<Vec2> {
+    let circle = |edge: &Edge, at_end: bool| match edge.curve {
+        PlaneCurve::Arc { center, radius_from, radius_to, .. } => {
+            let radius = if at_end { radius_to } else { radius_from };
+            Some(Circle2 { center: center - corner, radius: edge.offset_radius(radius).abs() })
+        }
+        PlaneCurve::Line { .. } => None,
+    };
+    let line = |edge: &Edge| Line2 { point: edge.normal * edge.radius, direction: edge.tangent };
+    let found = match (circle(end, true), circle(start, false)) {
+        (None, None) => line_line(line(end), line(start), 1e-9).map(|crossing| crossing.point),
+        (None, Some(circle)) => nearest(line_circle(line(end), circle, tolerance)),
+        (Some(circle), None) => nearest(line_circle(line(start), circle, tolerance)),
+        (Some(first), Some(second)) => nearest(circle_circle(first, second, tolerance)),
+    };
+    found.map(|point| corner + point).filter(|p| p.a.is_finite() && p.b.is_finite())
+}
+
+fn nearest(meeting: Meeting) -> Option<Vec2> {
+    meeting.nearest_to(Vec2::ZERO)
+}
+
+/// The offset of a block between two points of the tool centre: an arc keeps its turns.
+pub(super) fn offset_between(
+    curve: &PlaneCurve,
+    sign: f64,
+    radii: (f64, f64),
+    from: Vec2,
+    to: Vec2,
+) -> PlaneCurve {
+    let PlaneCurve::Arc { from: start, to: end, center, sweep, radius_from, radius_to } = *curve
+    else {
+        return PlaneCurve::Line { from, to };
+    };
+    let toward = sign * sweep.signum();
+    let (rho_from, rho_to) = (radius_from - toward * radii.0, radius_to - toward * radii.1);
+    // Beyond the centre the offset point lies opposite to the programmed one.
+    let arm = |p: Vec2, rho: f64| if rho < 0.0 { center - p } else { p - center };
+    let turned = |programmed: Vec2, point: Vec2, rho: f64| {
+        if rho.abs() <= NOTHING_MM { 0.0 } else { angle(programmed - center, arm(point, rho)) }
+    };
+    let swept = sweep - turned(start, from, rho_from) + turned(end, to, rho_to);
+    PlaneCurve::Arc {
+        from,
+        to,
+        center,
+        sweep: swept,
+        radius_from: from.distance(center),
+        radius_to: to.distance(center),
+    }
+}
+
+/// Signed angle from one vector to another, rad, −π to π.
+pub(super) fn angle(from: Vec2, to: Vec2) -> f64 {
+    libm::atan2(from.cross(to), from.dot(to))
+}

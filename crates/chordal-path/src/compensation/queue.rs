@@ -1,0 +1,398 @@
+//! Blocks that wait for the next move: each corner needs both of its blocks.
+
+use chordal_control::{
+    AloneAction, Command, CommandKind, CompensationPlanes, Interference, LeadLength, OutsideCorner,
+    Remedy, SideChange,
+};
+use chordal_diagnostics::Span;
+use chordal_geometry::{Plane, Vec2};
+
+use super::corner::{Corner, CornerRules, corner, rounded};
+use super::plane::{Edge, PlaneCurve};
+use super::{Compensator, PathSink, Phase, Role, entry};
+
+/// Most commands without motion that wait behind a block.
+pub(super) const MAX_TRAILING: usize = 4096;
+
+/// A move that waits for the corner at its end.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub command: Command,
+    pub curve: PlaneCurve,
+    pub role: Role,
+    pub side: chordal_control::Side,
+    pub sign: f64,
+    /// Offset at the start and at the end.
+    pub radii: (f64, f64),
+    /// Where the tool centre begins; the end of the corner before.
+    pub start: Vec2,
+    /// It begins where the block before was left, not on its own offset.
+    pub loose: bool,
+    /// It stands for a G41 or G40 without a move.
+    pub made_up: bool,
+    /// Round the corner at its end by an arc.
+    pub round: bool,
+    /// Its corner is an error that was told.
+    pub told: bool,
+    /// An arc that goes straight, since its corner points were left out.
+    pub straight: bool,
+    /// Set square to its end whatever follows.
+    pub square: bool,
+    pub corner: Option<Corner>,
+    /// Blocks without motion behind it.
+    pub idle: u32,
+    pub zero_move: Option<Span>,
+    /// The commands between it and the next move.
+    pub trailing: Vec<Command>,
+}
+
+impl Block {
+    fn end_edge(&self) -> Option<Edge> {
+        Edge::end(self.curve, self.sign, self.radii.1)
+    }
+
+    fn start_edge(&self, radius: f64) -> Option<Edge> {
+        Edge::start(self.curve, self.sign, radius)
+    }
+
+    /// The point square to its end.
+    pub fn square_end(&self) -> Vec2 {
+        match self.end_edge() {
+            Some(edge) => self.curve.to() + edge.normal * edge.radius,
+            None => self.curve.to(),
+        }
+    }
+}
+
+impl Compensator {
+    /// A move while compensation is on, starts or ends.
+    pub(super) fn motion<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        let Some(motion) = command.kind.motion() else { return };
+        if command.origin.cycle {
+            return self.cycle_move(command, out);
+        }
+        let curve = PlaneCurve::of(motion, command.kind.shape(), self.plane);
+        if !curve.moves() {
+            return self.still_in_plane(command, out);
+        }
+        if matches!(command.kind, CommandKind::Spiral { .. }) {
+            self.spiral(&command.origin, out);
+        }
+        match self.phase {
+            Phase::Off => self.put(command, out),
+            Phase::Starting => self.start_block(command, curve, out),
+            Phase::On => self.contour_block(command, curve, out),
+            Phase::Cancelling if curve.is_arc() => {
+                self.ends_on_arc(&command.origin, out);
+                self.contour_block(command, curve, out);
+            }
+            Phase::Cancelling => self.cancel_block(command, curve, out),
+        }
+    }
+
+    /// Only the third axis moves, or nothing.
+    fn still_in_plane<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        let rules = &self.parameters.compensation;
+        let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
+        if self.phase == Phase::Starting && rules.lead == LeadLength::AboveOffset {
+            self.lead_too_short(&command.origin, 0.0, out);
+        }
+        let counts = if zero { rules.zero_move_counts } else { 1 };
+        if let Some(last) = self.queue.back_mut() {
+            last.idle = last.idle.saturating_add(counts);
+            last.zero_move = Some(command.origin.span);
+        }
+        self.pass_on(command, out);
+    }
+
+    fn block(&self, command: &Command, curve: PlaneCurve, role: Role) -> Block {
+        let before = self.queue.back().map_or(self.radius, |block| block.radii.1);
+        let round = self.round_next.is_some_and(|origin| origin.span == command.origin.span);
+        Block {
+            command: command.clone(),
+            curve,
+            role,
+            side: self.side,
+            sign: self.sign,
+            radii: (before, self.radius),
+            start: curve.from(),
+            loose: false,
+            made_up: false,
+            round,
+            told: false,
+            straight: false,
+            square: false,
+            corner: None,
+            idle: 0,
+            zero_move: None,
+            trailing: Vec::new(),
+        }
+    }
+
+    fn start_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+        let rules = self.parameters.compensation;
+        let plane_fits = match rules.planes {
+            CompensationPlanes::All => true,
+            CompensationPlanes::NotYz => self.plane != Plane::Yz,
+            CompensationPlanes::XyOnly => self.plane == Plane::Xy,
+        };
+        if !plane_fits {
+            self.plane_refused(&command.origin, out);
+            self.phase = Phase::Off;
+            return self.put(command, out);
+        }
+        if curve.is_arc() && !rules.start_on_arc {
+            self.starts_on_arc(&command.origin, out);
+            return self.put(command, out);
+        }
+        self.stretch += 1;
+        self.at = Some(curve.from());
+        self.phase = Phase::On;
+        let alone = self.code.span != command.origin.span;
+        if alone && rules.on_alone == AloneAction::Perpendicular {
+            return self.start_square(command, curve, out);
+        }
+        let length = curve.from().distance(curve.to());
+        let short = match rules.lead {
+            LeadLength::Any => false,
+            LeadLength::AtLeastOffset => length < self.radius - 1e-6,
+            LeadLength::AboveOffset => length <= self.radius + 1e-9,
+        };
+        if short {
+            self.lead_too_short(&command.origin, length, out);
+        }
+        let block = self.block(command, curve, Role::StartUp);
+        self.queue.push_back(block);
+    }
+
+    /// G41 alone, type C: the tool moves aside first, then the block runs on the contour.
+    fn start_square<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+        let here = curve.from();
+        let mut aside =
+            self.block(command, PlaneCurve::Line { from: here, to: here }, Role::StartUp);
+        aside.made_up = true;
+        aside.command.origin = self.code;
+        aside.command.kind = aside_move(&command.kind);
+        self.queue.push_back(aside);
+        self.contour_block(command, curve, out);
+    }
+
+    fn contour_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+        if std::mem::take(&mut self.again)
+            && self.code.span != command.origin.span
+            && let Some(last) = self.queue.back_mut()
+        {
+            last.square = true;
+        }
+        let mut new = self.block(command, curve, Role::Contour);
+        new.told = self.inside_arc_too_small(&new, out);
+        match self.queue.pop_back() {
+            Some(before) => self.join(before, new, out),
+            None => {
+                new.start = self.at.unwrap_or(curve.from());
+                new.loose = true;
+                self.queue.push_back(new);
+            }
+        }
+        while self.queue.len() > 2
+            && let Some(block) = self.queue.pop_front()
+        {
+            self.emit(block, out);
+        }
+    }
+
+    /// Finds the corner between two blocks, looks whether the first still fits, and puts both
+    /// back into the queue.
+    fn join<P: PathSink>(&mut self, mut before: Block, mut new: Block, out: &mut P) {
+        let mut corner = self.corner_of(&before, &mut new, out);
+        let long_arc = matches!(new.curve, PlaneCurve::Arc { sweep, .. }
+            if sweep.abs() >= std::f64::consts::PI - 1e-9);
+        let limit = self.parameters.compensation.drop_link_mm;
+        if limit > 0.0 && !long_arc && corner.arc.is_none() {
+            corner.drop_short_links(limit);
+        }
+        if corner.missed {
+            self.no_intersection(&before, &new, out);
+            before.told = true;
+            new.told = true;
+        }
+        new.start = corner.last();
+        before.corner = Some(corner);
+        self.settle(before, Some(&mut new), out);
+        self.queue.push_back(new);
+    }
+
+    /// The control's check of a block whose corners are both known; then it waits again.
+    fn settle<P: PathSink>(&mut self, mut block: Block, new: Option<&mut Block>, out: &mut P) {
+        let strict = self.parameters.compensation.interference == Interference::Strict;
+        let in_contour = block.role == Role::Contour || (strict && !block.made_up);
+        let checked = in_contour && !block.told && !block.loose;
+        if checked && let Some(found) = self.interferes(&mut block, new.as_deref()) {
+            let avoid = self.parameters.compensation.remedy == Remedy::Avoid;
+            if avoid && let Some(new) = new {
+                match self.avoid(&block, new) {
+                    Some(()) => {
+                        self.avoided(&block, out);
+                        if let Some(last) = self.queue.back_mut() {
+                            last.trailing.append(&mut block.trailing);
+                        }
+                        return;
+                    }
+                    None => self.interference_told(&block, &found, out),
+                }
+            } else {
+                self.interference_told(&block, &found, out);
+            }
+        }
+        self.queue.push_back(block);
+    }
+
+    /// Leaves a block out: its neighbours meet instead.
+    fn avoid(&mut self, block: &Block, new: &mut Block) -> Option<()> {
+        let before = self.queue.back_mut().filter(|b| b.role == Role::Contour)?;
+        let end = before.end_edge()?;
+        let start = new.start_edge(block.radii.1)?;
+        let at = before.curve.to();
+        let point = super::plane::meeting(at, &end, &start, 0.0)?;
+        // Vectors that meet at more than a right angle: the control does not dare.
+        let (one, other) = (point - at, point - new.curve.from());
+        if one.dot(other) < 0.0 {
+            return None;
+        }
+        before.corner = Some(Corner::at(point));
+        new.start = point;
+        Some(())
+    }
+
+    pub(super) fn corner_rules(&self) -> CornerRules {
+        let rules = &self.parameters.compensation;
+        CornerRules {
+            tangent_mm: rules.tangent_mm,
+            tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
+            round: self.parameters.outside_corner == OutsideCorner::Arc,
+        }
+    }
+
+    fn corner_of<P: PathSink>(&mut self, before: &Block, new: &mut Block, out: &mut P) -> Corner {
+        let at = before.curve.to();
+        let rules = self.parameters.compensation;
+        let Some(first) = new.start_edge(before.radii.1) else { return Corner::at(at) };
+        if before.made_up {
+            return Corner::at(at + first.normal * first.radius);
+        }
+        let Some(end) = before.end_edge() else { return Corner::at(at) };
+        let square = at + end.normal * end.radius;
+        if rules.idle_blocks.is_some_and(|limit| before.idle > limit) {
+            new.loose = true;
+            self.look_ahead_lost(before, out);
+            return Corner::at(if before.role == Role::StartUp { at } else { square });
+        }
+        if before.square {
+            new.loose = true;
+            return Corner::at(square);
+        }
+        let how = self.corner_rules();
+        if before.role == Role::StartUp {
+            return entry::start(self.parameters.compensation_entry, at, &end, &first, &how);
+        }
+        if before.sign != new.sign {
+            return match rules.side_change {
+                SideChange::Along => {
+                    new.loose = true;
+                    Corner::at(square)
+                }
+                _ => entry::side_change(at, &end, &first, how.tangent_mm),
+            };
+        }
+        if before.round { rounded(at, &end, &first, &how) } else { corner(at, &end, &first, &how) }
+    }
+
+    /// The move on which compensation ends: everything that waits can go.
+    fn cancel_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+        let alone = self.code.span != command.origin.span;
+        let back = alone && self.parameters.compensation.off_alone == AloneAction::Perpendicular;
+        if let Some(mut last) = self.queue.pop_back() {
+            let corner = if alone && back { None } else { self.last_corner(&last, curve) };
+            last.corner = Some(corner.unwrap_or_else(|| Corner::at(last.square_end())));
+            self.settle(last, None, out);
+        }
+        while let Some(block) = self.queue.pop_front() {
+            self.emit(block, out);
+        }
+        if back {
+            self.move_back(command, curve.from(), out);
+        }
+        self.emit_cancel(command, curve, out);
+        self.at = None;
+        self.phase = Phase::Off;
+        self.side = chordal_control::Side::Off;
+    }
+
+    fn last_corner(&self, last: &Block, curve: PlaneCurve) -> Option<Corner> {
+        let at = last.curve.to();
+        let end = last.end_edge()?;
+        if last.role == Role::StartUp {
+            // G40 follows G41 at once: there was no contour.
+            return Some(Corner::at(at + end.normal * end.radius));
+        }
+        if let Some(direction) = self.toward {
+            let found = entry::toward(at, &end, direction, self.parameters.compensation.tangent_mm);
+            if found.is_some() {
+                return found;
+            }
+        }
+        let lead = Edge::start(curve, last.sign, last.radii.1)?;
+        Some(entry::cancel(self.parameters.compensation_entry, at, &end, &lead))
+    }
+
+    /// Ends what waits square to the last move; the tool stays beside the contour.
+    pub(super) fn end_square<P: PathSink>(&mut self, out: &mut P) {
+        if let Some(mut last) = self.queue.pop_back() {
+            last.corner = Some(Corner::at(last.square_end()));
+            self.settle(last, None, out);
+        }
+        while let Some(block) = self.queue.pop_front() {
+            self.emit(block, out);
+        }
+    }
+
+    /// Ends what waits and starts anew with the next move.
+    pub(super) fn leave<P: PathSink>(&mut self, out: &mut P) {
+        self.end_square(out);
+        if self.phase == Phase::On {
+            self.phase = Phase::Starting;
+        }
+    }
+
+    /// Cycles are not offset: the tool goes as programmed, the contour goes on from there.
+    fn cycle_move<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+        self.end_square(out);
+        if let Some(motion) = command.kind.motion() {
+            self.at = self.at.map(|_| super::plane::ab(&motion.to, self.plane));
+        }
+        let displaced = self.at.take();
+        self.put(command, out);
+        self.at = displaced;
+    }
+}
+
+/// The move aside of a G41 alone, at the feed of the block behind it.
+fn aside_move(kind: &CommandKind) -> CommandKind {
+    let still = |motion: &chordal_control::Move| {
+        let mut motion = *motion;
+        motion.to = motion.from;
+        motion.to_known = motion.from_known;
+        motion
+    };
+    match kind {
+        CommandKind::Rapid { motion, path } => {
+            CommandKind::Rapid { motion: still(motion), path: *path }
+        }
+        CommandKind::Line { motion, feed }
+        | CommandKind::Arc { motion, feed, .. }
+        | CommandKind::Spiral { motion, feed, .. } => {
+            CommandKind::Line { motion: still(motion), feed: *feed }
+        }
+        other => other.clone(),
+    }
+}

@@ -1,0 +1,105 @@
+//! A run with cutter compensation between the control and what follows.
+
+use chordal_control::{CallPath, Command, CommandKind, Origin, Outcome, Sink};
+use chordal_diagnostics::{Diagnostic, SourceMap, Span};
+use chordal_path::{Compensator, ContourPiece, PathCommand, PathSink};
+
+use crate::job::Job;
+
+/// Most diagnostics that wait for the end of the run, when the calls are known.
+const MOST_WAITING: usize = 10_000;
+
+/// Hands the commands of a control through compensation on to a path sink.
+pub(crate) struct Compensated<'a, S> {
+    compensator: Compensator,
+    told: Told<'a, S>,
+}
+
+/// The sink behind, and the diagnostics of compensation that wait for their calls.
+struct Told<'a, S> {
+    inner: S,
+    sources: &'a SourceMap<'a>,
+    waiting: Vec<(Diagnostic, CallPath)>,
+}
+
+impl<'a, S: PathSink> Compensated<'a, S> {
+    /// Runs a job into a sink and gives it back.
+    pub fn run(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
+        Compensated::run_with(job, None, sink)
+    }
+
+    /// The same with another radius than the offset table's, mm.
+    pub fn run_with(job: &'a Job<'a>, radius_mm: Option<f64>, sink: S) -> (Vec<Outcome>, S) {
+        let compensator = Compensator::new(job.control());
+        let compensator = match radius_mm {
+            Some(radius) => compensator.with_radius(radius),
+            None => compensator,
+        };
+        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new() };
+        let mut this = Compensated { compensator, told };
+        let outcomes = job.run_each(&mut this, |this, outcome| {
+            this.compensator.finish(&mut this.told);
+            this.told.resolve(outcome);
+        });
+        (outcomes, this.told.inner)
+    }
+}
+
+impl<S: PathSink> Sink for Compensated<'_, S> {
+    #[inline]
+    fn command(&mut self, command: &Command) {
+        if !matches!(command.kind, CommandKind::Idle) {
+            self.told.inner.programmed(command);
+        }
+        self.compensator.command(command, &mut self.told);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.told.inner.diagnostic(diagnostic, &Origin::default());
+    }
+}
+
+impl<S: PathSink> Told<'_, S> {
+    /// The calls of a run are known when it has ended.
+    fn resolve(&mut self, outcome: &Outcome) {
+        for (mut diagnostic, call) in self.waiting.drain(..) {
+            diagnostic.calls = outcome.calls.resolve(call);
+            self.inner.diagnostic(diagnostic, &Origin { call, ..Origin::default() });
+        }
+    }
+}
+
+impl<S: PathSink> PathSink for Told<'_, S> {
+    #[inline]
+    fn command(&mut self, command: PathCommand<'_>) {
+        self.inner.command(command);
+    }
+
+    fn diagnostic(&mut self, mut diagnostic: Diagnostic, origin: &Origin) {
+        if let Some(alarm) = &mut diagnostic.alarm
+            && alarm.contains("{n}")
+        {
+            *alarm = alarm.replace("{n}", &sequence(self.sources, origin.span));
+        }
+        if origin.call == CallPath::default() || self.waiting.len() >= MOST_WAITING {
+            self.inner.diagnostic(diagnostic, origin);
+        } else {
+            self.waiting.push((diagnostic, origin.call));
+        }
+    }
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        self.inner.contour(piece);
+    }
+}
+
+/// The digits of the N word at the head of a block, for alarms.
+fn sequence(sources: &SourceMap, span: Span) -> String {
+    let text = sources.words(span);
+    let text = text.trim_start().trim_start_matches('/').trim_start();
+    let digits: String = match text.strip_prefix(['N', 'n']) {
+        Some(rest) => rest.trim_start().chars().take_while(char::is_ascii_digit).collect(),
+        None => String::new(),
+    };
+    if digits.is_empty() { "?".into() } else { digits }
+}
