@@ -9,6 +9,7 @@
 mod builder;
 mod checks;
 pub mod compensation;
+mod contour_check;
 mod frame;
 pub mod gouge;
 mod rapid;
@@ -17,5 +18,6 @@ mod segment;
 pub use builder::{PathBuilder, duration_s};
 pub use checks::Checks;
 pub use compensation::{Compensator, ContourPiece, PathCommand, PathSink, PlaneCurve, Role};
+pub use contour_check::ContourCheck;
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of};

@@ -167,7 +167,7 @@ impl<'a> Job<'a> {
         radius_mm: Option<f64>,
         sink: &mut S,
     ) -> Vec<Outcome> {
-        Compensated::run_with(self, radius_mm, sink).0
+        Compensated::run_with(self, radius_mm, None, sink).0
     }
 
     /// Runs with all checks and sums up; `observe` sees every command of the tool centre and
@@ -211,7 +211,7 @@ impl<'a> Job<'a> {
             segments: Vec::new(),
             watch,
         };
-        let (outcomes, sink) = Compensated::run(self, sink);
+        let (outcomes, sink) = Compensated::judge(self, sink);
         sink.finish(outcomes)
     }
 
@@ -228,7 +228,7 @@ impl<'a> Job<'a> {
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
         };
-        let (outcomes, sink) = Compensated::run(self, sink);
+        let (outcomes, sink) = Compensated::judge(self, sink);
         let CheckSink { mut checks, mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));
         Report::new(Summary::default(), collector, output, outcomes)

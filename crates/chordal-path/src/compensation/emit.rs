@@ -283,6 +283,7 @@ impl Compensator {
             sign: self.sign,
             radius_mm: self.radius,
             height: self.height(command),
+            units: self.units,
             origin: command.origin,
         });
     }
@@ -297,6 +298,7 @@ impl Compensator {
             sign: block.sign,
             radius_mm: block.radii.1,
             height: self.height(&block.command),
+            units: self.units,
             origin: block.command.origin,
         });
     }

@@ -72,6 +72,8 @@ pub struct ContourPiece {
     pub radius_mm: f64,
     /// The third axis at start and end, mm.
     pub height: (f64, f64),
+    /// Units of the program at this block.
+    pub units: Units,
     /// The block.
     pub origin: Origin,
 }

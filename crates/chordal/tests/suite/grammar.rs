@@ -5,6 +5,9 @@
 //! `> "X1.5000"` is a line that the program prints. A line with
 //! nothing but such a comment goes on with the expectations of the line above.
 //!
+//! Motions are those of the program; with `(show: path)` at the head they are those of the tool
+//! centre, after cutter compensation.
+//!
 //! Ends, starts and feeds are what the program says, so they are compared exactly (1e-6);
 //! centres, radii, sweeps and lengths are computed, so they agree when what is written is the
 //! correctly rounded number, of two decimals at least.
@@ -63,6 +66,8 @@ pub struct Program {
     pub machine: String,
     pub set: Vec<String>,
     pub block_delete: bool,
+    /// The expectations are of the tool centre, after compensation.
+    pub of_path: bool,
     pub units: Option<String>,
     pub same_on: Vec<String>,
     pub total: BTreeMap<String, Number>,
@@ -109,6 +114,7 @@ fn read_directive(comment: &str, program: &mut Program) -> Result<(), String> {
         "machine" => program.machine = value.into(),
         "set" => program.set.push(value.into()),
         "block-delete" => program.block_delete = one_of(value, &["on", "off"])? == "on",
+        "show" => program.of_path = one_of(value, &["commands", "path"])? == "path",
         "units" => program.units = Some(one_of(value, &["inch", "mm"])?),
         "same motion on" => program.same_on = words(),
         "expect" => program.expect = words(),

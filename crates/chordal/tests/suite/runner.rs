@@ -4,7 +4,8 @@ use chordal::control::{ArcShape, FeedAlong, FeedMode, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::curve_of;
 use chordal::{
-    Command, CommandKind, Diagnostic, Job, Machine, Report, Severity, Source, SourceMap,
+    Command, CommandKind, Diagnostic, Job, Machine, PathCommand, Report, Segment, Severity, Source,
+    SourceMap, Watch,
 };
 
 use crate::grammar::Program;
@@ -57,13 +58,9 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let (mut made, mut printed) = (Vec::new(), Vec::new());
-    let report = job.report_with(|command, _| {
-        made.extend(made_by(command));
-        if let CommandKind::Output { text } = &command.kind {
-            printed.push((command.origin.line, text.clone()));
-        }
-    });
+    let mut seen = Seen { of_path: program.of_path, made: Vec::new(), printed: Vec::new() };
+    let report = job.report_watched(&mut seen);
+    let Seen { made, printed, .. } = seen;
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
         None => job.control().parameters.units == Units::Inch,
@@ -81,6 +78,30 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
         })
         .collect();
     Ok(Ran { made, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
+}
+
+/// Notes the motions asked for and the printed lines.
+struct Seen {
+    of_path: bool,
+    made: Vec<Made>,
+    printed: Vec<(u32, String)>,
+}
+
+impl Watch for Seen {
+    fn programmed(&mut self, command: &Command) {
+        if !self.of_path {
+            self.made.extend(made_by(command));
+        }
+        if let CommandKind::Output { text } = &command.kind {
+            self.printed.push((command.origin.line, text.clone()));
+        }
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, _: &[Segment]) {
+        if self.of_path {
+            self.made.extend(made_by(path.command));
+        }
+    }
 }
 
 fn words_of(diagnostic: &Diagnostic) -> String {
