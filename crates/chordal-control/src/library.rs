@@ -169,8 +169,10 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
 
 /// Notes the program of `START 9200`, on a macro line.
 fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
-    let line = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
-    if memchr::memchr(b'#', &text[line..at]).is_none() {
+    // Macro lines are short.
+    let before = &text[at.saturating_sub(100)..at];
+    let line = memchr::memrchr2(b'\n', b'\r', before).map_or(0, |i| i + 1);
+    if memchr::memchr(b'#', &before[line..]).is_none() {
         return;
     }
     let rest = text[at + 5..].iter().copied().skip_while(|b| matches!(b, b' ' | b'O'));
@@ -178,6 +180,17 @@ fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
     let digits = std::str::from_utf8(&digits).unwrap_or("");
     let number: Option<u32> = digits.parse().ok();
     numbers.extend(number);
+}
+
+/// Notes the numbers behind P in a macro statement.
+fn called_in_statement(words: &[u8], numbers: &mut Vec<u32>) {
+    for at in memchr::memchr2_iter(b'P', b'p', words) {
+        let rest = words[at + 1..].trim_ascii_start();
+        let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let number =
+            std::str::from_utf8(&rest[..digits]).ok().and_then(|text| text.parse::<u32>().ok());
+        numbers.extend(number);
+    }
 }
 
 /// Reads the block around a call code at `at` and notes the P words.
@@ -197,6 +210,10 @@ fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut 
     let mut reader = BlockReader::new(&text[start..end], FileId(0), *lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
+        // `IF[#1EQ2]THEN M98 P1000`: the call stands inside a macro statement.
+        if let chordal_syntax::BlockKind::Macro(range) = block.kind {
+            called_in_statement(range.slice(&text[start..end]), numbers);
+        }
         for word in block.all(b'P') {
             if matches!(word.value, chordal_syntax::Value::Expression(_)) {
                 numbers.push(COMPUTED);
