@@ -17,6 +17,7 @@ mod parameters;
 mod recognize;
 mod settings;
 mod state;
+mod subs;
 pub mod table;
 
 pub use command::*;
@@ -29,3 +30,4 @@ pub use recognize::{Recognition, recognize};
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,
 };
+pub use subs::called_subs;
