@@ -20,7 +20,8 @@ pub fn called_subs(text: &[u8], lexicon: &Lexicon) -> Vec<String> {
     for word in [b"call", b"CALL", b"Call"] {
         for at in memchr::memmem::find_iter(text, word) {
             let from = at.saturating_sub(LONGEST);
-            let start = memchr::memrchr2(b'\n', b'\r', &text[from..at]).map_or(from, |i| from + i + 1);
+            let start =
+                memchr::memrchr2(b'\n', b'\r', &text[from..at]).map_or(from, |i| from + i + 1);
             names.extend(called_in(&text[start..at + word.len()], lexicon));
         }
     }
@@ -54,7 +55,8 @@ mod tests {
 
     #[test]
     fn calls_by_name_and_number() {
-        let text = b"o<Lift> call\n  N5 O100 CALL [1]\n(o<no> call)\no<lift> call [2]\no[#1] call\n";
+        let text =
+            b"o<Lift> call\n  N5 O100 CALL [1]\n(o<no> call)\no<lift> call [2]\no[#1] call\n";
         let of = |o_words| Lexicon {
             o_words,
             grammar: &chordal_syntax::MacroGrammar::LINUXCNC,

@@ -49,7 +49,8 @@ pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};
 pub use machine::{
-    AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Switches, Times, Tool, WorkOffset,
+    AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Switches, Times, Tool,
+    WorkOffset,
 };
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};

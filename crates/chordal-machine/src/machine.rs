@@ -162,7 +162,6 @@ pub enum ProbeHit {
     Nothing,
 }
 
-
 impl Machine {
     /// A machine of which only the control is known: X, Y and Z without limits.
     pub fn new(name: &str, control: ControlName) -> Machine {

@@ -123,8 +123,7 @@ mod tests {
     use crate::MacroGrammar;
 
     fn parse(text: &str) -> (String, Option<FlowWord>, usize) {
-        let mut parser =
-            ExpressionParser::new(text.as_bytes(), FileId(0), &MacroGrammar::LINUXCNC);
+        let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), &MacroGrammar::LINUXCNC);
         parser.start(text.as_bytes(), FileId(0), TextRange::new(0, text.len() as u32));
         let line = parse_o_word(&mut parser);
         let label = match line.label {

@@ -4,7 +4,9 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::RapidPath;
-use crate::macros::rules::{MacroForm, MacroRules, System, SystemRow, VariableRange, common, system};
+use crate::macros::rules::{
+    MacroForm, MacroRules, System, SystemRow, VariableRange, common, system,
+};
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{

@@ -112,7 +112,8 @@ pub(crate) fn evaluate(
                 let radians = variables.radians();
                 let x = number(pop(stack));
                 let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
-                let value = defined(functions::one(function, x, rules, purpose.round_digits), step)?;
+                let value =
+                    defined(functions::one(function, x, rules, purpose.round_digits), step)?;
                 let angle = radians && function == Function::Atan;
                 Some(if angle { value.to_radians() } else { value })
             }

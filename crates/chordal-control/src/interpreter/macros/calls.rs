@@ -143,7 +143,14 @@ impl<S: Sink> Interpreter<'_, S> {
             self.report_macro_nesting(&word, active as u32 + 1, limit);
             return;
         }
-        self.macros.modal.push(ModalCall { word, program, repeats, arguments, every_block, subroutine: false });
+        self.macros.modal.push(ModalCall {
+            word,
+            program,
+            repeats,
+            arguments,
+            every_block,
+            subroutine: false,
+        });
         self.macros.active = active + 1;
     }
 

@@ -26,6 +26,9 @@ const SMALLEST: f64 = 1e-4;
 /// From here on a number has too many digits.
 const LARGEST: f64 = 1e12;
 
+/// Most programs that a run starts.
+const MOST_STARTS: u32 = 1000;
+
 /// Decimals that PRINT shows.
 const PRINTED_DECIMALS: usize = 4;
 
@@ -48,6 +51,8 @@ pub(super) struct Lines {
     labels: HashMap<usize, HashMap<String, TextPosition>>,
     /// Programs that START has left.
     left: BTreeSet<usize>,
+    /// How often it has.
+    starts: u32,
 }
 
 impl<'a, S: Sink> Interpreter<'a, S> {
@@ -227,16 +232,23 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     fn start_program(&mut self, range: TextRange, number: f64) -> Flow {
         let number = libm::round(number).clamp(0.0, 99_999.0) as u32;
         let Some(program) = self.library.find(number, self.file) else {
-            let word = Word {
-                letter: b'O',
-                register: None,
-                comma: false,
-                value: Written::Missing,
-                range,
-            };
+            let word =
+                Word { letter: b'O', register: None, comma: false, value: Written::Missing, range };
             self.report_missing_program(&word, number);
             return Flow::End(EndReason::LostJump);
         };
+        self.macros.lines.starts += 1;
+        if self.macros.lines.starts > MOST_STARTS {
+            self.report(
+                Diagnostic::new(
+                    Code::BudgetReached,
+                    self.span(range),
+                    format!("stopped after {MOST_STARTS} starts of programs"),
+                )
+                .help("the programs start each other without end"),
+            );
+            return Flow::End(EndReason::Budget);
+        }
         self.macros.lines.left.insert(self.program);
         if self.macros.lines.left.contains(&program) {
             // From here on every block may be a repeat.
@@ -334,8 +346,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         }
         // The first number that does not exist ends the row, which is told.
         for number in from..=to {
-            let written =
-                self.write_target(first.kind, f64::from(number), Some(0.0), first.range);
+            let written = self.write_target(first.kind, f64::from(number), Some(0.0), first.range);
             if let Err(fault) = written {
                 return self.report_fault(fault);
             }
