@@ -10,6 +10,7 @@
 )]
 
 mod beside;
+mod calc;
 mod check;
 mod chords;
 mod commands;
@@ -74,6 +75,7 @@ enum Command {
     Check(check::Args),
     Commands(commands::Args),
     Chords(chords::Args),
+    Calc(Box<calc::Args>),
     Explain(explain::Args),
     Machines(machines::Args),
     Completions(completions::Args),
@@ -86,6 +88,7 @@ impl Command {
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Chords(args) => chords::run(&args, terminal),
+            Command::Calc(args) => calc::run(&args),
             Command::Explain(args) => explain::run(&args),
             Command::Machines(args) => machines::run(&args),
             Command::Completions(args) => completions::run(&args),

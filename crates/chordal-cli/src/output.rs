@@ -154,6 +154,19 @@ fn put(draft: Draft, path: &Path) -> io::Result<()> {
     Ok(())
 }
 
+/// Writes a file whole or not at all.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    let write = || {
+        if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+            fs::create_dir_all(parent)?;
+        }
+        let mut out = draft(path)?;
+        out.write_all(content)?;
+        put(out, path)
+    };
+    write().map_err(|error| failure(path, &error))
+}
+
 enum Writer<'a> {
     Dxf(Dxf<Draft>),
     Csv(Box<CommandCsv<Draft>>),

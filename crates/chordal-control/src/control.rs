@@ -2,6 +2,7 @@ use chordal_machine::{AxisLimits, Machine};
 
 use crate::command::AxisMask;
 use crate::controls;
+use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::{self, SettingError};
 use crate::table::{CodeRow, ControlTable};
@@ -14,6 +15,8 @@ pub struct Control {
     pub table: &'static ControlTable,
     /// The parameters.
     pub parameters: Parameters,
+    /// The macro rules after the machine file's settings.
+    pub macros: MacroRules,
     /// Row of each G code by ten times its number.
     g_rows: Vec<Option<&'static CodeRow>>,
     m_rows: Vec<Option<&'static CodeRow>>,
@@ -32,9 +35,13 @@ impl Control {
                 axes.insert(index);
             }
         }
+        let mut macros = *table.macros;
+        macros.atan_full_circle = parameters.macro_angles_full_circle;
+        macros.asin_full_circle = parameters.macro_angles_full_circle;
         let control = Control {
             table,
             parameters,
+            macros,
             g_rows: by_number(table.g_codes),
             m_rows: by_number(table.m_codes),
             axes,
@@ -57,7 +64,7 @@ impl Control {
     /// Programs that codes call by settings of the machine: nothing in the text names them.
     pub fn alias_programs(&self) -> Vec<u32> {
         let aliases = &self.parameters.aliases;
-        let rules = self.table.macros;
+        let rules = &self.macros;
         let of = |codes: &[u16], first: u32| -> Vec<u32> {
             (first..).zip(codes).filter(|(_, code)| **code > 0).map(|(number, _)| number).collect()
         };

@@ -155,7 +155,8 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     for at in memchr::memmem::find_iter(text, b"98") {
         call_at(text, at, b'M', lexicon, &mut numbers);
     }
-    for code in [b"65".as_slice(), b"66"] {
+    // G150 takes its outline from a program.
+    for code in [b"65".as_slice(), b"66", b"150"] {
         for at in memchr::memmem::find_iter(text, code) {
             call_at(text, at, b'G', lexicon, &mut numbers);
         }

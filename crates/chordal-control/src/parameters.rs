@@ -1,6 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::CycleRules;
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -109,6 +110,15 @@ pub enum CompensationEntry {
     B,
 }
 
+/// What the last two digits of a fixed pocket routine (Fadal L96NN to L99NN) do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FixedRoutineCount {
+    /// The routine runs as often, as subroutines do.
+    Repeat,
+    /// It runs once.
+    Once,
+}
+
 /// The parameters of a control, as the tables set them and a machine file may change them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameters {
@@ -192,6 +202,16 @@ pub struct Parameters {
     pub bare_home_moves_all: bool,
     /// `M99 P` jumps in the running program instead of the calling one.
     pub return_label_in_callee: bool,
+    /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
+    pub pocket_stepover_mm: f64,
+    /// The count of fixed pocket routines.
+    pub fixed_routine_count: FixedRoutineCount,
+    /// The register word that gives fixed bore milling its diameter.
+    pub bore_diameter_register: u8,
+    /// Canned cycles.
+    pub cycles: CycleRules,
+    /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
+    pub macro_angles_full_circle: bool,
     /// Codes that call macros.
     pub aliases: Aliases,
 }
@@ -251,6 +271,11 @@ impl Parameters {
         calls_within_file: false,
         bare_home_moves_all: false,
         return_label_in_callee: false,
+        pocket_stepover_mm: f64::INFINITY,
+        fixed_routine_count: FixedRoutineCount::Repeat,
+        bore_diameter_register: 1,
+        cycles: CycleRules::COMMON,
+        macro_angles_full_circle: false,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

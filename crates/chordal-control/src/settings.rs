@@ -3,9 +3,10 @@
 use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
-    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FullCircleByRadius,
-    OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
+    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
+    FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
 };
 
 /// How sure a default is.
@@ -54,6 +55,11 @@ pub enum Field {
     LengthMustMatchTool,
     UnitCodes,
     ReturnLabelInCallee,
+    PocketStepover,
+    FixedRoutineCount,
+    BoreDiameterRegister,
+    Cycle(CycleField),
+    MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
     /// An M code that does.
@@ -330,6 +336,19 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
         Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
         Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::PocketStepover if word == "no limit" => p.pocket_stepover_mm = f64::INFINITY,
+        Field::PocketStepover => {
+            p.pocket_stepover_mm = length().and_then(|step| match step > 0.0 {
+                true => Ok(step),
+                false => Err("a length above zero, or `no limit`".to_string()),
+            })?;
+        }
+        Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
+        Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
+        Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
+        Field::MacroAngles => {
+            p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
+        }
         Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
             let code = count()?.min(6000) as u16;
             p.aliases.any |= code > 0;
@@ -396,17 +415,29 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::PocketStepover => mm(p.pocket_stepover_mm),
+        Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
+        Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
+        Field::Cycle(rule) => cycle_rules::value_text(p, rule),
+        Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
         Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
     }
 }
 
+const ROUTINE_COUNTS: &[(&str, FixedRoutineCount)] =
+    &[("repeat", FixedRoutineCount::Repeat), ("once", FixedRoutineCount::Once)];
+
+const REGISTERS: &[(&str, u8)] = &[("R1", 1), ("R2", 2), ("R3", 3), ("R4", 4)];
+
 const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
     &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
 
 const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] =
     &[("A", CompensationEntry::A), ("B", CompensationEntry::B)];
+
+const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
 
 const UNIT_CODES: &[(&str, UnitCodes)] =
     &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];

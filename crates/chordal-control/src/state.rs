@@ -15,18 +15,58 @@ pub(crate) enum Motion {
     Linear,
     Arc(Direction),
     Spiral(Direction),
+    /// None: an axis word needs a motion code (LinuxCNC after G80).
+    None,
 }
 
 /// A canned cycle in force: its kind and the words that stay.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct CycleState {
     pub kind: CycleKind,
-    /// Level of the drilling axis when the cycle began.
+    /// Index of the drilling axis.
+    pub axis: usize,
+    /// Level of the drilling axis when the series of cycles began.
     pub initial: f64,
+    /// R and the depth: levels, or as written where the control reads them again.
     pub r: Option<f64>,
     pub z: Option<f64>,
     pub q: Option<f64>,
-    pub dwell_s: f64,
+    /// I, J and K, mm.
+    pub vector: [Option<f64>; 3],
+    pub dwell_s: Option<f64>,
+    /// P where it is the lift of a peck, mm.
+    pub lift: Option<f64>,
+    /// F where it is the speed of a tap.
+    pub tap_rpm: Option<f64>,
+    /// J where it says how much faster a tap leaves.
+    pub out_factor: Option<f64>,
+    /// `,R1` or `,R0` of a tap.
+    pub synchronous: Option<bool>,
+    /// E: speed of the spindle, reversed, after the hole.
+    pub after_rpm: Option<f64>,
+    /// The present block has made its hole.
+    pub fired: bool,
+}
+
+impl CycleState {
+    pub fn new(kind: CycleKind, axis: usize, initial: f64) -> CycleState {
+        CycleState {
+            kind,
+            axis,
+            initial,
+            r: None,
+            z: None,
+            q: None,
+            vector: [None; 3],
+            dwell_s: None,
+            lift: None,
+            tap_rpm: None,
+            out_factor: None,
+            synchronous: None,
+            after_rpm: None,
+            fired: false,
+        }
+    }
 }
 
 /// How literals become millimetres: `mantissa · factor / 10^(scale + extra)`.

@@ -92,6 +92,8 @@ pub enum Action {
     ReturnToR,
     CancelCycle,
     Cycle(CycleKind),
+    /// Holes of the cycle in force on a circle, an arc or a line.
+    Pattern(Pattern),
     PathExact,
     PathExactStop,
     PathContinuous,
@@ -124,6 +126,11 @@ pub enum Action {
     /// Fadal G66: calls a subroutine after every move.
     ModalSubroutine,
     ModalCallOff,
+    /// A round pocket by one block, clockwise.
+    CircularPocketCw,
+    CircularPocketCcw,
+    /// A pocket of any outline by one block.
+    GeneralPocket,
     /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
     Probe {
         must_hit: bool,
@@ -150,6 +157,61 @@ pub enum CycleKind {
     BackBore,
     BoreManual,
     BoreDwell,
+    /// Tapping with a head that reverses by itself (Fadal G75).
+    SelfReversingTap,
+    /// Boring with feed out, by trade knowledge alone (Fadal G87).
+    BoreInOut,
+}
+
+impl CycleKind {
+    /// A tap, whichever way it turns.
+    pub const fn is_tap(self) -> bool {
+        matches!(self, CycleKind::Tap | CycleKind::LeftTap | CycleKind::SelfReversingTap)
+    }
+
+    /// A cycle that drills in steps.
+    pub const fn is_peck(self) -> bool {
+        matches!(self, CycleKind::Peck | CycleKind::ChipBreak)
+    }
+
+    /// A cycle whose dwell P is a part of it.
+    pub const fn dwells(self) -> bool {
+        matches!(
+            self,
+            CycleKind::DrillDwell
+                | CycleKind::BoreStop
+                | CycleKind::BoreManual
+                | CycleKind::BoreDwell
+        )
+    }
+
+    /// For people: `a pecking cycle`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            CycleKind::ChipBreak => "a chip-breaking cycle",
+            CycleKind::Drill | CycleKind::DrillDwell => "a drilling cycle",
+            CycleKind::Peck => "a pecking cycle",
+            CycleKind::Tap | CycleKind::LeftTap | CycleKind::SelfReversingTap => "a tapping cycle",
+            CycleKind::BackBore => "back boring",
+            CycleKind::FineBore
+            | CycleKind::BoreFeedOut
+            | CycleKind::BoreStop
+            | CycleKind::BoreManual
+            | CycleKind::BoreDwell
+            | CycleKind::BoreInOut => "a boring cycle",
+        }
+    }
+}
+
+/// Patterns of holes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Pattern {
+    /// L holes on a whole circle.
+    Circle,
+    /// L holes on an arc, K degrees apart.
+    Arc,
+    /// L holes on a line.
+    Line,
 }
 
 /// One G or M code of a control.
@@ -326,14 +388,6 @@ pub struct ControlTable {
     pub set_data: &'static [(u16, DataTarget)],
     /// Time words of G4.
     pub dwell: &'static [DwellWord],
-    /// Time word P in cycles: seconds in one unit.
-    pub cycle_dwell_s: f64,
-    /// Repeat letter of cycles.
-    pub cycle_repeat: u8,
-    /// G91: R counts from the initial level, Z from R.
-    pub cycle_levels_incremental: bool,
-    /// R levels of cycles come from the register word R0.
-    pub cycle_r_register: bool,
     /// Codes that must be the only G code of their block.
     pub alone: &'static [u16],
     /// M6 stops the spindle by itself.

@@ -5,6 +5,7 @@
 //! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`Canon`] |
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
+//! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -24,6 +25,7 @@ mod motion;
 mod number;
 mod plot;
 pub mod report;
+mod worked;
 
 pub use canon::Canon;
 pub use chords::ChordWriter;
@@ -31,4 +33,5 @@ pub use command_csv::CommandCsv;
 pub use command_json::CommandJsonLines;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
-pub use plot::{Plot, PlotError, PlotOptions};
+pub use plot::{Plot, PlotError, PlotOptions, figure_png, figure_svg};
+pub use worked::{worked_json, worked_text};

@@ -4,6 +4,8 @@
 mod commands;
 #[path = "suite/common.rs"]
 mod common;
+#[path = "suite/figure.rs"]
+mod figure;
 #[path = "suite/path.rs"]
 mod path;
 #[path = "suite/plot.rs"]

@@ -265,6 +265,10 @@ impl<'a> Checks<'a> {
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
+        // The joints within a cycle are the control's, not the programmer's.
+        if origin.cycle {
+            return;
+        }
         let flat = |direction: Vec3| {
             let normal = plane.normal();
             (direction - normal * direction.dot(normal)).normalized()

@@ -9,6 +9,7 @@
 mod builder;
 mod checks;
 mod frame;
+pub mod gouge;
 mod rapid;
 mod segment;
 

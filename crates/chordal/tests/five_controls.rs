@@ -281,10 +281,10 @@ fn a_radius_above_the_largest() {
 
 #[test]
 fn codes_for_inches() {
-    // G70 is inch on a Fadal, a bolt circle (not carried out) on a Haas, and unknown elsewhere;
+    // G70 is inch on a Fadal, a bolt circle on a Haas, which needs a cycle, and unknown elsewhere;
     // an old Fanuc has a setting for it.
     let unknown = "line X1, CH301";
-    five("", "G70 X1.", ["line X25.4", "", unknown, unknown, unknown]);
+    five("", "G70 X1.", ["line X25.4", "CH807", unknown, unknown, unknown]);
 }
 
 #[test]

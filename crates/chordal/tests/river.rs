@@ -30,8 +30,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-path",
         ],
     ),
-    ("chordal-export", &["chordal"]),
-    ("chordal-cli", &["chordal", "chordal-export"]),
+    ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
+    ("chordal-export", &["chordal", "chordal-calc"]),
+    ("chordal-cli", &["chordal", "chordal-calc", "chordal-export"]),
 ];
 
 #[test]

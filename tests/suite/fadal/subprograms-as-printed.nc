@@ -7,7 +7,7 @@ M99
 O2 (POCKET
 G91 D1
 M98 P1 L4
-L9601 R0+10. R1+.015 R2+2.96 R3+2.96 (= ! CH306)
+L9601 R0+10. R1+.015 R2+2.96 R3+2.96 (= none | ! CH822)
 X1.5 G41 G1 (= line to X1.5)
 Y.98
 X-.52 Y.52 I-.52 G3 (= arc ccw sweep 90)

@@ -7,7 +7,7 @@ M17
 L200 (POCKET
 G91 D1
 L104
-L9601 R0+10. R1+.015 R2+2.96 R3+2.96 (= ! CH306)
+L9601 R0+10. R1+.015 R2+2.96 R3+2.96 (= none | ! CH822 "diameter for tool 1")
 X1.5 G41 G1 (= line to X1.5 Y0 Z-.35)
 Y.98 (= line to X1.5 Y.98)
 X-.52 Y.52 I-.52 G3 (= arc ccw center X.98 Y.98 radius .52 sweep 90 to X.98 Y1.5)

@@ -54,7 +54,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
             if table.lexicon.registers {
                 add("a register: R0+1.5 gives register R0 a value, X+R0 uses it");
             }
-            if table.cycle_r_register {
+            if table.lexicon.registers {
                 add("the R level of cycles is register R0");
             }
         }
@@ -73,7 +73,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
             add("alone: L100 begins subroutine 1, L203 calls subroutine 2 three times");
         }
     }
-    if letter == table.cycle_repeat && letter != b'L' {
+    if letter == parameters.cycles.repeat_letter && letter != b'L' {
         add("repeats a cycle");
     }
     if letter == b'P' {

@@ -77,6 +77,10 @@ impl Folder {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
+    pub fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap()
+    }
+
     /// Names of everything in the folder, in order.
     pub fn names(&self) -> Vec<String> {
         let mut names = Vec::new();

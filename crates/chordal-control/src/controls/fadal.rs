@@ -4,6 +4,10 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::{FeedAlong, RapidPath};
+use crate::cycle_rules::{
+    BoreRules, Cancel, CycleField, CycleRules, DefinitionFires, FiringWords, IncrementalLevels,
+    LevelOrder, MissingLevel, PeckRules, ShiftDirection, TapFeed, TapRules,
+};
 use crate::macros::rules::{Fix, MacroForm, MacroRules};
 use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
@@ -33,10 +37,6 @@ pub static FADAL: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 0.001,
-    cycle_repeat: b'L',
-    cycle_levels_incremental: false,
-    cycle_r_register: true,
     alone: &[530, 920],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",
@@ -72,15 +72,38 @@ const PARAMETERS: Parameters = Parameters {
     max_repeats: 99,
     chip_break_mm: 1.27,
     peck_clearance_mm: 1.27,
+    cycles: CYCLES,
     ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    fires_on: FiringWords::Place,
+    definition: DefinitionFires::WithPlace,
+    incremental: IncrementalLevels::Refused,
+    missing_r: MissingLevel::Current,
+    order: LevelOrder::AllBelowInitial,
+    // Section 15: G80, G28, G29, M6, G49 and H0 end a cycle; G0 and G1 are not listed.
+    cancel: Cancel {
+        by_motion: false,
+        by_reference: true,
+        by_tool_change: true,
+        by_length_cancel: true,
+    },
+    peck: PeckRules { decreasing: true, p_is_lift: true, ..CycleRules::COMMON.peck },
+    tap: TapRules { feed: TapFeed::SpeedWithLeadQ, ..CycleRules::COMMON.tap },
+    bore: BoreRules {
+        direction: ShiftDirection { second: true, minus: false },
+        ..CycleRules::COMMON.bore
+    },
+    ..CycleRules::COMMON
 };
 
 const SETTINGS: &[Setting] = &[
     setting(
         "format",
-        Field::LengthByHAlone,
+        Field::Cycle(CycleField::Format),
         &[("1", "on"), ("2", "off")],
-        "Format 1: H alone brings length (and diameter) into force; Format 2: G43 H and D",
+        "Format 1: H alone brings length (and diameter) into force, F of a tap is its speed; Format 2: G43 H and D",
         Certainty::Documented,
         "Section 15",
     ),
@@ -91,6 +114,94 @@ const SETTINGS: &[Setting] = &[
         "the tool table holds `diameter` or `radius`",
         Certainty::Documented,
         "Section 15, SETP",
+    ),
+    setting(
+        "pocket stepover",
+        Field::PocketStepover,
+        &[],
+        "L96 to L99: largest distance of two rings; never more than leaves nothing standing",
+        Certainty::Unknown,
+        "no text found; without it 1.707 times the tool's flat radius, in circles twice",
+    ),
+    setting(
+        "pocket count",
+        Field::FixedRoutineCount,
+        &[],
+        "L96NN to L99NN: `repeat` runs the routine NN times, `once` passes NN over",
+        Certainty::Unknown,
+        "after the L call of subroutines",
+    ),
+    setting(
+        "bore diameter word",
+        Field::BoreDiameterRegister,
+        &[],
+        "L94NN and L95NN: the register word of the bore's diameter, `R1` to `R4`",
+        Certainty::Unknown,
+        "no text found",
+    ),
+    setting(
+        "cycle activation",
+        Field::Cycle(CycleField::Definition),
+        &[],
+        "whether the block that defines a cycle drills: `with-place` (where it names X or Y), `never`, `always`",
+        Certainty::Unknown,
+        "Section 4, not legible",
+    ),
+    setting(
+        "cycle without R0",
+        Field::Cycle(CycleField::MissingR),
+        &[],
+        "a cycle without R0: `current` (feeds from where the tool is) or `refused`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "L0 in cycles",
+        Field::Cycle(CycleField::ZeroRepeats),
+        &[],
+        "`stored` (nothing moves), `place-only` or `refused`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "G73 P",
+        Field::Cycle(CycleField::PIsLift),
+        &[],
+        "P of G73 is the lift of a peck (`on`) or a time (`off`)",
+        Certainty::Trade,
+        "post-processors",
+    ),
+    setting(
+        "G83 P",
+        Field::Cycle(CycleField::PIsClearance),
+        &[],
+        "P of G83 is the clearance of a peck (`on`) or a time (`off`)",
+        Certainty::Trade,
+        "an older post-processor",
+    ),
+    setting(
+        "G76 direction",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[],
+        "where Q shifts the tool: `x+`, `x-`, `y+`, `y-`",
+        Certainty::Trade,
+        "comment of a post-processor",
+    ),
+    setting(
+        "L93 radius",
+        Field::Cycle(CycleField::BoltCircleRadius),
+        &[],
+        "register that holds the radius of a bolt circle",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "L93 angle",
+        Field::Cycle(CycleField::BoltCircleAngle),
+        &[],
+        "register that holds the first angle of a bolt circle, in degrees",
+        Certainty::Unknown,
+        "",
     ),
 ];
 
@@ -139,6 +250,13 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::PlaneChangeInCompensation, "ATTEMPT TO SWITCH PLANE DURING CRC"),
     (Code::CompensationWithoutOffset, "CRC CALLED WITH NO TOOL ASSIGNED"),
     (Code::NestingTooDeep, "TOO MANY SUBR. CALLS (7)"),
+    (Code::ImproperFixedRoutine, "IMPROPER USE OF CANNED SUBR."),
+    (Code::CycleWithoutR, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutDepth, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutPeck, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutLead, "THREAD LEAD NOT SPECIFIED"),
+    (Code::CycleLevels, "BAD Z OR R0"),
+    (Code::CycleDepthIncremental, "BAD Z OR R0"),
     (Code::DivisionByZero, "ATTEMPTED DIVISION BY ZERO"),
     (Code::OutsideDomain, "ATTEMPTED SQR OF A NEGATIVE NUMBER"),
     (Code::NumberOverflow, "NUMBER OUT OF RANGE"),
@@ -238,7 +356,7 @@ const G_CODES: &[CodeRow] = &[
     row(
         750,
         Group::Cycle,
-        Action::Cycle(CycleKind::Tap),
+        Action::Cycle(CycleKind::SelfReversingTap),
         "RPQLIJK",
         "tapping with a self-reversing head",
     ),
@@ -264,7 +382,7 @@ const G_CODES: &[CodeRow] = &[
         "RPQLIJK",
         "boring, spindle stops, rapid out",
     ),
-    row(870, Group::Cycle, Action::Cycle(CycleKind::BoreFeedOut), "RPQLIJK", "boring, feed out"),
+    row(870, Group::Cycle, Action::Cycle(CycleKind::BoreInOut), "RPQLIJK", "boring, feed out"),
     row(
         880,
         Group::Cycle,

@@ -4,6 +4,7 @@ use chordal_diagnostics::Code;
 use chordal_syntax::Lexicon;
 
 use crate::command::FeedAlong;
+use crate::cycle_rules::{CycleField, CycleRules, TapRules};
 use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -32,10 +33,6 @@ pub static FANUC: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 0.001,
-    cycle_repeat: b'K',
-    cycle_levels_incremental: true,
-    cycle_r_register: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
@@ -54,17 +51,32 @@ const PARAMETERS: Parameters = Parameters {
     radius_offsets: OffsetKind::Radius,
     nesting: 10,
     packed_calls: true,
+    macro_angles_full_circle: true,
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
+    cycles: CYCLES,
     ..Parameters::COMMON
 };
 
+const CYCLES: CycleRules = CycleRules {
+    repeat_letter: b'K',
+    tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
+    ..CycleRules::COMMON
+};
 /// A code that calls a program; 0 for none.
 const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
     setting(name, field, &[], text, Certainty::Trade, "16i")
 }
 
 const SETTINGS: &[Setting] = &[
+    setting(
+        "No. 6004#0",
+        Field::MacroAngles,
+        &[("0", "0-to-360"), ("1", "180")],
+        "NAT: ATAN and ASIN give 0 to 360 degrees (0) or -180 to 180 (1)",
+        Certainty::Trade,
+        "16i",
+    ),
     setting(
         "No. 3410",
         Field::RadiusErrorTolerance,
@@ -139,6 +151,86 @@ const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "",
     ),
+    setting(
+        "No. 5101#0",
+        Field::Cycle(CycleField::Axis),
+        &[("0", "z"), ("1", "plane-normal")],
+        "FXY: cycles drill along Z, or along the normal of the plane",
+        Certainty::Trade,
+        "16i",
+    ),
+    setting(
+        "No. 5101#4-5",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[("00", "x+"), ("01", "x-"), ("10", "y+"), ("11", "y-")],
+        "RD1, RD2: where Q shifts the tool in G76 and G87",
+        Certainty::Trade,
+        "16i, 0i",
+    ),
+    setting(
+        "No. 5148",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[("1", "x+"), ("-1", "x-"), ("2", "y+"), ("-2", "y-")],
+        "where Q shifts the tool in G76 and G87, as a signed axis",
+        Certainty::Trade,
+        "30i",
+    ),
+    setting(
+        "No. 6240",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[],
+        "the same on 15i: `x+`, `x-`, `y+`, `y-`",
+        Certainty::Documented,
+        "B-63324EN, G76",
+    ),
+    setting(
+        "No. 6200#2",
+        Field::Cycle(CycleField::Shift),
+        &[("0", "q"), ("1", "vector")],
+        "the shift of G76 and G87 is Q, or I and J",
+        Certainty::Documented,
+        "B-63324EN, G76",
+    ),
+    setting(
+        "No. 5200#5",
+        Field::Cycle(CycleField::TapFullReturn),
+        &[("0", "off"), ("1", "on")],
+        "PCP: peck tapping returns to R (1), or by No. 5213 (0)",
+        Certainty::Trade,
+        "16i",
+    ),
+    setting(
+        "No. 5213",
+        Field::Cycle(CycleField::TapLift),
+        &[],
+        "lift of peck tapping",
+        Certainty::Trade,
+        "16i",
+    ),
+    setting(
+        "tapping dwell at R",
+        Field::Cycle(CycleField::TapDwellAtR),
+        &[],
+        "the dwell of a tapping cycle recurs at R",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "cycle repeats",
+        Field::Cycle(CycleField::RepeatLetter),
+        &[],
+        "letter of the repeat count: `K`, or `L` on 6M and 15",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "cycle fires on",
+        Field::Cycle(CycleField::FiresOn),
+        &[],
+        "what sets off a hole of a cycle in force: `place`, `any-axis` or `axis-or-level`",
+        Certainty::Trade,
+        "",
+    ),
     call("No. 6050", Field::AliasG(0), "G code that calls macro O9010"),
     call("No. 6051", Field::AliasG(1), "G code that calls macro O9011"),
     call("No. 6052", Field::AliasG(2), "G code that calls macro O9012"),
@@ -202,6 +294,7 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::NestingTooDeep, "PS0077 TOO MANY SUB,MACRO NESTING"),
     (Code::UnknownCode, "PS0010 IMPROPER G-CODE"),
     (Code::BadNumber, "PS0007 ILLEGAL USE OF DECIMAL POINT"),
+    (Code::CycleWithoutPeck, "PS0045 ADDRESS Q NOT FOUND (G73/G83)"),
     (Code::BadExpression, "PS0114 ILLEGAL EXPRESSION FORMAT"),
     (Code::UnbalancedBrackets, "PS0118 TOO MANY BRACKET NESTING"),
     (Code::BracketsTooDeep, "PS0118 TOO MANY BRACKET NESTING"),

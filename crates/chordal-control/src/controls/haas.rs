@@ -4,11 +4,15 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::RapidPath;
+use crate::cycle_rules::{
+    BoreRules, CycleField, CycleRules, DefinitionFires, FiringWords, MissingLevel, PeckDwell,
+    PeckRules, ShiftWords, TapRules, ZeroRepeats,
+};
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, Pattern, Sign, Subroutines, row,
 };
 
 /// Haas mill, NGC.
@@ -32,10 +36,6 @@ pub static HAAS: ControlTable = ControlTable {
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 0.001,
-    cycle_repeat: b'L',
-    cycle_levels_incremental: true,
-    cycle_r_register: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G154",
@@ -59,9 +59,27 @@ const PARAMETERS: Parameters = Parameters {
     bare_home_moves_all: true,
     return_label_in_callee: true,
     preset_clears_shift: true,
+    cycles: CYCLES,
     ..Parameters::COMMON
 };
 
+const CYCLES: CycleRules = CycleRules {
+    fires_on: FiringWords::Place,
+    // Setting 28 on.
+    definition: DefinitionFires::Always,
+    missing_r: MissingLevel::Current,
+    zero_repeats: ZeroRepeats::PlaceOnly,
+    dwell_point_s: 1.0,
+    peck: PeckRules {
+        decreasing: true,
+        return_after_k: true,
+        dwell: PeckDwell::Bottom,
+        ..CycleRules::COMMON.peck
+    },
+    tap: TapRules { out_factor_by_j: true, ..CycleRules::COMMON.tap },
+    bore: BoreRules { shift: ShiftWords::QOrVector, ..CycleRules::COMMON.bore },
+    ..CycleRules::COMMON
+};
 /// A code that calls a program; 0 for none.
 const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
     setting(
@@ -93,9 +111,9 @@ const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        Field::ChipBreak,
+        Field::Cycle(CycleField::Lifts),
         &[],
-        "lift of G73 between pecks",
+        "lift of G73 and clearance of G83 between pecks",
         Certainty::Documented,
         "Setting 22, Can Cycle Delta Z",
     ),
@@ -138,6 +156,70 @@ const SETTINGS: &[Setting] = &[
         "straight rapids",
         Certainty::Documented,
         "Setting 335, Linear Rapid Mode",
+    ),
+    setting(
+        "Setting 27",
+        Field::Cycle(CycleField::ShiftDirection),
+        &[("X+", "x+"), ("X-", "x-"), ("Y+", "y+"), ("Y-", "y-")],
+        "where Q shifts the tool in G76 and G77",
+        Certainty::Documented,
+        "Setting 27, G76/G77 Shift Dir.",
+    ),
+    setting(
+        "Setting 28",
+        Field::Cycle(CycleField::Definition),
+        &[("on", "always"), ("off", "with-place")],
+        "on: a cycle drills also where it is defined without X and Y",
+        Certainty::Documented,
+        "Setting 28, Can Cycle Act w/o X/Y",
+    ),
+    setting(
+        "Setting 52",
+        Field::Cycle(CycleField::ReturnAboveR),
+        &[],
+        "how far above R the chip-clearing return of G83 goes",
+        Certainty::Documented,
+        "Setting 52, G83 Retract Above R",
+    ),
+    setting(
+        "Setting 52 in G73",
+        Field::Cycle(CycleField::ChipBreakAboveR),
+        &[],
+        "G73 returns that far above R too",
+        Certainty::Documented,
+        "manual of 1999",
+    ),
+    setting(
+        "Setting 130",
+        Field::Cycle(CycleField::TapOutFactor),
+        &[],
+        "speed of a tap on the way out over that on the way in; 0 or 1: the same",
+        Certainty::Documented,
+        "Setting 130, Tap Retract Speed",
+    ),
+    setting(
+        "cycle fires on",
+        Field::Cycle(CycleField::FiresOn),
+        &[],
+        "what sets off a hole of a cycle in force: `place`, `any-axis` or `axis-or-level`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "cycle axis",
+        Field::Cycle(CycleField::Axis),
+        &[],
+        "cycles drill along `z` or the `plane-normal`",
+        Certainty::Unknown,
+        "",
+    ),
+    setting(
+        "G77 scheme",
+        Field::Cycle(CycleField::BackBore),
+        &[],
+        "back boring: `shift-at-initial`, or `shift-at-r` as the prose of the manual has it",
+        Certainty::Unknown,
+        "G77",
     ),
     call("Parameter 81", Field::AliasM(0), "M code that calls O9000"),
     call("Parameter 82", Field::AliasM(1), "M code that calls O9001"),
@@ -184,6 +266,8 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::PlaneChangeInCompensation, "alarm 344 cutter compensation with G18 and G19"),
     (Code::ProgramWithoutEnd, "alarm 312 PROGRAM END"),
     (Code::LengthOffsetOfOtherTool, "alarm 332 H and T not matched"),
+    (Code::PocketWithoutGeometry, "alarm 314 SUBPROGRAM NOT IN MEMORY"),
+    (Code::PocketGeometry, "alarm 370 POCKET DEFINITION ERROR"),
     (Code::BadVariable, "503"),
     (Code::UnbalancedBrackets, "504"),
     (Code::DivisionByZero, "508"),
@@ -217,18 +301,12 @@ const G_CODES: &[CodeRow] = &[
     row(40, Group::OneShot, Action::Dwell, "P", "dwell"),
     row(90, Group::OneShot, Action::ExactStopOnce, "", "exact stop in this block"),
     row(100, Group::OneShot, Action::SetData, "LPRXYZABCIJKHDQEST", "write offsets and data"),
-    row(
-        120,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
-        "circular pocket clockwise",
-    ),
+    row(120, Group::OneShot, Action::CircularPocketCw, "IKQLD", "circular pocket clockwise"),
     row(
         130,
-        Group::Auxiliary,
-        Action::NotSimulated,
-        "XYZABCIJKPQRLDHE",
+        Group::OneShot,
+        Action::CircularPocketCcw,
+        "IKQLD",
         "circular pocket counter-clockwise",
     ),
     row(170, Group::Plane, Action::PlaneXy, "", "arcs and compensation in XY"),
@@ -290,9 +368,9 @@ const G_CODES: &[CodeRow] = &[
     row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
     row(680, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "rotation"),
     row(690, Group::Rotation, Action::NoEffect, "", "rotation off"),
-    row(700, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt circle"),
-    row(710, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "bolt arc"),
-    row(720, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "holes on a line"),
+    row(700, Group::OneShot, Action::Pattern(Pattern::Circle), "IJL", "bolt circle"),
+    row(710, Group::OneShot, Action::Pattern(Pattern::Arc), "IJKL", "bolt arc"),
+    row(720, Group::OneShot, Action::Pattern(Pattern::Line), "IJL", "holes on a line"),
     row(
         730,
         Group::Cycle,
@@ -395,7 +473,7 @@ const G_CODES: &[CodeRow] = &[
         "XYZABCIJKPQRLDHE",
         "five-axis length compensation",
     ),
-    row(1500, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "pocket"),
+    row(1500, Group::OneShot, Action::GeneralPocket, "RPQIJKDS", "pocket of any outline"),
     row(1540, Group::WorkOffset, Action::WorkOffsetExtended, "P", "extended work offset"),
     row(1550, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "work offset by probe"),
     row(

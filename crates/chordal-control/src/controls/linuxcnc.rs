@@ -4,6 +4,10 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use crate::command::RapidPath;
+use crate::cycle_rules::{
+    Approach, BackBore, BoreRules, CycleRules, DrillingAxis, FiringWords, IncrementalLevels,
+    LevelOrder, PeckRules, ShiftWords, TapRules, ZeroRepeats,
+};
 use crate::macros::rules::{
     MacroForm, MacroRules, System, SystemRow, VariableRange, common, system,
 };
@@ -35,10 +39,6 @@ pub static LINUXCNC: ControlTable = ControlTable {
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 1.0,
-    cycle_repeat: b'L',
-    cycle_levels_incremental: true,
-    cycle_r_register: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G59",
@@ -70,7 +70,40 @@ const PARAMETERS: Parameters = Parameters {
     radius_offsets: OffsetKind::Diameter,
     nesting: 10,
     bare_home_moves_all: true,
+    cycles: CYCLES,
     ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    axis: DrillingAxis::PlaneNormal,
+    fires_on: FiringWords::AnyAxis,
+    incremental: IncrementalLevels::ReadAgain,
+    order: LevelOrder::DepthBelowR,
+    keeps_words: false,
+    zero_repeats: ZeroRepeats::Refused,
+    approach: Approach::ByClearLevel,
+    dwell_integer_s: 1.0,
+    dwell_point_s: 1.0,
+    needs_p: true,
+    strict: true,
+    one_group_with_motion: true,
+    peck: PeckRules { positive_only: true, ..CycleRules::COMMON.peck },
+    tap: TapRules {
+        starts_spindle: false,
+        spindle_must_turn: true,
+        out_to_clear: true,
+        dwell_after_reverse: true,
+        ..CycleRules::COMMON.tap
+    },
+    bore: BoreRules {
+        dwell_out_to_clear: true,
+        dwell_before_stop: true,
+        spindle_must_turn: true,
+        shift: ShiftWords::Vector,
+        back: BackBore::UpAndDown,
+        ..CycleRules::COMMON.bore
+    },
+    ..CycleRules::COMMON
 };
 
 const SETTINGS: &[Setting] = &[setting(
@@ -159,6 +192,17 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::UnbalancedBrackets, "Unclosed expression"),
     (Code::ProbeWithoutHit, "G38.2 probe move finished without making contact"),
     (Code::ProgramWithoutEnd, "File ended with no percent sign or program end"),
+    (Code::CycleWithoutR, "R clearance plane unspecified in cycle"),
+    (Code::CycleWithoutDepth, "Z value unspecified in xy plane canned cycle"),
+    (Code::CycleWithoutPeck, "Q word missing with g83, or negative or zero q value used"),
+    (Code::CycleWithoutDwell, "Dwell time p word missing"),
+    (Code::CycleLevels, "R less than z in cycle in xy plane"),
+    (Code::CycleInCompensation, "Cannot use canned cycles with cutter compensation on"),
+    (Code::CycleZeroRepeats, "Cannot do zero repeats of cycle"),
+    (Code::CycleInInverseTime, "Cannot use inverse time feed with canned cycles"),
+    (Code::CycleRotaryWord, "Cannot put an a in canned cycle"),
+    (Code::NoMotionInForce, "Cannot use axis values without a g code that uses them"),
+    (Code::CycleSpindle, "Spindle not turning in cycle"),
 ];
 
 const EVIDENCE: &[Evidence] = &[

@@ -4,6 +4,7 @@ use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
 use crate::command::FeedAlong;
+use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
 use crate::parameters::{OffsetKind, Parameters, SpiralForm};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -32,10 +33,6 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    cycle_dwell_s: 0.001,
-    cycle_repeat: b'L',
-    cycle_levels_incremental: true,
-    cycle_r_register: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
@@ -54,9 +51,22 @@ const PARAMETERS: Parameters = Parameters {
     spiral_end_tolerance_mm: 0.1,
     radius_offsets: OffsetKind::Radius,
     nesting: 8,
+    macro_angles_full_circle: true,
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
+    cycles: CYCLES,
     ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    peck: PeckRules { dwell: PeckDwell::EachPeck, ..CycleRules::COMMON.peck },
+    bore: BoreRules {
+        dwell_before_stop: true,
+        shift: ShiftWords::Vector,
+        shift_at_feed: true,
+        ..CycleRules::COMMON.bore
+    },
+    ..CycleRules::COMMON
 };
 
 const SETTINGS: &[Setting] = &[
@@ -102,6 +112,38 @@ const SETTINGS: &[Setting] = &[
     ),
     setting("#8012", Field::ChipBreak, &[], "lift of G73", Certainty::Trade, ""),
     setting("#8013", Field::PeckClearance, &[], "clearance of G83", Certainty::Trade, ""),
+    setting(
+        "#1080 Dril_Z",
+        Field::Cycle(CycleField::Axis),
+        &[("1", "z"), ("0", "plane-normal")],
+        "cycles drill along Z, or along the normal of the plane",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "G73 dwell",
+        Field::Cycle(CycleField::PeckDwell),
+        &[],
+        "P of G73 and G83: `each-peck`, `bottom` or `none`",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "tapping F",
+        Field::Cycle(CycleField::TapFeed),
+        &[("asynchronous", "programmed"), ("synchronous", "lead")],
+        "F of a tap without ,R: feed per minute, or the pitch",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "cycle fires on",
+        Field::Cycle(CycleField::FiresOn),
+        &[],
+        "what sets off a hole of a cycle in force: `place`, `any-axis` or `axis-or-level`",
+        Certainty::Trade,
+        "",
+    ),
 ];
 
 const SET_DATA: &[(u16, DataTarget)] = &[

@@ -17,6 +17,9 @@ use crate::table::{Action, CodeRow, Group, LineRepeat, MotionModality, Subroutin
 /// Letters of a block that only moves: no mode, no table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 
+/// The fixed subroutine that drills a bolt circle (Fadal L93NN).
+const BOLT_CIRCLE: u32 = 93;
+
 /// Letters that every block may have.
 const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
@@ -107,7 +110,7 @@ impl<S: Sink> Interpreter<'_, S> {
             let letter = block.words[second.1].letter;
             let clash = codes[..index].iter().find(|first| {
                 block.words[first.1].letter == letter
-                    && first.0.group == second.0.group
+                    && self.one_group(first.0.group, second.0.group)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
             });
             if let Some(first) = clash {
@@ -202,8 +205,12 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         self.take_registers(block);
         self.take_letters(block, codes);
+        // G41 beside a pocket names its side; the cycle offsets by itself.
+        let own_side = codes.iter().any(|(row, _)| row.action == Action::GeneralPocket);
         for (row, at) in codes {
-            self.take_mode(block, row, *at);
+            if !(own_side && row.group == Group::Compensation) {
+                self.take_mode(block, row, *at);
+            }
         }
         self.take_length(block, codes);
         let one_shot = codes.iter().rev().find(|(row, _)| takes_axes(row.action));
@@ -229,7 +236,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 Action::Absolute => self.state.incremental = false,
                 Action::Incremental => self.state.incremental = true,
                 action if row.group == Group::Motion => {
-                    self.state.cycle = None;
+                    self.end_cycle_if(self.control.parameters.cycles.cancel.by_motion);
                     self.take_motion_code(action);
                 }
                 _ => {}
@@ -298,6 +305,9 @@ impl<S: Sink> Interpreter<'_, S> {
 
     fn check_comma_words(&mut self, block: &Block) {
         for word in block.words.iter().filter(|word| word.comma) {
+            if word.letter == b'R' && self.tap_stands_in(block) {
+                continue;
+            }
             let letter = word.letter as char;
             self.report(
                 Diagnostic::new(
@@ -317,21 +327,38 @@ impl<S: Sink> Interpreter<'_, S> {
         codes: &[(&'static CodeRow, usize)],
         claims: Letters,
     ) -> Option<Flow> {
-        if claims.has(b'L') || !block.letters().has(b'L') {
+        let table = self.control.table;
+        let calls = table.subroutines == Subroutines::LetterL;
+        let taken = claims.has(b'L') && !(calls && self.cycle_counts_in_l(block, codes));
+        if taken || !block.letters().has(b'L') {
             return None;
         }
-        let table = self.control.table;
         let word = *block.last(b'L')?;
         let count = self.count(&word)?;
+        // Below a hundred L repeats the hole of the cycle in force.
+        if claims.has(b'L') && count < 100 {
+            return None;
+        }
         if table.subroutines == Subroutines::LetterL && count >= 100 {
             let mut claims = claims;
             claims.insert(b'L');
             self.check_unused(block, claims);
             self.take_registers(block);
             self.take_letters(block, codes);
-            let (target, named) = self.target(block);
-            if named != AxisMask::NONE {
-                self.straight(block, target, named);
+            if self.fixed_routine(block, &word, count) {
+                return Some(Flow::Next);
+            }
+            if count / 100 == BOLT_CIRCLE {
+                self.bolt_circle(block, &word, count % 100);
+                return Some(Flow::Next);
+            }
+            if self.state.cycle.is_some() {
+                self.next_hole_beside_call(block);
+            } else {
+                let (target, named) = self.target(block);
+                if named != AxisMask::NONE {
+                    self.straight(block, target, named);
+                }
             }
             self.call_subroutine(&word, count);
             return Some(Flow::Next);
@@ -343,6 +370,7 @@ impl<S: Sink> Interpreter<'_, S> {
         claims.insert(b'L');
         self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
+        self.warn_of_repeated_modal_subroutine(block, times);
         for pass in 0..times {
             if pass > 0 && !self.count_repeated() {
                 return Some(Flow::End(EndReason::Budget));
@@ -396,7 +424,7 @@ impl<S: Sink> Interpreter<'_, S> {
     /// E, F, S, T, D, and M6, spindle and coolant on.
     fn take_letters(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let letters = block.letters();
-        if letters.has(b'F') {
+        if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
             self.take_feed(block);
         }
         if letters.has(b'S') {
@@ -450,7 +478,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
-            Action::CancelCycle => self.state.cycle = None,
+            Action::CancelCycle => self.cancel_cycle(),
             Action::ModalSubroutine => self.begin_modal_subroutine(block, at),
             Action::ModalCallOff => self.end_modal_call(),
             Action::NotSimulated => {
@@ -545,6 +573,7 @@ impl<S: Sink> Interpreter<'_, S> {
                     self.emit(CommandKind::End);
                     return Flow::End(EndReason::ProgramEnd);
                 }
+                Action::RunCycleHere => self.run_cycle_here(block, *at),
                 Action::CallProgram => self.call_program(block, *at),
                 Action::CallLabel => self.call_label(block, *at),
                 Action::Return => return self.return_from_program(block, *at),
@@ -579,6 +608,10 @@ fn takes_axes(action: Action) -> bool {
             | Action::PresetPosition
             | Action::ClearPreset { .. }
             | Action::RestorePreset
+            | Action::CircularPocketCw
+            | Action::CircularPocketCcw
+            | Action::GeneralPocket
+            | Action::Pattern(_)
             | Action::Probe { .. }
             | Action::NotSimulated
     )

@@ -469,7 +469,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// Where the block with an N number begins. The numbers of a program are read once.
-    fn label(&mut self, program: usize, label: i64) -> Option<TextPosition> {
+    pub(super) fn label(&mut self, program: usize, label: i64) -> Option<TextPosition> {
         self.labels(program, label).first().copied()
     }
 

@@ -12,6 +12,7 @@ mod cycle;
 mod macros;
 mod motion;
 mod offsets;
+mod pocket;
 mod reference;
 mod report;
 mod spiral;
@@ -151,6 +152,8 @@ struct Told {
     offsets: Vec<String>,
     axes: AxisMask,
     points_seen: bool,
+    /// Routines whose path is a choice.
+    assumed_paths: Vec<String>,
 }
 
 /// Runs one program of a library and pushes its commands into a sink.

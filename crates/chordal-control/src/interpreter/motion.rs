@@ -84,12 +84,11 @@ impl<S: Sink> Interpreter<'_, S> {
         explicit: Option<Action>,
         cycle: Option<Action>,
     ) {
-        if explicit.is_some() && self.control.table.motion == MotionModality::Exclusive {
-            self.state.cycle = None;
-        }
+        self.end_cycle_if(explicit.is_some() && self.control.parameters.cycles.cancel.by_motion);
+        let arc = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
         match cycle {
             Some(Action::Cycle(kind)) => self.start_cycle(block, kind),
-            _ if self.state.cycle.is_some() => self.next_hole(block),
+            _ if self.state.cycle.is_some() && !arc => self.next_hole(block),
             _ => self.motion_block(block, explicit),
         }
     }
@@ -137,7 +136,28 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             Motion::Arc(direction) => self.arc_block(block, direction, target, named, explicit),
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            Motion::None => self.report_no_motion(block, target, named),
         }
+    }
+
+    /// Axis words after G80 where that leaves no motion in force; shown as a rapid.
+    #[cold]
+    fn report_no_motion(&mut self, block: &Block, target: Position, named: AxisMask) {
+        if named == AxisMask::NONE {
+            return;
+        }
+        let span = self.span(block.range);
+        self.report(
+            Diagnostic::new(
+                Code::NoMotionInForce,
+                span,
+                "axis words, and no motion code is in force after G80",
+            )
+            .help("write G0 or G1 into this block"),
+        );
+        let motion = self.moved_to(target, named);
+        let path = self.control.parameters.rapid;
+        self.emit(CommandKind::Rapid { motion, path });
     }
 
     fn armed_motion(&mut self, block: &Block, explicit: Option<Action>) {
@@ -246,7 +266,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     #[cold]
-    fn report_spindle_stopped(&mut self, block: &Block) {
+    pub(super) fn report_spindle_stopped(&mut self, block: &Block) {
         if self.told.spindle_for_tool == Some(self.state.tool) {
             return;
         }
@@ -336,7 +356,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     #[cold]
-    fn report_feed_over(&mut self, word: &chordal_syntax::Word, feed: f64, max: f64) {
+    pub(super) fn report_feed_over(&mut self, word: &chordal_syntax::Word, feed: f64, max: f64) {
         let shown = |mm_per_s: f64| match self.state.units {
             Units::Inch => format!("{} in/min", super::values::trim(mm_per_s * 60.0 / 25.4, 1)),
             Units::Millimetre => format!("{} mm/min", super::values::trim(mm_per_s * 60.0, 0)),

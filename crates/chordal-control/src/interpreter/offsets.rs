@@ -85,6 +85,8 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     pub(super) fn set_length(&mut self, block: &Block, length: LengthOffset) {
+        let cancel = self.control.parameters.cycles.cancel;
+        self.end_cycle_if(length.number.is_none() && cancel.by_length_cancel);
         self.state.shift_coordinates(|offsets| offsets.set_length(length));
         let length_mm = self.state.offsets.length_in_force();
         if let (Some(number), None) = (length.number, length_mm) {
@@ -181,7 +183,7 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     /// D, or where H brings the diameter too, H.
-    fn compensation_number(&self) -> Option<u32> {
+    pub(super) fn compensation_number(&self) -> Option<u32> {
         let by_h = self.control.parameters.length_by_h_alone;
         self.state.radius_offset.or(self.state.offsets.length().number.filter(|_| by_h))
     }
@@ -477,6 +479,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 .help("cancel compensation with G40 first"),
             );
         }
+        self.end_cycle_if(self.control.parameters.cycles.cancel.by_tool_change);
         self.state.tool = number;
         if self.control.table.spindle_stops_at_tool_change {
             self.state.spindle = SpindleState::Off;

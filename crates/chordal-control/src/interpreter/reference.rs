@@ -2,6 +2,7 @@
 //! presets and shifts.
 
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::Direction;
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -15,8 +16,15 @@ impl<S: Sink> Interpreter<'_, S> {
         match action {
             Action::Dwell => self.dwell(block, at),
             Action::SetData => self.set_data(block, at),
-            Action::ReturnToReference { second } => self.return_to_reference(block, second),
-            Action::ReturnFromReference => self.return_from_reference(block),
+            Action::ReturnToReference { second } => {
+                self.end_cycle_if(self.control.parameters.cycles.cancel.by_reference);
+                self.return_to_reference(block, second);
+            }
+            Action::ReturnFromReference => {
+                self.end_cycle_if(self.control.parameters.cycles.cancel.by_reference);
+                self.return_from_reference(block);
+            }
+            Action::Pattern(pattern) => self.pattern(block, at, pattern),
             Action::Probe { must_hit } => self.probe_move(block, at, must_hit),
             Action::MachineCoordinates => self.machine_coordinates(block),
             Action::LocalShift => self.local_shift(block),
@@ -27,6 +35,9 @@ impl<S: Sink> Interpreter<'_, S> {
                 self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
                 self.emit_work_offset();
             }
+            Action::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
+            Action::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
+            Action::GeneralPocket => self.general_pocket(block, at),
             // Told when its mode was taken; its axis words belong to it.
             _ => {}
         }

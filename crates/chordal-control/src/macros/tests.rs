@@ -33,6 +33,10 @@ impl Variables for Shelf {
     fn read_letters(&mut self, letters: u8, number: f64, _: TextRange) -> Result<Value, Fault> {
         Ok(Some(f64::from(letters) * 1000.0 + number))
     }
+
+    fn radians(&self) -> bool {
+        false
+    }
 }
 
 fn run(

@@ -4,9 +4,11 @@
 //! says what it is, and the text that `chordal explain` prints.
 
 mod compensation;
+mod cycles;
 mod machine;
 mod macros;
 mod motion;
+mod pockets;
 mod program;
 mod reading;
 mod words;
@@ -100,6 +102,10 @@ codes! {
     CompensationWithoutOffset => compensation::WITHOUT_OFFSET,
     PlaneChangeInCompensation => compensation::PLANE_CHANGE,
     CompensationAtEnd => compensation::AT_END,
+    CutterGouges => compensation::GOUGE,
+    CutterGougesAtLead => compensation::GOUGE_AT_LEAD,
+    SideAmbiguous => compensation::SIDE_AMBIGUOUS,
+    GougeSearchLimit => compensation::GOUGE_SEARCH_LIMIT,
     TravelExceeded => machine::TRAVEL_EXCEEDED,
     RapidIntoPart => machine::RAPID_INTO_PART,
     OffsetNotSet => machine::OFFSET_NOT_SET,
@@ -137,6 +143,33 @@ codes! {
     InputNotAnswered => macros::INPUT_NOT_ANSWERED,
     ProbeWithoutHit => macros::PROBE_WITHOUT_HIT,
     BadProbeMove => macros::BAD_PROBE_MOVE,
+    CycleWithoutR => cycles::WITHOUT_R,
+    CycleWithoutDepth => cycles::WITHOUT_DEPTH,
+    CycleWithoutPeck => cycles::WITHOUT_PECK,
+    CycleWithoutDwell => cycles::WITHOUT_DWELL,
+    CycleWithoutLead => cycles::WITHOUT_LEAD,
+    CycleLevels => cycles::LEVELS,
+    CycleInCompensation => cycles::IN_COMPENSATION,
+    NoCycle => cycles::NO_CYCLE,
+    CycleZeroRepeats => cycles::ZERO_REPEATS,
+    CycleInInverseTime => cycles::IN_INVERSE_TIME,
+    CycleRotaryWord => cycles::ROTARY_WORD,
+    TooManyPecks => cycles::TOO_MANY_PECKS,
+    CycleNotDocumented => cycles::NOT_DOCUMENTED,
+    NoMotionInForce => cycles::NO_MOTION,
+    CycleSpindle => cycles::SPINDLE,
+    CycleWithoutShift => cycles::WITHOUT_SHIFT,
+    PatternWords => cycles::PATTERN_WORDS,
+    CycleDepthIncremental => cycles::DEPTH_INCREMENTAL,
+    ImproperFixedRoutine => pockets::IMPROPER_FIXED_ROUTINE,
+    PocketTooSmall => pockets::TOO_SMALL,
+    PocketWithoutDiameter => pockets::WITHOUT_DIAMETER,
+    PocketWithoutGeometry => pockets::WITHOUT_GEOMETRY,
+    PocketGeometry => pockets::GEOMETRY,
+    PocketRefused => pockets::REFUSED,
+    PocketRidges => pockets::RIDGES,
+    PocketUnreached => pockets::UNREACHED,
+    PocketPathAssumed => pockets::PATH_ASSUMED,
     InternalError => machine::INTERNAL_ERROR,
 }
 

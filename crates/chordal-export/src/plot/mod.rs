@@ -1,5 +1,7 @@
 //! The path as a drawing: three views and an isometric one on a sheet, as SVG or PNG.
 
+mod figure;
+mod figure_labels;
 mod frame;
 mod layout;
 mod palette;
@@ -16,6 +18,7 @@ use chordal::{Job, Segment};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
+pub use figure::{figure_png, figure_svg};
 use store::Store;
 
 /// What stands on the sheet beside the path, and how large it is.
@@ -103,18 +106,22 @@ impl Plot {
     /// When the sheet has no reasonable size.
     pub fn png(&self, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
         let (width, height) = (options.width_px, options.height_px);
-        let size = PlotError::Size(width, height);
-        let pixels = u64::from(width) * u64::from(height);
-        if !SIDES_PX.contains(&width) || !SIDES_PX.contains(&height) || pixels > MOST_PIXELS {
-            return Err(size);
-        }
-        let svg = self.svg(options);
-        let tree = usvg::Tree::from_str(&svg, &usvg_options())
-            .map_err(|error| PlotError::Render(error.to_string()))?;
-        let mut pixmap = Pixmap::new(width, height).ok_or(size)?;
-        resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
-        pixmap.encode_png().map_err(|error| PlotError::Render(error.to_string()))
+        render(width, height, || self.svg(options))
     }
+}
+
+/// Draws an SVG of this size as PNG; it is asked for only when the size can be drawn.
+fn render(width: u32, height: u32, svg: impl FnOnce() -> String) -> Result<Vec<u8>, PlotError> {
+    let size = PlotError::Size(width, height);
+    let pixels = u64::from(width) * u64::from(height);
+    if !SIDES_PX.contains(&width) || !SIDES_PX.contains(&height) || pixels > MOST_PIXELS {
+        return Err(size);
+    }
+    let tree = usvg::Tree::from_str(&svg(), &usvg_options())
+        .map_err(|error| PlotError::Render(error.to_string()))?;
+    let mut pixmap = Pixmap::new(width, height).ok_or(size)?;
+    resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
+    pixmap.encode_png().map_err(|error| PlotError::Render(error.to_string()))
 }
 
 /// The two fonts the sheets are set in come with the program: a sheet looks the same on every

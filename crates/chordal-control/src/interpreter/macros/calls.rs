@@ -237,6 +237,14 @@ impl<S: Sink> Interpreter<'_, S> {
         })
     }
 
+    /// M45: the modal call in force, where the tool stands; false where there is none.
+    pub(in super::super) fn run_modal_call_here(&mut self) -> bool {
+        let Some(outer) = self.macros.active.checked_sub(1) else { return false };
+        let call = self.macros.modal[outer].clone();
+        self.enter_modal(&call, &call.arguments);
+        true
+    }
+
     fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, f64)]) {
         let outer = self.macros.active - 1;
         if call.subroutine {

@@ -143,7 +143,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
     fn motion_code(&self) -> f64 {
         match self.state.motion {
-            Motion::Rapid => 0.0,
+            Motion::Rapid | Motion::None => 0.0,
             Motion::Linear => 1.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,

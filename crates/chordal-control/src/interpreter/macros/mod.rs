@@ -25,6 +25,8 @@ use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition,
 
 use super::Interpreter;
 use crate::command::{Position, Sink};
+use crate::control::Control;
+
 use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
 use crate::macros::names::Names;
 use crate::macros::rules::MacroRules;
@@ -117,8 +119,9 @@ impl MacroState<'_> {
 }
 
 impl<'a, S: Sink> Interpreter<'a, S> {
-    pub(super) fn rules(&self) -> &'static MacroRules {
-        self.control.table.macros
+    pub(super) fn rules(&self) -> &'a MacroRules {
+        let control: &'a Control = self.control;
+        &control.macros
     }
 
     /// Takes the parser out, so that its steps can be carried out; to be given back.

@@ -131,6 +131,7 @@ impl<S: Sink> Interpreter<'_, S> {
             return row.map_or(800.0, |row| f64::from(row.code));
         }
         match self.state.motion {
+            Motion::None => 800.0,
             Motion::Rapid => 0.0,
             Motion::Linear => 10.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,

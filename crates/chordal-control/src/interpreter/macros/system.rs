@@ -336,7 +336,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let state = &self.state;
         match group {
             ModalGroup::Motion => match state.motion {
-                Motion::Rapid => 0.0,
+                Motion::Rapid | Motion::None => 0.0,
                 Motion::Linear => 1.0,
                 Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
                 Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,

@@ -1,0 +1,227 @@
+//! A corner of two arcs.
+
+use chordal_geometry::Vec2;
+
+use crate::corner::{Side, cutter};
+use crate::error::{CalcError, bounded};
+use crate::figure::{Figure, Style};
+use crate::math::{PI, atan2, cos, sin};
+use crate::numbers::{Units, degrees, factor};
+use crate::worked::{Kind, Worked};
+
+/// Two arcs that cross, and a cutter that touches both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArcArc {
+    /// Radius of the cutter, mm.
+    pub cutter_radius: f64,
+    /// Radii of the arcs, mm.
+    pub radii: [f64; 2],
+    /// Whether the cutter is inside each arc's circle.
+    pub inside: [bool; 2],
+    /// The second arc's centre from the first's, mm.
+    pub apart: [f64; 2],
+    /// Which crossing: seen from the first centre towards the second.
+    pub side: Side,
+}
+
+/// The crossing of two circles along and across the line of their centres.
+struct Crossing {
+    along: f64,
+    across: f64,
+}
+
+/// Offset of the cutter's centre at a corner of two arcs: the crossing of the arcs with radii
+/// R∓CR less that of the arcs themselves.
+///
+/// # Errors
+/// When the arcs do not cross, or the cutter cannot touch both.
+pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
+    let ArcArc { cutter_radius: cr, radii, inside, apart, side } = *ask;
+    bounded(&[cr, radii[0], radii[1], apart[0], apart[1]], &[], units)?;
+    cutter(cr, units)?;
+    let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
+    for (radius, inside) in radii.into_iter().zip(inside) {
+        if !(radius > 0.0 && radius.is_finite()) || (inside && cr >= radius) {
+            return Err(CalcError::new(
+                format!(
+                    "a cutter of radius {} does not go into an arc of radius {}",
+                    units.length(cr),
+                    units.length(radius)
+                ),
+                "take a smaller cutter; radii are above zero",
+            ));
+        }
+    }
+    if !(distance > 0.0 && distance.is_finite()) {
+        return Err(CalcError::new(
+            "the arcs have one centre: they do not cross",
+            "give how far the second centre is from the first",
+        ));
+    }
+    let sign = |inside: bool| if inside { -1.0 } else { 1.0 };
+    let offset = [radii[0] + sign(inside[0]) * cr, radii[1] + sign(inside[1]) * cr];
+    let corner =
+        cross(radii, distance).ok_or_else(|| apart_error("the arcs", radii, distance, units))?;
+    let center = cross(offset, distance)
+        .ok_or_else(|| apart_error("the ways of the cutter's centre", offset, distance, units))?;
+    let turned = if side == Side::Left { 1.0 } else { -1.0 };
+    let angle = atan2(apart[1], apart[0]);
+    let (du, dv) = (center.along - corner.along, turned * (center.across - corner.across));
+    let (dx, dy) = (du * cos(angle) - dv * sin(angle), du * sin(angle) + dv * cos(angle));
+
+    let mut worked = Worked::new("Corner of two arcs", units);
+    let n = |value: f64| units.number(value);
+    let length = Kind::Length;
+    worked.given("CR", "cutter radius", length, cr);
+    worked.given("R1", "radius of the first arc", length, radii[0]);
+    worked.given("R2", "radius of the second arc", length, radii[1]);
+    worked.given("D", "distance of the centres", length, distance);
+    worked.given("φ", "direction from the first to the second", Kind::Angle, angle);
+    let mut circle = |marks: [&str; 2], names: [&str; 2], radii: [f64; 2], at: &Crossing| {
+        let [a, h] = marks;
+        let (r1, r2, d) = (n(radii[0]), n(radii[1]), n(distance));
+        let [n1, n2] = names;
+        worked.way(
+            a,
+            "along the line of the centres",
+            length,
+            at.along,
+            &format!("({n1}² − {n2}² + D²)/(2·D)"),
+            format!("({r1}² − {r2}² + {d}²)/(2·{d})"),
+        );
+        worked.way(
+            h,
+            "across it",
+            length,
+            at.across,
+            &format!("√({n1}² − {a}²)"),
+            format!("√({r1}² − {}²)", factor(n(at.along))),
+        );
+    };
+    circle(["a", "h"], ["R1", "R2"], radii, &corner);
+    let name =
+        |index: usize| format!("(R{} {} CR)", index + 1, if inside[index] { "−" } else { "+" });
+    circle(["a'", "h'"], [&name(0), &name(1)], offset, &center);
+    let (u, v, phi) = (factor(n(du)), factor(n(dv)), degrees(angle));
+    let (u_way, v_way) = ("a' − a", if side == Side::Left { "h' − h" } else { "h − h'" });
+    worked.way(
+        "u",
+        "along the centres, corner to cutter",
+        length,
+        du,
+        u_way,
+        format!("{} − {}", n(center.along), factor(n(corner.along))),
+    );
+    let (first, second) = if side == Side::Left { (&center, &corner) } else { (&corner, &center) };
+    worked.way(
+        "v",
+        "left of them, corner to cutter",
+        length,
+        dv,
+        v_way,
+        format!("{} − {}", n(first.across), n(second.across)),
+    );
+    let text = format!("{u}·cos({phi}) − {v}·sin({phi})");
+    worked.result(
+        "ΔX",
+        "from the corner to the cutter's centre",
+        length,
+        dx,
+        "u·cos φ − v·sin φ",
+        text,
+    );
+    let text = format!("{u}·sin({phi}) + {v}·cos({phi})");
+    worked.result(
+        "ΔY",
+        "from the corner to the cutter's centre",
+        length,
+        dy,
+        "u·sin φ + v·cos φ",
+        text,
+    );
+    let place = |at: &Crossing| {
+        let (a, h) = (at.along, turned * at.across);
+        Vec2::new(a * cos(angle) - h * sin(angle), a * sin(angle) + h * cos(angle))
+    };
+    worked.figure = draw(ask, place(&corner), place(&center), offset, units);
+    Ok(worked)
+}
+
+fn cross(radii: [f64; 2], distance: f64) -> Option<Crossing> {
+    let [first, second] = radii;
+    let along = ((first - second) * (first + second) + distance * distance) / (2.0 * distance);
+    let square = (first - along) * (first + along);
+    (first > 0.0 && second > 0.0 && square >= 0.0)
+        .then(|| Crossing { along, across: square.sqrt() })
+}
+
+fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: Units) -> CalcError {
+    let [first, second] = radii;
+    CalcError::new(
+        format!(
+            "{what} do not cross: radii {} and {}, centres {} apart",
+            units.length(first),
+            units.length(second),
+            units.length(distance)
+        ),
+        format!(
+            "the centres must be between {} and {} apart",
+            units.length((first - second).abs()),
+            units.length(first + second)
+        ),
+    )
+}
+
+/// The arcs near the corner, the cutter, and both distances.
+fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Units) -> Figure {
+    let cr = ask.cutter_radius;
+    let middles = [Vec2::ZERO, Vec2::new(ask.apart[0], ask.apart[1])];
+    let mut figure = Figure::default();
+    let arm = 3.5 * cr;
+    for index in 0..2 {
+        let (middle, other) = (middles[index], middles[1 - index]);
+        // From the corner, each arc goes on where the cutter's side of the other arc is.
+        let toward = ask.inside[1 - index];
+        let way = |at: Vec2| {
+            let from = at - middle;
+            let ccw = from.turned_left().dot(other - at) > 0.0;
+            if ccw == toward { 1.0 } else { -1.0 }
+        };
+        for (at, radius, style) in
+            [(corner, ask.radii[index], Style::Part), (center, offset[index], Style::Path)]
+        {
+            let from = at - middle;
+            let sweep = way(at) * (arm / radius).min(0.8 * PI);
+            figure.arc(middle, radius, atan2(from.b, from.a), sweep, style);
+        }
+        let from = center - middle;
+        let touch = middle + from * (ask.radii[index] / from.length().max(1e-300));
+        figure.line(center, touch, Style::Helper);
+    }
+    figure.circle(center, cr, Style::Cutter);
+    figure.point(corner, "P");
+    figure.point(center, "C");
+    let step = center - corner;
+    let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
+    if step.a.abs() > 1e-6 * cr {
+        let y = center.b + sign(step.b) * 1.45 * cr;
+        figure.width(corner, center, y, format!("ΔX {}", units.number(step.a.abs())));
+    }
+    if step.b.abs() > 1e-6 * cr {
+        let x = center.a + sign(step.a) * 1.45 * cr;
+        figure.height(corner, center, x, format!("ΔY {}", units.number(step.b.abs())));
+    }
+    for (index, middle) in middles.into_iter().enumerate() {
+        // A hint where the centres are, without drawing all the way there.
+        let from = middle - corner;
+        let far = from.length();
+        let direction = from * (1.0 / far.max(1e-300));
+        let reach = far.min(1.8 * cr);
+        figure.line(corner, corner + direction * reach, Style::Helper);
+        figure.text(
+            corner + direction * reach,
+            format!("R{} {}", index + 1, units.number(ask.radii[index])),
+        );
+    }
+    figure
+}

@@ -1,0 +1,89 @@
+//! Numbers as people write them.
+
+/// The unit in which lengths are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Inches, five decimals.
+    Inch,
+    /// Millimetres, four decimals.
+    Millimetre,
+}
+
+impl Units {
+    /// Millimetres of one unit.
+    pub const fn mm(self) -> f64 {
+        match self {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
+    /// `in` or `mm`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Units::Inch => "in",
+            Units::Millimetre => "mm",
+        }
+    }
+
+    /// Decimals of a length in a text.
+    pub const fn decimals(self) -> usize {
+        match self {
+            Units::Inch => 5,
+            Units::Millimetre => 4,
+        }
+    }
+
+    /// Decimals of a coordinate word in a program: the least increment of a common machine.
+    pub const fn word_decimals(self) -> usize {
+        match self {
+            Units::Inch => 4,
+            Units::Millimetre => 3,
+        }
+    }
+
+    /// A length without its unit.
+    pub fn number(self, mm: f64) -> String {
+        trimmed(mm / self.mm(), self.decimals())
+    }
+
+    /// A length with its unit.
+    pub fn length(self, mm: f64) -> String {
+        format!("{} {}", self.number(mm), self.name())
+    }
+}
+
+/// An angle in degrees, as `30°`.
+pub(crate) fn degrees(angle: f64) -> String {
+    format!("{}°", trimmed(angle.to_degrees(), 4))
+}
+
+/// With at most so many decimals and no zeros at the end.
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text.as_str()
+    };
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// A number within a formula: in parentheses when it is negative.
+pub(crate) fn factor(text: String) -> String {
+    if text.starts_with('-') { format!("({text})") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_exact() {
+        assert_eq!(Units::Inch.length(25.4), "1 in");
+        assert_eq!(Units::Inch.number(6.35), "0.25");
+        assert_eq!(Units::Millimetre.length(-0.00001), "0 mm");
+        assert_eq!(degrees(std::f64::consts::FRAC_PI_6), "30°");
+        assert_eq!(trimmed(100.0, 0), "100");
+    }
+}

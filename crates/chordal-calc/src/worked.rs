@@ -1,0 +1,133 @@
+//! A calculation as it would stand on paper.
+
+use crate::figure::Figure;
+use crate::numbers::{Units, degrees, trimmed};
+
+/// What a number measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A length, mm.
+    Length,
+    /// An angle, rad.
+    Angle,
+    /// A number of things, or a ratio.
+    Number,
+}
+
+/// A number with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The letter of the formulas: `ΔX`.
+    pub symbol: String,
+    /// What it is.
+    pub meaning: String,
+    /// mm, rad, or the number itself.
+    pub value: f64,
+    /// What it measures.
+    pub kind: Kind,
+}
+
+impl Quantity {
+    /// The number with its unit.
+    pub fn text(&self, units: Units) -> String {
+        match self.kind {
+            Kind::Length => units.length(self.value),
+            Kind::Angle => degrees(self.value),
+            Kind::Number => trimmed(self.value, 6),
+        }
+    }
+}
+
+/// One line of a calculation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What comes out.
+    pub quantity: Quantity,
+    /// The formula: `CR·tan(θ/2)`.
+    pub formula: String,
+    /// The formula with the numbers: `0.25·tan(60°/2)`.
+    pub filled: String,
+    /// True when it was asked for, false on the way to it.
+    pub result: bool,
+}
+
+/// A calculation with its figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worked {
+    /// What was calculated.
+    pub title: String,
+    /// The unit of its texts.
+    pub units: Units,
+    /// What was given.
+    pub given: Vec<Quantity>,
+    /// The way and the results, in order.
+    pub steps: Vec<Step>,
+    /// What to know beside the numbers.
+    pub notes: Vec<String>,
+    /// The drawing.
+    pub figure: Figure,
+}
+
+impl Worked {
+    pub(crate) fn new(title: impl Into<String>, units: Units) -> Worked {
+        Worked {
+            title: title.into(),
+            units,
+            given: Vec::new(),
+            steps: Vec::new(),
+            notes: Vec::new(),
+            figure: Figure::default(),
+        }
+    }
+
+    /// The asked number of this symbol: mm, rad or plain.
+    pub fn value(&self, symbol: &str) -> Option<f64> {
+        self.step(symbol).map(|step| step.quantity.value)
+    }
+
+    /// The step that gives this symbol.
+    pub fn step(&self, symbol: &str) -> Option<&Step> {
+        self.steps.iter().find(|step| step.quantity.symbol == symbol)
+    }
+
+    pub(crate) fn given(&mut self, symbol: &str, meaning: &str, kind: Kind, value: f64) {
+        self.given.push(quantity(symbol, meaning, kind, value));
+    }
+
+    /// A number on the way.
+    pub(crate) fn way(
+        &mut self,
+        symbol: &str,
+        meaning: &str,
+        kind: Kind,
+        value: f64,
+        formula: &str,
+        filled: String,
+    ) {
+        let quantity = quantity(symbol, meaning, kind, value);
+        self.steps.push(Step { quantity, formula: formula.into(), filled, result: false });
+    }
+
+    /// A number that was asked for.
+    pub(crate) fn result(
+        &mut self,
+        symbol: &str,
+        meaning: &str,
+        kind: Kind,
+        value: f64,
+        formula: &str,
+        filled: String,
+    ) {
+        let quantity = quantity(symbol, meaning, kind, value);
+        self.steps.push(Step { quantity, formula: formula.into(), filled, result: true });
+    }
+
+    pub(crate) fn note(&mut self, text: impl Into<String>) {
+        self.notes.push(text.into());
+    }
+}
+
+fn quantity(symbol: &str, meaning: &str, kind: Kind, value: f64) -> Quantity {
+    // A zero has no sign on paper.
+    Quantity { symbol: symbol.into(), meaning: meaning.into(), value: value + 0.0, kind }
+}

@@ -1,0 +1,97 @@
+//! What comes out: text or JSON, and the figure.
+
+use std::path::{Path, PathBuf};
+
+use chordal_calc::{CalcError, Worked};
+use chordal_export::{PlotOptions, figure_png, figure_svg, worked_json, worked_text};
+use clap::ValueEnum;
+
+use super::quantity::UnitsName;
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::terminal::say;
+
+/// What every calculation takes.
+#[derive(clap::Args)]
+pub struct Answer {
+    /// Units of the answer, and of numbers that have none
+    #[arg(long, value_enum)]
+    pub units: Option<UnitsName>,
+
+    /// How the answer is written
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: Format,
+
+    /// Writes the figure, as .svg or .png; may be repeated
+    #[arg(short, long = "output", value_name = "FILE")]
+    pub outputs: Vec<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The sheet of a figure, px.
+const SHEET: (u32, u32) = (1200, 800);
+
+/// What a file's ending asks for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Picture {
+    Svg,
+    Png,
+}
+
+/// The kind of picture; `None` for another ending.
+pub fn picture(path: &Path) -> Option<Picture> {
+    let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
+    match ending.as_str() {
+        "svg" => Some(Picture::Svg),
+        "png" => Some(Picture::Png),
+        _ => None,
+    }
+}
+
+/// What cannot be, as a wrong use.
+pub fn refused(error: CalcError) -> Failure {
+    Failure::wrong(error.message, error.help)
+}
+
+/// Writes the answer and its figures.
+pub fn give(worked: Result<Worked, CalcError>, answer: &Answer) -> Result<(), Failure> {
+    let worked = worked.map_err(refused)?;
+    let mut pictures = Vec::new();
+    for path in &answer.outputs {
+        let kind = picture(path).ok_or_else(|| {
+            Failure::wrong(
+                format!("a figure is not written as {}", path.display()),
+                "the endings are .svg and .png",
+            )
+        })?;
+        pictures.push((path, kind));
+    }
+    for (path, kind) in pictures {
+        draw(&worked, path, kind)?;
+    }
+    match answer.format {
+        Format::Text => say(&worked_text(&worked)),
+        Format::Json => say(&worked_json(&worked, None)),
+    }
+}
+
+/// Writes the figure of a calculation.
+pub fn draw(worked: &Worked, path: &Path, kind: Picture) -> Result<(), Failure> {
+    let (width_px, height_px) = SHEET;
+    let options = PlotOptions { width_px, height_px, ..PlotOptions::default() };
+    let content = match kind {
+        Picture::Svg => figure_svg(worked, &options).into_bytes(),
+        Picture::Png => figure_png(worked, &options).map_err(|error| Failure::Write {
+            file: path.to_string_lossy().into_owned(),
+            reason: error.to_string(),
+        })?,
+    };
+    write_whole(path, &content)
+}

@@ -1,0 +1,60 @@
+//! `chordal calc`: the shop's mathematics. One file per subject; `quantity` reads its numbers,
+//! `answer` writes what comes out.
+
+mod answer;
+mod arcs;
+mod corners;
+mod quantity;
+mod thread;
+mod thread_mill;
+
+use clap::Subcommand;
+
+use crate::failure::{Failure, Verdict};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal calc corner --angle 30deg --tool 0.5in
+  chordal calc thread M30x2
+  chordal calc thread-mill M30x2 --tool 16mm --depth 20mm --feed 400mm/min \\
+      --spindle 3000 --control haas -o thread.nc -o thread.svg
+
+Every answer has its formula, the formula with the numbers, and, with -o figure.svg or
+-o figure.png, a drawing. Lengths have a unit (1.5in, 38mm), or --units says it for all.
+A tool is given by its diameter.";
+
+/// Shop mathematics: cutter offsets, arcs, chords, threads, thread mill programs
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES, subcommand_required = true, arg_required_else_help = true)]
+pub struct Args {
+    #[command(subcommand)]
+    subject: Subject,
+}
+
+#[derive(Subcommand)]
+enum Subject {
+    Corner(corners::CornerArgs),
+    TwoAngles(corners::TwoAnglesArgs),
+    Tangent(corners::TangentArgs),
+    LineArc(arcs::LineArcArgs),
+    ArcArc(arcs::ArcArcArgs),
+    Arc(arcs::ArcArgs),
+    Chords(arcs::ChordsArgs),
+    Thread(thread::Args),
+    ThreadMill(thread_mill::Args),
+}
+
+pub fn run(args: &Args) -> Result<Verdict, Failure> {
+    match &args.subject {
+        Subject::Corner(args) => corners::corner(args),
+        Subject::TwoAngles(args) => corners::two_angles(args),
+        Subject::Tangent(args) => corners::tangent(args),
+        Subject::LineArc(args) => arcs::line_arc(args),
+        Subject::ArcArc(args) => arcs::arc_arc(args),
+        Subject::Arc(args) => arcs::arc(args),
+        Subject::Chords(args) => arcs::chords(args),
+        Subject::Thread(args) => thread::run(args),
+        Subject::ThreadMill(args) => thread_mill::run(args),
+    }?;
+    Ok(Verdict::Clean)
+}

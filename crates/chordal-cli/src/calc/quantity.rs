@@ -1,0 +1,122 @@
+//! Numbers of the command line, with a unit of their own or that of `--units`.
+
+use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal_calc::Units;
+use clap::ValueEnum;
+
+use crate::failure::Failure;
+
+/// What `--units` takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum UnitsName {
+    /// Inches
+    Inch,
+    /// Millimetres
+    Mm,
+}
+
+/// A length, or a feed, as it was written.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Written {
+    text: String,
+    dimension: Dimension,
+    /// Its size when it has a unit, and whether that is inches.
+    read: Option<(f64, bool)>,
+}
+
+fn written(text: &str, dimension: Dimension) -> Result<Written, String> {
+    let read = match parse_quantity(text, dimension) {
+        Ok(value) => {
+            let unit = text.trim_start_matches(|c: char| !c.is_ascii_alphabetic() && c != '"');
+            let unit = unit.to_ascii_lowercase();
+            Some((value, unit.starts_with("in") || unit.starts_with('"') || unit == "ipm"))
+        }
+        Err(QuantityError::NoUnit { .. }) => None,
+        Err(error) => return Err(told(&error)),
+    };
+    Ok(Written { text: text.trim().to_string(), dimension, read })
+}
+
+fn told(error: &QuantityError) -> String {
+    match error.help() {
+        Some(help) => format!("{error}; {help}"),
+        None => error.to_string(),
+    }
+}
+
+/// `1.5in`, `38 mm`, or a number alone.
+pub fn length(text: &str) -> Result<Written, String> {
+    written(text, Dimension::Length)
+}
+
+/// `10in/min`, `400 mm/min`, or a number alone: units a minute.
+pub fn feed(text: &str) -> Result<Written, String> {
+    written(text, Dimension::Velocity)
+}
+
+/// `30deg`, `0.5rad`, or a number alone: degrees. In rad.
+pub fn angle(text: &str) -> Result<f64, String> {
+    match parse_quantity(text, Dimension::Angle) {
+        Err(QuantityError::NoUnit { text, .. }) => {
+            parse_quantity(&format!("{text} deg"), Dimension::Angle)
+        }
+        other => other,
+    }
+    .map_err(|error| told(&error))
+}
+
+/// `1200`, `1200rpm`. In rpm.
+pub fn spindle(text: &str) -> Result<f64, String> {
+    match parse_quantity(text, Dimension::SpindleSpeed) {
+        Err(QuantityError::NoUnit { text, .. }) => {
+            parse_quantity(&format!("{text} rpm"), Dimension::SpindleSpeed)
+        }
+        other => other,
+    }
+    .map_err(|error| told(&error))
+}
+
+/// The unit of an answer, and of numbers without one.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers {
+    asked: Option<UnitsName>,
+    /// The unit of the answer.
+    pub units: Units,
+}
+
+impl Numbers {
+    /// The unit that was asked for; without, inches when one of the numbers is in inches.
+    pub fn new<'a>(
+        asked: Option<UnitsName>,
+        written: impl IntoIterator<Item = Option<&'a Written>>,
+    ) -> Numbers {
+        let inch = match asked {
+            Some(name) => name == UnitsName::Inch,
+            None => written.into_iter().flatten().any(|own| own.read.is_some_and(|(_, inch)| inch)),
+        };
+        Numbers { asked, units: if inch { Units::Inch } else { Units::Millimetre } }
+    }
+
+    /// A length in mm, or a feed in mm/s.
+    pub fn of(&self, own: &Written) -> Result<f64, Failure> {
+        if let Some((value, _)) = own.read {
+            return Ok(value);
+        }
+        let per = if own.dimension == Dimension::Velocity { "/min" } else { "" };
+        if self.asked.is_none() {
+            let text = &own.text;
+            return Err(Failure::wrong(
+                format!("`{text}` has no unit"),
+                format!("write {text}in{per} or {text}mm{per}, or say --units inch or --units mm"),
+            ));
+        }
+        let with_unit = format!("{} {}{per}", own.text, self.units.name());
+        parse_quantity(&with_unit, own.dimension)
+            .map_err(|error| Failure::wrong(error.to_string(), "give a number"))
+    }
+
+    /// The same of a number that may be missing.
+    pub fn maybe(&self, own: Option<&Written>) -> Result<Option<f64>, Failure> {
+        own.map(|own| self.of(own)).transpose()
+    }
+}

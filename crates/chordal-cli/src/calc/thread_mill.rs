@@ -1,0 +1,199 @@
+//! Programs that mill threads.
+
+use std::path::PathBuf;
+
+use chordal::machine::ControlName;
+use chordal_calc::{Cut, Cutter, Hand, Ramp, ThreadMill, Units, Where, thread_mill};
+use chordal_export::{worked_json, worked_text};
+use clap::ValueEnum;
+
+use super::answer::{Format, draw, picture, refused};
+use super::quantity::{UnitsName, Written, feed, length, spindle};
+use super::thread::Size;
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::terminal::say;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal calc thread-mill 1.5-8 --tool 0.75in --depth 0.5in --feed 10in/min \\
+      --spindle 1200 --control haas -o thread.nc
+  chordal calc thread-mill M30x2 --outside --hand left --cutter single --tool 12mm \\
+      --depth 24mm --feed 400mm/min --spindle 2500 --control fanuc -o thread.nc -o thread.svg
+
+Without -o for it, the program goes to standard output. The path is that of the tool's centre;
+the teeth cut to the major diameter inside, and to the root diameter outside. A right-hand thread
+is climb cut upwards in a hole (G3) and downwards on a boss (G2), with the spindle at M3.";
+
+/// Writes a program that mills a thread
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    #[command(flatten)]
+    size: Size,
+
+    /// Who reads the program: fadal, haas, fanuc, mitsubishi, linuxcnc
+    #[arg(long, value_parser = control)]
+    control: ControlName,
+
+    /// On a boss instead of in a hole
+    #[arg(long, conflicts_with = "inside")]
+    outside: bool,
+
+    /// In a hole
+    #[arg(long)]
+    inside: bool,
+
+    /// Hand of the thread
+    #[arg(long, value_enum, default_value = "right")]
+    hand: HandName,
+
+    /// The tool: a hob cuts all in one turn, a single point takes a turn for each pitch
+    #[arg(long, value_enum, default_value = "hob")]
+    cutter: CutterName,
+
+    /// Conventional instead of climb cutting
+    #[arg(long)]
+    conventional: bool,
+
+    /// Share of a turn on which the tool comes in and goes out, with as much of the pitch
+    #[arg(long, value_parser = ramp, value_name = "1/8|1/4")]
+    ramp: Option<Ramp>,
+
+    /// Diameter over the teeth of the tool
+    #[arg(long, short, value_name = "DIAMETER", value_parser = length)]
+    tool: Written,
+
+    /// How far the thread reaches below Z0
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    depth: Written,
+
+    /// Feed at the cutting diameter; the centre's feed is worked out
+    #[arg(long, value_name = "FEED", value_parser = feed)]
+    feed: Written,
+
+    /// Speed of the spindle
+    #[arg(long, value_name = "RPM", value_parser = spindle)]
+    spindle: f64,
+
+    /// Root diameter of an outside thread, where it is not that of the basic profile
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    root: Option<Written>,
+
+    /// Writes G41 or G42 with D for the wear of the tool (untested)
+    #[arg(long)]
+    compensation: bool,
+
+    /// Largest wear that D may hold; 0.01 in or 0.25 mm when left out
+    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "compensation")]
+    wear: Option<Written>,
+
+    /// Height of rapids above Z0; 0.1 in or 2.5 mm when left out
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    clearance: Option<Written>,
+
+    /// Number of the tool, of its H and its D
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=99))]
+    tool_number: u32,
+
+    /// Number of the program
+    #[arg(long, value_name = "N", default_value = "1001", value_parser = clap::value_parser!(u32).range(1..=9999))]
+    number: u32,
+
+    /// Units of the program, and of numbers that have none
+    #[arg(long, value_enum)]
+    units: Option<UnitsName>,
+
+    /// How the answer is written
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+
+    /// Writes the program (.nc, .tap, …), or its figure (.svg, .png); may be repeated
+    #[arg(short, long = "output", value_name = "FILE")]
+    outputs: Vec<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum HandName {
+    /// Right
+    Right,
+    /// Left
+    Left,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum CutterName {
+    /// Teeth of the pitch all along
+    Hob,
+    /// One row of teeth
+    Single,
+}
+
+fn control(text: &str) -> Result<ControlName, String> {
+    text.parse().map_err(|error| {
+        let names = ControlName::ALL.map(ControlName::as_str).join(", ");
+        format!("{error}; the controls are {names}")
+    })
+}
+
+fn ramp(text: &str) -> Result<Ramp, String> {
+    match text {
+        "1/8" => Ok(Ramp::Eighth),
+        "1/4" => Ok(Ramp::Quarter),
+        _ => Err("a ramp is 1/8 or 1/4 of a turn".to_string()),
+    }
+}
+
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let program = thread_mill(&ask(args)?).map_err(refused)?;
+    let mut written = Vec::new();
+    let mut program_written = false;
+    for path in &args.outputs {
+        match picture(path) {
+            Some(kind) => draw(&program.worked, path, kind)?,
+            None => {
+                write_whole(path, program.text.as_bytes())?;
+                program_written = true;
+            }
+        }
+        written.push(path);
+    }
+    match args.format {
+        Format::Json => say(&worked_json(&program.worked, Some(&program.text))),
+        Format::Text if program_written => {
+            let mut text = worked_text(&program.worked);
+            for path in written {
+                text.push_str(&format!("\n  written {}", path.display()));
+            }
+            text.push('\n');
+            say(&text)
+        }
+        Format::Text => say(&program.text),
+    }
+}
+
+fn ask(args: &Args) -> Result<ThreadMill, Failure> {
+    let (thread, numbers) = args.size.thread(1, args.units)?;
+    let inch = numbers.units == Units::Inch;
+    let usual = |inches: f64, mm: f64| if inch { inches * 25.4 } else { mm };
+    let wear = numbers.maybe(args.wear.as_ref())?.unwrap_or(usual(0.01, 0.25));
+    Ok(ThreadMill {
+        thread,
+        place: if args.outside { Where::Outside } else { Where::Inside },
+        hand: if args.hand == HandName::Right { Hand::Right } else { Hand::Left },
+        cutter: if args.cutter == CutterName::Hob { Cutter::Hob } else { Cutter::Single },
+        cut: if args.conventional { Cut::Conventional } else { Cut::Climb },
+        ramp: args.ramp,
+        root: numbers.maybe(args.root.as_ref())?,
+        tool_diameter: numbers.of(&args.tool)?,
+        depth: numbers.of(&args.depth)?,
+        feed: numbers.of(&args.feed)?,
+        spindle: args.spindle,
+        wear: args.compensation.then_some(wear),
+        tool: args.tool_number,
+        number: args.number,
+        clearance: numbers.maybe(args.clearance.as_ref())?.unwrap_or(usual(0.1, 2.5)),
+        control: args.control,
+        units: numbers.units,
+    })
+}

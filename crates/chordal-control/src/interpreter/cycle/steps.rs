@@ -1,0 +1,138 @@
+//! The way to a hole, the cut, and the way out.
+
+use chordal_syntax::Block;
+
+use super::super::Interpreter;
+use super::levels::Hole;
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, Position, Sink, SpindleState};
+use crate::cycle_rules::{Approach, BackBore};
+use crate::table::CycleKind;
+
+impl<S: Sink> Interpreter<'_, S> {
+    /// One hole: there, down, and out again.
+    pub(super) fn drill(&mut self, block: &Block, hole: &Hole, place: Position, named: AxisMask) {
+        self.origin.cycle = true;
+        self.approach(hole, place, named);
+        match hole.words.kind {
+            CycleKind::Drill => self.feed_to(block, hole, hole.z),
+            CycleKind::DrillDwell => {
+                self.feed_to(block, hole, hole.z);
+                self.wait(hole.words.dwell_s);
+            }
+            CycleKind::Peck => self.pecks(block, hole, true),
+            CycleKind::ChipBreak => self.pecks(block, hole, false),
+            CycleKind::BoreFeedOut | CycleKind::BoreInOut => {
+                self.feed_to(block, hole, hole.z);
+                self.feed_to(block, hole, hole.r);
+            }
+            CycleKind::BoreDwell => {
+                let all_the_way = self.control.parameters.cycles.bore.dwell_out_to_clear;
+                self.feed_to(block, hole, hole.z);
+                self.wait(hole.words.dwell_s);
+                self.feed_to(block, hole, if all_the_way { hole.clear } else { hole.r });
+            }
+            CycleKind::BoreStop => self.bore_and_stop(block, hole),
+            CycleKind::BoreManual => self.bore_by_hand(block, hole),
+            CycleKind::FineBore => self.fine_bore(block, hole),
+            CycleKind::BackBore => self.back_bore(block, hole),
+            CycleKind::Tap | CycleKind::LeftTap => self.tap(block, hole),
+            CycleKind::SelfReversingTap => self.tap_with_head(block, hole),
+        }
+        self.level(hole, hole.clear);
+        self.clean_chips(hole);
+        self.origin.cycle = false;
+    }
+
+    /// Above the hole: to its place, and to R.
+    fn approach(&mut self, hole: &Hole, place: Position, named: AxisMask) {
+        let rules = &self.control.parameters.cycles;
+        let (approach, back) = (rules.approach, rules.bore.back);
+        match approach {
+            Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
+            Approach::ByClearLevel => {
+                let mut target = place;
+                let now = self.state.position[hole.axis];
+                if hole.words.initial < hole.r {
+                    self.level(hole, hole.r);
+                    target[hole.axis] = hole.r;
+                } else {
+                    target[hole.axis] = if now > hole.r { now } else { hole.clear };
+                }
+                self.rapid_to(target, named);
+            }
+        }
+        // Back boring goes to R with the tool set aside.
+        let later = hole.words.kind == CycleKind::BackBore && back == BackBore::ShiftAtInitial;
+        if !later {
+            self.level(hole, hole.r);
+        }
+    }
+
+    /// Haas E: the spindle turns the other way for a moment, and throws the chips off.
+    fn clean_chips(&mut self, hole: &Hole) {
+        let Some(rpm) = hole.words.after_rpm else { return };
+        let throws = matches!(
+            hole.words.kind,
+            CycleKind::Drill | CycleKind::DrillDwell | CycleKind::Peck | CycleKind::Tap
+        );
+        if !throws {
+            return;
+        }
+        let before = self.state.spindle;
+        let reversed =
+            if before == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
+        self.emit(CommandKind::Spindle { state: reversed, rpm });
+        self.state.spindle = reversed;
+        self.turn_spindle(before);
+    }
+
+    /// A rapid in the plane, at the present level.
+    pub(super) fn go_to_place(&mut self, place: Position, named: AxisMask, axis: usize) {
+        let mut target = place;
+        target[axis] = self.state.position[axis];
+        self.rapid_to(target, named);
+    }
+
+    /// A rapid along the drilling axis.
+    pub(super) fn level(&mut self, hole: &Hole, level: f64) {
+        let mut target = self.state.position;
+        target[hole.axis] = level;
+        self.rapid_to(target, AxisMask(1 << hole.axis));
+    }
+
+    pub(super) fn rapid_to(&mut self, target: Position, named: AxisMask) {
+        if target == self.state.position {
+            self.state.known = self.state.known.or(named);
+            return;
+        }
+        let motion = self.moved_to(target, named);
+        let path = self.control.parameters.rapid;
+        self.emit(CommandKind::Rapid { motion, path });
+    }
+
+    /// A cut along the drilling axis at the feed in force.
+    pub(super) fn feed_to(&mut self, block: &Block, hole: &Hole, level: f64) {
+        let mut target = self.state.position;
+        target[hole.axis] = level;
+        let motion = self.moved_to(target, AxisMask(1 << hole.axis));
+        let mut feed: Feed = self.feed_for(block, &motion);
+        feed.along = FeedAlong::Path;
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    pub(super) fn wait(&mut self, seconds: Option<f64>) {
+        if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
+            self.emit(CommandKind::Dwell { seconds });
+        }
+    }
+
+    /// Turns the spindle as wanted, if it does not already.
+    pub(super) fn turn_spindle(&mut self, spindle: SpindleState) {
+        if self.state.spindle != spindle {
+            self.state.spindle = spindle;
+            let turns = matches!(spindle, SpindleState::Cw | SpindleState::Ccw);
+            let rpm = if turns { self.state.rpm } else { 0.0 };
+            self.emit(CommandKind::Spindle { state: spindle, rpm });
+        }
+    }
+}

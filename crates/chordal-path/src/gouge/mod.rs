@@ -1,0 +1,234 @@
+//! The geometric truth of cutter compensation: where the tool would cut into the programmed
+//! contour, and up to which radius it would not.
+//!
+//! Nothing here knows a control. The programmed blocks and the path of the tool centre come in as
+//! lines and arcs of the compensation plane; the tool centre gouges where it comes nearer to the
+//! contour of the part than its radius, anywhere on the whole path, links and leads included.
+
+mod distance;
+mod material;
+mod range;
+mod search;
+mod shape;
+mod throat;
+mod tree;
+
+use chordal_geometry::Vec2;
+
+pub use distance::{Near, nearest};
+pub use material::Material;
+pub use range::{Corners, Interval, LeadArc, Limit, LimitReason, OffsetRange, intervals, range};
+use search::{Aim, Cluster, Hit, Search};
+pub use shape::PlaneCurve;
+
+/// On which side of the programmed blocks the tool is, looking along them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The tool is left of the contour (G41 with a positive offset).
+    Left,
+    /// The tool is right of the contour (G42 with a positive offset).
+    Right,
+}
+
+impl Side {
+    /// +1 on the left, −1 on the right.
+    #[must_use]
+    pub fn sign(self) -> f64 {
+        match self {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        }
+    }
+}
+
+/// What a block is to its contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Turns compensation on: brings the tool to the contour.
+    LeadIn,
+    /// Runs in offset mode. Which of these bound the part is found by [`Material::of`].
+    Offset,
+    /// Bounds the part because the user says so; with one such mark nothing else does.
+    Part,
+    /// Turns compensation off: takes the tool away.
+    LeadOut,
+}
+
+/// A programmed block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Its curve.
+    pub curve: PlaneCurve,
+    /// The caller's number of the block. Tags that rise along the chain make the search fast.
+    pub tag: u32,
+    /// What it is to the contour.
+    pub role: Role,
+}
+
+/// Programmed blocks between compensation on and off, in the order they run.
+#[derive(Clone, Debug)]
+pub struct Contour {
+    /// The blocks.
+    pub blocks: Vec<Block>,
+    /// The side of the tool.
+    pub side: Side,
+    /// The radius of the tool, mm.
+    pub radius: f64,
+}
+
+/// A move of the tool centre. Links belong to the block before them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Its curve.
+    pub curve: PlaneCurve,
+    /// The tag of its block.
+    pub tag: u32,
+}
+
+/// Tolerances and bounds of the check.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Depth that is not yet a gouge, mm: the largest of 2 µm, the largest difference of an arc's
+    /// start and end radius, and two least increments.
+    pub epsilon: f64,
+    /// Points nearer than this are one vertex, mm.
+    pub vertex: f64,
+    /// Turns smaller than this are tangent joints, rad.
+    pub tangent: f64,
+    /// So many gouges are reported, the deepest first.
+    pub most: usize,
+    /// So many pairs of nodes and curves are looked at before the search gives up and says so.
+    pub budget: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { epsilon: 0.002, vertex: 0.005, tangent: 0.02, most: 32, budget: 1_000_000_000 }
+    }
+}
+
+/// Where a gouge is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GougeKind {
+    /// Into the contour of the part.
+    Contour,
+    /// By a lead, within a tool radius of an open end of the contour. Programs often begin and end
+    /// off the part, where this cuts nothing.
+    AtLead,
+}
+
+/// A place where the tool cuts into the contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gouge {
+    /// How far the contour lies inside the tool, mm; the whole radius where the centre crosses it.
+    pub depth: f64,
+    /// The tool centre, mm.
+    pub center: Vec2,
+    /// The point of the contour that is cut into deepest, mm.
+    pub point: Vec2,
+    /// The block that cuts.
+    pub cutting: u32,
+    /// The block that is cut into.
+    pub cut: u32,
+    /// Into the part, or at a lead only.
+    pub kind: GougeKind,
+}
+
+/// What the check found.
+#[derive(Clone, Debug, Default)]
+pub struct GougeReport {
+    /// The gouges, the deepest of all first. Those within a tool diameter of each other along path
+    /// and contour are one. With more than were asked for, the others are any of them.
+    pub gouges: Vec<Gouge>,
+    /// There are more than were reported.
+    pub more: bool,
+    /// The budget sufficed: what is not reported is not there.
+    pub complete: bool,
+    /// Pairs of blocks that run along one curve in opposite directions.
+    pub ambiguous: Vec<(u32, u32)>,
+}
+
+/// Checks the path of the tool centre against the contour of the part.
+#[must_use]
+pub fn check(contour: &Contour, path: &[Move], options: &Options) -> GougeReport {
+    let material = Material::of(contour, options);
+    check_against(&material, contour, path, options)
+}
+
+/// As [`check`], with the contour of the part already found.
+#[must_use]
+pub fn check_against(
+    material: &Material,
+    contour: &Contour,
+    path: &[Move],
+    options: &Options,
+) -> GougeReport {
+    let mut report = GougeReport { ambiguous: material.ambiguous.clone(), ..Default::default() };
+    let limit = contour.radius - options.epsilon;
+    if limit <= 0.0 {
+        report.complete = true;
+        return report;
+    }
+    let mut search = Search::new(contour, material, path, options.epsilon, options.budget);
+    let reach = 2.0 * contour.radius;
+    let around = |hit: &Hit| Cluster::around(hit, path, &material.curves, reach);
+    let mut clusters: Vec<Cluster> = Vec::new();
+    let mut aim = Aim::Deepest;
+    while let Some(hit) = search.nearest(limit, &clusters, aim) {
+        if report.gouges.len() == options.most {
+            report.more = true;
+            break;
+        }
+        // What was found first is somewhere in its gouge: the deepest place of it is looked for.
+        let deepest = match aim {
+            Aim::Any => search.nearest(limit, &clusters, Aim::DeepestIn(around(&hit))),
+            _ => Some(hit),
+        };
+        let hit = deepest.unwrap_or(hit);
+        clusters.push(around(&hit));
+        report.gouges.push(gouge(&hit, material, contour, path));
+        aim = Aim::Any;
+    }
+    report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+    report.complete = search.budget > 0;
+    report
+}
+
+fn gouge(hit: &Hit, material: &Material, contour: &Contour, path: &[Move]) -> Gouge {
+    let step = &path[hit.of_path];
+    let point = hit.near.second;
+    let by_lead = !material.has(step.tag);
+    let at_end = material.open_ends.iter().any(|e| e.distance(point) <= contour.radius);
+    Gouge {
+        depth: contour.radius - hit.near.square.sqrt(),
+        center: hit.near.first,
+        point,
+        cutting: step.tag,
+        cut: material.tags[hit.of_contour],
+        kind: if by_lead && at_end { GougeKind::AtLead } else { GougeKind::Contour },
+    }
+}
+
+/// The nearest that the tool centre comes to the contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    /// Distance less the radius, mm: negative is the depth of a gouge.
+    pub clearance: f64,
+    /// The tool centre, mm.
+    pub center: Vec2,
+    /// The block of the contour.
+    pub block: u32,
+}
+
+/// The least clearance between tool and contour over the whole path; none without path or contour.
+#[must_use]
+pub fn clearance(contour: &Contour, path: &[Move], options: &Options) -> Option<Clearance> {
+    let material = Material::of(contour, options);
+    let mut search = Search::new(contour, &material, path, options.epsilon, options.budget);
+    let hit = search.nearest(f64::INFINITY, &[], Aim::Clearance)?;
+    Some(Clearance {
+        clearance: hit.near.square.sqrt() - contour.radius,
+        center: hit.near.first,
+        block: material.tags[hit.of_contour],
+    })
+}

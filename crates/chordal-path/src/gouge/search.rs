@@ -1,0 +1,354 @@
+//! The deepest gouge by branch and bound over both trees.
+
+use core::f64::consts::FRAC_PI_2;
+
+use super::distance::{Near, nearest};
+use super::material::{Material, turn};
+use super::shape::PlaneCurve;
+use super::tree::{Bounds, BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
+use super::{Contour, Move};
+
+/// Tangents that span no more than this cannot bring the path back to its own contour.
+///
+/// Of a path at distance r beside its contour, for u behind s, (p(u) − c(s))·t(u) is the integral
+/// of (1 − κr) t(v)·t(u) dv, not negative while no block is reversed and the tangents lie within a
+/// right angle: the distance never falls below r.
+const CONE: f64 = FRAC_PI_2 + 1e-9;
+
+/// A place of the path nearer to the contour than allowed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hit {
+    pub(super) of_path: usize,
+    pub(super) of_contour: usize,
+    pub(super) near: Near,
+}
+
+/// A gouge already reported: the stretches of path and contour it takes up, first and last.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cluster {
+    path: (usize, usize),
+    contour: (usize, usize),
+}
+
+impl Cluster {
+    /// The stretch of `reach` mm to both sides of the hit, on the path and on the contour.
+    pub(super) fn around(hit: &Hit, path: &[Move], contour: &[PlaneCurve], reach: f64) -> Cluster {
+        let path_length = |k: usize| path.get(k).map(|m| m.curve.length());
+        let contour_length = |k: usize| contour.get(k).map(PlaneCurve::length);
+        Cluster {
+            path: stretch(hit.of_path, reach, path_length),
+            contour: stretch(hit.of_contour, reach, contour_length),
+        }
+    }
+
+    /// Whether a pair of stretches has any part in this one.
+    fn meets(&self, path: (usize, usize), contour: (usize, usize)) -> bool {
+        let meet = |part: (usize, usize), all: (usize, usize)| part.0 <= all.1 && part.1 >= all.0;
+        meet(path, self.path) && meet(contour, self.contour)
+    }
+
+    fn holds(&self, path: (usize, usize), contour: (usize, usize)) -> bool {
+        let inside = |part: (usize, usize), all: (usize, usize)| part.0 >= all.0 && part.1 <= all.1;
+        inside(path, self.path) && inside(contour, self.contour)
+    }
+}
+
+fn stretch(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usize, usize) {
+    let (mut first, mut last) = (at, at);
+    let mut way = 0.0;
+    while first > 0 && way < reach {
+        first -= 1;
+        way += length(first).unwrap_or(0.0);
+    }
+    way = 0.0;
+    while way < reach
+        && let Some(step) = length(last + 1)
+    {
+        last += 1;
+        way += step;
+    }
+    (first, last)
+}
+
+/// Which hit a search is after.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Aim {
+    /// The nearest of all, whatever the lemma of the cone says.
+    Clearance,
+    /// The deepest gouge.
+    Deepest,
+    /// Any gouge: the first that is found.
+    Any,
+    /// The deepest gouge of a stretch.
+    DeepestIn(Cluster),
+}
+
+/// The trees over a contour and a path.
+pub(super) struct Search<'a> {
+    material: &'a Material,
+    path: &'a [Move],
+    boxes: BoxTree,
+    path_boxes: BoxTree,
+    hulls: Vec<Hull>,
+    turns: TurnTree,
+    /// Pairs of nodes and of curves that may still be looked at.
+    pub(super) budget: u64,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        contour: &Contour,
+        material: &'a Material,
+        path: &'a [Move],
+        slack: f64,
+        budget: u64,
+    ) -> Self {
+        let mut broken = vec![true; material.curves.len()];
+        let of_moves = offsets(contour, material, path, slack, &mut broken);
+        for (flag, gap) in broken.iter_mut().zip(&material.breaks) {
+            *flag |= gap;
+        }
+        let tangents = unwrapped_tangents(material.curves.iter());
+        Search {
+            material,
+            path,
+            boxes: BoxTree::over(material.curves.iter()),
+            path_boxes: BoxTree::over(path.iter().map(|m| &m.curve)),
+            hulls: hulls(&of_moves),
+            turns: TurnTree::over(&tangents, &broken),
+            budget,
+        }
+    }
+
+    /// A place of the path nearer to the contour than `limit` mm, in no cluster.
+    pub(super) fn nearest(&mut self, limit: f64, clusters: &[Cluster], aim: Aim) -> Option<Hit> {
+        if limit <= 0.0 || self.path.is_empty() || self.material.curves.is_empty() {
+            return None;
+        }
+        let mut limit = limit * limit;
+        let mut best = None;
+        let mut stack = vec![(1, 1, self.path_boxes.nodes[1].gap_square(&self.boxes.nodes[1]))];
+        while let Some((of_path, of_contour, gap)) = stack.pop() {
+            if gap >= limit || self.spent(1) || self.is_settled(of_path, of_contour, clusters, aim)
+            {
+                continue;
+            }
+            if self.path_boxes.is_leaf(of_path) && self.boxes.is_leaf(of_contour) {
+                self.try_leaves(of_path, of_contour, clusters, &mut limit, &mut best);
+                if best.is_some() && matches!(aim, Aim::Any) {
+                    break;
+                }
+            } else {
+                self.split(of_path, of_contour, limit, &mut stack);
+            }
+        }
+        best
+    }
+
+    fn spent(&mut self, steps: u64) -> bool {
+        self.budget = self.budget.saturating_sub(steps);
+        self.budget == 0
+    }
+
+    /// Whether nothing new can be found in the pair of nodes, however near they are.
+    fn is_settled(
+        &self,
+        of_path: usize,
+        of_contour: usize,
+        clusters: &[Cluster],
+        aim: Aim,
+    ) -> bool {
+        let (first, end) = self.boxes.range(of_contour);
+        let (path_first, path_end) = self.path_boxes.range(of_path);
+        if first == end || path_first == path_end {
+            return true;
+        }
+        let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
+        if let Aim::DeepestIn(stretch) = aim
+            && !stretch.meets(path_span, span)
+        {
+            return true;
+        }
+        let hull = self.hulls[of_path];
+        if !hull.foreign && !matches!(aim, Aim::Clearance) {
+            let low = (hull.first as usize).min(first);
+            let high = (hull.last as usize).max(end - 1);
+            let span = self.turns.over_hull(low, high);
+            if !span.broken && span.most - span.least <= CONE {
+                return true;
+            }
+        }
+        clusters.iter().any(|c| c.holds(path_span, span))
+    }
+
+    /// Replaces the larger of two nodes by its halves, the nearer one on top.
+    fn split(
+        &self,
+        of_path: usize,
+        of_contour: usize,
+        limit: f64,
+        stack: &mut Vec<(usize, usize, f64)>,
+    ) {
+        let (path, contour) = (&self.path_boxes, &self.boxes);
+        let path_first = contour.is_leaf(of_contour)
+            || !path.is_leaf(of_path)
+                && path.nodes[of_path].size() >= contour.nodes[of_contour].size();
+        let pair = |half: usize| {
+            let (p, c) = if path_first {
+                (2 * of_path + half, of_contour)
+            } else {
+                (of_path, 2 * of_contour + half)
+            };
+            (p, c, path.nodes[p].gap_square(&contour.nodes[c]))
+        };
+        let (mut far, mut near) = (pair(0), pair(1));
+        if far.2 < near.2 {
+            core::mem::swap(&mut far, &mut near);
+        }
+        for half in [far, near] {
+            if half.2 < limit {
+                stack.push(half);
+            }
+        }
+    }
+
+    fn try_leaves(
+        &mut self,
+        of_path: usize,
+        of_contour: usize,
+        clusters: &[Cluster],
+        limit: &mut f64,
+        best: &mut Option<Hit>,
+    ) {
+        let (path_first, path_end) = self.path_boxes.range(of_path);
+        let (first, end) = self.boxes.range(of_contour);
+        let whole = self.boxes.nodes[of_contour];
+        for p in path_first..path_end {
+            let bounds = self.path_boxes.elements[p];
+            let curve = &self.path[p].curve;
+            if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
+                continue;
+            }
+            for c in first..end {
+                if bounds.gap_square(&self.boxes.elements[c]) >= *limit
+                    || is_beyond(curve, &self.boxes.elements[c], *limit)
+                    || clusters.iter().any(|k| k.holds((p, p), (c, c)))
+                {
+                    continue;
+                }
+                self.budget = self.budget.saturating_sub(1);
+                let near = nearest(curve, &self.material.curves[c]);
+                if near.square < *limit {
+                    *limit = near.square;
+                    *best = Some(Hit { of_path: p, of_contour: c, near });
+                }
+            }
+        }
+    }
+}
+
+/// Whether the circle around a box is farther from a curve than the root of `limit`. Of a slanting
+/// curve this is sharper than its own box.
+fn is_beyond(curve: &PlaneCurve, bounds: &Bounds, limit: f64) -> bool {
+    let center = (bounds.min + bounds.max) * 0.5;
+    let distance = match *curve {
+        PlaneCurve::Line { .. } => curve.nearest(center).distance(center),
+        PlaneCurve::Arc { center: about, radius, .. } => (center.distance(about) - radius).abs(),
+    };
+    let gap = distance - 0.5 * bounds.min.distance(bounds.max);
+    // The last digits of the sum must not hide a hit.
+    gap > 0.0 && gap * gap * (1.0 - 1e-12) >= limit
+}
+
+/// Finds for each move of the path the blocks it lies beside. Clears `broken` of the blocks that have
+/// a move which is their true offset, in their own direction, and no move that is anything else.
+fn offsets(
+    contour: &Contour,
+    material: &Material,
+    path: &[Move],
+    slack: f64,
+    broken: &mut [bool],
+) -> Vec<Hull> {
+    const FOREIGN: Hull = Hull { first: u32::MAX, last: 0, foreign: true };
+    let signed = contour.side.sign() * contour.radius;
+    let mut spoilt = Vec::new();
+    let mut guess = 0;
+    let hulls = path
+        .iter()
+        .map(|step| {
+            let Some(at) = material.place(step.tag, &mut guess) else { return FOREIGN };
+            if is_offset(&step.curve, &material.curves[at], signed, slack) {
+                broken[at] = false;
+                Hull { first: at as u32, last: at as u32, foreign: false }
+            } else if let Some(hull) = around_corner(&step.curve, material, at, signed, slack) {
+                hull
+            } else {
+                spoilt.push(at);
+                FOREIGN
+            }
+        })
+        .collect();
+    for at in spoilt {
+        broken[at] = true;
+    }
+    hulls
+}
+
+/// Whether a move runs beside a block, at the distance `signed` to its left, in its direction.
+fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> bool {
+    match (step, block) {
+        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
+            let Some(along) = (*end - *start).normalized() else { return false };
+            let beside =
+                |p: chordal_geometry::Vec2| (along.cross(p - *start) - signed).abs() <= slack;
+            (*to - *from).dot(along) > 0.0 && beside(*from) && beside(*to)
+        }
+        (
+            PlaneCurve::Arc { center, radius, sweep, .. },
+            PlaneCurve::Arc { center: about, radius: of_block, sweep: turned, .. },
+        ) => {
+            let beside = of_block - signed * turned.signum();
+            center.distance(*about) <= slack
+                && (radius - beside).abs() <= slack
+                && sweep * turned > 0.0
+                && sweep.abs() <= turned.abs() + 1e-6
+        }
+        _ => false,
+    }
+}
+
+/// The blocks around the outside corner at the end of block `at`, if the move links their offsets and
+/// comes nowhere nearer to it than the radius. An inside corner has no links: the offsets meet
+/// there, or they are not trimmed.
+fn around_corner(
+    step: &PlaneCurve,
+    material: &Material,
+    at: usize,
+    signed: f64,
+    slack: f64,
+) -> Option<Hull> {
+    let last = material.curves.len() - 1;
+    let next = if at < last { at + 1 } else { 0 };
+    if next == 0 && !material.is_closed() {
+        return None;
+    }
+    let (before, after) = (&material.curves[at], &material.curves[next]);
+    let (corner, radius) = (before.to(), signed.abs());
+    let links = match *step {
+        // The farthest vertex of a linear corner lies √2 radii from it.
+        PlaneCurve::Line { from, to } => {
+            let farthest = 1.5 * radius;
+            from.distance(corner) <= farthest
+                && to.distance(corner) <= farthest
+                && step.nearest(corner).distance(corner) >= radius - slack
+        }
+        PlaneCurve::Arc { center, radius: about, .. } => {
+            center.distance(corner) <= slack && (about - radius).abs() <= slack
+        }
+    };
+    (links && turn(before, after) * signed <= 0.0).then_some(Hull {
+        first: at as u32,
+        last: (at + 1).min(last) as u32,
+        foreign: false,
+    })
+}

@@ -1,0 +1,177 @@
+//! Lines and arcs of the compensation plane.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use chordal_geometry::Vec2;
+
+/// A line or an arc in the plane of compensation, mm and rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneCurve {
+    /// A straight line.
+    Line {
+        /// Where it begins, mm.
+        from: Vec2,
+        /// Where it ends, mm.
+        to: Vec2,
+    },
+    /// An arc about a centre, of any sweep, a full turn and more among them.
+    Arc {
+        /// Centre, mm.
+        center: Vec2,
+        /// Radius, mm, not negative.
+        radius: f64,
+        /// Angle of the first point as seen from the centre, rad.
+        start: f64,
+        /// Angle swept, rad, positive counter-clockwise.
+        sweep: f64,
+    },
+}
+
+/// The unit vector at an angle, rad.
+pub(super) fn unit(angle: f64) -> Vec2 {
+    let (sin, cos) = libm::sincos(angle);
+    Vec2::new(cos, sin)
+}
+
+/// The angle of a vector, rad.
+pub(super) fn angle_of(v: Vec2) -> f64 {
+    libm::atan2(v.b, v.a)
+}
+
+/// The angle brought into −π..=π, rad.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    let turned = angle - TAU * libm::round(angle / TAU);
+    turned.clamp(-PI, PI)
+}
+
+impl PlaneCurve {
+    /// The line between two points, mm.
+    #[must_use]
+    pub const fn line(from: Vec2, to: Vec2) -> Self {
+        PlaneCurve::Line { from, to }
+    }
+
+    /// The arc about `center` from one point to another (mm), counter-clockwise or not; equal points
+    /// make a full turn. The radius is the distance of `from`.
+    #[must_use]
+    pub fn arc(center: Vec2, from: Vec2, to: Vec2, counter_clockwise: bool) -> Self {
+        let start = angle_of(from - center);
+        let raw = angle_of(to - center) - start;
+        let way = if counter_clockwise { 1.0 } else { -1.0 };
+        let mut turn = raw * way;
+        turn -= TAU * libm::floor(turn / TAU);
+        // A turn of nothing, and a turn that is whole but for rounding, both mean the full circle.
+        if from.distance(to) <= 1e-9 || turn <= 0.0 {
+            turn = TAU;
+        }
+        PlaneCurve::Arc { center, radius: from.distance(center), start, sweep: way * turn }
+    }
+
+    /// The first point, mm.
+    #[must_use]
+    pub fn from(&self) -> Vec2 {
+        self.at(0.0)
+    }
+
+    /// The last point, mm.
+    #[must_use]
+    pub fn to(&self) -> Vec2 {
+        self.at(1.0)
+    }
+
+    /// The point at a fraction of the way, 0..=1, mm.
+    #[must_use]
+    pub fn at(&self, fraction: f64) -> Vec2 {
+        match *self {
+            PlaneCurve::Line { from, to } => from * (1.0 - fraction) + to * fraction,
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                center + unit(start + sweep * fraction) * radius
+            }
+        }
+    }
+
+    /// Length, mm.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        match *self {
+            PlaneCurve::Line { from, to } => from.distance(to),
+            PlaneCurve::Arc { radius, sweep, .. } => radius * sweep.abs(),
+        }
+    }
+
+    /// Angles of the tangent at both ends, rad, not unwrapped against any neighbour; the second is
+    /// the first plus the sweep.
+    pub(super) fn tangent_angles(&self) -> (f64, f64) {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                let angle = angle_of(to - from);
+                (angle, angle)
+            }
+            PlaneCurve::Arc { start, sweep, .. } => {
+                let first = start + if sweep < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 };
+                (first, first + sweep)
+            }
+        }
+    }
+
+    /// The same curve run the other way.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match *self {
+            PlaneCurve::Line { from, to } => PlaneCurve::Line { from: to, to: from },
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                PlaneCurve::Arc { center, radius, start: start + sweep, sweep: -sweep }
+            }
+        }
+    }
+
+    /// Whether every number of it is finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                (from.a + from.b).is_finite() && (to.a + to.b).is_finite()
+            }
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                (center.a + center.b + radius + start + sweep).is_finite()
+            }
+        }
+    }
+
+    /// The nearest point of the curve to `p`, mm.
+    pub(super) fn nearest(&self, p: Vec2) -> Vec2 {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                let along = to - from;
+                let square = along.dot(along);
+                if square <= 0.0 {
+                    return from;
+                }
+                let t = ((p - from).dot(along) / square).clamp(0.0, 1.0);
+                from + along * t
+            }
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                let out = p - center;
+                if out.dot(out) > 0.0 && within(start, sweep, angle_of(out)) {
+                    return center + out * (radius / out.length());
+                }
+                let (first, last) = (self.from(), self.to());
+                if p.distance(first) <= p.distance(last) { first } else { last }
+            }
+        }
+    }
+
+    /// Whether an arc passes the angle; a line passes none.
+    pub(super) fn passes(&self, angle: f64) -> bool {
+        match *self {
+            PlaneCurve::Line { .. } => false,
+            PlaneCurve::Arc { start, sweep, .. } => within(start, sweep, angle),
+        }
+    }
+}
+
+/// Whether a sweep from `start` passes `angle`, rad.
+pub(super) fn within(start: f64, sweep: f64, angle: f64) -> bool {
+    let turned = if sweep < 0.0 { start - angle } else { angle - start };
+    turned - TAU * libm::floor(turned / TAU) <= sweep.abs()
+}

@@ -1,0 +1,258 @@
+//! The narrowest passage of a contour on the side of the tool.
+//!
+//! A tool fits between two walls up to half the shortest chord that stands normal on both of them.
+//! A corner that points at the tool is normal to every direction between those of its blocks.
+
+use core::f64::consts::{PI, TAU};
+
+use chordal_geometry::Vec2;
+
+use super::distance::Near;
+use super::material::Material;
+use super::shape::{PlaneCurve, unit, wrapped};
+use super::tree::{BoxTree, LEAF};
+
+/// Directions that differ by less than this are the same, rad.
+const SAME: f64 = 1e-6;
+
+/// A passage: the two curves and the chord across.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Throat {
+    pub(super) first: usize,
+    pub(super) second: usize,
+    pub(super) near: Near,
+}
+
+/// A range of tangent angles, rad, unwrapped along the chain.
+#[derive(Clone, Copy)]
+struct Fan {
+    least: f64,
+    most: f64,
+}
+
+impl Fan {
+    const EMPTY: Fan = Fan { least: f64::INFINITY, most: f64::NEG_INFINITY };
+
+    fn join(self, o: Fan) -> Fan {
+        Fan { least: self.least.min(o.least), most: self.most.max(o.most) }
+    }
+
+    /// Whether a direction of one is opposite to a direction of the other.
+    fn opposes(self, o: Fan) -> bool {
+        let (low, high) = (self.least - o.most - SAME, self.most - o.least + SAME);
+        low <= high && libm::floor((high - PI) / TAU) * TAU + PI >= low
+    }
+}
+
+/// The contour as a wall: boxes, fans of directions, and the normals at every joint.
+pub(super) struct Walls<'a> {
+    material: &'a Material,
+    tangents: &'a [(f64, f64)],
+    side: f64,
+    boxes: BoxTree,
+    fans: Vec<Fan>,
+    pub(super) budget: u64,
+}
+
+impl<'a> Walls<'a> {
+    pub(super) fn new(
+        material: &'a Material,
+        tangents: &'a [(f64, f64)],
+        side: f64,
+        budget: u64,
+    ) -> Self {
+        let boxes = BoxTree::over(material.curves.iter());
+        let mut walls = Walls {
+            material,
+            tangents,
+            side,
+            fans: vec![Fan::EMPTY; boxes.nodes.len()],
+            boxes,
+            budget,
+        };
+        for k in 0..material.curves.len() {
+            let leaf = walls.boxes.leaves + k / LEAF;
+            walls.fans[leaf] = walls.fans[leaf].join(walls.fan(k));
+        }
+        for node in (1..walls.boxes.leaves).rev() {
+            walls.fans[node] = walls.fans[2 * node].join(walls.fans[2 * node + 1]);
+        }
+        walls
+    }
+
+    /// The directions of a curve and of the corners at both its ends.
+    fn fan(&self, k: usize) -> Fan {
+        let (start, end) = self.tangents[k];
+        let mut fan = Fan { least: start.min(end), most: start.max(end) };
+        let (before, after) = (self.before(k).map(|t| start - t), self.after(k).map(|t| end + t));
+        for angle in before.into_iter().chain(after) {
+            fan = fan.join(Fan { least: angle, most: angle });
+        }
+        fan
+    }
+
+    /// The turn into a curve from the one before it, rad.
+    fn before(&self, k: usize) -> Option<f64> {
+        let last = self.tangents.len() - 1;
+        let from = match k {
+            0 if self.material.is_closed() => last,
+            0 => return None,
+            _ if self.material.breaks[k] => return None,
+            _ => k - 1,
+        };
+        Some(wrapped(self.tangents[k].0 - self.tangents[from].1))
+    }
+
+    /// The turn out of a curve into the one after it, rad.
+    fn after(&self, k: usize) -> Option<f64> {
+        let next = if k + 1 < self.tangents.len() { k + 1 } else { 0 };
+        self.before(next)
+    }
+
+    /// The narrowest passage below `limit` mm.
+    pub(super) fn narrowest(&mut self, limit: f64) -> Option<Throat> {
+        let mut limit = limit * limit;
+        let mut best = None;
+        let mut stack = vec![(1usize, 1usize, 0.0)];
+        while let Some((a, b, gap)) = stack.pop() {
+            if gap >= limit || !self.fans[a].opposes(self.fans[b]) || self.budget == 0 {
+                continue;
+            }
+            self.budget -= 1;
+            if self.boxes.is_leaf(a) && self.boxes.is_leaf(b) {
+                self.try_leaves(a, b, &mut limit, &mut best);
+                continue;
+            }
+            let mut pairs = if a == b {
+                let (low, high) = (2 * a, 2 * a + 1);
+                vec![(low, low), (low, high), (high, high)]
+            } else if self.boxes.is_leaf(b)
+                || !self.boxes.is_leaf(a)
+                    && self.boxes.nodes[a].size() >= self.boxes.nodes[b].size()
+            {
+                vec![(2 * a, b), (2 * a + 1, b)]
+            } else {
+                vec![(a, 2 * b), (a, 2 * b + 1)]
+            }
+            .into_iter()
+            .map(|(a, b)| (a, b, self.boxes.nodes[a].gap_square(&self.boxes.nodes[b])))
+            .collect::<Vec<_>>();
+            pairs.sort_by(|x, y| y.2.total_cmp(&x.2));
+            stack.extend(pairs);
+        }
+        best
+    }
+
+    fn try_leaves(&mut self, a: usize, b: usize, limit: &mut f64, best: &mut Option<Throat>) {
+        let ((first, end), (other, other_end)) = (self.boxes.range(a), self.boxes.range(b));
+        for i in first..end {
+            for j in other.max(i + 1)..other_end {
+                if self.boxes.elements[i].gap_square(&self.boxes.elements[j]) >= *limit
+                    || !self.fan(i).opposes(self.fan(j))
+                {
+                    continue;
+                }
+                for near in chords(&self.material.curves[i], &self.material.curves[j]) {
+                    if near.square < *limit && near.square > 0.0 && self.stands_on(i, j, &near) {
+                        *limit = near.square;
+                        *best = Some(Throat { first: i, second: j, near });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether the chord leaves both curves on the tool's side at a right angle.
+    fn stands_on(&self, i: usize, j: usize, near: &Near) -> bool {
+        let Some(across) = (near.second - near.first).normalized() else { return false };
+        self.is_normal(i, near.first, across) && self.is_normal(j, near.second, -across)
+    }
+
+    fn is_normal(&self, k: usize, at: Vec2, direction: Vec2) -> bool {
+        let curve = &self.material.curves[k];
+        let (start, end) = self.tangents[k];
+        let normal = |angle: f64| unit(angle).turned_left() * self.side;
+        let along = |n: Vec2| n.dot(direction) > 0.0 && n.cross(direction).abs() <= SAME;
+        let grain = 1e-9 * (1.0 + curve.length());
+        let joint = if at.distance(curve.from()) <= grain {
+            Some((self.before(k), start, -1.0))
+        } else if at.distance(curve.to()) <= grain {
+            Some((self.after(k), end, 1.0))
+        } else {
+            None
+        };
+        if let Some((Some(turn), angle, way)) = joint {
+            let inside = turn * self.side;
+            if inside > SAME {
+                return false;
+            }
+            if inside < -SAME {
+                // Between the normals of both curves, in the order of the turn.
+                let (mine, other) = (normal(angle), normal(angle + way * turn));
+                let sense = -self.side * way;
+                return mine.cross(direction) * sense >= -SAME
+                    && direction.cross(other) * sense >= -SAME
+                    && direction.dot(mine + other) > 0.0;
+            }
+            return along(normal(angle));
+        }
+        match *curve {
+            PlaneCurve::Line { .. } => along(normal(start)),
+            PlaneCurve::Arc { center, sweep, .. } => match (at - center).normalized() {
+                Some(out) => along(out * (-self.side * sweep.signum())),
+                None => false,
+            },
+        }
+    }
+}
+
+/// The chords between two curves that may be normal to both.
+fn chords(first: &PlaneCurve, second: &PlaneCurve) -> Vec<Near> {
+    let between = |p: Vec2, q: Vec2| {
+        let d = q - p;
+        Near { square: d.dot(d), first: p, second: q }
+    };
+    let mut all = Vec::with_capacity(9);
+    for p in [first.from(), first.to()] {
+        all.push(between(p, second.nearest(p)));
+    }
+    for q in [second.from(), second.to()] {
+        all.push(between(first.nearest(q), q));
+    }
+    match (first, second) {
+        (PlaneCurve::Line { .. }, PlaneCurve::Line { .. }) => {
+            // Along parallel walls also from the middle: their ends may lie in inside corners.
+            let (p, q) = (all[2].first, all[3].first);
+            let middle = (p + q) * 0.5;
+            all.push(between(middle, second.nearest(middle)));
+        }
+        (PlaneCurve::Line { from, to }, PlaneCurve::Arc { center, radius, .. }) => {
+            let foot = PlaneCurve::line(*from, *to).nearest(*center);
+            all.extend(radial(*center, *radius, foot).map(|q| between(foot, q)));
+        }
+        (PlaneCurve::Arc { center, radius, .. }, PlaneCurve::Line { from, to }) => {
+            let foot = PlaneCurve::line(*from, *to).nearest(*center);
+            all.extend(radial(*center, *radius, foot).map(|p| between(p, foot)));
+        }
+        (
+            PlaneCurve::Arc { center: c, radius: r, .. },
+            PlaneCurve::Arc { center: e, radius: q, .. },
+        ) => {
+            for p in radial(*c, *r, *e) {
+                all.extend(radial(*e, *q, *c).map(|q| between(p, q)));
+            }
+        }
+    }
+    all.retain(|n| is_on(first, n.first) && is_on(second, n.second));
+    all
+}
+
+/// The points of a circle nearest to and farthest from a point.
+fn radial(center: Vec2, radius: f64, p: Vec2) -> impl Iterator<Item = Vec2> {
+    let out = (p - center).normalized();
+    out.into_iter().flat_map(move |u| [center + u * radius, center - u * radius])
+}
+
+fn is_on(curve: &PlaneCurve, p: Vec2) -> bool {
+    curve.nearest(p).distance(p) <= 1e-9 * (1.0 + curve.length())
+}

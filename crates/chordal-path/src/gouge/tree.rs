@@ -1,0 +1,228 @@
+//! Implicit binary trees over a chain, in the order of the chain.
+//!
+//! A chain is its own index: neighbours in order are neighbours in space. A tree is one array in
+//! which node `k` has the children `2k` and `2k + 1`; nothing is sorted.
+
+use core::f64::consts::FRAC_PI_2;
+
+use chordal_geometry::Vec2;
+
+use super::shape::{PlaneCurve, within, wrapped};
+
+/// Elements in one leaf.
+pub(super) const LEAF: usize = 8;
+
+/// An axis-parallel box, mm. Empty when `min` lies above `max`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) min: Vec2,
+    pub(super) max: Vec2,
+}
+
+impl Bounds {
+    pub(super) const EMPTY: Bounds = Bounds {
+        min: Vec2::new(f64::INFINITY, f64::INFINITY),
+        max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+    };
+
+    fn add(&mut self, p: Vec2) {
+        self.min = Vec2::new(self.min.a.min(p.a), self.min.b.min(p.b));
+        self.max = Vec2::new(self.max.a.max(p.a), self.max.b.max(p.b));
+    }
+
+    fn union(self, o: Bounds) -> Bounds {
+        Bounds {
+            min: Vec2::new(self.min.a.min(o.min.a), self.min.b.min(o.min.b)),
+            max: Vec2::new(self.max.a.max(o.max.a), self.max.b.max(o.max.b)),
+        }
+    }
+
+    pub(super) fn of(curve: &PlaneCurve) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        match *curve {
+            PlaneCurve::Line { from, to } => {
+                bounds.add(from);
+                bounds.add(to);
+            }
+            PlaneCurve::Arc { center, radius, start, sweep } => {
+                bounds.add(curve.from());
+                bounds.add(curve.to());
+                let out = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+                for (k, (a, b)) in out.into_iter().enumerate() {
+                    if within(start, sweep, FRAC_PI_2 * k as f64) {
+                        bounds.add(center + Vec2::new(a, b) * radius);
+                    }
+                }
+            }
+        }
+        bounds
+    }
+
+    /// Square of the least distance of two boxes, mm²; infinite when one is empty.
+    pub(super) fn gap_square(&self, o: &Bounds) -> f64 {
+        let a = (self.min.a - o.max.a).max(o.min.a - self.max.a).max(0.0);
+        let b = (self.min.b - o.max.b).max(o.min.b - self.max.b).max(0.0);
+        a * a + b * b
+    }
+
+    /// Half the way round the box, mm: which of two is the larger.
+    pub(super) fn size(&self) -> f64 {
+        (self.max.a - self.min.a) + (self.max.b - self.min.b)
+    }
+}
+
+/// The boxes of a chain.
+pub(super) struct BoxTree {
+    /// Box of each element.
+    pub(super) elements: Vec<Bounds>,
+    /// Box of each node; node 1 is the root.
+    pub(super) nodes: Vec<Bounds>,
+    /// How many leaves there are, a power of two: the first leaf's node.
+    pub(super) leaves: usize,
+}
+
+/// The number of leaves over so many elements.
+fn leaves_over(count: usize) -> usize {
+    count.div_ceil(LEAF).max(1).next_power_of_two()
+}
+
+/// Fills the nodes above the leaves.
+fn raise<T: Copy>(nodes: &mut [T], join: impl Fn(T, T) -> T) {
+    for k in (1..nodes.len() / 2).rev() {
+        nodes[k] = join(nodes[2 * k], nodes[2 * k + 1]);
+    }
+}
+
+impl BoxTree {
+    pub(super) fn over<'a>(curves: impl ExactSizeIterator<Item = &'a PlaneCurve>) -> BoxTree {
+        let leaves = leaves_over(curves.len());
+        let elements: Vec<Bounds> = curves.map(Bounds::of).collect();
+        let mut nodes = vec![Bounds::EMPTY; 2 * leaves];
+        for (k, part) in elements.chunks(LEAF).enumerate() {
+            nodes[leaves + k] = part.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+        }
+        raise(&mut nodes, Bounds::union);
+        BoxTree { elements, nodes, leaves }
+    }
+
+    pub(super) fn is_leaf(&self, node: usize) -> bool {
+        node >= self.leaves
+    }
+
+    /// The elements under a node, first and one past the last.
+    pub(super) fn range(&self, node: usize) -> (usize, usize) {
+        let depth = node.ilog2();
+        let span = (self.leaves >> depth) * LEAF;
+        let first = (node - (1 << depth)) * span;
+        let count = self.elements.len();
+        (first.min(count), (first + span).min(count))
+    }
+}
+
+/// The tangents of a stretch of the contour, unwrapped along the chain, rad.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub(super) least: f64,
+    pub(super) most: f64,
+    /// The chain is broken in it, or a block of it has no true offset in the path.
+    pub(super) broken: bool,
+}
+
+impl Span {
+    const EMPTY: Span = Span { least: f64::INFINITY, most: f64::NEG_INFINITY, broken: false };
+
+    fn join(self, o: Span) -> Span {
+        Span {
+            least: self.least.min(o.least),
+            most: self.most.max(o.most),
+            broken: self.broken | o.broken,
+        }
+    }
+}
+
+/// The tangent angles of a chain.
+pub(super) struct TurnTree {
+    nodes: Vec<Span>,
+    leaves: usize,
+}
+
+/// The unwrapped tangent angles of a chain at both ends of each element, rad.
+pub(super) fn unwrapped_tangents<'a>(
+    curves: impl Iterator<Item = &'a PlaneCurve>,
+) -> Vec<(f64, f64)> {
+    let mut last = 0.0;
+    curves
+        .map(|curve| {
+            let (start, end) = curve.tangent_angles();
+            let first = last + wrapped(start - last);
+            last = first + (end - start);
+            (first, last)
+        })
+        .collect()
+}
+
+impl TurnTree {
+    pub(super) fn over(tangents: &[(f64, f64)], broken: &[bool]) -> TurnTree {
+        let leaves = leaves_over(tangents.len());
+        let mut nodes = vec![Span::EMPTY; 2 * leaves];
+        for (k, (part, breaks)) in tangents.chunks(LEAF).zip(broken.chunks(LEAF)).enumerate() {
+            nodes[leaves + k] =
+                part.iter().zip(breaks).fold(Span::EMPTY, |all, (&(s, e), &broken)| {
+                    all.join(Span { least: s.min(e), most: s.max(e), broken })
+                });
+        }
+        raise(&mut nodes, Span::join);
+        TurnTree { nodes, leaves }
+    }
+
+    /// What the leaves hold that cover the elements `first..=last`.
+    pub(super) fn over_hull(&self, first: usize, last: usize) -> Span {
+        let (mut low, mut high) = (self.leaves + first / LEAF, self.leaves + last / LEAF + 1);
+        let mut all = Span::EMPTY;
+        while low < high {
+            if low & 1 == 1 {
+                all = all.join(self.nodes[low]);
+                low += 1;
+            }
+            if high & 1 == 1 {
+                high -= 1;
+                all = all.join(self.nodes[high]);
+            }
+            low /= 2;
+            high /= 2;
+        }
+        all
+    }
+}
+
+/// Which blocks of the contour the moves of a stretch of the path belong to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hull {
+    pub(super) first: u32,
+    pub(super) last: u32,
+    /// One of the moves belongs to no block of the contour, or is not its true offset.
+    pub(super) foreign: bool,
+}
+
+impl Hull {
+    const EMPTY: Hull = Hull { first: u32::MAX, last: 0, foreign: false };
+
+    fn join(self, o: Hull) -> Hull {
+        Hull {
+            first: self.first.min(o.first),
+            last: self.last.max(o.last),
+            foreign: self.foreign | o.foreign,
+        }
+    }
+}
+
+/// The index hulls of the path's nodes, numbered as those of its [`BoxTree`].
+pub(super) fn hulls(of_moves: &[Hull]) -> Vec<Hull> {
+    let leaves = leaves_over(of_moves.len());
+    let mut nodes = vec![Hull::EMPTY; 2 * leaves];
+    for (k, part) in of_moves.chunks(LEAF).enumerate() {
+        nodes[leaves + k] = part.iter().fold(Hull::EMPTY, |all, h| all.join(*h));
+    }
+    raise(&mut nodes, Hull::join);
+    nodes
+}

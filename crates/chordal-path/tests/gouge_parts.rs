@@ -1,0 +1,175 @@
+//! The parts of the gouge check: distances of curves, and which blocks are the part.
+
+mod support;
+
+use chordal_geometry::Vec2;
+use chordal_path::gouge::{
+    Block, Contour, GougeKind, Material, Move, Options, PlaneCurve, Role, Side, check, nearest,
+};
+use support::{Dice, contour, point_distance};
+
+fn v(a: f64, b: f64) -> Vec2 {
+    Vec2::new(a, b)
+}
+
+fn line(a: f64, b: f64, c: f64, d: f64) -> PlaneCurve {
+    PlaneCurve::line(v(a, b), v(c, d))
+}
+
+fn any_curve(dice: &mut Dice) -> PlaneCurve {
+    let from = v(dice.between(-10.0, 10.0), dice.between(-10.0, 10.0));
+    if dice.unit() < 0.4 {
+        return PlaneCurve::line(from, v(dice.between(-10.0, 10.0), dice.between(-10.0, 10.0)));
+    }
+    PlaneCurve::Arc {
+        center: from,
+        radius: dice.between(0.1, 8.0),
+        start: dice.between(-7.0, 7.0),
+        sweep: dice.between(-8.0, 8.0),
+    }
+}
+
+#[test]
+fn the_distance_of_two_curves_is_the_least_over_both() {
+    const STEPS: usize = 400;
+    for seed in 0..1500 {
+        let mut dice = Dice::new(seed);
+        let (first, second) = (any_curve(&mut dice), any_curve(&mut dice));
+        let near = nearest(&first, &second);
+        let distance = near.square.sqrt();
+        assert!((near.first.distance(near.second) - distance).abs() < 1e-9, "seed {seed}");
+        let on_both = point_distance(&first, near.first).max(point_distance(&second, near.second));
+        assert!(on_both < 1e-9, "seed {seed}: {on_both}");
+        let sampled = (0..=STEPS)
+            .map(|k| point_distance(&second, first.at(k as f64 / STEPS as f64)))
+            .fold(f64::INFINITY, f64::min);
+        assert!(distance <= sampled + 1e-9, "seed {seed}: {distance} but {sampled}");
+        let step = first.length() / STEPS as f64;
+        assert!(sampled <= distance + step, "seed {seed}: {distance} but {sampled}");
+        let back = nearest(&second, &first).square.sqrt();
+        assert!((back - distance).abs() < 1e-9, "seed {seed}");
+    }
+}
+
+#[test]
+fn a_chain_that_comes_back_to_a_vertex_is_the_part_between_the_visits() {
+    let circle = PlaneCurve::arc(v(1.0, 0.0), v(0.0, 0.0), v(0.0, 0.0), false);
+    let curves = [line(0.0, -3.0, 0.0, 0.0), circle, line(0.0, 0.0, 0.0, 3.0)];
+    let material = Material::of(&contour(&curves, Side::Left, 0.5), &Options::default());
+    assert_eq!(material.tags, [1]);
+    assert!(material.is_closed());
+}
+
+#[test]
+fn a_lead_arc_of_an_open_chain_is_not_the_part() {
+    // A quarter turn of radius 4 onto the wall Y0 with the tool inside it, and off again.
+    let curves = [
+        PlaneCurve::arc(v(0.0, 4.0), v(-4.0, 4.0), v(0.0, 0.0), true),
+        line(0.0, 0.0, 30.0, 0.0),
+        PlaneCurve::arc(v(30.0, 4.0), v(30.0, 0.0), v(34.0, 4.0), true),
+    ];
+    let left = Material::of(&contour(&curves, Side::Left, 3.0), &Options::default());
+    assert_eq!(left.tags, [1]);
+    assert_eq!(left.lead_arcs.len(), 2);
+    // With the tool outside of it the arc is a wall.
+    let right = Material::of(&contour(&curves, Side::Right, 3.0), &Options::default());
+    assert_eq!(right.tags, [0, 1, 2]);
+}
+
+#[test]
+fn a_run_off_beyond_the_first_wall_is_not_the_part() {
+    let curves = [
+        line(0.0, 0.0, 0.0, 40.0),
+        line(0.0, 40.0, 40.0, 40.0),
+        line(40.0, 40.0, 40.0, -1.0),
+        line(40.0, -1.0, -8.0, -1.0),
+    ];
+    let material = Material::of(&contour(&curves, Side::Left, 2.0), &Options::default());
+    assert_eq!(material.curves[3], line(40.0, -1.0, 0.0, -1.0));
+}
+
+#[test]
+fn marked_blocks_and_no_others_are_the_part() {
+    let mut contour =
+        contour(&[line(0.0, 0.0, 9.0, 0.0), line(9.0, 0.0, 9.0, 9.0)], Side::Left, 1.0);
+    contour.blocks[1].role = Role::Part;
+    assert_eq!(Material::of(&contour, &Options::default()).tags, [1]);
+}
+
+#[test]
+fn repeated_passes_are_entered_once_and_a_slit_is_told() {
+    let square = [
+        line(0.0, 0.0, 10.0, 0.0),
+        line(10.0, 0.0, 10.0, 10.0),
+        line(10.0, 10.0, 0.0, 10.0),
+        line(0.0, 10.0, 0.0, 0.0),
+    ];
+    let twice: Vec<PlaneCurve> = square.iter().chain(&square).copied().collect();
+    let material = Material::of(&contour(&twice, Side::Left, 1.0), &Options::default());
+    assert_eq!(material.tags, [0, 1, 2, 3]);
+    assert!(material.ambiguous.is_empty() && material.is_closed());
+
+    let there_and_back = [line(0.0, 0.0, 50.0, 0.0), line(50.0, 0.0, 0.0, 0.0)];
+    let slit = contour(&there_and_back, Side::Left, 1.0);
+    assert_eq!(Material::of(&slit, &Options::default()).ambiguous, [(0, 1)]);
+    // The two arcs of one circle share ends and centre, and are not a slit.
+    let halves = [
+        PlaneCurve::arc(v(0.0, 0.0), v(5.0, 0.0), v(-5.0, 0.0), true),
+        PlaneCurve::arc(v(0.0, 0.0), v(-5.0, 0.0), v(5.0, 0.0), true),
+    ];
+    let circle = Material::of(&contour(&halves, Side::Left, 1.0), &Options::default());
+    assert_eq!(circle.tags, [0, 1]);
+    assert!(circle.ambiguous.is_empty());
+}
+
+#[test]
+fn a_lead_through_a_wall_far_from_the_open_end_is_a_gouge_of_the_part() {
+    let block = |curve, tag, role| Block { curve, tag, role };
+    // The lead passes through the second wall on its way to the first.
+    let contour = Contour {
+        blocks: vec![
+            block(line(60.0, 20.0, 0.0, 20.0), 0, Role::LeadIn),
+            block(line(0.0, 20.0, 0.0, -40.0), 1, Role::Offset),
+            block(line(0.0, -40.0, 40.0, -40.0), 2, Role::Offset),
+            block(line(40.0, -40.0, 40.0, 60.0), 3, Role::Offset),
+        ],
+        side: Side::Left,
+        radius: 2.0,
+    };
+    let path = [line(60.0, 20.0, 2.0, 20.0), line(2.0, 20.0, 2.0, -38.0)]
+        .into_iter()
+        .zip(0..)
+        .map(|(curve, tag)| Move { curve, tag })
+        .collect::<Vec<_>>();
+    let report = check(&contour, &path, &Options::default());
+    assert_eq!(report.gouges.len(), 1);
+    let gouge = report.gouges[0];
+    assert_eq!((gouge.depth, gouge.point), (2.0, v(40.0, 20.0)));
+    assert_eq!((gouge.cutting, gouge.cut, gouge.kind), (0, 3, GougeKind::Contour));
+}
+
+#[test]
+fn the_number_reported_is_bounded_and_says_so() {
+    // Forty notches 4 wide, each too narrow for the tool in its own place.
+    let mut points = vec![v(-50.0, 0.0)];
+    for k in 0..40 {
+        let a = 50.0 * f64::from(k);
+        points.extend([v(a, 0.0), v(a, -30.0), v(a + 4.0, -30.0), v(a + 4.0, 0.0)]);
+    }
+    points.push(v(2050.0, 0.0));
+    let curves: Vec<PlaneCurve> = points.windows(2).map(|p| PlaneCurve::line(p[0], p[1])).collect();
+    let contour = contour(&curves, Side::Left, 3.0);
+    // The tool dives to the floor of every notch along its middle.
+    let path: Vec<Move> = curves
+        .iter()
+        .zip(0..)
+        .map(|(c, tag)| {
+            let middle = |p: Vec2| v(p.a + if p.b < -1.0 { 2.0 } else { 0.0 }, p.b + 3.0);
+            Move { curve: PlaneCurve::line(middle(c.from()), middle(c.to())), tag }
+        })
+        .collect();
+    let few = check(&contour, &path, &Options { most: 5, ..Options::default() });
+    assert_eq!((few.gouges.len(), few.more, few.complete), (5, true, true));
+    let starved = check(&contour, &path, &Options { budget: 3, ..Options::default() });
+    assert!(!starved.complete);
+}

@@ -1,0 +1,29 @@
+%
+O60100
+(machine: haas-vf2)
+(A plate: a bolt circle drilled and tapped, and a deep hole in the centre.)
+T1 M06
+G20 G17 G90 G40 G49 G80 G94
+G00 G54 X0 Y0 S1800 M03
+G43 H01 Z1. M08
+G81 G98 Z-.6 R.1 F8. L0
+G70 I2. J30. L6
+G80
+G00 X0 Y0
+G83 G99 Z-1.5 R.1 Q.3 F6.
+G80
+G00 Z1. M09
+M05
+G28 G91 Z0
+G90
+T2 M06
+G00 G54 X0 Y0 S500
+G43 H02 Z1. M08
+G84 G98 Z-.5 R.2 F25. L0
+G70 I2. J30. L6
+G80
+G00 Z1. M09
+G28 G91 Z0
+G90
+M30
+%

@@ -1,0 +1,38 @@
+(machine: linuxcnc-mill)
+(A grid of twelve holes: drilled, and the first row pecked deeper and tapped.)
+G21 G17 G90 G40 G49 G80 G94
+T1 M6
+S1500 M3
+G0 X0 Y0 Z20
+G81 G99 X10 Y10 Z-8 R2 F150
+X25
+X40
+X55
+X10 Y25
+X25
+X40
+X55
+X10 Y40
+X25
+X40
+X55
+G80
+G0 X0 Y0 Z20
+G83 G98 X10 Y10 Z-30 R2 Q6 F100
+X25
+X40
+X55
+G80
+G0 Z20
+M5
+T2 M6
+S500 M3
+G0 X0 Y0 Z20
+G84 G99 X10 Y10 Z-6 R5 F500
+X25
+X40
+X55
+G80
+G0 Z50
+M5
+M30

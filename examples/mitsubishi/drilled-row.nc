@@ -1,0 +1,30 @@
+%
+O0101
+(machine: mitsubishi-m700)
+(A row of five holes: drilled, pecked at both ends, and tapped.)
+T1 M06
+G21 G17 G90 G40 G49 G80 G94
+G00 G54 X10. Y10. S1500 M03
+G43 H01 Z20. M08
+G81 G99 Z-8. R2. F150.
+G91 X15. L4
+G90 G80
+G00 X10. Y30.
+G83 G98 Z-30. R2. Q6. F100.
+X70.
+G80
+G00 Z50. M09
+M05
+G91 G28 Z0.
+G90
+T2 M06
+G00 G54 X10. Y10.
+G43 H02 Z20. M08
+S500
+G84 G99 Z-6. R5. F1. ,R1
+G91 X15. L4
+G90 G80
+G00 Z50. M09
+G91 G28 Z0.
+M30
+%
