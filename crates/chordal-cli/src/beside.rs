@@ -216,4 +216,14 @@ mod tests {
             assert_eq!(number_of_name(Path::new(name)), None, "{name}");
         }
     }
+
+    #[test]
+    fn files_of_subroutines() {
+        for file in ["drill.ngc", "Drill.NGC", "drill.nc"] {
+            assert!(is_named_like(Path::new(file), "drill"), "{file}");
+        }
+        for file in ["drill", "drills.ngc", "drill.txt", ".ngc", ""] {
+            assert!(!is_named_like(Path::new(file), "drill"), "{file}");
+        }
+    }
 }
