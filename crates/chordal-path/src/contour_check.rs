@@ -7,7 +7,7 @@
 
 use chordal_control::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_geometry::Vec2;
+use chordal_geometry::{Plane, Vec2};
 
 use crate::compensation::{ContourPiece, PlaneCurve, Role};
 use crate::gouge::{self, Block, Contour, Gouge, GougeKind, Move, Options, Side};
@@ -61,6 +61,7 @@ struct Leads {
 /// Blocks of a contour at one height, on one side, with one offset.
 #[derive(Debug, Default)]
 struct Level {
+    plane: Plane,
     sign: f64,
     radius: f64,
     height: f64,
@@ -73,7 +74,7 @@ struct Level {
 
 impl Level {
     fn of(piece: &ContourPiece) -> Level {
-        Level { sign: piece.sign, radius: piece.radius_mm, ..Level::default() }
+        Level { plane: piece.plane, sign: piece.sign, radius: piece.radius_mm, ..Level::default() }
     }
 
     /// Another side, another offset, or a step of the third axis between two blocks begin a
@@ -139,7 +140,8 @@ impl ContourCheck {
     pub fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         self.end_level(report);
         if let Some(origin) = self.beyond.take() {
-            let message = format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");
+            let message =
+                format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");
             report(
                 Diagnostic::new(Code::ContourNotChecked, origin.span, message)
                     .help("end the contour with G40 earlier to have all of it checked"),
@@ -168,7 +170,7 @@ impl ContourCheck {
         let found = gouge::check(&contour, &level.moves, &options);
         let origins = &level.origins;
         for gouge in &found.gouges {
-            let diagnostic = self.told(gouge, level.radius, origins);
+            let diagnostic = self.told(gouge, level.plane, level.radius, origins);
             report(diagnostic, &origins[gouge.cutting as usize]);
         }
         let last = *origins.last().unwrap_or(&Origin::default());
@@ -179,7 +181,8 @@ impl ContourCheck {
         }
         if let Some((first, second)) = found.ambiguous.first() {
             let [first, second] = [first, second].map(|tag| origins[*tag as usize]);
-            let message = "the contour runs here and back: neither side of it is known to be the part";
+            let message =
+                "the contour runs here and back: neither side of it is known to be the part";
             let diagnostic = Diagnostic::new(Code::SideAmbiguous, second.span, message)
                 .also(first.span, "the way there");
             report(diagnostic, &second);
@@ -190,7 +193,7 @@ impl ContourCheck {
         }
     }
 
-    fn told(&self, gouge: &Gouge, radius: f64, origins: &[Origin]) -> Diagnostic {
+    fn told(&self, gouge: &Gouge, plane: Plane, radius: f64, origins: &[Origin]) -> Diagnostic {
         let [cutting, cut] = [gouge.cutting, gouge.cut].map(|tag| origins[tag as usize]);
         let depth = self.length(gouge.depth);
         let radius = self.length(radius);
@@ -206,10 +209,12 @@ impl ContourCheck {
                 cut.line
             ),
         };
-        let (a, b) = (self.length(gouge.center.a), self.length(gouge.center.b));
+        let (first, second, _) = plane.axes();
+        let along = |axis: usize, mm: f64| format!("{} {}", ["X", "Y", "Z"][axis], self.length(mm));
+        let place = format!("{}, {}", along(first, gouge.center.a), along(second, gouge.center.b));
         let diagnostic = Diagnostic::new(code, cutting.span, message)
             .label("here the tool cuts")
-            .note(format!("deepest with the tool centre at {a}, {b} in the plane"));
+            .note(format!("deepest where the tool centre is at {place}"));
         if itself { diagnostic } else { diagnostic.also(cut.span, "this wall is cut") }
     }
 
@@ -260,8 +265,9 @@ fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
         true => ("G41", "G42", "left", "right"),
         false => ("G42", "G41", "right", "left"),
     };
-    let message =
-        format!("the tool comes from the {far} of the contour and leaves to the {far}, and runs {side} of it");
+    let message = format!(
+        "the tool comes from the {far} of the contour and leaves to the {far}, and runs {side} of it"
+    );
     Diagnostic::new(Code::CompensationSideDoubtful, lead_in.span, message)
         .label(format!("{code} puts the tool on the other side of the contour than the lead-in"))
         .also(lead_out.origin.span, format!("the lead-out goes to the {far} again"))
