@@ -9,8 +9,9 @@ use chordal_control::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Plane, Vec2};
 
-use crate::compensation::{ContourPiece, PlaneCurve, Role};
-use crate::gouge::{self, Block, Contour, Gouge, GougeKind, Move, Options, Side};
+use crate::compensation::{ContourPiece, Role};
+use crate::contour_level::ContourLevel;
+use crate::gouge::{self, Gouge, GougeKind, Options};
 
 /// Gouges told of one contour: the deepest. What follows is only counted.
 const TOLD_PER_CONTOUR: usize = 8;
@@ -21,17 +22,8 @@ const KEPT_BLOCKS: usize = 4_000_000;
 /// Steps of the search per contour: some seconds at most.
 const SEARCH_BUDGET: u64 = 200_000_000;
 
-/// A difference of the radii of an arc's ends above this makes it a spiral, mm.
-const ROUNDED_RADIUS_MM: f64 = 0.02;
-
 /// A lead that lies on the far side of a wall by less is in line with it, mm.
 const ACROSS_MM: f64 = 0.01;
-
-/// A spiral is checked along chords that stay this near to it, mm.
-const SPIRAL_CHORD_MM: f64 = 0.0005;
-
-/// Most chords of one spiral.
-const MOST_CHORDS: f64 = 20_000.0;
 
 /// Rounding of the programmed points below this cuts nothing, mm.
 const LEAST_DEPTH_MM: f64 = 0.002;
@@ -41,7 +33,7 @@ const LEAST_DEPTH_MM: f64 = 0.002;
 pub struct ContourCheck {
     units: Units,
     stretch: u32,
-    level: Level,
+    level: ContourLevel,
     leads: Leads,
     /// The first block that was not kept.
     beyond: Option<Origin>,
@@ -58,59 +50,13 @@ struct Leads {
     last: Option<Vec2>,
 }
 
-/// Blocks of a contour at one height, on one side, with one offset.
-#[derive(Debug, Default)]
-struct Level {
-    plane: Plane,
-    sign: f64,
-    radius: f64,
-    height: f64,
-    /// Largest difference of an arc's radii, mm.
-    rounding: f64,
-    blocks: Vec<Block>,
-    moves: Vec<Move>,
-    origins: Vec<Origin>,
-}
-
-impl Level {
-    fn of(piece: &ContourPiece) -> Level {
-        Level { plane: piece.plane, sign: piece.sign, radius: piece.radius_mm, ..Level::default() }
-    }
-
-    /// Another side, another offset, or a step of the third axis between two blocks begin a
-    /// level of their own: what lies at another height is not cut by this one.
-    fn goes_on_with(&self, piece: &ContourPiece) -> bool {
-        self.sign == piece.sign
-            && self.radius == piece.radius_mm
-            && (self.blocks.is_empty() || self.height == piece.height.0)
-    }
-
-    fn take(&mut self, piece: &ContourPiece) {
-        let tag = self.origins.len() as u32;
-        self.origins.push(piece.origin);
-        self.height = piece.height.1;
-        let role = match piece.role {
-            Role::StartUp => gouge::Role::LeadIn,
-            Role::Contour => gouge::Role::Offset,
-            Role::Cancel => gouge::Role::LeadOut,
-        };
-        if let Some(programmed) = &piece.programmed {
-            self.rounding = self.rounding.max(radius_difference(programmed));
-            plain(programmed, |curve| self.blocks.push(Block { curve, tag, role }));
-        }
-        for centre in &piece.centre {
-            plain(centre, |curve| self.moves.push(Move { curve, tag }));
-        }
-    }
-}
-
 impl ContourCheck {
     /// A check for one run.
     pub fn new() -> ContourCheck {
         ContourCheck {
             units: Units::Millimetre,
             stretch: 0,
-            level: Level::default(),
+            level: ContourLevel::default(),
             leads: Leads::default(),
             beyond: None,
         }
@@ -126,7 +72,7 @@ impl ContourCheck {
         self.units = piece.units;
         if !self.level.goes_on_with(piece) {
             self.end_level(report);
-            self.level = Level::of(piece);
+            self.level = ContourLevel::of(piece);
         }
         if self.level.origins.len() >= KEPT_BLOCKS {
             self.beyond.get_or_insert(piece.origin);
@@ -151,10 +97,8 @@ impl ContourCheck {
     }
 
     fn end_level(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
-        let level = std::mem::take(&mut self.level);
-        if level.radius <= 0.0 || level.blocks.is_empty() {
-            return;
-        }
+        let mut level = std::mem::take(&mut self.level);
+        let Some(contour) = level.contour() else { return };
         let least_increment = match self.units {
             Units::Inch => 0.00254,
             Units::Millimetre => 0.001,
@@ -165,12 +109,10 @@ impl ContourCheck {
             budget: SEARCH_BUDGET,
             ..Options::default()
         };
-        let side = if level.sign > 0.0 { Side::Left } else { Side::Right };
-        let contour = Contour { blocks: level.blocks, side, radius: level.radius };
         let found = gouge::check(&contour, &level.moves, &options);
         let origins = &level.origins;
         for gouge in &found.gouges {
-            let diagnostic = self.told(gouge, level.plane, level.radius, origins);
+            let diagnostic = self.told(gouge, level.plane, contour.radius, origins);
             report(diagnostic, &origins[gouge.cutting as usize]);
         }
         let last = *origins.last().unwrap_or(&Origin::default());
@@ -272,41 +214,4 @@ fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
         .label(format!("{code} puts the tool on the other side of the contour than the lead-in"))
         .also(lead_out.origin.span, format!("the lead-out goes to the {far} again"))
         .help(format!("write {other}, or a negative offset, if the tool belongs on the {far}"))
-}
-
-/// How much the radii of an arc differ by rounding, mm; nothing for a spiral.
-fn radius_difference(curve: &PlaneCurve) -> f64 {
-    match *curve {
-        PlaneCurve::Arc { radius_from, radius_to, .. } => {
-            let difference = (radius_to - radius_from).abs();
-            if difference <= ROUNDED_RADIUS_MM { difference } else { 0.0 }
-        }
-        PlaneCurve::Line { .. } => 0.0,
-    }
-}
-
-/// The curve as lines and arcs of one radius: a spiral in short chords.
-fn plain(curve: &PlaneCurve, mut push: impl FnMut(gouge::PlaneCurve)) {
-    match *curve {
-        PlaneCurve::Line { from, to } => push(gouge::PlaneCurve::line(from, to)),
-        PlaneCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
-            let arm = from - center;
-            let start = libm::atan2(arm.b, arm.a);
-            if (radius_to - radius_from).abs() <= ROUNDED_RADIUS_MM {
-                let radius = 0.5 * (radius_from + radius_to);
-                return push(gouge::PlaneCurve::Arc { center, radius, start, sweep });
-            }
-            let at = |part: f64| {
-                let (sin, cos) = libm::sincos(start + part * sweep);
-                center + Vec2::new(cos, sin) * (radius_from + part * (radius_to - radius_from))
-            };
-            let largest = radius_from.max(radius_to);
-            let step = (8.0 * SPIRAL_CHORD_MM / largest).sqrt();
-            let steps = (sweep.abs() / step).ceil().clamp(1.0, MOST_CHORDS);
-            for index in 0..steps as u32 {
-                let part = |index: u32| f64::from(index) / steps;
-                push(gouge::PlaneCurve::line(at(part(index)), at(part(index + 1))));
-            }
-        }
-    }
 }

@@ -74,9 +74,10 @@ impl Compensator {
 
     fn test(&self, block: &Block) -> Option<Found> {
         let (start, end) = (block.start, block.corner.as_ref()?.first());
+        let point_mm = self.parameters.compensation.tangent_mm;
         match self.parameters.compensation.interference {
             Interference::None => None,
-            Interference::Direction => direction(block, start, end),
+            Interference::Direction => direction(block, start, end, point_mm),
             Interference::Vectors => crossing(block.curve.from(), start, block.curve.to(), end)
                 .then_some(Found::Crossing),
             Interference::Strict => self.strict(block, start, end),
@@ -85,7 +86,7 @@ impl Compensator {
 
     fn strict(&self, block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
         match block.curve {
-            PlaneCurve::Line { .. } => direction(block, start, end),
+            PlaneCurve::Line { .. } => direction(block, start, end, 0.0),
             PlaneCurve::Arc { sweep, .. } => {
                 if block.role == Role::StartUp {
                     return None;
@@ -101,8 +102,9 @@ impl Compensator {
     }
 }
 
-/// Compensated against programmed direction, and for an arc its angle too.
-fn direction(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+/// Compensated against programmed direction, and for an arc its angle too. An inside arc that
+/// has shrunk to a point has neither.
+fn direction(block: &Block, start: Vec2, end: Vec2, point_mm: f64) -> Option<Found> {
     let moved = end - start;
     match block.curve {
         PlaneCurve::Line { from, to } => {
@@ -112,7 +114,11 @@ fn direction(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
             (forward < -REVERSED_MM).then_some(Found::Reversed { length, lost: length - forward })
         }
         PlaneCurve::Arc { .. } if block.straight => None,
-        PlaneCurve::Arc { from, to, sweep, .. } => {
+        PlaneCurve::Arc { from, to, sweep, radius_from, .. } => {
+            let left = radius_from - block.sign * sweep.signum() * block.radii.0;
+            if left.abs() <= point_mm {
+                return None;
+            }
             let becomes = swept(block, start, end);
             let backward = (to - from).dot(moved) < -REVERSED_MM * from.distance(to);
             let turned = (becomes - sweep).abs() > std::f64::consts::PI
