@@ -6,7 +6,7 @@
 //! or not at all.
 
 use chordal_control::{Origin, Units};
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Plane, Vec2};
 
 use crate::compensation::{ContourPiece, Role};
@@ -35,6 +35,8 @@ pub struct ContourCheck {
     stretch: u32,
     level: ContourLevel,
     leads: Leads,
+    /// Blocks of this contour at which the control found interference.
+    alarms: Vec<Span>,
     /// The first block that was not kept.
     beyond: Option<Origin>,
 }
@@ -58,6 +60,7 @@ impl ContourCheck {
             stretch: 0,
             level: ContourLevel::default(),
             leads: Leads::default(),
+            alarms: Vec::new(),
             beyond: None,
         }
     }
@@ -80,6 +83,18 @@ impl ContourCheck {
         }
         self.level.take(piece);
         self.side_of_leads(piece, report);
+    }
+
+    /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
+    /// that is told once the contour is known.
+    pub fn alarm(&mut self, diagnostic: &Diagnostic) {
+        let interference = matches!(
+            diagnostic.code,
+            Code::InsideArcTooSmall | Code::CompensationInterference | Code::NoOffsetIntersection
+        );
+        if interference && self.alarms.len() < TOLD_PER_CONTOUR {
+            self.alarms.push(diagnostic.primary.span);
+        }
     }
 
     /// Ends the contour that is open.
@@ -114,6 +129,12 @@ impl ContourCheck {
         for gouge in &found.gouges {
             let diagnostic = self.told(gouge, level.plane, contour.radius, origins);
             report(diagnostic, &origins[gouge.cutting as usize]);
+        }
+        let alarms = std::mem::take(&mut self.alarms);
+        if found.complete && found.gouges.iter().all(|gouge| gouge.kind == GougeKind::AtLead) {
+            for origin in origins.iter().filter(|origin| alarms.contains(&origin.span)) {
+                report(false_alarm(origin), origin);
+            }
         }
         let last = *origins.last().unwrap_or(&Origin::default());
         if found.more {
@@ -200,6 +221,13 @@ impl ContourCheck {
         let text = text.trim_end_matches('0').trim_end_matches('.');
         format!("{} {unit}", if text == "-0" { "0" } else { text })
     }
+}
+
+fn false_alarm(origin: &Origin) -> Diagnostic {
+    let message = "the control alarms here, and the tool would cut into no wall";
+    Diagnostic::new(Code::FalseInterferenceAlarm, origin.span, message)
+        .label("a false alarm of the control's look-ahead")
+        .help("only what the control accepts runs: take a smaller tool, or change this place")
 }
 
 fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {

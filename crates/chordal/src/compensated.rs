@@ -97,6 +97,9 @@ impl<S: PathSink> PathSink for Told<'_, S> {
     }
 
     fn diagnostic(&mut self, mut diagnostic: Diagnostic, origin: &Origin) {
+        if let Some(contours) = &mut self.contours {
+            contours.alarm(&diagnostic);
+        }
         if let Some(alarm) = &mut diagnostic.alarm
             && alarm.contains("{n}")
         {
