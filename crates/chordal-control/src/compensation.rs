@@ -62,11 +62,11 @@ pub enum LeadLength {
 /// How a control looks for places where the offset does not fit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Interference {
-    /// Not at all.
-    None,
     /// The compensated move goes against the programmed one, or an arc turns by more than
     /// 180 degrees otherwise.
     Direction,
+    /// An arc turns by more than 180 degrees otherwise (Fanuc 5008#1).
+    ArcAngle,
     /// The offset vectors at both ends of a block cross.
     Vectors,
     /// Inside radii, reversed moves, and arcs that come out longer than programmed by more
@@ -122,12 +122,16 @@ pub struct CompensationRules {
     pub side_change: SideChange,
     /// Another D while compensation is on.
     pub new_offset: Allowance,
+    /// Another D in the block of an arc.
+    pub new_offset_on_arc: Allowance,
     /// Length of the first move.
     pub lead: LeadLength,
     /// Where it works.
     pub planes: CompensationPlanes,
     /// The control's own check.
     pub interference: Interference,
+    /// It is looked for.
+    pub checks: bool,
     /// What follows from it.
     pub remedy: Remedy,
     /// An inside arc of exactly the offset's radius is refused.
@@ -172,9 +176,11 @@ impl CompensationRules {
         repeated: Repeated::Ignored,
         side_change: SideChange::Crossing,
         new_offset: Allowance::Allowed,
+        new_offset_on_arc: Allowance::Allowed,
         lead: LeadLength::Any,
         planes: CompensationPlanes::All,
         interference: Interference::Direction,
+        checks: true,
         remedy: Remedy::Alarm,
         equal_radius_refused: false,
         longer_arc_rad: [f64::INFINITY; 2],

@@ -8,6 +8,7 @@
 
 mod command;
 mod compensation;
+mod compensation_settings;
 mod control;
 mod controls;
 mod cycle_rules;
@@ -25,6 +26,7 @@ pub mod table;
 
 pub use command::*;
 pub use compensation::*;
+pub use compensation_settings::CompensationField;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;

@@ -3,6 +3,7 @@
 use chordal_machine::{Machine, Setting as Given, SettingValue};
 
 use crate::command::{FeedAlong, RapidPath, Units};
+use crate::compensation_settings::{self, CompensationField};
 use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
@@ -59,6 +60,7 @@ pub enum Field {
     FixedRoutineCount,
     BoreDiameterRegister,
     Cycle(CycleField),
+    Compensation(CompensationField),
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -87,7 +89,18 @@ pub struct Setting {
 }
 
 /// The settings that every control has, under plain names.
-pub const COMMON: &[Setting] = &[
+pub const COMMON: &[Setting] = &{
+    let more = compensation_settings::COMMON;
+    let mut all = [GENERAL[0]; GENERAL.len() + compensation_settings::COMMON.len()];
+    let mut at = 0;
+    while at < all.len() {
+        all[at] = if at < GENERAL.len() { GENERAL[at] } else { more[at - GENERAL.len()] };
+        at += 1;
+    }
+    all
+};
+
+const GENERAL: &[Setting] = &[
     common("units", Field::Units, "units at power-on: `inch` or `mm`"),
     common("start_motion", Field::StartMotion, "motion at power-on: `rapid` or `linear`"),
     common("start_distance", Field::StartDistance, "`absolute` or `incremental` at power-on"),
@@ -346,6 +359,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
         Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
         Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
+        Field::Compensation(rule) => compensation_settings::set(p, rule, word, value)?,
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -419,6 +433,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
         Field::Cycle(rule) => cycle_rules::value_text(p, rule),
+        Field::Compensation(rule) => compensation_settings::value_text(p, rule),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),

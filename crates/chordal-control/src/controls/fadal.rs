@@ -3,13 +3,14 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
+use super::compensation;
 use crate::command::{FeedAlong, RapidPath};
 use crate::cycle_rules::{
     BoreRules, Cancel, CycleField, CycleRules, DefinitionFires, FiringWords, IncrementalLevels,
     LevelOrder, MissingLevel, PeckRules, ShiftDirection, TapFeed, TapRules,
 };
 use crate::macros::rules::{Fix, MacroForm, MacroRules};
-use crate::parameters::{DecimalPoint, OffsetKind, Parameters, UnitCodes};
+use crate::parameters::{DecimalPoint, OffsetKind, OutsideCorner, Parameters, UnitCodes};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -73,6 +74,8 @@ const PARAMETERS: Parameters = Parameters {
     chip_break_mm: 1.27,
     peck_clearance_mm: 1.27,
     cycles: CYCLES,
+    compensation: compensation::FADAL,
+    outside_corner: OutsideCorner::Arc,
     ..Parameters::COMMON
 };
 
@@ -238,6 +241,12 @@ const SET_DATA: &[(u16, DataTarget)] = &[
 const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 }];
 
 const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::CompensationInterference, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::NoOffsetIntersection, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::SideChangeRefused, "ATTEMPT TO CHANGE CRC SIDE WITHOUT G40"),
+    (Code::ShiftInCompensation, "CANCEL CRC BEFORE N={n}"),
+    (Code::TooManyIdleBlocks, "FILE OVERFLOW"),
     (
         Code::RadiusMismatch,
         "BAD CIRCLE OR MISSING G AT N={n} (SUM mode: CALCULATED RADIUS ERROR OF {delta})",

@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::Lexicon;
 
+use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{CycleField, CycleRules, TapRules};
 use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm};
@@ -55,6 +56,7 @@ const PARAMETERS: Parameters = Parameters {
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
+    compensation: compensation::FANUC,
     ..Parameters::COMMON
 };
 
@@ -69,6 +71,15 @@ const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
 }
 
 const SETTINGS: &[Setting] = &[
+    compensation::FANUC_TYPE,
+    compensation::FANUC_TYPE_C,
+    compensation::FANUC_ANGLES_ONLY,
+    compensation::FANUC_NO_CHECK,
+    compensation::FANUC_LINK,
+    compensation::FANUC_BLOCKS_READ,
+    compensation::FANUC_BLOCKS_READ_15I,
+    compensation::FANUC_CORNER,
+    compensation::FANUC_AVOIDANCE,
     setting(
         "No. 6004#0",
         Field::MacroAngles,
@@ -281,6 +292,9 @@ const DWELL: &[DwellWord] = &[
 ];
 
 const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "PS0041 INTERFERENCE IN CRC"),
+    (Code::CompensationInterference, "PS0041 INTERFERENCE IN CRC"),
+    (Code::NoOffsetIntersection, "PS0033 NO SOL AT CRC"),
     (Code::RadiusMismatch, "PS0020 OVER TOLERANCE OF RADIUS"),
     (Code::NoCenter, "PS0022 NO CIRCLE RADIUS"),
     (Code::MissingFeed, "PS0011 NO FEEDRATE COMMANDED"),

@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
+use super::compensation;
 use crate::command::RapidPath;
 use crate::cycle_rules::{
     BoreRules, CycleField, CycleRules, DefinitionFires, FiringWords, MissingLevel, PeckDwell,
@@ -60,6 +61,7 @@ const PARAMETERS: Parameters = Parameters {
     return_label_in_callee: true,
     preset_clears_shift: true,
     cycles: CYCLES,
+    compensation: compensation::HAAS,
     ..Parameters::COMMON
 };
 
@@ -93,6 +95,7 @@ const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
 }
 
 const SETTINGS: &[Setting] = &[
+    compensation::HAAS_INSIDE_FEED,
     setting(
         "Setting 9",
         Field::Units,
@@ -256,6 +259,11 @@ const SET_DATA: &[(u16, DataTarget)] = &[
 const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 1.0 }];
 
 const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "alarm 342 CUTTER COMP PATH TOO SMALL"),
+    (Code::CompensationInterference, "alarm 342 CUTTER COMP PATH TOO SMALL"),
+    (Code::NoOffsetIntersection, "alarm 342 CUTTER COMP PATH TOO SMALL"),
+    (Code::LeadInTooShort, "alarm 342 CUTTER COMP PATH TOO SMALL"),
+    (Code::CompensationPlane, "alarm 344 cutter compensation with G18 and G19"),
     (Code::RadiusMismatch, "alarm 304 INVALID I, J, OR K IN G02 OR G03"),
     (Code::RadiusTooShort, "alarm 302 INVALID R CODE"),
     (Code::CenterOutsidePlane, "alarm 303 INVALID X, Y, OR Z IN G02 OR G03"),

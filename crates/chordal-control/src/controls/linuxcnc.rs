@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
+use super::compensation;
 use crate::command::RapidPath;
 use crate::cycle_rules::{
     Approach, BackBore, BoreRules, CycleRules, DrillingAxis, FiringWords, IncrementalLevels,
@@ -11,7 +12,9 @@ use crate::cycle_rules::{
 use crate::macros::rules::{
     MacroForm, MacroRules, System, SystemRow, VariableRange, common, system,
 };
-use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
+use crate::parameters::{
+    CenterAndRadius, CompensationEntry, DecimalPoint, OffsetKind, OutsideCorner, Parameters,
+};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -71,6 +74,9 @@ const PARAMETERS: Parameters = Parameters {
     nesting: 10,
     bare_home_moves_all: true,
     cycles: CYCLES,
+    compensation: compensation::LINUXCNC,
+    compensation_entry: CompensationEntry::Contour,
+    outside_corner: OutsideCorner::Arc,
     ..Parameters::COMMON
 };
 
@@ -172,6 +178,28 @@ const SET_DATA: &[(u16, DataTarget)] = &[
 const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0 }];
 
 const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "Tool radius not less than arc radius with comp"),
+    (
+        Code::CompensationInterference,
+        "{move} in concave corner cannot be reached by the tool without gouging",
+    ),
+    (
+        Code::NoOffsetIntersection,
+        "{move} in concave corner cannot be reached by the tool without gouging",
+    ),
+    (
+        Code::LeadInTooShort,
+        "Length of cutter compensation entry move is not greater than the tool radius",
+    ),
+    (
+        Code::CompensationOnArc,
+        "The move just after exiting cutter compensation mode must be straight, not an arc",
+    ),
+    (Code::SideChangeRefused, "Cannot turn cutter radius comp on when on"),
+    (Code::CompensationTwice, "Cannot turn cutter radius comp on when on"),
+    (Code::NewOffsetRefused, "Cannot turn cutter radius comp on when on"),
+    (Code::CompensationPlane, "Cutter radius compensation allowed only in XY, XZ planes"),
+    (Code::ShiftInCompensation, "Cannot change axis offsets with cutter radius comp"),
     (Code::RadiusMismatch, "Radius to end of arc differs from radius to start"),
     (Code::RadiusTooShort, "Arc radius too small to reach end point"),
     (Code::FullCircleByRadius, "Current point same as end point of arc"),

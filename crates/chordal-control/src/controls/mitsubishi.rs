@@ -3,6 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
+use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
 use crate::parameters::{OffsetKind, Parameters, SpiralForm};
@@ -55,6 +56,7 @@ const PARAMETERS: Parameters = Parameters {
     chip_break_mm: 1.0,
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
+    compensation: compensation::MITSUBISHI,
     ..Parameters::COMMON
 };
 
@@ -70,6 +72,9 @@ const CYCLES: CycleRules = CycleRules {
 };
 
 const SETTINGS: &[Setting] = &[
+    compensation::MITSUBISHI_TYPE,
+    compensation::MITSUBISHI_AVOIDANCE,
+    compensation::MITSUBISHI_NO_CHECK,
     setting(
         "#1084 RadErr",
         Field::RadiusErrorTolerance,
@@ -164,6 +169,9 @@ const DWELL: &[DwellWord] = &[
 ];
 
 const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "P153 Compensation interference"),
+    (Code::CompensationInterference, "P153 Compensation interference"),
+    (Code::NoOffsetIntersection, "P152 No intersection"),
     (Code::RadiusMismatch, "P70 Arc end point deviation large"),
     (Code::RadiusTooShort, "P71 Arc center error"),
     (Code::NoCenter, "P33 Format error"),

@@ -1,5 +1,6 @@
 //! The five controls, each a table in its own file.
 
+mod compensation;
 mod fadal;
 mod fanuc;
 mod haas;

@@ -33,7 +33,7 @@ impl Compensator {
         };
         let rules = &self.parameters.compensation;
         let inside = block.sign * sweep.signum() > 0.0;
-        if !inside || rules.interference == Interference::None {
+        if !inside || !rules.checks {
             return false;
         }
         let radius = radius_from.min(radius_to);
@@ -74,10 +74,14 @@ impl Compensator {
 
     fn test(&self, block: &Block) -> Option<Found> {
         let (start, end) = (block.start, block.corner.as_ref()?.first());
-        let point_mm = self.parameters.compensation.tangent_mm;
-        match self.parameters.compensation.interference {
-            Interference::None => None,
-            Interference::Direction => direction(block, start, end, point_mm),
+        let rules = &self.parameters.compensation;
+        if !rules.checks {
+            return None;
+        }
+        match rules.interference {
+            Interference::ArcAngle if !block.curve.is_arc() => None,
+            Interference::ArcAngle => arc_angle(block, start, end),
+            Interference::Direction => direction(block, start, end, rules.tangent_mm),
             Interference::Vectors => crossing(block.curve.from(), start, block.curve.to(), end)
                 .then_some(Found::Crossing),
             Interference::Strict => self.strict(block, start, end),
@@ -126,6 +130,14 @@ fn direction(block: &Block, start: Vec2, end: Vec2, point_mm: f64) -> Option<Fou
             (backward || turned).then_some(Found::Turned { programmed: sweep, becomes })
         }
     }
+}
+
+/// Fanuc 5008#1: only arcs that come out more than 180 degrees otherwise.
+fn arc_angle(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+    let PlaneCurve::Arc { sweep, .. } = block.curve else { return None };
+    let becomes = swept(block, start, end);
+    let turned = !block.straight && (becomes - sweep).abs() > std::f64::consts::PI;
+    turned.then_some(Found::Turned { programmed: sweep, becomes })
 }
 
 fn swept(block: &Block, start: Vec2, end: Vec2) -> f64 {
