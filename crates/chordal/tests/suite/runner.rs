@@ -1,6 +1,6 @@
 //! Runs a program and notes what happens by line.
 
-use chordal::control::{ArcShape, FeedAlong, FeedMode, Units};
+use chordal::control::{ArcShape, FeedAlong, FeedMode, SpindleState, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::curve_of;
 use chordal::{
@@ -39,6 +39,9 @@ pub struct Told {
 #[derive(Debug)]
 pub struct Ran {
     pub made: Vec<Made>,
+    /// What is no motion, in the words of the grammar: its line, and how many motions of that
+    /// line came before.
+    pub events: Vec<(u32, usize, String)>,
     pub told: Vec<Told>,
     /// Lines that were printed, each with the line of the program that printed it.
     pub printed: Vec<(u32, String)>,
@@ -57,9 +60,15 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let (mut made, mut printed) = (Vec::new(), Vec::new());
+    let (mut made, mut printed) = (Vec::<Made>::new(), Vec::new());
+    let mut events = Vec::new();
     let report = job.report_with(|command, _| {
         made.extend(made_by(command));
+        if let Some(event) = event_of(&command.kind) {
+            let line = command.origin.line;
+            let before = made.iter().filter(|made| made.line == line).count();
+            events.push((line, before, event));
+        }
         if let CommandKind::Output { text } = &command.kind {
             printed.push((command.origin.line, text.clone()));
         }
@@ -80,7 +89,22 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
             text: words_of(d),
         })
         .collect();
-    Ok(Ran { made, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
+    Ok(Ran { made, events, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
+}
+
+/// A dwell, a change of the spindle or a stop, in words.
+fn event_of(kind: &CommandKind) -> Option<String> {
+    Some(match kind {
+        CommandKind::Dwell { seconds } => format!("dwell {}", short(*seconds)),
+        CommandKind::Spindle { state, .. } => match state {
+            SpindleState::Off => "spindle off".into(),
+            SpindleState::Cw => "spindle cw".into(),
+            SpindleState::Ccw => "spindle ccw".into(),
+            SpindleState::Oriented => "spindle oriented".into(),
+        },
+        CommandKind::Stop { .. } => "stop".into(),
+        _ => return None,
+    })
 }
 
 fn words_of(diagnostic: &Diagnostic) -> String {
