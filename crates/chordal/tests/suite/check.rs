@@ -61,7 +61,8 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
 fn check_events(program: &Program, ran: &Ran, wrong: &mut Wrong) {
     for (&line, expected) in program.lines.iter().filter(|(_, line)| !line.events.is_empty()) {
         let words = |events: &[(usize, String)]| {
-            let words = events.iter().map(|(before, text)| format!("{text} after {before} motions"));
+            let words =
+                events.iter().map(|(before, text)| format!("{text} after {before} motions"));
             words.collect::<Vec<_>>().join(", ")
         };
         let happened: Vec<(usize, String)> = ran
