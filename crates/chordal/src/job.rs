@@ -302,8 +302,14 @@ struct CheckSink<'m> {
 }
 
 impl chordal_path::PathSink for CheckSink<'_> {
+    #[inline]
+    fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
+    }
+
+    #[inline]
     fn command(&mut self, path: PathCommand<'_>) {
-        self.checks.command(path.command, |diagnostic| self.collector.push(diagnostic));
+        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
         note_output(path.command, &mut self.output);
     }
 
@@ -324,12 +330,13 @@ struct ReportSink<'m, 'w, W> {
 
 impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
     fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
         self.watch.programmed(command);
     }
 
     fn command(&mut self, path: PathCommand<'_>) {
         let command = path.command;
-        self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
         note_output(command, &mut self.output);
         self.segments.clear();
         let segments = &mut self.segments;
