@@ -3,7 +3,8 @@
 
 Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not part of the test
 command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
-centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals).
+centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals), and so must
+the lines that the programs print.
 
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
@@ -25,16 +26,17 @@ CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
 def reference(program):
-    """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit)."""
+    """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
         tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\n")
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
-    unit, plane, place, motions = 1.0, "XY", [0.0] * 6, []
+    unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
     for row in done.stdout.splitlines():
         call = CALL.match(row)
         if not call:
+            printed.append(row)
             continue
         name, text = call.groups()
         if name == "USE_LENGTH_UNITS":
@@ -61,17 +63,20 @@ def reference(program):
             place = end
     if done.returncode != 0 or not motions:
         sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
-    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
+    printed = [row for row in printed if row != "executing" and "N....." not in row]
+    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)], printed
 
 
 def ours(chordal, program):
-    """Motions of Chordal in mm and degrees."""
+    """Motions of Chordal in mm and degrees; printed lines."""
     command = [chordal, "commands", str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
     done = subprocess.run(command, capture_output=True, text=True)
-    motions = []
+    motions, printed = [], []
     for row in done.stdout.splitlines():
         command = json.loads(row)
         kind = command.get("kind")
+        if kind == "print":
+            printed.append(command["text"])
         if kind not in ("rapid", "line", "arc", "spiral"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
@@ -89,7 +94,7 @@ def ours(chordal, program):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
         sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
-    return motions
+    return motions, printed
 
 
 def far(one, other, tolerance):
@@ -122,8 +127,11 @@ def main():
     programs = arguments.programs or sorted((here / "tests/rs274").glob("*.ngc"))
     wrong = motions = 0
     for program in programs:
-        theirs = reference(program)
-        problems = list(differences(program, theirs, ours(arguments.chordal, program)))
+        theirs, their_lines = reference(program)
+        mine, my_lines = ours(arguments.chordal, program)
+        problems = list(differences(program, theirs, mine))
+        if their_lines != my_lines:
+            problems.append(f"rs274 prints {their_lines}, Chordal {my_lines}")
         motions += len(theirs)
         wrong += bool(problems)
         print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} motions  {program.name}")

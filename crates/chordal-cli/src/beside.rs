@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::control::referenced_programs;
+use chordal::control::{called_subs, referenced_programs};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
@@ -30,7 +30,8 @@ impl Folders {
     pub fn find(&mut self, path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
         let mut found: Vec<Text> = Vec::new();
         let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
-        if wanted.is_empty() {
+        let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
+        if wanted.is_empty() && names.is_empty() {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
@@ -50,6 +51,17 @@ impl Folders {
             }
             // Found or not, it is not looked for again.
             known.insert(number);
+        }
+        let mut looked = BTreeSet::new();
+        while let Some(name) = names.pop_first() {
+            if found.len() >= MOST_FILES || !looked.insert(name.clone()) {
+                continue;
+            }
+            let Some(path) = folder.subroutine(&name, path) else { continue };
+            if let Ok(text) = Text::read(&Input { path: Some(path), root: None }) {
+                names.extend(called_subs(text.bytes(), lexicon));
+                found.push(text);
+            }
         }
         found
     }
@@ -136,6 +148,11 @@ impl Folder {
         Folder { files, heads: None }
     }
 
+    /// The file of a subroutine of O words.
+    fn subroutine(&self, name: &str, caller: &Path) -> Option<PathBuf> {
+        self.files.iter().find(|path| *path != caller && is_named_like(path, name)).cloned()
+    }
+
     /// The file of a program other than its caller: by its name, or else by its first head, or
     /// else by its name alone, where it has no head at all.
     fn program(&mut self, number: u32, caller: &Path) -> Option<PathBuf> {
@@ -162,6 +179,17 @@ impl Folder {
     }
 }
 
+/// True for a file that a control would take for the subroutine of a name.
+fn is_named_like(path: &Path, name: &str) -> bool {
+    let file = path.file_name().and_then(|file| file.to_str()).unwrap_or("");
+    let known = [".ngc", ".nc"].iter().find_map(|ending| {
+        let stem = file.len().checked_sub(ending.len())?;
+        let matches = file.get(stem..)?.eq_ignore_ascii_case(ending);
+        if matches { file.get(..stem) } else { None }
+    });
+    known.is_some_and(|stem| stem.eq_ignore_ascii_case(name))
+}
+
 fn first_head(path: &Path) -> Option<u32> {
     let bytes = head(path, HEAD).ok()?;
     let text = decode(&bytes);
@@ -186,6 +214,16 @@ mod tests {
         }
         for name in ["part.nc", "O1000-old.nc", "x1000.nc", ".nc", "", "O.nc", "O99999999999"] {
             assert_eq!(number_of_name(Path::new(name)), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn files_of_subroutines() {
+        for file in ["drill.ngc", "Drill.NGC", "drill.nc"] {
+            assert!(is_named_like(Path::new(file), "drill"), "{file}");
+        }
+        for file in ["drill", "drills.ngc", "drill.txt", ".ngc", ""] {
+            assert!(!is_named_like(Path::new(file), "drill"), "{file}");
         }
     }
 }

@@ -14,6 +14,7 @@ mod calc;
 mod check;
 mod chords;
 mod commands;
+mod comp_range;
 mod completions;
 mod explain;
 mod failure;
@@ -76,6 +77,7 @@ enum Command {
     Check(check::Args),
     Commands(commands::Args),
     Path(path::Args),
+    CompRange(comp_range::Args),
     Chords(chords::Args),
     Calc(Box<calc::Args>),
     Explain(explain::Args),
@@ -90,6 +92,7 @@ impl Command {
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
+            Command::CompRange(args) => comp_range::run(&args),
             Command::Chords(args) => chords::run(&args, terminal),
             Command::Calc(args) => calc::run(&args),
             Command::Explain(args) => explain::run(&args),

@@ -97,7 +97,7 @@ pub enum PeckDwell {
     None,
     /// A dwell at the bottom of the hole.
     Bottom,
-    /// A dwell at each peck.
+    /// A dwell at each peck of G73.
     EachPeck,
 }
 

@@ -21,6 +21,7 @@ mod pocket;
 mod recognize;
 mod settings;
 mod state;
+mod subs;
 pub mod table;
 
 pub use command::*;
@@ -36,3 +37,4 @@ pub use recognize::{Recognition, recognize};
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,
 };
+pub use subs::called_subs;

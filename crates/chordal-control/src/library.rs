@@ -76,14 +76,17 @@ impl<'a> Library<'a> {
         here.or(Some(first))
     }
 
-    /// The first program of the file with a name, its folder and ending left out.
-    pub fn program_of_file(&self, name: &str) -> Option<usize> {
-        self.programs.iter().position(|program| {
+    /// The first program of each file by the file's name in lower case, folder and ending left
+    /// out.
+    pub(crate) fn files_by_name(&self) -> HashMap<String, usize> {
+        let mut files = HashMap::new();
+        for (index, program) in self.programs.iter().enumerate() {
             let file = self.sources.get(program.file).map_or("", |source| source.name());
             let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
             let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
-            stem.eq_ignore_ascii_case(name)
-        })
+            files.entry(stem.to_ascii_lowercase()).or_insert(index);
+        }
+        files
     }
 
     /// Programs that no other program of the same file calls: the mains. When every one is
@@ -170,8 +173,10 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
 
 /// Notes the program of `START 9200`, on a macro line.
 fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
-    let line = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
-    if memchr::memchr(b'#', &text[line..at]).is_none() {
+    // Macro lines are short.
+    let before = &text[at.saturating_sub(100)..at];
+    let line = memchr::memrchr2(b'\n', b'\r', before).map_or(0, |i| i + 1);
+    if memchr::memchr(b'#', &before[line..]).is_none() {
         return;
     }
     let rest = text[at + 5..].iter().copied().skip_while(|b| matches!(b, b' ' | b'O'));

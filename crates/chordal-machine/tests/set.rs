@@ -144,3 +144,33 @@ fn variables_date_and_time_of_macro_programs() {
         assert!(machine.set(wrong).is_err(), "{wrong}");
     }
 }
+
+#[test]
+fn probes_and_answers() {
+    use chordal_machine::ProbeHit;
+
+    let mut machine = Machine::new("m", "fadal".parse().unwrap());
+    machine.set("macros.inputs=[1.5, 2]").unwrap();
+    machine.set("probe.hit.Z=-10 mm").unwrap();
+    assert_eq!(machine.macros.inputs, [1.5, 2.0]);
+    assert_eq!(machine.probe.planes[2], Some(-10.0));
+    let again = |machine: &Machine| {
+        Machine::from_toml("again.toml", &machine.to_toml(), &|_| Err(String::new())).unwrap()
+    };
+    assert_eq!(again(&machine).probe, machine.probe);
+    assert_eq!(again(&machine).macros, machine.macros);
+    // A word takes the planes away, and a plane the word.
+    machine.set("probe.hit=none").unwrap();
+    assert_eq!((machine.probe.hit, machine.probe.planes), (Some(ProbeHit::Nothing), [None; 6]));
+    assert_eq!(again(&machine).probe, machine.probe);
+    machine.set("probe.hit=end").unwrap();
+    assert_eq!(again(&machine).probe.hit, Some(ProbeHit::End));
+    machine.set("probe.hit.X=1 in").unwrap();
+    assert_eq!((machine.probe.hit, machine.probe.planes[0]), (None, Some(25.4)));
+    for wrong in ["probe.hit=perhaps", "probe.hit.Z=-10", "macros.inputs=1", "macros.inputs=[a]"] {
+        assert!(machine.set(wrong).is_err(), "{wrong}");
+    }
+    let text = "control = \"haas\"\n[probe]\nhit = { Z = \"-10 mm\" }\n";
+    let read = Machine::from_toml("m.toml", text, &|_| Err(String::new())).unwrap();
+    assert_eq!(read.probe.planes[2], Some(-10.0));
+}

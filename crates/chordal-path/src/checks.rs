@@ -1,10 +1,11 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
-use chordal_control::{AxisMask, Command, CommandKind, Move, Origin, Position, Units};
+use chordal_control::{AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{Axis, Machine};
 
+use crate::compensation::PathCommand;
 use crate::frame::Frame;
 use crate::segment::{curve_of, is_known, point};
 
@@ -26,6 +27,8 @@ pub struct Checks<'a> {
     machine: &'a Machine,
     frame: Frame,
     units: Units,
+    /// The programmed moves that come have cutter compensation.
+    compensated: bool,
     /// Direction and place of the end of the last cut, and the plane where it was an arc.
     last: Option<(Vec3, Vec3, Option<Plane>)>,
     /// What the program cuts, in program coordinates.
@@ -51,6 +54,7 @@ impl<'a> Checks<'a> {
             machine,
             frame: Frame::new(offset, known),
             units,
+            compensated: false,
             last: None,
             cut: Aabb::EMPTY,
             plunges: Vec::new(),
@@ -60,9 +64,30 @@ impl<'a> Checks<'a> {
         }
     }
 
-    /// Follows a command.
+    /// Follows a command as programmed. Joints of a compensated contour are judged here: their
+    /// coordinates are the programmer's, the corners of the tool centre are not.
     #[inline]
-    pub fn command(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
+    pub fn programmed(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
+        match &command.kind {
+            CommandKind::Compensation { side, .. } => self.compensated = *side != Side::Off,
+            CommandKind::Line { motion, .. } if self.compensated => {
+                self.joint_of_line(motion, command.origin, &mut report);
+            }
+            CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. }
+                if self.compensated =>
+            {
+                let curve = curve_of(motion, Some(shape));
+                self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
+            }
+            _ => {}
+        }
+    }
+
+    /// Follows a command of the tool centre.
+    #[inline]
+    pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
+        let command = path.command;
+        let as_programmed = path.side == Side::Off;
         match &command.kind {
             CommandKind::Rapid { motion, .. } => {
                 self.last = None;
@@ -76,7 +101,9 @@ impl<'a> Checks<'a> {
                 if is_known(motion) {
                     self.cut = self.cut.include(point(&motion.from)).include(point(&motion.to));
                 }
-                self.joint_of_line(motion, command.origin, &mut report);
+                if as_programmed {
+                    self.joint_of_line(motion, command.origin, &mut report);
+                }
                 self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
@@ -91,7 +118,9 @@ impl<'a> Checks<'a> {
                 if is_known(motion) {
                     self.cut = self.cut.union(bounds);
                 }
-                self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
+                if as_programmed {
+                    self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
+                }
                 self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Units(units) => self.units = *units,

@@ -9,6 +9,8 @@
 mod builder;
 mod checks;
 pub mod compensation;
+mod contour_check;
+mod contour_level;
 mod frame;
 pub mod gouge;
 mod rapid;
@@ -17,5 +19,7 @@ mod segment;
 pub use builder::{PathBuilder, duration_s};
 pub use checks::Checks;
 pub use compensation::{Compensator, ContourPiece, PathCommand, PathSink, PlaneCurve, Role};
+pub use contour_check::ContourCheck;
+pub use contour_level::ContourLevel;
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of};

@@ -2,7 +2,7 @@
 
 use chordal_control::{CallPath, Command, CommandKind, Origin, Outcome, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
-use chordal_path::{Compensator, ContourPiece, PathCommand, PathSink};
+use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink};
 
 use crate::job::Job;
 
@@ -20,25 +20,38 @@ struct Told<'a, S> {
     inner: S,
     sources: &'a SourceMap<'a>,
     waiting: Vec<(Diagnostic, CallPath)>,
+    /// Holds contours against the whole path, where a run is judged.
+    contours: Option<ContourCheck>,
 }
 
 impl<'a, S: PathSink> Compensated<'a, S> {
     /// Runs a job into a sink and gives it back.
     pub fn run(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
-        Compensated::run_with(job, None, sink)
+        Compensated::run_with(job, None, None, sink)
+    }
+
+    /// The same, and tells where the tool would cut into a contour.
+    pub fn judge(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
+        Compensated::run_with(job, None, Some(ContourCheck::new()), sink)
     }
 
     /// The same with another radius than the offset table's, mm.
-    pub fn run_with(job: &'a Job<'a>, radius_mm: Option<f64>, sink: S) -> (Vec<Outcome>, S) {
+    pub fn run_with(
+        job: &'a Job<'a>,
+        radius_mm: Option<f64>,
+        contours: Option<ContourCheck>,
+        sink: S,
+    ) -> (Vec<Outcome>, S) {
         let compensator = Compensator::new(job.control());
         let compensator = match radius_mm {
             Some(radius) => compensator.with_radius(radius),
             None => compensator,
         };
-        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new() };
+        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
         let mut this = Compensated { compensator, told };
         let outcomes = job.run_each(&mut this, |this, outcome| {
             this.compensator.finish(&mut this.told);
+            this.told.judge(|contours, report| contours.finish(report));
             this.told.resolve(outcome);
         });
         (outcomes, this.told.inner)
@@ -60,6 +73,14 @@ impl<S: PathSink> Sink for Compensated<'_, S> {
 }
 
 impl<S: PathSink> Told<'_, S> {
+    /// Lets the check of contours see something, and tells what it finds.
+    fn judge(&mut self, see: impl FnOnce(&mut ContourCheck, &mut dyn FnMut(Diagnostic, &Origin))) {
+        if let Some(mut contours) = self.contours.take() {
+            see(&mut contours, &mut |diagnostic, origin| self.diagnostic(diagnostic, origin));
+            self.contours = Some(contours);
+        }
+    }
+
     /// The calls of a run are known when it has ended.
     fn resolve(&mut self, outcome: &Outcome) {
         for (mut diagnostic, call) in self.waiting.drain(..) {
@@ -76,6 +97,9 @@ impl<S: PathSink> PathSink for Told<'_, S> {
     }
 
     fn diagnostic(&mut self, mut diagnostic: Diagnostic, origin: &Origin) {
+        if let Some(contours) = &mut self.contours {
+            contours.alarm(&diagnostic);
+        }
         if let Some(alarm) = &mut diagnostic.alarm
             && alarm.contains("{n}")
         {
@@ -89,6 +113,7 @@ impl<S: PathSink> PathSink for Told<'_, S> {
     }
 
     fn contour(&mut self, piece: &ContourPiece) {
+        self.judge(|contours, report| contours.piece(piece, report));
         self.inner.contour(piece);
     }
 }

@@ -167,7 +167,7 @@ impl<'a> Job<'a> {
         radius_mm: Option<f64>,
         sink: &mut S,
     ) -> Vec<Outcome> {
-        Compensated::run_with(self, radius_mm, sink).0
+        Compensated::run_with(self, radius_mm, None, sink).0
     }
 
     /// Runs with all checks and sums up; `observe` sees every command of the tool centre and
@@ -211,7 +211,7 @@ impl<'a> Job<'a> {
             segments: Vec::new(),
             watch,
         };
-        let (outcomes, sink) = Compensated::run(self, sink);
+        let (outcomes, sink) = Compensated::judge(self, sink);
         sink.finish(outcomes)
     }
 
@@ -228,7 +228,7 @@ impl<'a> Job<'a> {
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
         };
-        let (outcomes, sink) = Compensated::run(self, sink);
+        let (outcomes, sink) = Compensated::judge(self, sink);
         let CheckSink { mut checks, mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));
         Report::new(Summary::default(), collector, output, outcomes)
@@ -302,8 +302,14 @@ struct CheckSink<'m> {
 }
 
 impl chordal_path::PathSink for CheckSink<'_> {
+    #[inline]
+    fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
+    }
+
+    #[inline]
     fn command(&mut self, path: PathCommand<'_>) {
-        self.checks.command(path.command, |diagnostic| self.collector.push(diagnostic));
+        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
         note_output(path.command, &mut self.output);
     }
 
@@ -324,12 +330,13 @@ struct ReportSink<'m, 'w, W> {
 
 impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
     fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
         self.watch.programmed(command);
     }
 
     fn command(&mut self, path: PathCommand<'_>) {
         let command = path.command;
-        self.checks.command(command, |diagnostic| self.collector.push(diagnostic));
+        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
         note_output(command, &mut self.output);
         self.segments.clear();
         let segments = &mut self.segments;

@@ -18,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 
+mod comp_range;
 mod compensated;
 mod job;
 mod summary;
@@ -35,5 +36,6 @@ pub use chordal_machine::Machine;
 pub use chordal_path::{
     ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,
 };
+pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

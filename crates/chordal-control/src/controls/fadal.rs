@@ -392,13 +392,7 @@ const G_CODES: &[CodeRow] = &[
         "boring, spindle stops, rapid out",
     ),
     row(870, Group::Cycle, Action::Cycle(CycleKind::BoreInOut), "RPQLIJK", "boring, feed out"),
-    row(
-        880,
-        Group::Cycle,
-        Action::Cycle(CycleKind::BoreManual),
-        "RPQLIJK",
-        "boring, manual retract",
-    ),
+    row(880, Group::Cycle, Action::Cycle(CycleKind::BoreInOut), "RPQLIJK", "boring, feed out"),
     row(
         890,
         Group::Cycle,

@@ -321,7 +321,7 @@ const G_CODES: &[CodeRow] = &[
         "drilling with chip breaking",
     ),
     row(740, Group::Cycle, Action::Cycle(CycleKind::LeftTap), "RPQLKIJ", "left-hand tapping"),
-    row(750, Group::Cycle, Action::Cycle(CycleKind::BoreStop), "RPQLKIJ", "cycle G75"),
+    row(750, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "cycle G75"),
     row(760, Group::Cycle, Action::Cycle(CycleKind::FineBore), "RPQLKIJ", "fine boring"),
     row(800, Group::Cycle, Action::CancelCycle, "", "cycle off"),
     row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RPQLKIJ", "drilling"),

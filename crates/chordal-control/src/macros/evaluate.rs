@@ -22,7 +22,9 @@ pub(crate) trait Variables {
     fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault>;
 
     /// Angles are radians, not degrees.
-    fn radians(&self) -> bool;
+    fn radians(&self) -> bool {
+        false
+    }
 }
 
 /// Why an expression has no value.

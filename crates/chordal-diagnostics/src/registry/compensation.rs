@@ -281,3 +281,17 @@ pub(super) const NOT_CHECKED: CodeInfo = CodeInfo {
     explanation: r#"The check for gouges keeps the whole contour from G41 or G42 to G40, up to a few million blocks. What comes
 after is run but not checked. End the contour with G40 earlier."#,
 };
+
+pub(super) const FALSE_ALARM: CodeInfo = CodeInfo {
+    code: Code::FalseInterferenceAlarm,
+    id: "CH536",
+    name: "false-interference-alarm",
+    severity: Severity::Note,
+    summary: "the control alarms for interference where no wall would be cut",
+    explanation: r#"Controls judge interference by a few neighbouring blocks: a move that would run backwards, an arc that comes
+out longer. A step or a groove lower than the tool radius can set this off although the tool would touch no
+wall, and so can rounded coordinates (LinuxCNC allows an arc in inch programs 0.001 rad).
+
+The alarm stands: the control does not run the program. This note says that the geometry is sound, so
+that a smaller offset, a larger radius or other coordinates are enough."#,
+};

@@ -121,6 +121,7 @@ codes! {
     GougeSearchLimit => compensation::GOUGE_SEARCH_LIMIT,
     CompensationSideDoubtful => compensation::SIDE_DOUBTFUL,
     ContourNotChecked => compensation::NOT_CHECKED,
+    FalseInterferenceAlarm => compensation::FALSE_ALARM,
     TravelExceeded => machine::TRAVEL_EXCEEDED,
     RapidIntoPart => machine::RAPID_INTO_PART,
     OffsetNotSet => machine::OFFSET_NOT_SET,

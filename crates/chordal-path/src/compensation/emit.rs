@@ -288,6 +288,7 @@ impl Compensator {
             sign: self.sign,
             radius_mm: self.radius,
             height: self.height(command),
+            units: self.units,
             origin: command.origin,
         });
     }
@@ -302,6 +303,7 @@ impl Compensator {
             sign: block.sign,
             radius_mm: block.radii.1,
             height: self.height(&block.command),
+            units: self.units,
             origin: block.command.origin,
         });
     }

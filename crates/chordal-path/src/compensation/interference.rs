@@ -81,7 +81,7 @@ impl Compensator {
         match rules.interference {
             Interference::ArcAngle if !block.curve.is_arc() => None,
             Interference::ArcAngle => arc_angle(block, start, end),
-            Interference::Direction => direction(block, start, end),
+            Interference::Direction => direction(block, start, end, rules.tangent_mm),
             Interference::Vectors => crossing(block.curve.from(), start, block.curve.to(), end)
                 .then_some(Found::Crossing),
             Interference::Strict => self.strict(block, start, end),
@@ -90,7 +90,7 @@ impl Compensator {
 
     fn strict(&self, block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
         match block.curve {
-            PlaneCurve::Line { .. } => direction(block, start, end),
+            PlaneCurve::Line { .. } => direction(block, start, end, 0.0),
             PlaneCurve::Arc { sweep, .. } => {
                 // The first arc of a contour is looked at only where its own end moves.
                 let first = self.queue.back().is_some_and(|before| before.role == Role::StartUp);
@@ -109,8 +109,9 @@ impl Compensator {
     }
 }
 
-/// Compensated against programmed direction, and for an arc its angle too.
-fn direction(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
+/// Compensated against programmed direction, and for an arc its angle too. An inside arc that
+/// has shrunk to a point has neither.
+fn direction(block: &Block, start: Vec2, end: Vec2, point_mm: f64) -> Option<Found> {
     let moved = end - start;
     match block.curve {
         PlaneCurve::Line { from, to } => {
@@ -120,7 +121,11 @@ fn direction(block: &Block, start: Vec2, end: Vec2) -> Option<Found> {
             (forward < -REVERSED_MM).then_some(Found::Reversed { length, lost: length - forward })
         }
         PlaneCurve::Arc { .. } if block.straight => None,
-        PlaneCurve::Arc { from, to, sweep, .. } => {
+        PlaneCurve::Arc { from, to, sweep, radius_from, .. } => {
+            let left = radius_from - block.sign * sweep.signum() * block.radii.0;
+            if left.abs() <= point_mm {
+                return None;
+            }
             let becomes = swept(block, start, end);
             let backward = (to - from).dot(moved) < -REVERSED_MM * from.distance(to);
             let turned = (becomes - sweep).abs() > std::f64::consts::PI

@@ -72,6 +72,8 @@ pub struct ContourPiece {
     pub radius_mm: f64,
     /// The third axis at start and end, mm.
     pub height: (f64, f64),
+    /// Units of the program at this block.
+    pub units: Units,
     /// The block.
     pub origin: Origin,
 }
@@ -198,7 +200,7 @@ impl Compensator {
     fn follow<P: PathSink>(&mut self, command: &Command, out: &mut P) {
         match &command.kind {
             CommandKind::Idle => self.idle(&command.origin),
-            CommandKind::CornerArc { .. } => self.corner_arc(command.origin),
+            CommandKind::CornerArc { .. } => self.round_next = Some(command.origin),
             CommandKind::Compensation { side, number: _, radius_mm, toward } => {
                 self.pass_on(command, out);
                 let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));
@@ -212,6 +214,8 @@ impl Compensator {
             CommandKind::Plane(plane) => {
                 if self.phase != Phase::Off {
                     self.leave(out);
+                    // The place beside the contour was in the coordinates of the old plane.
+                    self.at = None;
                 }
                 self.plane = *plane;
                 self.pass_on(command, out);
@@ -302,21 +306,17 @@ impl Compensator {
         }
     }
 
-    /// A block without motion.
+    /// A block without motion; with G39 in it the corner before it is rounded.
     fn idle(&mut self, origin: &Origin) {
+        let rounds = self.round_next.take_if(|code| code.span == origin.span).is_some();
+        if let (true, Some(last)) = (rounds, self.queue.back_mut()) {
+            last.round = true;
+        }
         if let Some(last) = self.queue.back_mut()
             && last.command.origin.span != origin.span
             && last.zero_move != Some(origin.span)
         {
             last.idle = last.idle.saturating_add(1);
-        }
-    }
-
-    /// G39: beside a move for its end, alone for the end of the move before.
-    fn corner_arc(&mut self, origin: Origin) {
-        self.round_next = Some(origin);
-        if let Some(last) = self.queue.back_mut() {
-            last.round = true;
         }
     }
 

@@ -82,7 +82,7 @@ impl PlaneCurve {
     }
 
     /// Unit tangents at the start and at the end; on an arc from the centre, not the chord.
-    pub(super) fn tangents(&self) -> Option<(Vec2, Vec2)> {
+    pub(crate) fn tangents(&self) -> Option<(Vec2, Vec2)> {
         match *self {
             PlaneCurve::Line { from, to } => {
                 let t = (to - from).normalized()?;

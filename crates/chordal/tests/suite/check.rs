@@ -11,6 +11,7 @@ pub fn check(name: &str, text: &str) -> Result<(), String> {
     let ran = run(&program, &program.machine).map_err(|error| format!("{name}: {error}"))?;
     let mut wrong = Vec::new();
     check_lines(&program, &ran, &mut wrong);
+    check_events(&program, &ran, &mut wrong);
     check_printed(&program, &ran, &mut wrong);
     check_diagnostics(&program, &ran, &mut wrong);
     check_whole(&program, &ran, &mut wrong);
@@ -53,6 +54,26 @@ fn check_lines(program: &Program, ran: &Ran, wrong: &mut Wrong) {
         }
         for &index in made.iter().skip(motions.len()) {
             wrong.push((line, format!("not expected: {}", ran.made[index].describe(ran.unit))));
+        }
+    }
+}
+
+fn check_events(program: &Program, ran: &Ran, wrong: &mut Wrong) {
+    for (&line, expected) in program.lines.iter().filter(|(_, line)| !line.events.is_empty()) {
+        let words = |events: &[(usize, String)]| {
+            let words =
+                events.iter().map(|(before, text)| format!("{text} after {before} motions"));
+            words.collect::<Vec<_>>().join(", ")
+        };
+        let happened: Vec<(usize, String)> = ran
+            .events
+            .iter()
+            .filter(|(at, _, _)| *at == line)
+            .map(|(_, before, text)| (*before, text.clone()))
+            .collect();
+        if happened != expected.events {
+            let (happened, expected) = (words(&happened), words(&expected.events));
+            wrong.push((line, format!("{happened}\n    expected {expected}")));
         }
     }
 }

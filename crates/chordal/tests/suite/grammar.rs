@@ -1,15 +1,22 @@
 //! What stands in the expectations of a suite program.
 //!
 //! `(= rapid to X1.5 Y-2 | arc ccw radius 2 sweep 90 x3 | ! CH401 "0.1683 in")` beside a line
-//! lists the motions of that line in order and the diagnostics that point at it. A line with
+//! lists the motions of that line in order and the diagnostics that point at it. `dwell .5`
+//! (seconds), `spindle cw|ccw|off|oriented` and `stop` between the motions are events: a line
+//! that names one names all of them, each at its place; elsewhere they are free. A line with
 //! `> "X1.5000"` is a line that the program prints. A line with
 //! nothing but such a comment goes on with the expectations of the line above.
+//!
+//! Motions are those of the program; with `(show: path)` at the head they are those of the tool
+//! centre, after cutter compensation.
 //!
 //! Ends, starts and feeds are what the program says, so they are compared exactly (1e-6);
 //! centres, radii, sweeps and lengths are computed, so they agree when what is written is the
 //! correctly rounded number, of two decimals at least.
 
 use std::collections::BTreeMap;
+
+use crate::runner::short;
 
 /// A number and the unit of its last digit: the real one is off by half of it at most.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +58,9 @@ pub struct Problem {
 pub struct Line {
     /// `None`: the line's motions are free.
     pub motions: Option<Vec<Motion>>,
+    /// Dwells, changes of the spindle and stops, each with the number of the line's motions
+    /// before it; none: free.
+    pub events: Vec<(usize, String)>,
     pub problems: Vec<Problem>,
     /// What the line prints, in order; `None`: free.
     pub prints: Option<Vec<String>>,
@@ -63,6 +73,8 @@ pub struct Program {
     pub machine: String,
     pub set: Vec<String>,
     pub block_delete: bool,
+    /// The expectations are of the tool centre, after compensation.
+    pub of_path: bool,
     pub units: Option<String>,
     pub same_on: Vec<String>,
     pub total: BTreeMap<String, Number>,
@@ -109,6 +121,7 @@ fn read_directive(comment: &str, program: &mut Program) -> Result<(), String> {
         "machine" => program.machine = value.into(),
         "set" => program.set.push(value.into()),
         "block-delete" => program.block_delete = one_of(value, &["on", "off"])? == "on",
+        "show" => program.of_path = one_of(value, &["commands", "path"])? == "path",
         "units" => program.units = Some(one_of(value, &["inch", "mm"])?),
         "same motion on" => program.same_on = words(),
         "expect" => program.expect = words(),
@@ -151,6 +164,9 @@ fn read_items(text: &str, line: &mut Line) -> Result<(), String> {
             line.prints.get_or_insert_default().push(text.to_string());
         } else if item == "none" {
             line.motions.get_or_insert_default();
+        } else if let Some(event) = read_event(item)? {
+            let motions = line.motions.get_or_insert_default();
+            line.events.push((motions.len(), event));
         } else {
             let (motion, times) = read_motion(item)?;
             let motions = line.motions.get_or_insert_default();
@@ -158,6 +174,23 @@ fn read_items(text: &str, line: &mut Line) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// An item that is no motion, as `runner::event_of` words it.
+fn read_event(item: &str) -> Result<Option<String>, String> {
+    let mut tokens = Tokens::of(item);
+    let event = match tokens.next() {
+        Some("dwell") => format!("dwell {}", short(tokens.number()?.value)),
+        Some("spindle") => {
+            format!("spindle {}", one_of(tokens.word()?, &["cw", "ccw", "off", "oriented"])?)
+        }
+        Some("stop") => "stop".into(),
+        _ => return Ok(None),
+    };
+    match tokens.next() {
+        Some(word) => Err(format!("unknown word `{word}` in `{item}`")),
+        None => Ok(Some(event)),
+    }
 }
 
 fn read_motion(item: &str) -> Result<(Motion, usize), String> {

@@ -1,10 +1,11 @@
 //! Runs a program and notes what happens by line.
 
-use chordal::control::{ArcShape, FeedAlong, FeedMode, Units};
+use chordal::control::{ArcShape, FeedAlong, FeedMode, SpindleState, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::curve_of;
 use chordal::{
-    Command, CommandKind, Diagnostic, Job, Machine, Report, Severity, Source, SourceMap,
+    Command, CommandKind, Diagnostic, Job, Machine, PathCommand, Report, Segment, Severity, Source,
+    SourceMap, Watch,
 };
 
 use crate::grammar::Program;
@@ -39,6 +40,9 @@ pub struct Told {
 #[derive(Debug)]
 pub struct Ran {
     pub made: Vec<Made>,
+    /// What is no motion, in the words of the grammar: its line, and how many motions of that
+    /// line came before.
+    pub events: Vec<(u32, usize, String)>,
     pub told: Vec<Told>,
     /// Lines that were printed, each with the line of the program that printed it.
     pub printed: Vec<(u32, String)>,
@@ -57,13 +61,9 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let (mut made, mut printed) = (Vec::new(), Vec::new());
-    let report = job.report_with(|command, _| {
-        made.extend(made_by(command));
-        if let CommandKind::Output { text } = &command.kind {
-            printed.push((command.origin.line, text.clone()));
-        }
-    });
+    let mut seen = Seen { of_path: program.of_path, ..Seen::default() };
+    let report = job.report_watched(&mut seen);
+    let Seen { made, events, printed, .. } = seen;
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
         None => job.control().parameters.units == Units::Inch,
@@ -80,7 +80,59 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
             text: words_of(d),
         })
         .collect();
-    Ok(Ran { made, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
+    Ok(Ran { made, events, told, printed, report, unit: if inch { 25.4 } else { 1.0 } })
+}
+
+/// A dwell, a change of the spindle or a stop, in words.
+fn event_of(kind: &CommandKind) -> Option<String> {
+    Some(match kind {
+        CommandKind::Dwell { seconds } => format!("dwell {}", short(*seconds)),
+        CommandKind::Spindle { state, .. } => match state {
+            SpindleState::Off => "spindle off".into(),
+            SpindleState::Cw => "spindle cw".into(),
+            SpindleState::Ccw => "spindle ccw".into(),
+            SpindleState::Oriented => "spindle oriented".into(),
+        },
+        CommandKind::Stop { .. } => "stop".into(),
+        _ => return None,
+    })
+}
+
+/// Notes the motions asked for, what happens between them, and the printed lines.
+#[derive(Default)]
+struct Seen {
+    of_path: bool,
+    made: Vec<Made>,
+    events: Vec<(u32, usize, String)>,
+    printed: Vec<(u32, String)>,
+}
+
+impl Seen {
+    fn command(&mut self, command: &Command) {
+        self.made.extend(made_by(command));
+        if let Some(event) = event_of(&command.kind) {
+            let line = command.origin.line;
+            let before = self.made.iter().filter(|made| made.line == line).count();
+            self.events.push((line, before, event));
+        }
+    }
+}
+
+impl Watch for Seen {
+    fn programmed(&mut self, command: &Command) {
+        if !self.of_path {
+            self.command(command);
+        }
+        if let CommandKind::Output { text } = &command.kind {
+            self.printed.push((command.origin.line, text.clone()));
+        }
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, _: &[Segment]) {
+        if self.of_path {
+            self.command(path.command);
+        }
+    }
 }
 
 fn words_of(diagnostic: &Diagnostic) -> String {

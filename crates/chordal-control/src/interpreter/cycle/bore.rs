@@ -118,15 +118,17 @@ impl<S: Sink> Interpreter<'_, S> {
         self.turn_spindle(SpindleState::Oriented);
     }
 
-    /// K: the upper end of the bore; from Z in G91.
+    /// The upper end of the bore: K, in G18 J and in G19 I; in G91 from the depth.
     fn top_of_bore(&mut self, block: &Block, hole: &Hole) -> f64 {
-        match hole.words.vector[2] {
-            Some(k) if self.state.incremental => hole.z + k,
-            Some(k) => k,
+        match hole.words.vector[hole.axis] {
+            Some(top) if self.state.incremental => hole.z + top,
+            Some(top) => top,
             None => {
                 let span = self.span(block.range);
-                let message = "back boring without K".to_string();
-                self.missing_word(span, message, "give the upper end of the bore with K");
+                let letter = b"IJK"[hole.axis] as char;
+                let message = format!("back boring without {letter}");
+                let help = format!("give the upper end of the bore with {letter}");
+                self.missing_word(span, message, &help);
                 hole.z
             }
         }

@@ -6,7 +6,9 @@ use chordal_syntax::{Block, Letters};
 
 use super::super::Interpreter;
 use crate::command::{FeedMode, Side, Sink};
-use crate::cycle_rules::{DrillingAxis, IncrementalLevels, LevelOrder, MissingLevel, TapFeed};
+use crate::cycle_rules::{
+    BackBore, DrillingAxis, IncrementalLevels, LevelOrder, MissingLevel, TapFeed,
+};
 use crate::state::CycleState;
 use crate::table::{Action, CycleKind};
 
@@ -158,7 +160,9 @@ impl<S: Sink> Interpreter<'_, S> {
             None => self.state.position[axis],
         };
         let z = words.z.map(|z| if again { r + z } else { z })?;
-        let always_initial = words.kind == CycleKind::BackBore;
+        // With R below the part there is no way out at R.
+        let always_initial =
+            words.kind == CycleKind::BackBore && rules.bore.back != BackBore::UpAndDown;
         let clear = match self.state.return_to_r && !always_initial {
             true => r,
             false => words.initial.max(r),

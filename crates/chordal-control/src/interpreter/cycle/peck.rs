@@ -50,7 +50,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let parameters = &self.control.parameters;
         let lift = if full { parameters.peck_clearance_mm } else { parameters.chip_break_mm };
         let lift = hole.words.lift.unwrap_or(lift);
-        let dwell_each = rules.dwell == PeckDwell::EachPeck;
+        let dwell_each = rules.dwell == PeckDwell::EachPeck && !full;
         let steps = self.peck_steps(block, hole);
         let return_after = hole.words.vector[2]
             .map(f64::abs)
@@ -83,7 +83,7 @@ impl<S: Sink> Interpreter<'_, S> {
             self.level(hole, (depth + lift).min(hole.r));
         }
         self.feed_to(block, hole, hole.z);
-        if rules.dwell != PeckDwell::None {
+        if dwell_each || rules.dwell == PeckDwell::Bottom {
             self.wait(hole.words.dwell_s);
         }
     }

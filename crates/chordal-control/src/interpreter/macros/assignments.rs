@@ -13,6 +13,9 @@ use crate::command::Sink;
 use crate::macros::evaluate::Purpose;
 use crate::macros::value::Value;
 
+/// Most assignments of a line; the control's lines are 255 characters long.
+const MOST_ASSIGNMENTS: usize = 200;
+
 /// An assignment that is still to be made.
 struct Pending {
     target: Target,
@@ -40,6 +43,10 @@ impl<S: Sink> Interpreter<'_, S> {
             words.extend_from_slice(&block.words);
             comments.extend_from_slice(&block.comments);
             let BlockKind::Macro(range) = block.kind else { break };
+            if pending.len() >= MOST_ASSIGNMENTS {
+                self.report_too_many(range);
+                break;
+            }
             let Some(rest) = self.assignment(range, &mut pending) else { break };
             // The rest is read as a block of its own. It is shorter every time.
             let lexicon = self.control.table.lexicon;
@@ -72,6 +79,18 @@ impl<S: Sink> Interpreter<'_, S> {
             self.sequence = Some(number);
         }
         self.carry_out(block)
+    }
+
+    fn report_too_many(&mut self, range: TextRange) {
+        self.report_once(
+            Diagnostic::new(
+                Code::BadStatement,
+                self.span(range),
+                format!("this line has more than {MOST_ASSIGNMENTS} assignments"),
+            )
+            .label("the rest of the line is not read")
+            .help("write them in several lines"),
+        );
     }
 
     /// Reads an assignment and computes it; what is left of the line comes back.

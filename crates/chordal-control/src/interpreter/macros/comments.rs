@@ -16,9 +16,6 @@ enum Act {
     Abort,
 }
 
-/// Most decimals that a format may ask for.
-const MOST_DECIMALS: usize = 17;
-
 impl<S: Sink> Interpreter<'_, S> {
     /// Carries out the last of a line's comments; a flow where it ends the run.
     #[cold]
@@ -52,8 +49,8 @@ impl<S: Sink> Interpreter<'_, S> {
         None
     }
 
-    /// The text with the values of its parameters; `%d`, `%f` and `%.3f` say how they look from
-    /// there on.
+    /// The text with the values of its parameters, with six decimals; `%d`, `%f` (four) and
+    /// `%.3f` say otherwise from there on.
     fn expanded(&mut self, range: TextRange) -> String {
         let text = self.reader.text();
         let bytes = range.slice(text);
@@ -65,7 +62,7 @@ impl<S: Sink> Interpreter<'_, S> {
         while at < bytes.len() {
             let behind = &bytes[at + 1..];
             if bytes[at] == b'%'
-                && let Some((places, length)) = format_of(behind)
+                && let Some((places, length)) = format_of(behind, decimals)
             {
                 line += &shown(&bytes[plain..at]);
                 decimals = places;
@@ -116,17 +113,14 @@ fn act_of(text: &[u8], comment: TextRange) -> Option<(Act, TextRange)> {
     Some((act, TextRange::new(start, end.max(start))))
 }
 
-/// `d`, `f`, `lf`, `.3f` behind a percent sign: the decimals, and how long it is.
-fn format_of(text: &[u8]) -> Option<(usize, usize)> {
+/// `d`, `f`, `.3f` behind a percent sign: the decimals, and how long it is. A point that goes
+/// on otherwise loses its percent sign and changes nothing, as LinuxCNC 2.9 has it.
+fn format_of(text: &[u8], decimals: usize) -> Option<(usize, usize)> {
     match text {
         [b'd', ..] => Some((0, 1)),
-        [b'f', ..] => Some((6, 1)),
-        [b'l', b'f', ..] => Some((6, 2)),
+        [b'f', ..] => Some((4, 1)),
         [b'.', digit @ b'0'..=b'9', b'f', ..] => Some((usize::from(digit - b'0'), 3)),
-        [b'.', first @ b'0'..=b'9', second @ b'0'..=b'9', b'f', ..] => {
-            let places = usize::from(first - b'0') * 10 + usize::from(second - b'0');
-            Some((places.min(MOST_DECIMALS), 4))
-        }
+        [b'.', ..] => Some((decimals, 0)),
         _ => None,
     }
 }

@@ -127,7 +127,7 @@ impl<S: Sink> Interpreter<'_, S> {
             "PX" | "PY" | "PZ" | "PA" | "PB" => (1, 3),
             "FX" | "FY" | "FZ" | "FA" | "FB" => (1, LAST_OFFSET),
             "H" | "D" | "TT" | "TU" => (1, LAST_TOOL),
-            _ => (0, 9999),
+            _ => (0, 255),
         };
         let whole = libm::round(number);
         if (f64::from(first)..=f64::from(last)).contains(&whole) {

@@ -26,6 +26,9 @@ const SMALLEST: f64 = 1e-4;
 /// From here on a number has too many digits.
 const LARGEST: f64 = 1e12;
 
+/// Most programs that a run starts.
+const MOST_STARTS: u32 = 1000;
+
 /// Decimals that PRINT shows.
 const PRINTED_DECIMALS: usize = 4;
 
@@ -48,6 +51,8 @@ pub(super) struct Lines {
     labels: HashMap<usize, HashMap<String, TextPosition>>,
     /// Programs that START has left.
     left: BTreeSet<usize>,
+    /// How often it has.
+    starts: u32,
 }
 
 impl<'a, S: Sink> Interpreter<'a, S> {
@@ -232,6 +237,18 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.report_missing_program(&word, number);
             return Flow::End(EndReason::LostJump);
         };
+        self.macros.lines.starts += 1;
+        if self.macros.lines.starts > MOST_STARTS {
+            self.report(
+                Diagnostic::new(
+                    Code::BudgetReached,
+                    self.span(range),
+                    format!("stopped after {MOST_STARTS} starts of programs"),
+                )
+                .help("the programs start each other without end"),
+            );
+            return Flow::End(EndReason::Budget);
+        }
         self.macros.lines.left.insert(self.program);
         if self.macros.lines.left.contains(&program) {
             // From here on every block may be a repeat.

@@ -61,6 +61,8 @@ struct Repeat {
 #[derive(Debug, Default)]
 pub(super) struct OWords {
     indexes: HashMap<usize, Rc<Index>>,
+    /// The first program of each file by the file's name.
+    files: Option<HashMap<String, usize>>,
     repeats: Vec<Repeat>,
     /// What the last subroutine returned.
     pub value: f64,
@@ -289,6 +291,10 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 FlowWord::Else | FlowWord::EndIf => true,
                 FlowWord::ElseIf => {
                     self.report_problems(parser);
+                    let counts = !self.frames.is_empty() || self.repeat_until != 0;
+                    if counts && !self.count_repeated() {
+                        return Flow::End(EndReason::Budget);
+                    }
                     let rest = TextRange::new(row.at.offset, row.after.offset);
                     parser.start(self.reader.text(), self.file, rest);
                     // Numbers before the O word.
@@ -347,8 +353,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     fn drop_repeat(&mut self, line: usize) {
         let depth = self.frames.len();
         let repeats = &mut self.macros.owords.repeats;
-        repeats
-            .retain(|repeat| repeat.depth < depth || repeat.depth == depth && repeat.line < line);
+        while repeats.pop_if(|last| (last.depth, last.line) >= (depth, line)).is_some() {}
     }
 
     fn call_sub(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> Flow {
@@ -391,7 +396,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             return Flow::Next;
         };
         let depth = self.frames.len();
-        self.macros.owords.repeats.retain(|repeat| repeat.depth <= depth);
+        let repeats = &mut self.macros.owords.repeats;
+        while repeats.pop_if(|last| last.depth > depth).is_some() {}
         let word = Word {
             letter: b'O',
             register: None,
@@ -418,7 +424,9 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         if let Some(start) = self.sub_of(here, label) {
             return Some((here, start));
         }
-        let other = self.library.program_of_file(label)?;
+        let library = self.library;
+        let files = self.macros.owords.files.get_or_insert_with(|| library.files_by_name());
+        let other = *files.get(label)?;
         self.sub_of(other, label).map(|start| (other, start))
     }
 

@@ -15,7 +15,7 @@ use crate::command::{
 pub(in super::super) struct Probe {
     /// The last one touched something.
     pub found: bool,
-    /// Points that the fixed routines store, mm and rad.
+    /// Points that the program can read: the last touch is the first of them, mm and rad.
     pub points: [Position; 3],
     /// What is assumed has been told.
     told: bool,
@@ -60,6 +60,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.macros.used = true;
         self.macros.probe.found = found;
         self.macros.skip = end;
+        self.macros.probe.points[0] = end;
         if self.rules().skip_with_length {
             let offsets = &self.state.offsets;
             self.macros.skip[2] += offsets.total()[2] - offsets.work()[2];

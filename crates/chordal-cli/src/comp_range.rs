@@ -1,0 +1,56 @@
+use std::path::PathBuf;
+
+use chordal::ContourRange;
+use chordal_export::{contour_ranges_json, contour_ranges_text};
+use clap::ValueEnum;
+
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::session::load_one;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal comp-range part.nc
+  chordal comp-range part.nc --machine mitsubishi-m700
+  chordal comp-range part.nc --format json | jq '.contours[].largest'
+
+For every contour from G41 or G42 to G40: the offsets (radii) with which it runs. `control` is where
+this control alarms; `gouge` up to where the tool cuts into no wall, which a control may not see;
+`edges` up to where it touches every edge, 0 at a sharp inside corner; `leads` what the lead-in
+and lead-out allow. Exit code 1 when an offset of the table lies outside.";
+
+/// Tells with which offsets each compensated contour runs, and the block that limits them
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// How the ranges are told
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// One object
+    Json,
+}
+
+pub fn run(args: &Args) -> Result<Verdict, Failure> {
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let found = job.contour_ranges();
+    let text = match args.format {
+        Format::Text => contour_ranges_text(&found, &job),
+        Format::Json => contour_ranges_json(&found),
+    };
+    anstream::print!("{text}");
+    let outside = found.ranges.iter().any(|range: &ContourRange| !range.fits());
+    Ok(if outside { Verdict::Problems } else { Verdict::Clean })
+}

@@ -1,0 +1,177 @@
+//! The offsets with which contours run, as text and as JSON.
+
+use chordal::control::{Side, Units};
+use chordal::geometry::Plane;
+use chordal::path::gouge::LimitReason;
+use chordal::{ContourRange, ContourRanges, Job, OffsetLimit};
+use serde_json::{Value, json};
+
+/// For people: each contour with what limits it, in the units of the program.
+pub fn contour_ranges_text(found: &ContourRanges, job: &Job) -> String {
+    let mut text = String::new();
+    for (index, range) in found.ranges.iter().enumerate() {
+        text += &contour(index + 1, range, job);
+    }
+    if found.ranges.is_empty() {
+        text += "no contour with cutter compensation\n";
+    }
+    if found.left_out > 0 {
+        text += &format!("{} contours, too many or too long, were left out\n", found.left_out);
+    }
+    text
+}
+
+fn length(mm: f64, units: Units) -> String {
+    if !mm.is_finite() {
+        return "any".into();
+    }
+    let (value, digits, unit) = match units {
+        Units::Inch => (mm / 25.4, 4, "in"),
+        Units::Millimetre => (mm, 3, "mm"),
+    };
+    let text = format!("{value:.digits$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    format!("{} {unit}", if text == "-0" { "0" } else { text })
+}
+
+fn code(side: Side) -> &'static str {
+    match side {
+        Side::Left => "G41",
+        Side::Right => "G42",
+        Side::Off => "G40",
+    }
+}
+
+fn plane(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Xy => "XY",
+        Plane::Zx => "ZX",
+        Plane::Yz => "YZ",
+    }
+}
+
+fn lines(limit: &OffsetLimit) -> String {
+    let numbers: Vec<String> = limit.blocks.iter().map(|block| block.line.to_string()).collect();
+    match numbers.as_slice() {
+        [] => String::new(),
+        [one] => format!("line {one}"),
+        several => format!("lines {}", several.join(", ")),
+    }
+}
+
+fn reason(limit: &OffsetLimit) -> String {
+    let at = lines(limit);
+    match limit.reason {
+        LimitReason::Unlimited => "nothing limits it".into(),
+        LimitReason::InsideArc => format!("{at}: the tool runs inside this arc"),
+        LimitReason::ShortBlock => format!("{at}: the corners on both sides use this block up"),
+        LimitReason::Throat => format!("{at}: these walls face each other, twice this apart"),
+        LimitReason::InsideCorner => format!("{at}: no tool touches this inside corner"),
+        LimitReason::LeadArc => format!("{at}: the lead arc, with the tool inside, vanishes"),
+        LimitReason::LeadLength => format!("{at}: the lead-in is no longer than this"),
+        LimitReason::LeadIntoWall => format!("{at}: the lead-in starts this far from the wall"),
+    }
+}
+
+fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
+    let len = |mm: f64| length(mm, range.units);
+    let (first, last) = (range.start.line, range.end.line);
+    let mut text = format!(
+        "contour {number}: lines {first} to {last}, {} in {}",
+        code(range.side),
+        plane(range.plane)
+    );
+    if range.runs > 1 {
+        text += &format!(", run {} times", range.runs);
+    }
+    text += "\n";
+    let largest = range.largest_mm();
+    text += &match largest.is_finite() {
+        true => format!("  offsets  0 to {}\n", len(largest)),
+        false => "  offsets  0 and more, without a limit\n".into(),
+    };
+    text += &match &range.control {
+        Some(limit) => {
+            let span = limit.alarm.primary.span;
+            let line = job.sources().get(span.file).map_or(0, |s| s.line_of(span.range.start));
+            let alarm = limit.alarm.alarm.as_deref().unwrap_or(job.control().table.title);
+            format!(
+                "  control  up to {}; above, line {line}: {} ({alarm})\n",
+                len(limit.radius_mm),
+                limit.alarm.message
+            )
+        }
+        None => format!("  control  {} never alarms\n", job.control().table.title),
+    };
+    for (name, limit) in
+        [("gouge  ", &range.no_gouge), ("edges  ", &range.every_edge), ("leads  ", &range.leads)]
+    {
+        text += &format!("  {name}  up to {}: {}\n", len(limit.radius_mm), reason(limit));
+    }
+    if let Some((block, radius, Some(beside))) = range.lead_arc {
+        text += &format!(
+            "           the lead arc of line {} has the radius {}; the line to it passes its centre \
+             at {}\n",
+            block.line,
+            len(radius),
+            len(beside)
+        );
+    }
+    if let (number, Some(radius)) = range.offset {
+        let name = number.map_or(String::new(), |number| format!(" {number}"));
+        let verdict = if range.fits() { "fits" } else { "does not fit" };
+        text += &format!("  table    offset{name} = {}: {verdict}\n", len(radius));
+    }
+    if !range.complete {
+        text += "           the search for narrow places was stopped; there may be narrower ones\n";
+    }
+    text
+}
+
+/// The same as one JSON object, schema `chordal.contour-ranges/1`, in millimetres; no limit is null.
+pub fn contour_ranges_json(found: &ContourRanges) -> String {
+    let mm = |value: f64| if value.is_finite() { json!(value) } else { Value::Null };
+    let limit = |limit: &OffsetLimit| {
+        let lines: Vec<u32> = limit.blocks.iter().map(|block| block.line).collect();
+        json!({
+            "radius": mm(limit.radius_mm),
+            "reason": format!("{:?}", limit.reason),
+            "lines": lines,
+        })
+    };
+    let contours: Vec<Value> = found
+        .ranges
+        .iter()
+        .map(|range| {
+            json!({
+                "first_line": range.start.line,
+                "last_line": range.end.line,
+                "code": code(range.side),
+                "plane": plane(range.plane),
+                "runs": range.runs,
+                "offset": range.offset.0,
+                "offset_radius": range.offset.1,
+                "smallest": 0.0,
+                "largest": mm(range.largest_mm()),
+                "fits": range.fits(),
+                "control": range.control.as_ref().map(|limit| json!({
+                    "radius": limit.radius_mm,
+                    "code": limit.alarm.code.info().id,
+                    "message": limit.alarm.message,
+                    "alarm": limit.alarm.alarm,
+                })),
+                "no_gouge": limit(&range.no_gouge),
+                "every_edge": limit(&range.every_edge),
+                "leads": limit(&range.leads),
+                "complete": range.complete,
+            })
+        })
+        .collect();
+    let whole = json!({
+        "schema": "chordal.contour-ranges/1",
+        "units": "mm",
+        "contours": contours,
+        "left_out": found.left_out,
+    });
+    format!("{whole:#}\n")
+}

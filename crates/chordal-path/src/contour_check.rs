@@ -1,0 +1,245 @@
+//! Holds every compensated contour, from G41 or G42 to G40, against the whole path of its
+//! tool centre, and tells where the tool would cut into it.
+//!
+//! The control's own checks see a few blocks; this one sees the contour. Its answer is the
+//! geometric truth, and it stands beside the alarm of the control, which may come too often
+//! or not at all.
+
+use chordal_control::{Origin, Units};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::{Plane, Vec2};
+
+use crate::compensation::{ContourPiece, Role};
+use crate::contour_level::ContourLevel;
+use crate::gouge::{self, Gouge, GougeKind, Options};
+
+/// Gouges told of one contour: the deepest. What follows is only counted.
+const TOLD_PER_CONTOUR: usize = 8;
+
+/// Blocks kept of one contour. What comes after is not checked, and that is said.
+const KEPT_BLOCKS: usize = 4_000_000;
+
+/// Steps of the search per contour: some seconds at most.
+const SEARCH_BUDGET: u64 = 200_000_000;
+
+/// A lead that lies on the far side of a wall by less is in line with it, mm.
+const ACROSS_MM: f64 = 0.01;
+
+/// Rounding of the programmed points below this cuts nothing, mm.
+const LEAST_DEPTH_MM: f64 = 0.002;
+
+/// Checks the compensated contours of a run one after the other.
+#[derive(Debug)]
+pub struct ContourCheck {
+    units: Units,
+    stretch: u32,
+    level: ContourLevel,
+    leads: Leads,
+    /// Blocks of this contour at which the control found interference.
+    alarms: Vec<Span>,
+    /// The first block that was not kept.
+    beyond: Option<Origin>,
+}
+
+/// From where the tool comes to a contour.
+#[derive(Debug, Default)]
+struct Leads {
+    /// From the start of the contour back along the lead-in, until the first block is known.
+    back: Option<(Vec2, Origin)>,
+    /// The lead-in, where it came from the far side.
+    across: Option<Origin>,
+    /// Direction at the end of the last block.
+    last: Option<Vec2>,
+}
+
+impl ContourCheck {
+    /// A check for one run.
+    pub fn new() -> ContourCheck {
+        ContourCheck {
+            units: Units::Millimetre,
+            stretch: 0,
+            level: ContourLevel::default(),
+            leads: Leads::default(),
+            alarms: Vec::new(),
+            beyond: None,
+        }
+    }
+
+    /// Takes the next block of a compensated contour. What is found in the contour before it
+    /// is reported once that is known to have ended.
+    pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        if piece.stretch != self.stretch {
+            self.finish(report);
+            self.stretch = piece.stretch;
+        }
+        self.units = piece.units;
+        if !self.level.goes_on_with(piece) {
+            self.end_level(report);
+            self.level = ContourLevel::of(piece);
+        }
+        if self.level.origins.len() >= KEPT_BLOCKS {
+            self.beyond.get_or_insert(piece.origin);
+            return;
+        }
+        self.level.take(piece);
+        self.side_of_leads(piece, report);
+    }
+
+    /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
+    /// that is told once the contour is known.
+    pub fn alarm(&mut self, diagnostic: &Diagnostic) {
+        let interference = matches!(
+            diagnostic.code,
+            Code::InsideArcTooSmall | Code::CompensationInterference | Code::NoOffsetIntersection
+        );
+        if interference && self.alarms.len() < TOLD_PER_CONTOUR {
+            self.alarms.push(diagnostic.primary.span);
+        }
+    }
+
+    /// Ends the contour that is open.
+    pub fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        self.end_level(report);
+        if let Some(origin) = self.beyond.take() {
+            let message =
+                format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");
+            report(
+                Diagnostic::new(Code::ContourNotChecked, origin.span, message)
+                    .help("end the contour with G40 earlier to have all of it checked"),
+                &origin,
+            );
+        }
+    }
+
+    fn end_level(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        let mut level = std::mem::take(&mut self.level);
+        let Some(contour) = level.contour() else { return };
+        let least_increment = match self.units {
+            Units::Inch => 0.00254,
+            Units::Millimetre => 0.001,
+        };
+        let options = Options {
+            epsilon: LEAST_DEPTH_MM.max(level.rounding).max(2.0 * least_increment),
+            most: TOLD_PER_CONTOUR,
+            budget: SEARCH_BUDGET,
+            ..Options::default()
+        };
+        let found = gouge::check(&contour, &level.moves, &options);
+        let origins = &level.origins;
+        for gouge in &found.gouges {
+            let diagnostic = self.told(gouge, level.plane, contour.radius, origins);
+            report(diagnostic, &origins[gouge.cutting as usize]);
+        }
+        let alarms = std::mem::take(&mut self.alarms);
+        if found.complete && found.gouges.iter().all(|gouge| gouge.kind == GougeKind::AtLead) {
+            for origin in origins.iter().filter(|origin| alarms.contains(&origin.span)) {
+                report(false_alarm(origin), origin);
+            }
+        }
+        let last = *origins.last().unwrap_or(&Origin::default());
+        if found.more {
+            let message = format!("more than {TOLD_PER_CONTOUR} gouges in this contour");
+            let diagnostic = Diagnostic::new(Code::CutterGouges, last.span, message);
+            report(diagnostic.label("the contour ends here; the deepest are told"), &last);
+        }
+        if let Some((first, second)) = found.ambiguous.first() {
+            let [first, second] = [first, second].map(|tag| origins[*tag as usize]);
+            let message =
+                "the contour runs here and back: neither side of it is known to be the part";
+            let diagnostic = Diagnostic::new(Code::SideAmbiguous, second.span, message)
+                .also(first.span, "the way there");
+            report(diagnostic, &second);
+        }
+        if !found.complete {
+            let message = "the contour is too crowded to be checked whole";
+            report(Diagnostic::new(Code::GougeSearchLimit, last.span, message), &last);
+        }
+    }
+
+    fn told(&self, gouge: &Gouge, plane: Plane, radius: f64, origins: &[Origin]) -> Diagnostic {
+        let [cutting, cut] = [gouge.cutting, gouge.cut].map(|tag| origins[tag as usize]);
+        let depth = self.length(gouge.depth);
+        let radius = self.length(radius);
+        let (code, how) = match gouge.kind {
+            GougeKind::Contour => (Code::CutterGouges, "cuts"),
+            GougeKind::AtLead => (Code::CutterGougesAtLead, "leads in or out and cuts"),
+        };
+        let itself = cutting.span == cut.span;
+        let message = match itself {
+            true => format!("the tool of radius {radius} {how} {depth} into this wall"),
+            false => format!(
+                "the tool of radius {radius} {how} {depth} into the contour of line {}",
+                cut.line
+            ),
+        };
+        let (first, second, _) = plane.axes();
+        let along = |axis: usize, mm: f64| format!("{} {}", ["X", "Y", "Z"][axis], self.length(mm));
+        let place = format!("{}, {}", along(first, gouge.center.a), along(second, gouge.center.b));
+        let diagnostic = Diagnostic::new(code, cutting.span, message)
+            .label("here the tool cuts")
+            .note(format!("deepest where the tool centre is at {place}"));
+        if itself { diagnostic } else { diagnostic.also(cut.span, "this wall is cut") }
+    }
+
+    /// A tool that comes from the far side of the contour and goes off to it has to cross it
+    /// twice: the other side was meant.
+    fn side_of_leads(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        let Some(programmed) = &piece.programmed else { return };
+        let Some((first, last)) = programmed.tangents() else { return };
+        let beside = |tangent: Vec2, way: Vec2| tangent.turned_left().dot(way) * piece.sign;
+        match piece.role {
+            Role::StartUp => {
+                let back = programmed.from() - programmed.to();
+                self.leads = Leads { back: Some((back, piece.origin)), ..Leads::default() };
+            }
+            Role::Contour => {
+                if let Some((back, origin)) = self.leads.back.take()
+                    && beside(first, back) < -ACROSS_MM
+                {
+                    self.leads.across = Some(origin);
+                }
+                self.leads.last = Some(last);
+            }
+            Role::Cancel => {
+                let off = programmed.to() - programmed.from();
+                if let (Some(origin), Some(last)) = (self.leads.across.take(), self.leads.last)
+                    && beside(last, off) < -ACROSS_MM
+                {
+                    report(wrong_side(piece, &origin), &origin);
+                }
+            }
+        }
+    }
+
+    /// A length in the program's units.
+    fn length(&self, mm: f64) -> String {
+        let (value, digits, unit) = match self.units {
+            Units::Inch => (mm / 25.4, 4, "in"),
+            Units::Millimetre => (mm, 3, "mm"),
+        };
+        let text = format!("{value:.digits$}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        format!("{} {unit}", if text == "-0" { "0" } else { text })
+    }
+}
+
+fn false_alarm(origin: &Origin) -> Diagnostic {
+    let message = "the control alarms here, and the tool would cut into no wall";
+    Diagnostic::new(Code::FalseInterferenceAlarm, origin.span, message)
+        .label("a false alarm of the control's look-ahead")
+        .help("only what the control accepts runs: take a smaller tool, or change this place")
+}
+
+fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
+    let (code, other, side, far) = match lead_out.sign > 0.0 {
+        true => ("G41", "G42", "left", "right"),
+        false => ("G42", "G41", "right", "left"),
+    };
+    let message = format!(
+        "the tool comes from the {far} of the contour and leaves to the {far}, and runs {side} of it"
+    );
+    Diagnostic::new(Code::CompensationSideDoubtful, lead_in.span, message)
+        .label(format!("{code} puts the tool on the other side of the contour than the lead-in"))
+        .also(lead_out.origin.span, format!("the lead-out goes to the {far} again"))
+        .help(format!("write {other}, or a negative offset, if the tool belongs on the {far}"))
+}

@@ -1,0 +1,118 @@
+//! Blocks of a compensated contour, gathered for what looks at it whole.
+
+use chordal_control::Origin;
+use chordal_geometry::{Plane, Vec2};
+
+use crate::compensation::{ContourPiece, PlaneCurve, Role};
+use crate::gouge::{self, Block, Contour, Move, Side};
+
+/// A difference of the radii of an arc's ends above this makes it a spiral, mm.
+const ROUNDED_RADIUS_MM: f64 = 0.02;
+
+/// A spiral is checked along chords that stay this near to it, mm.
+const SPIRAL_CHORD_MM: f64 = 0.0005;
+
+/// Most chords of one spiral.
+const MOST_CHORDS: f64 = 20_000.0;
+
+/// Blocks of a contour at one height, on one side, with one offset.
+#[derive(Debug, Default)]
+pub struct ContourLevel {
+    /// The plane of compensation.
+    pub plane: Plane,
+    sign: f64,
+    radius: f64,
+    height: f64,
+    /// Largest difference of an arc's radii that comes from rounding, mm.
+    pub rounding: f64,
+    blocks: Vec<Block>,
+    /// The path of the tool centre.
+    pub moves: Vec<Move>,
+    /// The block of each tag.
+    pub origins: Vec<Origin>,
+}
+
+impl ContourLevel {
+    /// A level that begins with this piece, which is still to be taken.
+    pub fn of(piece: &ContourPiece) -> ContourLevel {
+        ContourLevel {
+            plane: piece.plane,
+            sign: piece.sign,
+            radius: piece.radius_mm,
+            ..ContourLevel::default()
+        }
+    }
+
+    /// Another side, another offset, or a step of the third axis between two blocks begin a
+    /// level of their own: what lies at another height is not cut by this one.
+    pub fn goes_on_with(&self, piece: &ContourPiece) -> bool {
+        self.sign == piece.sign
+            && self.radius == piece.radius_mm
+            && (self.blocks.is_empty() || self.height == piece.height.0)
+    }
+
+    /// Takes a block and what the tool centre does for it.
+    pub fn take(&mut self, piece: &ContourPiece) {
+        let tag = self.origins.len() as u32;
+        self.origins.push(piece.origin);
+        self.height = piece.height.1;
+        let role = match piece.role {
+            Role::StartUp => gouge::Role::LeadIn,
+            Role::Contour => gouge::Role::Offset,
+            Role::Cancel => gouge::Role::LeadOut,
+        };
+        if let Some(programmed) = &piece.programmed {
+            self.rounding = self.rounding.max(radius_difference(programmed));
+            plain(programmed, |curve| self.blocks.push(Block { curve, tag, role }));
+        }
+        for centre in &piece.centre {
+            plain(centre, |curve| self.moves.push(Move { curve, tag }));
+        }
+    }
+
+    /// The programmed contour, where there is one and the tool is beside it.
+    pub fn contour(&mut self) -> Option<Contour> {
+        if self.radius <= 0.0 || self.blocks.is_empty() {
+            return None;
+        }
+        let side = if self.sign > 0.0 { Side::Left } else { Side::Right };
+        Some(Contour { blocks: std::mem::take(&mut self.blocks), side, radius: self.radius })
+    }
+}
+
+/// How much the radii of an arc differ by rounding, mm; nothing for a spiral.
+fn radius_difference(curve: &PlaneCurve) -> f64 {
+    match *curve {
+        PlaneCurve::Arc { radius_from, radius_to, .. } => {
+            let difference = (radius_to - radius_from).abs();
+            if difference <= ROUNDED_RADIUS_MM { difference } else { 0.0 }
+        }
+        PlaneCurve::Line { .. } => 0.0,
+    }
+}
+
+/// The curve as lines and arcs of one radius: a spiral in short chords.
+fn plain(curve: &PlaneCurve, mut push: impl FnMut(gouge::PlaneCurve)) {
+    match *curve {
+        PlaneCurve::Line { from, to } => push(gouge::PlaneCurve::line(from, to)),
+        PlaneCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
+            let arm = from - center;
+            let start = libm::atan2(arm.b, arm.a);
+            if (radius_to - radius_from).abs() <= ROUNDED_RADIUS_MM {
+                let radius = 0.5 * (radius_from + radius_to);
+                return push(gouge::PlaneCurve::Arc { center, radius, start, sweep });
+            }
+            let at = |part: f64| {
+                let (sin, cos) = libm::sincos(start + part * sweep);
+                center + Vec2::new(cos, sin) * (radius_from + part * (radius_to - radius_from))
+            };
+            let largest = radius_from.max(radius_to);
+            let step = (8.0 * SPIRAL_CHORD_MM / largest).sqrt();
+            let steps = (sweep.abs() / step).ceil().clamp(1.0, MOST_CHORDS);
+            for index in 0..steps as u32 {
+                let part = |index: u32| f64::from(index) / steps;
+                push(gouge::PlaneCurve::line(at(part(index)), at(part(index + 1))));
+            }
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! For each compensated contour: the offsets with which it runs, and the block that limits them.
+
+use std::collections::BTreeMap;
+
+use chordal_control::{Command, CommandKind, Control, Origin, OutsideCorner, Side, Sink, Units};
+use chordal_diagnostics::{Diagnostic, Severity, Span};
+use chordal_geometry::Plane;
+use chordal_path::gouge::{self, Corners, Limit, LimitReason, Options};
+use chordal_path::{Compensator, ContourLevel, ContourPiece, PathCommand, PathSink};
+
+use crate::job::Job;
+
+/// Commands kept of one contour; a longer one is left out, and that is said.
+const KEPT_COMMANDS: usize = 1_000_000;
+
+/// Contours that are looked at; the same contour run again is one.
+const MOST_CONTOURS: usize = 1000;
+
+/// The radius for the first look at a contour, mm: small enough to fit anywhere.
+const SMALL_MM: f64 = 1e-4;
+
+/// A found limit is within this of the true one, mm.
+const LIMIT_MM: f64 = 1e-6;
+
+/// Radii tried between the least and the largest.
+const TRIED: u32 = 48;
+
+/// What limits the offset of a contour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffsetLimit {
+    /// The largest offset, mm; infinite without a limit.
+    pub radius_mm: f64,
+    /// Why not more.
+    pub reason: LimitReason,
+    /// The blocks that make it so.
+    pub blocks: Vec<Origin>,
+}
+
+/// The control's own limit: its alarm, just above the largest offset that runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ControlLimit {
+    /// The largest offset without an alarm, mm.
+    pub radius_mm: f64,
+    /// The alarm beyond, as it would be told.
+    pub alarm: Diagnostic,
+}
+
+/// The offsets with which a compensated contour runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContourRange {
+    /// The block of G41 or G42.
+    pub start: Origin,
+    /// The block on which compensation ends.
+    pub end: Origin,
+    /// G41 or G42.
+    pub side: Side,
+    /// The plane.
+    pub plane: Plane,
+    /// Units of the program there.
+    pub units: Units,
+    /// Number of the offset, and its radius in the table, mm.
+    pub offset: (Option<u32>, Option<f64>),
+    /// How often it runs.
+    pub runs: u64,
+    /// Where the control alarms; `None` when it never does.
+    pub control: Option<ControlLimit>,
+    /// Up to here the tool cuts into no wall, whatever the control does.
+    pub no_gouge: OffsetLimit,
+    /// Up to here it touches every edge.
+    pub every_edge: OffsetLimit,
+    /// Up to here the leads can be run.
+    pub leads: OffsetLimit,
+    /// A lead arc: its block, its radius and how near the lead line passes its centre, mm.
+    pub lead_arc: Option<(Origin, f64, Option<f64>)>,
+    /// The search came to its end.
+    pub complete: bool,
+}
+
+impl ContourRange {
+    /// The largest offset with which it runs without alarm and without gouge, mm.
+    pub fn largest_mm(&self) -> f64 {
+        let control = self.control.as_ref().map_or(f64::INFINITY, |limit| limit.radius_mm);
+        control.min(self.no_gouge.radius_mm)
+    }
+
+    /// True when the offset of the table lies in the range, or is not known.
+    pub fn fits(&self) -> bool {
+        self.offset.1.is_none_or(|radius| radius.abs() <= self.largest_mm())
+    }
+}
+
+/// The contours of a run.
+#[derive(Clone, Debug, Default)]
+pub struct ContourRanges {
+    /// In the order of their first run.
+    pub ranges: Vec<ContourRange>,
+    /// Contours that were too many or too long to be looked at.
+    pub left_out: u64,
+}
+
+impl Job<'_> {
+    /// Finds for each compensated contour the offsets with which it runs.
+    pub fn contour_ranges(&self) -> ContourRanges {
+        let mut recorder = Recorder::new(self.control());
+        self.run(&mut recorder);
+        let mut found = ContourRanges { left_out: recorder.left_out, ..ContourRanges::default() };
+        for recorded in recorder.contours.into_values() {
+            found.ranges.extend(recorded.range(self.control()));
+        }
+        found.ranges.sort_by_key(|range| (range.start.span.file, range.start.span.range.start));
+        found
+    }
+}
+
+/// The commands from G41 or G42 to the move behind G40.
+#[derive(Debug)]
+struct Recorded {
+    commands: Vec<Command>,
+    side: Side,
+    plane: Plane,
+    units: Units,
+    offset: (Option<u32>, Option<f64>),
+    runs: u64,
+}
+
+/// Notes the contours of a run.
+struct Recorder {
+    contours: BTreeMap<(u32, u32), Recorded>,
+    open: Option<Recorded>,
+    cancelling: bool,
+    plane: Plane,
+    units: Units,
+    left_out: u64,
+}
+
+impl Recorder {
+    fn new(control: &Control) -> Recorder {
+        Recorder {
+            contours: BTreeMap::new(),
+            open: None,
+            cancelling: false,
+            plane: Plane::Xy,
+            units: control.parameters.units,
+            left_out: 0,
+        }
+    }
+
+    fn close(&mut self) {
+        self.cancelling = false;
+        let Some(recorded) = self.open.take() else { return };
+        let Some(first) = recorded.commands.first() else { return };
+        let key = (first.origin.span.file.0, first.origin.span.range.start);
+        if recorded.commands.len() >= KEPT_COMMANDS {
+            self.left_out += 1;
+        } else if let Some(known) = self.contours.get_mut(&key) {
+            known.runs += 1;
+        } else if self.contours.len() < MOST_CONTOURS {
+            self.contours.insert(key, recorded);
+        } else {
+            self.left_out += 1;
+        }
+    }
+}
+
+impl Sink for Recorder {
+    fn command(&mut self, command: &Command) {
+        match command.kind {
+            CommandKind::Plane(plane) => self.plane = plane,
+            CommandKind::Units(units) => self.units = units,
+            CommandKind::Compensation { side, number, radius_mm, .. } => {
+                self.cancelling = side == Side::Off;
+                if side != Side::Off && self.open.is_none() && radius_mm != Some(0.0) {
+                    self.open = Some(Recorded {
+                        commands: Vec::new(),
+                        side,
+                        plane: self.plane,
+                        units: self.units,
+                        offset: (number, radius_mm),
+                        runs: 1,
+                    });
+                }
+            }
+            _ => {}
+        }
+        let Some(open) = &mut self.open else { return };
+        if open.commands.len() < KEPT_COMMANDS {
+            open.commands.push(command.clone());
+        }
+        let ended = self.cancelling && command.kind.motion().is_some();
+        if ended || matches!(command.kind, CommandKind::End) {
+            self.close();
+        }
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+/// What one offset makes of a contour.
+#[derive(Default)]
+struct Tried {
+    levels: Vec<ContourLevel>,
+    alarm: Option<Diagnostic>,
+    keep: bool,
+}
+
+impl PathSink for Tried {
+    fn command(&mut self, _: PathCommand<'_>) {}
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
+        if diagnostic.severity == Severity::Error && self.alarm.is_none() {
+            self.alarm = Some(diagnostic);
+        }
+    }
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        if !self.keep {
+            return;
+        }
+        let goes_on = self.levels.last().is_some_and(|level| level.goes_on_with(piece));
+        if !goes_on {
+            self.levels.push(ContourLevel::of(piece));
+        }
+        if let Some(level) = self.levels.last_mut() {
+            level.take(piece);
+        }
+    }
+}
+
+impl Recorded {
+    /// Runs the contour with another offset.
+    fn with(&self, control: &Control, radius_mm: f64, keep: bool) -> Tried {
+        let mut compensator = Compensator::new(control).with_radius(radius_mm);
+        let mut tried = Tried { keep, ..Tried::default() };
+        let origin = self.commands.first().map(|command| command.origin).unwrap_or_default();
+        for kind in [CommandKind::Units(self.units), CommandKind::Plane(self.plane)] {
+            compensator.command(&Command { kind, origin }, &mut tried);
+        }
+        for command in &self.commands {
+            compensator.command(command, &mut tried);
+        }
+        compensator.finish(&mut tried);
+        tried
+    }
+
+    fn range(self, control: &Control) -> Option<ContourRange> {
+        let first = self.with(control, SMALL_MM, true);
+        let corners = match control.parameters.outside_corner {
+            OutsideCorner::Linear => Corners::Linear,
+            OutsideCorner::Arc => Corners::Circular,
+        };
+        let unlimited = || OffsetLimit {
+            radius_mm: f64::INFINITY,
+            reason: LimitReason::Unlimited,
+            blocks: Vec::new(),
+        };
+        let mut range = ContourRange {
+            start: self.commands.first()?.origin,
+            end: self.commands.last()?.origin,
+            side: self.side,
+            plane: self.plane,
+            units: self.units,
+            offset: self.offset,
+            runs: self.runs,
+            control: None,
+            no_gouge: unlimited(),
+            every_edge: unlimited(),
+            leads: unlimited(),
+            lead_arc: None,
+            complete: true,
+        };
+        let mut events = Vec::new();
+        let mut size = 0.0f64;
+        for mut level in first.levels {
+            let options = Options::default();
+            let Some(contour) = level.contour() else { continue };
+            for block in &contour.blocks {
+                size = size.max(block.curve.length());
+            }
+            let found = gouge::range(&contour, corners, &options);
+            let limit = |limit: &Limit| OffsetLimit {
+                radius_mm: limit.radius,
+                reason: limit.reason,
+                blocks: limit.blocks.iter().map(|tag| level.origins[*tag as usize]).collect(),
+            };
+            range.no_gouge.lower(limit(&found.no_gouge));
+            range.every_edge.lower(limit(&found.every_edge));
+            range.leads.lower(limit(&found.leads));
+            range.complete &= found.complete;
+            if let (Some(arc), None) = (found.lead_arc, &range.lead_arc) {
+                let origin = level.origins[arc.block as usize];
+                range.lead_arc = Some((origin, arc.radius, arc.line_distance));
+            }
+            events.extend(found.events);
+        }
+        range.control = self.control_limit(control, &events, 2.0 * size);
+        Some(range)
+    }
+
+    /// The least offset at which the control alarms: radii are tried from small to large, with
+    /// both sides of every radius at which the contour changes among them.
+    fn control_limit(
+        &self,
+        control: &Control,
+        events: &[f64],
+        largest: f64,
+    ) -> Option<ControlLimit> {
+        let step = largest / f64::from(TRIED);
+        let mut radii: Vec<f64> = (1..=TRIED).map(|index| f64::from(index) * step).collect();
+        radii.extend(events.iter().flat_map(|radius| [radius - 2e-3, radius + 2e-3]));
+        radii.retain(|radius| *radius > SMALL_MM && *radius <= largest);
+        radii.push(SMALL_MM);
+        radii.sort_by(f64::total_cmp);
+        let mut below = 0.0;
+        for radius in radii {
+            let Some(mut alarm) = self.with(control, radius, false).alarm else {
+                below = radius;
+                continue;
+            };
+            let mut above = radius;
+            while above - below > LIMIT_MM {
+                let middle = 0.5 * (below + above);
+                match self.with(control, middle, false).alarm {
+                    Some(found) => (above, alarm) = (middle, found),
+                    None => below = middle,
+                }
+            }
+            return Some(ControlLimit { radius_mm: below, alarm });
+        }
+        None
+    }
+}
+
+impl OffsetLimit {
+    fn lower(&mut self, other: OffsetLimit) {
+        if other.radius_mm < self.radius_mm {
+            *self = other;
+        }
+    }
+
+    /// The words of the first block that limits.
+    pub fn span(&self) -> Option<Span> {
+        self.blocks.first().map(|origin| origin.span)
+    }
+}

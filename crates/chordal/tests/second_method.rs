@@ -1,0 +1,186 @@
+//! Compensated contours by a second method: distances found by nearest points alone, and the
+//! offsets of a polygon library. Random closed contours of lines and arcs, with islands of
+//! short segments, run through the whole of Chordal as programs.
+
+#[path = "../../chordal-path/tests/support/mod.rs"]
+#[allow(dead_code, reason = "shared with the tests of the gouge check")]
+mod support;
+
+use std::fmt::Write;
+
+use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
+use chordal::control::Origin;
+use chordal::geometry::Vec2;
+use chordal::path::gouge::{self, PlaneCurve, Side};
+use chordal::path::{ContourLevel, ContourPiece, PathCommand, PathSink};
+use chordal::{Diagnostic, Job, Machine, Role, Severity, Source, SourceMap};
+use support::{Dice, bulged, closed_contour, point_distance};
+
+/// The control's alarms and the pieces of the contour.
+#[derive(Default)]
+struct Seen {
+    pieces: Vec<ContourPiece>,
+    alarms: Vec<Diagnostic>,
+}
+
+impl PathSink for Seen {
+    fn command(&mut self, _: PathCommand<'_>) {}
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
+        if diagnostic.severity == Severity::Error {
+            self.alarms.push(diagnostic);
+        }
+    }
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        self.pieces.push(piece.clone());
+    }
+}
+
+/// The same contour, begun in the middle of its longest line.
+fn begun_on_a_line(curves: &[PlaneCurve]) -> Option<Vec<PlaneCurve>> {
+    let line = |c: &PlaneCurve| matches!(c, PlaneCurve::Line { .. });
+    let longest = (0..curves.len())
+        .filter(|k| line(&curves[*k]))
+        .max_by(|a, b| curves[*a].length().total_cmp(&curves[*b].length()))?;
+    let (from, middle, to) =
+        (curves[longest].from(), curves[longest].at(0.5), curves[longest].to());
+    let mut chain = vec![PlaneCurve::line(middle, to)];
+    chain.extend(curves[longest + 1..].iter().chain(&curves[..longest]).copied());
+    chain.push(PlaneCurve::line(from, middle));
+    Some(chain)
+}
+
+fn program(chain: &[PlaneCurve], side: Side) -> String {
+    let code = if side == Side::Left { "G41" } else { "G42" };
+    let first = chain[0];
+    let along = (first.to() - first.from()).normalized().unwrap();
+    let away = first.from() + along.turned_left() * (side.sign() * 20.0);
+    let mut text = String::from("G21 G90 G17 G40\nT1 M6\nS1000 M3\n");
+    let at = |p: Vec2| format!("X{:.9} Y{:.9}", p.a, p.b);
+    writeln!(text, "G0 {}\nG1 {code} D1 {} F100.", at(away), at(first.from())).unwrap();
+    for curve in chain {
+        match *curve {
+            PlaneCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
+            PlaneCurve::Arc { center, sweep, .. } => {
+                let arm = center - curve.from();
+                let g = if sweep > 0.0 { "G3" } else { "G2" };
+                writeln!(text, "{g} {} I{:.9} J{:.9}", at(curve.to()), arm.a, arm.b)
+            }
+        }
+        .unwrap();
+    }
+    writeln!(text, "G1 G40 {}\nM30", at(away)).unwrap();
+    text
+}
+
+fn run(text: &str, radius: f64) -> Seen {
+    let mut machine = Machine::from_builtin("fanuc-30i").unwrap();
+    for assignment in
+        [format!("tools.1.diameter={} mm", 2.0 * radius), "settings.outside_corner=arc".into()]
+    {
+        machine.set(&assignment).unwrap();
+    }
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("random.nc", text.as_bytes()));
+    let job = Job::new(sources, machine).unwrap();
+    let mut seen = Seen::default();
+    job.compensated(None, &mut seen);
+    seen
+}
+
+/// The moves of the tool centre along the contour, leads left out.
+fn along(pieces: &[ContourPiece]) -> Vec<PlaneCurve> {
+    let mut level: Option<ContourLevel> = None;
+    for piece in pieces.iter().filter(|piece| piece.role == Role::Contour) {
+        level.get_or_insert_with(|| ContourLevel::of(piece)).take(piece);
+    }
+    level.map_or(Vec::new(), |level| level.moves.iter().map(|step| step.curve).collect())
+}
+
+fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
+    let mut line = Polyline::new_closed();
+    for curve in curves {
+        let bulge = match curve {
+            PlaneCurve::Line { .. } => 0.0,
+            PlaneCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
+        };
+        line.add(curve.from().a, curve.from().b, bulge);
+    }
+    line
+}
+
+fn curves_of(line: &Polyline<f64>) -> Vec<PlaneCurve> {
+    let segments = line.iter_segments().map(|(v, w)| {
+        let (from, to) = (Vec2::new(v.x, v.y), Vec2::new(w.x, w.y));
+        if v.bulge == 0.0 { PlaneCurve::line(from, to) } else { bulged(from, to, v.bulge) }
+    });
+    segments.filter(|curve| curve.length() > 0.0).collect()
+}
+
+fn nearest(curves: &[PlaneCurve], p: Vec2) -> f64 {
+    curves.iter().map(|curve| point_distance(curve, p)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_second_method_agrees() {
+    let (mut clean, mut gouging, mut silent, mut false_alarms, mut unlike) = (0, 0, 0, 0, 0);
+    for seed in 0..3000 {
+        let mut dice = Dice::new(seed + 700_000);
+        let Some(chain) = begun_on_a_line(&closed_contour(&mut dice)) else { continue };
+        let side = if dice.unit() < 0.5 { Side::Left } else { Side::Right };
+        let radius = dice.between(0.2, 4.0);
+        let seen = run(&program(&chain, side), radius);
+        let path = along(&seen.pieces);
+        let alarmed = !seen.alarms.is_empty();
+        assert!(alarmed || path.len() >= chain.len(), "seed {seed}");
+        let options = gouge::Options { epsilon: 1e-6, ..gouge::Options::default() };
+        let contour = support::contour(&chain, side, radius);
+        let moves: Vec<gouge::Move> = path
+            .iter()
+            .enumerate()
+            .map(|(tag, &curve)| gouge::Move { curve, tag: tag as u32 })
+            .collect();
+        let told = gouge::check(&contour, &moves, &options);
+        assert!(told.complete);
+        let samples: Vec<Vec2> = path
+            .iter()
+            .flat_map(|curve| (0..=8).map(|step| curve.at(f64::from(step) / 8.0)))
+            .collect();
+        let distances = samples.iter().map(|p| nearest(&chain, *p));
+        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        for distance in distances {
+            (least, most) = (least.min(distance), most.max(distance));
+        }
+        // Behind an alarm the control would not move; what is shown there need not touch.
+        let touches = most <= radius + 1e-6;
+        assert!(alarmed || touches, "seed {seed}: the path leaves the contour by {most}");
+        let theirs = polyline(&chain).parallel_offset(side.sign() * radius);
+        let theirs: Vec<PlaneCurve> = theirs.iter().flat_map(curves_of).collect();
+        match told.gouges.first() {
+            None => {
+                assert!(least >= radius - 2e-6, "seed {seed}: {least} of {radius}, not told");
+                if alarmed {
+                    false_alarms += 1;
+                    continue;
+                }
+                clean += 1;
+                let apart = samples.iter().map(|p| nearest(&theirs, *p)).fold(0.0, f64::max);
+                unlike += usize::from(apart > 2e-4);
+            }
+            Some(deepest) => {
+                gouging += 1;
+                silent += usize::from(!alarmed);
+                let truly = nearest(&chain, deepest.center);
+                assert!((radius - truly - deepest.depth).abs() < 1e-6, "seed {seed}: {deepest:?}");
+                assert!(least >= truly - 1e-6, "seed {seed}: deeper somewhere else");
+            }
+        }
+    }
+    let counts = format!(
+        "{clean} clean, {gouging} gouging, {silent} of them without an alarm, {false_alarms} false alarms"
+    );
+    assert!(clean > 1000 && gouging > 1000 && silent > 50, "{counts}");
+    assert!(unlike <= 2, "{unlike} paths are not the library's offset; {counts}");
+    println!("{counts}");
+}

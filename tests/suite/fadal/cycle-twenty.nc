@@ -1,0 +1,30 @@
+(machine: fadal-4020)
+(total: lines 21)
+(ends at: X10 Y0 Z1)
+(The manual's line of 21 holes, by M45 and L20, all to Z-.1; G87 and G88 are told as doubtful.)
+G20 G17 G90 F50.
+S1000 M3
+G0 X0 Y0 Z1.
+G81 G98 Z-.1 R0+.1 F50. M45 (= rapid to X0 Y0 Z.1 | line to X0 Z-.1 | rapid to Z1)
+G91 X.5 L20 (= rapid to X0.5 Y0 Z1 | rapid to Z.1 | line to X0.5 Z-.1 feed 50 | rapid to X0.5 Z1)
+(= rapid to X1 Y0 Z1 | rapid to Z.1 | line to X1 Z-.1 feed 50 | rapid to X1 Z1)
+(= rapid to X1.5 Y0 Z1 | rapid to Z.1 | line to X1.5 Z-.1 feed 50 | rapid to X1.5 Z1)
+(= rapid to X2 Y0 Z1 | rapid to Z.1 | line to X2 Z-.1 feed 50 | rapid to X2 Z1)
+(= rapid to X2.5 Y0 Z1 | rapid to Z.1 | line to X2.5 Z-.1 feed 50 | rapid to X2.5 Z1)
+(= rapid to X3 Y0 Z1 | rapid to Z.1 | line to X3 Z-.1 feed 50 | rapid to X3 Z1)
+(= rapid to X3.5 Y0 Z1 | rapid to Z.1 | line to X3.5 Z-.1 feed 50 | rapid to X3.5 Z1)
+(= rapid to X4 Y0 Z1 | rapid to Z.1 | line to X4 Z-.1 feed 50 | rapid to X4 Z1)
+(= rapid to X4.5 Y0 Z1 | rapid to Z.1 | line to X4.5 Z-.1 feed 50 | rapid to X4.5 Z1)
+(= rapid to X5 Y0 Z1 | rapid to Z.1 | line to X5 Z-.1 feed 50 | rapid to X5 Z1)
+(= rapid to X5.5 Y0 Z1 | rapid to Z.1 | line to X5.5 Z-.1 feed 50 | rapid to X5.5 Z1)
+(= rapid to X6 Y0 Z1 | rapid to Z.1 | line to X6 Z-.1 feed 50 | rapid to X6 Z1)
+(= rapid to X6.5 Y0 Z1 | rapid to Z.1 | line to X6.5 Z-.1 feed 50 | rapid to X6.5 Z1)
+(= rapid to X7 Y0 Z1 | rapid to Z.1 | line to X7 Z-.1 feed 50 | rapid to X7 Z1)
+(= rapid to X7.5 Y0 Z1 | rapid to Z.1 | line to X7.5 Z-.1 feed 50 | rapid to X7.5 Z1)
+(= rapid to X8 Y0 Z1 | rapid to Z.1 | line to X8 Z-.1 feed 50 | rapid to X8 Z1)
+(= rapid to X8.5 Y0 Z1 | rapid to Z.1 | line to X8.5 Z-.1 feed 50 | rapid to X8.5 Z1)
+(= rapid to X9 Y0 Z1 | rapid to Z.1 | line to X9 Z-.1 feed 50 | rapid to X9 Z1)
+(= rapid to X9.5 Y0 Z1 | rapid to Z.1 | line to X9.5 Z-.1 feed 50 | rapid to X9.5 Z1)
+(= rapid to X10 Y0 Z1 | rapid to Z.1 | line to X10 Z-.1 feed 50 | rapid to X10 Z1)
+G80 G90
+M2
