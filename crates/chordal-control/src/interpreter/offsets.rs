@@ -261,8 +261,10 @@ impl<S: Sink> Interpreter<'_, S> {
         side: Side,
         span: chordal_diagnostics::Span,
     ) {
-        let may_start = side != Side::Off && self.control.parameters.compensation.start_on_arc;
-        if may_start || !self.moves_on_arc(block) {
+        // A change of side is no start.
+        let on = self.state.side != Side::Off;
+        let may_start = on || self.control.parameters.compensation.start_on_arc;
+        if (side != Side::Off && may_start) || !self.moves_on_arc(block) {
             return;
         }
         let what = if side == Side::Off { "ends" } else { "starts" };

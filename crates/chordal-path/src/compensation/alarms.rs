@@ -1,6 +1,6 @@
 //! What is told about a compensated contour.
 
-use chordal_control::{Origin, SideChange, Units};
+use chordal_control::{Origin, SideChange, SpiralCompensation, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 
 use super::interference::Found;
@@ -203,8 +203,13 @@ impl Compensator {
 
     pub(super) fn spiral<P: PathSink>(&self, origin: &Origin, out: &mut P) {
         let message = "a spiral is not compensated exactly";
+        let severity = match self.parameters.compensation.spirals {
+            SpiralCompensation::Refused => Severity::Error,
+            SpiralCompensation::ByCircles => Severity::Warning,
+        };
         let diagnostic = Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
             .label("shown with the offset added to both radii")
+            .severity(severity)
             .help("program the tool-centre path for this spiral");
         self.tell(diagnostic, origin, out);
     }

@@ -1,6 +1,6 @@
 //! Blocks whose corners are known, as commands of the tool centre.
 
-use chordal_control::{ArcShape, Command, CommandKind, Feed, Move, Side};
+use chordal_control::{ArcShape, Command, CommandKind, Feed, Interference, Move, Side};
 use chordal_geometry::Vec2;
 
 use super::corner::Corner;
@@ -94,6 +94,11 @@ impl Compensator {
             (&mut curve, block.curve)
         {
             let turn = std::f64::consts::TAU;
+            let strict = self.parameters.compensation.interference == Interference::Strict;
+            if strict && *sweep * programmed < 0.0 {
+                // LinuxCNC keeps the direction and goes round.
+                *sweep += turn * programmed.signum();
+            }
             if programmed.abs() <= turn + 1e-9 && sweep.abs() > turn + TURN_SLACK_RAD {
                 *sweep -= turn * sweep.signum();
                 self.turn_lost(block, out);

@@ -92,7 +92,10 @@ impl Compensator {
         match block.curve {
             PlaneCurve::Line { .. } => direction(block, start, end, 0.0),
             PlaneCurve::Arc { sweep, .. } => {
-                if block.role == Role::StartUp {
+                // The first arc of a contour is looked at only where its own end moves.
+                let first = self.queue.back().is_some_and(|before| before.role == Role::StartUp);
+                let moved = block.corner.as_ref().is_some_and(|corner| corner.inside);
+                if block.role == Role::StartUp || (first && !moved) {
                     return None;
                 }
                 let becomes = swept(block, start, end);

@@ -281,6 +281,13 @@ impl Compensator {
                     self.again = rules.repeated == Repeated::Perpendicular;
                 }
             }
+            (Phase::On, false) if side != Side::Off && rules.repeated == Repeated::Refused => {
+                if side == self.side {
+                    self.twice(origin, out);
+                } else {
+                    self.side_change_refused(origin, out);
+                }
+            }
             (Phase::On, false) => {
                 self.phase = Phase::Cancelling;
                 self.toward = toward.map(|[a, b]| Vec2::new(a, b));
@@ -289,7 +296,9 @@ impl Compensator {
             (Phase::Cancelling, false) => {}
         }
         self.code = *origin;
-        if on {
+        let kept =
+            self.phase == Phase::On && side == self.side && rules.new_offset == Allowance::Ignored;
+        if on && !kept {
             (self.side, self.sign, self.radius) = (side, sign, radius.abs());
         }
         if self.phase == Phase::Off {

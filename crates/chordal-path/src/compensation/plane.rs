@@ -147,11 +147,16 @@ pub(super) fn meeting(corner: Vec2, end: &Edge, start: &Edge, tolerance: f64) ->
         }
         PlaneCurve::Line { .. } => None,
     };
-    let line = |edge: &Edge| Line2 { point: edge.normal * edge.radius, direction: edge.tangent };
+    let line = |edge: &Edge, at: Vec2| Line2 {
+        point: at - corner + edge.normal * edge.radius,
+        direction: edge.tangent,
+    };
+    let first = line(end, end.curve.to());
+    let second = line(start, start.curve.from());
     let found = match (circle(end, true), circle(start, false)) {
-        (None, None) => line_line(line(end), line(start), 1e-9).map(|crossing| crossing.point),
-        (None, Some(circle)) => nearest(line_circle(line(end), circle, tolerance)),
-        (Some(circle), None) => nearest(line_circle(line(start), circle, tolerance)),
+        (None, None) => line_line(first, second, 1e-9).map(|crossing| crossing.point),
+        (None, Some(circle)) => nearest(line_circle(first, circle, tolerance)),
+        (Some(circle), None) => nearest(line_circle(second, circle, tolerance)),
         (Some(first), Some(second)) => nearest(circle_circle(first, second, tolerance)),
     };
     found.map(|point| corner + point).filter(|p| p.a.is_finite() && p.b.is_finite())

@@ -1,8 +1,8 @@
 //! Blocks that wait for the next move: each corner needs both of its blocks.
 
 use chordal_control::{
-    AloneAction, Command, CommandKind, CompensationPlanes, Interference, LeadLength, OutsideCorner,
-    Remedy, SideChange,
+    Allowance, AloneAction, Command, CommandKind, CompensationPlanes, Interference, LeadLength,
+    OutsideCorner, Remedy, SideChange,
 };
 use chordal_diagnostics::Span;
 use chordal_geometry::{Plane, Vec2};
@@ -185,6 +185,7 @@ impl Compensator {
             last.square = true;
         }
         let mut new = self.block(command, curve, Role::Contour);
+        self.changes_allowed(&new, out);
         new.told = self.inside_arc_too_small(&new, out);
         match self.queue.pop_back() {
             Some(before) => self.join(before, new, out),
@@ -198,6 +199,28 @@ impl Compensator {
             && let Some(block) = self.queue.pop_front()
         {
             self.emit(block, out);
+        }
+    }
+
+    /// Another side or another offset in a block where the control refuses it.
+    fn changes_allowed<P: PathSink>(&self, new: &Block, out: &mut P) {
+        let Some(before) = self.queue.back() else { return };
+        let rules = &self.parameters.compensation;
+        let origin = &new.command.origin;
+        if before.sign != new.sign {
+            let refused = match rules.side_change {
+                SideChange::Along => new.curve.is_arc(),
+                SideChange::RefusedOnLine => !new.curve.is_arc(),
+                SideChange::Crossing | SideChange::Refused => false,
+            };
+            if refused {
+                self.side_change_refused(origin, out);
+            }
+        } else if new.radii.0 != new.radii.1
+            && new.curve.is_arc()
+            && rules.new_offset_on_arc == Allowance::Refused
+        {
+            self.new_offset_refused(origin, out);
         }
     }
 

@@ -1,0 +1,65 @@
+%
+O0001 (COMPENSATION: WHAT STOPS THE CONTROL)
+(machine: mitsubishi-m700)
+(units: mm)
+(expect: CH530)
+(set: tools.1.diameter="10 mm")
+N1 G21 G17 G40 G90 G94 S1000 M3 F100.
+N2 G0 X-40. Y20. Z0
+N10 G41 D1 G2 X-20. Y0 R20. (= ! CH501 "P151 Radius compensation during arc mode")
+N11 G1 X-20. Y20.
+N12 X-40. Y20.
+N13 G41 G1 X-40. Y0
+N14 X0
+N15 G40 G3 X20. Y20. R20. (= ! CH501 "ends on an arc" "P151")
+N16 G1 X20. Y40.
+N17 G0 X-40. Y40.
+N20 G41 G1 X-40. Y0
+N21 X0
+N22 G3 X4.5 Y4.5 R4.5 (= ! CH507 "4.5 mm" "5 mm" "P153 Compensation interference")
+N23 G1 Y30.
+N24 G40 X-40.
+N30 G41 Y0
+N31 X0
+N32 Y-20.
+N33 X8. (= ! CH508 "P153 Compensation interference")
+N34 Y0
+N35 X40.
+N36 G40 Y20.
+N37 G0 X-40.
+(THREE BLOCKS WITHOUT MOTION, THEN FOUR)
+N60 G41 G1 Y0
+N61 X0
+N62 M8
+N63 G4 P500
+N64 M9
+N65 Y40.
+N66 X-20. (= ! CH515 "4 blocks without motion follow this move; the control allows 3")
+N67 M8
+N68 G4 P500
+N69 M9
+N70 S1100
+N71 Y80.
+N72 G40 X-40.
+N73 G0 Y20.
+(A STOP)
+N74 G41 G1 Y0
+N75 X0 (= ! CH515 "a stop follows this move")
+N76 M1
+N77 Y40.
+N78 G40 X-40.
+(OFFSETS THAT DO NOT MEET)
+N80 G0 X5.1962 Y9.
+N81 G41 D1 G1 X-5.1962 Y3. (= ! CH531)
+N82 G3 X0 Y0 I5.1962 J3.
+N83 X0 Y6. I-5.1962 J3. (= ! CH509 "do not meet" "P152 No intersection")
+N84 G40 G1 X-10.3923 Y0
+(A SPIRAL)
+N90 G0 X0 Y-20.
+N91 G42 D1 G1 X0 Y0
+N92 X20.
+N93 G3.1 X20. Y0 I20. J0 P10. (= ! CH516 "spiral")
+N94 G1 X40.
+N95 G40 Y20.
+N99 M30
+%
