@@ -3,7 +3,8 @@
 
 Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not part of the test
 command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
-centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals).
+centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals). Between
+the motions the dwells and the changes of the spindle must agree, up to the last motion.
 
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
@@ -21,6 +22,12 @@ TOLERANCE = 1.01e-4
 AXES = "XYZABC"
 PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
 NAMES = {"xy": (0, 1, 2), "zx": (2, 0, 1), "yz": (1, 2, 0)}
+SPINDLE = {
+    "STOP_SPINDLE_TURNING": "off",
+    "START_SPINDLE_CLOCKWISE": "cw",
+    "START_SPINDLE_COUNTERCLOCKWISE": "ccw",
+    "ORIENT_SPINDLE": "oriented",
+}
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
@@ -49,6 +56,10 @@ def reference(program):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
             motions.append((kind, end, None, unit, place))
             place = end
+        elif name == "DWELL" and float(text) > 0:
+            motions.append((f"dwell {float(text):g}", [0.0] * 6, None, 1.0, None))
+        elif name in SPINDLE:
+            motions.append((f"spindle {SPINDLE[name]}", [0.0] * 6, None, 1.0, None))
         elif name == "ARC_FEED":
             first, second, center_a, center_b, turns, normal_end, *rotary = (
                 float(part) for part in text.split(",")
@@ -61,7 +72,7 @@ def reference(program):
             place = end
     if done.returncode != 0 or not motions:
         sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
-    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
+    return changes([m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)])
 
 
 def ours(chordal, program):
@@ -72,6 +83,10 @@ def ours(chordal, program):
     for row in done.stdout.splitlines():
         command = json.loads(row)
         kind = command.get("kind")
+        if kind == "dwell" and command["seconds"] > 0:
+            motions.append((f"dwell {command['seconds']:g}", [0.0] * 6, None, command["line"]))
+        if kind == "spindle":
+            motions.append((f"spindle {command['state']}", [0.0] * 6, None, command["line"]))
         if kind not in ("rapid", "line", "arc", "spiral"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
@@ -89,7 +104,21 @@ def ours(chordal, program):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
         sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
-    return motions
+    return changes(motions)
+
+
+def changes(steps):
+    """The steps up to the last motion, without spindle words that change nothing."""
+    while steps and steps[-1][0].startswith(("dwell", "spindle")):
+        steps = steps[:-1]
+    state, kept = "spindle off", []
+    for step in steps:
+        if step[0].startswith("spindle"):
+            if step[0] == state:
+                continue
+            state = step[0]
+        kept.append(step)
+    return kept
 
 
 def far(one, other, tolerance):
@@ -98,10 +127,10 @@ def far(one, other, tolerance):
 
 def differences(program, theirs, mine):
     if len(theirs) != len(mine):
-        yield f"{len(theirs)} motions in rs274, {len(mine)} in Chordal"
+        yield f"{len(theirs)} steps in rs274, {len(mine)} in Chordal"
     for number, (their, my) in enumerate(zip(theirs, mine), 1):
         tolerance = TOLERANCE * their[3]
-        where = f"motion {number} (line {my[3]})"
+        where = f"step {number} (line {my[3]})"
         if their[0] != my[0]:
             yield f"{where}: rs274 {their[0]}, Chordal {my[0]}"
         elif far(their[1], my[1], tolerance):
@@ -126,10 +155,10 @@ def main():
         problems = list(differences(program, theirs, ours(arguments.chordal, program)))
         motions += len(theirs)
         wrong += bool(problems)
-        print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} motions  {program.name}")
+        print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} steps  {program.name}")
         for problem in problems[:5]:
             print("        ", problem)
-    print(f"{len(programs) - wrong} passed, {wrong} failed, {motions} motions")
+    print(f"{len(programs) - wrong} passed, {wrong} failed, {motions} steps")
     sys.exit(bool(wrong))
 
 
