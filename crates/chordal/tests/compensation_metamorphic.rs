@@ -20,6 +20,8 @@ struct Contour {
     vertices: Vec<(Vec2, f64)>,
     left: bool,
     radius: f64,
+    /// Joints closer than this are tangent, mm.
+    tangent: f64,
     inch: bool,
 }
 
@@ -102,6 +104,8 @@ impl Contour {
     fn path(&self) -> Option<Vec<PlaneCurve>> {
         let mut machine = Machine::from_builtin("fanuc-30i").expect("a built-in machine");
         machine.set(&format!("tools.1.diameter=\"{} mm\"", 2.0 * self.radius)).expect("a tool");
+        let tangent = format!("settings.compensation_tangent_joint=\"{} mm\"", self.tangent);
+        machine.set(&tangent).expect("a setting");
         let text = self.program();
         let mut sources = SourceMap::new();
         sources.add(Source::new("contour.nc", text.as_bytes()));
@@ -141,12 +145,14 @@ fn distance(p: Vec2, curve: &PlaneCurve) -> f64 {
             let part = (p - from).dot(way) / way.dot(way);
             if (0.0..=1.0).contains(&part) { p.distance(from + way * part) } else { ends }
         }
-        PlaneCurve::Arc { center, sweep, .. } => {
+        PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. } => {
             let (a, b) = (from - center, p - center);
             let angle = a.cross(b).atan2(a.dot(b)) * sweep.signum();
             let angle = if angle < 0.0 { angle + TAU } else { angle };
             let on = angle <= sweep.abs();
-            if on { (p.distance(center) - from.distance(center)).abs() } else { ends }
+            // At a tangent joint the two radii differ by less than the tolerance.
+            let radius = radius_from + (radius_to - radius_from) * angle / sweep.abs();
+            if on { (p.distance(center) - radius).abs() } else { ends }
         }
     }
 }
@@ -154,9 +160,10 @@ fn distance(p: Vec2, curve: &PlaneCurve) -> f64 {
 fn samples(curve: &PlaneCurve) -> Vec<Vec2> {
     let at = |part: f64| match *curve {
         PlaneCurve::Line { from, to } => from + (to - from) * part,
-        PlaneCurve::Arc { from, center, sweep, .. } => {
+        PlaneCurve::Arc { from, center, sweep, radius_from, radius_to, .. } => {
             let (sin, cos) = (sweep * part).sin_cos();
-            let arm = from - center;
+            let radius = radius_from + (radius_to - radius_from) * part;
+            let arm = (from - center) * (radius / radius_from);
             center + Vec2::new(arm.a * cos - arm.b * sin, arm.a * sin + arm.b * cos)
         }
     };
@@ -201,7 +208,7 @@ fn contours() -> impl Strategy<Value = Contour> {
                     (Vec2::new(angle.cos() * length, angle.sin() * length), bulge)
                 })
                 .collect();
-            Contour { vertices, left, radius, inch: false }
+            Contour { vertices, left, radius, tangent: 0.002, inch: false }
         },
     )
 }
@@ -273,6 +280,7 @@ proptest! {
         let path = contour.path().map(|path| moved(&path, scale, 1.0));
         let mut large = contour.map(scale, 1.0);
         large.radius *= factor;
+        large.tangent *= factor;
         same(path, large.path())?;
     }
 
