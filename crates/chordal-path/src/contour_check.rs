@@ -73,6 +73,10 @@ impl ContourCheck {
             self.stretch = piece.stretch;
         }
         self.units = piece.units;
+        if piece.negative {
+            // The wear of a program for the tool centre: what is programmed is not the wall.
+            return;
+        }
         if !self.level.goes_on_with(piece) {
             self.end_level(report);
             self.level = ContourLevel::of(piece);

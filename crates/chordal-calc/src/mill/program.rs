@@ -147,7 +147,6 @@ impl Words<'_> {
                 ask.tool,
                 number(wear)
             ));
-            remarks.push("the form with compensation is untested: try it above the part".into());
         }
         let [before, after] = self.post.remark;
         let remark = |text: &String| format!("{before}{}{after}", text.to_ascii_uppercase());

@@ -80,7 +80,7 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     root: Option<Written>,
 
-    /// Writes G41 or G42 with D for the wear of the tool (untested)
+    /// Writes G41 or G42 with D for the wear of the tool
     #[arg(long)]
     compensation: bool,
 

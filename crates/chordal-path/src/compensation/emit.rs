@@ -287,6 +287,7 @@ impl Compensator {
             centre: vec![PlaneCurve::Line { from, to: curve.to() }],
             sign: self.sign,
             radius_mm: self.radius,
+            negative: is_negative(self.side, self.sign),
             height: self.height(command),
             units: self.units,
             origin: command.origin,
@@ -302,6 +303,7 @@ impl Compensator {
             centre,
             sign: block.sign,
             radius_mm: block.radii.1,
+            negative: is_negative(block.side, block.sign),
             height: self.height(&block.command),
             units: self.units,
             origin: block.command.origin,
@@ -311,6 +313,15 @@ impl Compensator {
     fn height(&self, command: &Command) -> (f64, f64) {
         let (_, _, normal) = self.plane.axes();
         command.kind.motion().map_or((0.0, 0.0), |m| (m.from[normal], m.to[normal]))
+    }
+}
+
+/// True where the tool is on the other side than the code says.
+fn is_negative(side: Side, sign: f64) -> bool {
+    match side {
+        Side::Left => sign < 0.0,
+        Side::Right => sign > 0.0,
+        Side::Off => false,
     }
 }
 

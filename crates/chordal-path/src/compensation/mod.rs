@@ -70,6 +70,9 @@ pub struct ContourPiece {
     pub sign: f64,
     /// The offset, mm.
     pub radius_mm: f64,
+    /// The offset of the table is negative: the wear of a program for the tool centre, or the
+    /// other side on purpose.
+    pub negative: bool,
     /// The third axis at start and end, mm.
     pub height: (f64, f64),
     /// Units of the program at this block.
