@@ -4,7 +4,8 @@
 Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not part of the test
 command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
 centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals), and so must
-the lines that the programs print.
+the lines that the programs print. Between the motions the dwells and the changes of the spindle
+must agree, up to the last motion.
 
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
@@ -22,6 +23,12 @@ TOLERANCE = 1.01e-4
 AXES = "XYZABC"
 PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
 NAMES = {"xy": (0, 1, 2), "zx": (2, 0, 1), "yz": (1, 2, 0)}
+SPINDLE = {
+    "STOP_SPINDLE_TURNING": "off",
+    "START_SPINDLE_CLOCKWISE": "cw",
+    "START_SPINDLE_COUNTERCLOCKWISE": "ccw",
+    "ORIENT_SPINDLE": "oriented",
+}
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
@@ -51,6 +58,10 @@ def reference(program):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
             motions.append((kind, end, None, unit, place))
             place = end
+        elif name == "DWELL" and float(text) > 0:
+            motions.append((f"dwell {float(text):g}", [0.0] * 6, None, 1.0, None))
+        elif name in SPINDLE:
+            motions.append((f"spindle {SPINDLE[name]}", [0.0] * 6, None, 1.0, None))
         elif name == "ARC_FEED":
             first, second, center_a, center_b, turns, normal_end, *rotary = (
                 float(part) for part in text.split(",")
@@ -64,7 +75,8 @@ def reference(program):
     if done.returncode != 0 or not motions:
         sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
     printed = [row for row in printed if row != "executing" and "N....." not in row]
-    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)], printed
+    motions = [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
+    return changes(motions), printed
 
 
 def ours(chordal, program):
@@ -77,6 +89,10 @@ def ours(chordal, program):
         kind = command.get("kind")
         if kind == "print":
             printed.append(command["text"])
+        if kind == "dwell" and command["seconds"] > 0:
+            motions.append((f"dwell {command['seconds']:g}", [0.0] * 6, None, command["line"]))
+        if kind == "spindle":
+            motions.append((f"spindle {command['state']}", [0.0] * 6, None, command["line"]))
         if kind not in ("rapid", "line", "arc", "spiral"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
@@ -94,7 +110,21 @@ def ours(chordal, program):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
         sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
-    return motions, printed
+    return changes(motions), printed
+
+
+def changes(steps):
+    """The steps up to the last motion, without spindle words that change nothing."""
+    while steps and steps[-1][0].startswith(("dwell", "spindle")):
+        steps = steps[:-1]
+    state, kept = "spindle off", []
+    for step in steps:
+        if step[0].startswith("spindle"):
+            if step[0] == state:
+                continue
+            state = step[0]
+        kept.append(step)
+    return kept
 
 
 def far(one, other, tolerance):
@@ -103,10 +133,10 @@ def far(one, other, tolerance):
 
 def differences(program, theirs, mine):
     if len(theirs) != len(mine):
-        yield f"{len(theirs)} motions in rs274, {len(mine)} in Chordal"
+        yield f"{len(theirs)} steps in rs274, {len(mine)} in Chordal"
     for number, (their, my) in enumerate(zip(theirs, mine), 1):
         tolerance = TOLERANCE * their[3]
-        where = f"motion {number} (line {my[3]})"
+        where = f"step {number} (line {my[3]})"
         if their[0] != my[0]:
             yield f"{where}: rs274 {their[0]}, Chordal {my[0]}"
         elif far(their[1], my[1], tolerance):
@@ -134,10 +164,10 @@ def main():
             problems.append(f"rs274 prints {their_lines}, Chordal {my_lines}")
         motions += len(theirs)
         wrong += bool(problems)
-        print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} motions  {program.name}")
+        print(f"{'DIFFERS' if problems else 'same':8}{len(theirs):4} steps  {program.name}")
         for problem in problems[:5]:
             print("        ", problem)
-    print(f"{len(programs) - wrong} passed, {wrong} failed, {motions} motions")
+    print(f"{len(programs) - wrong} passed, {wrong} failed, {motions} steps")
     sys.exit(bool(wrong))
 
 

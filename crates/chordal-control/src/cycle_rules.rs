@@ -189,6 +189,8 @@ pub struct TapRules {
     pub dwell_at_r: bool,
     /// The dwell at the bottom comes after the spindle has reversed (LinuxCNC).
     pub dwell_after_reverse: bool,
+    /// A tap without P waits as long as the last cycle that had one, G80 or not (LinuxCNC).
+    pub keeps_dwell: bool,
 }
 
 /// Boring.
@@ -316,6 +318,7 @@ impl CycleRules {
             peck_lift_mm: 1.0,
             dwell_at_r: false,
             dwell_after_reverse: false,
+            keeps_dwell: false,
         },
         bore: BoreRules {
             dwell_out_to_clear: false,

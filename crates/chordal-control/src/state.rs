@@ -144,6 +144,8 @@ pub(crate) struct State {
     pub radius_offset: Option<u32>,
     pub return_to_r: bool,
     pub cycle: Option<CycleState>,
+    /// The last dwell that a cycle was given, s.
+    pub cycle_dwell_s: Option<f64>,
     pub registers: [Decimal; 10],
 }
 
@@ -179,6 +181,7 @@ impl State {
             radius_offset: None,
             return_to_r: false,
             cycle: None,
+            cycle_dwell_s: None,
             registers: [Decimal::integer(0); 10],
         }
     }

@@ -1,5 +1,5 @@
 (machine: haas-vf2)
-(set: settings."G77"="shift-at-r")
+(set: settings."G77 scheme"="shift-at-r")
 (G77 as the manual's words have it: down at the centre, aside at R, up to Z, and back to the centre.)
 G20 G17 G90 G94 F10.
 S1000 M3

@@ -43,7 +43,8 @@ G0 X0 Y1 Z0
 G18 G99 G81 X1 Z2 Y-1 R.1 (= rapid to X1 Y1 Z2 | rapid to X1 Y.1 Z2 | line to X1 Y-1 Z2 | rapid to Y.1)
 G80 G17
 (E10: from below R.)
-G0 X0 Y0 Z-.5
+G0 X0 Y0
+G1 Z-.5
 G98 G81 X1 Z-1 R.1 (= rapid to X0 Y0 Z.1 | rapid to X1 Y0 Z.1 | line to Z-1 | rapid to Z.1)
 G80
 (E11: words that stay are read again from the initial level.)

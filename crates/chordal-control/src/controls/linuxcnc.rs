@@ -99,6 +99,7 @@ const CYCLES: CycleRules = CycleRules {
         spindle_must_turn: true,
         out_to_clear: true,
         dwell_after_reverse: true,
+        keeps_dwell: true,
         ..CycleRules::COMMON.tap
     },
     bore: BoreRules {

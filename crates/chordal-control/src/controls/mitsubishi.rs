@@ -129,7 +129,7 @@ const SETTINGS: &[Setting] = &[
         "G73 dwell",
         Field::Cycle(CycleField::PeckDwell),
         &[],
-        "P of G73 and G83: `each-peck`, `bottom` or `none`",
+        "P of pecks: `each-peck` of G73, at the `bottom` of G73 and G83, or `none`",
         Certainty::Trade,
         "",
     ),

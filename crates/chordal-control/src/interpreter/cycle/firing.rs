@@ -20,7 +20,11 @@ impl<S: Sink> Interpreter<'_, S> {
         let keeps = self.control.parameters.cycles.keeps_words;
         let kept = before.filter(|cycle| keeps || cycle.kind == kind);
         let cycle = kept.unwrap_or(CycleState::new(kind, axis, initial));
-        self.state.cycle = Some(CycleState { kind, ..cycle });
+        let mut cycle = CycleState { kind, ..cycle };
+        if kind.is_tap() && self.control.parameters.cycles.tap.keeps_dwell {
+            cycle.dwell_s = self.state.cycle_dwell_s;
+        }
+        self.state.cycle = Some(cycle);
         self.cycle_block(block, true);
     }
 

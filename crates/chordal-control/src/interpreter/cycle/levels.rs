@@ -142,6 +142,7 @@ impl<S: Sink> Interpreter<'_, S> {
         } else if let Some(number) = block.last(b'P').and_then(|word| self.literal(word)) {
             let unit = if number.has_point { point_s } else { integer_s };
             cycle.dwell_s = Some((number.to_f64() * unit).max(0.0));
+            self.state.cycle_dwell_s = cycle.dwell_s;
         }
     }
 
