@@ -37,6 +37,17 @@ fn the_manuals_own_words_are_taken() {
         ("fanuc-30i", "settings.\"No. 3410\"=\"0.02 mm\"", "radius_error_tolerance=0.02 mm"),
         ("mitsubishi-m700", "settings.\"#1272 ex08/bit2\"=1", "spiral=increment-height-count"),
         ("fadal-4020", "settings.format=2", "format=off"),
+        ("fanuc-30i", "settings.\"No. 5003#0\"=1", "compensation_entry=B"),
+        ("fanuc-30i", "settings.\"No. 5003#1\"=1", "compensation_alone=perpendicular"),
+        ("fanuc-30i", "settings.\"No. 5008#1\"=1", "compensation_interference=arc-angle"),
+        ("fanuc-30i", "settings.\"No. 5008#3\"=1", "compensation_check=off"),
+        ("fanuc-30i", "settings.\"No. 19625\"=8", "compensation_idle_blocks=6"),
+        ("fanuc-30i", "settings.\"No. 19607#2\"=1", "outside_corner=arc"),
+        ("fanuc-30i", "settings.\"No. 19607#5\"=1", "compensation_remedy=avoid"),
+        ("mitsubishi-m700", "settings.\"#1229 set01/bit2\"=1", "compensation_entry=B"),
+        ("mitsubishi-m700", "settings.\"#8102\"=1", "compensation_remedy=avoid"),
+        ("mitsubishi-m700", "settings.\"#8103\"=1", "compensation_check=off"),
+        ("haas-vf2", "settings.\"Setting 43\"=B", "compensation_entry=B"),
     ] {
         let mut machine = Machine::from_builtin(machine).expect("a built-in machine");
         machine.set(assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));

@@ -245,6 +245,8 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::CompensationInterference, "TOOL DIAMETER TOO LARGE AT N={n}"),
     (Code::NoOffsetIntersection, "TOOL DIAMETER TOO LARGE AT N={n}"),
     (Code::SideChangeRefused, "ATTEMPT TO CHANGE CRC SIDE WITHOUT G40"),
+    (Code::ReferenceInCompensation, "CANCEL CRC BEFORE N={n}"),
+    (Code::ToolChangeInCompensation, "CANCEL CRC BEFORE N={n}"),
     (Code::ShiftInCompensation, "CANCEL CRC BEFORE N={n}"),
     (Code::TooManyIdleBlocks, "FILE OVERFLOW"),
     (

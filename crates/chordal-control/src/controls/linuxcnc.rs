@@ -200,6 +200,8 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::CompensationTwice, "Cannot turn cutter radius comp on when on"),
     (Code::NewOffsetRefused, "Cannot turn cutter radius comp on when on"),
     (Code::CompensationPlane, "Cutter radius compensation allowed only in XY, XZ planes"),
+    (Code::ReferenceInCompensation, "Cannot use g28 or g30 with cutter radius comp"),
+    (Code::ToolChangeInCompensation, "Cannot change tools with cutter radius compensation on"),
     (Code::ShiftInCompensation, "Cannot change axis offsets with cutter radius comp"),
     (Code::RadiusMismatch, "Radius to end of arc differs from radius to start"),
     (Code::RadiusTooShort, "Arc radius too small to reach end point"),

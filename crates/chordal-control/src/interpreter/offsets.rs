@@ -539,13 +539,12 @@ impl<S: Sink> Interpreter<'_, S> {
         };
         if self.state.side != Side::Off {
             let span = self.span(block.words[at].range);
+            let code = Code::ToolChangeInCompensation;
+            let refused = self.control.table.alarm(code).is_some();
             self.report(
-                Diagnostic::new(
-                    Code::CompensationAtEnd,
-                    span,
-                    "the tool is changed while cutter compensation is on",
-                )
-                .help("cancel compensation with G40 first"),
+                Diagnostic::new(code, span, "the tool is changed while cutter compensation is on")
+                    .severity(if refused { Severity::Error } else { Severity::Warning })
+                    .help("cancel compensation with G40 first"),
             );
         }
         self.end_cycle_if(self.control.parameters.cycles.cancel.by_tool_change);

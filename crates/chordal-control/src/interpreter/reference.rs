@@ -1,18 +1,28 @@
 //! One-shot codes that take the axis words: dwell, reference points, machine coordinates,
 //! presets and shifts.
 
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::Direction;
 use chordal_syntax::Block;
 
 use super::Interpreter;
 use super::values::AXIS_OF;
-use crate::command::{AxisMask, CommandKind, FeedAlong, Move, Position, Sink};
+use crate::command::{AxisMask, CommandKind, FeedAlong, Move, Position, Side, Sink};
+use crate::compensation::Allowance;
 use crate::state::Motion;
 use crate::table::Action;
 
 impl<S: Sink> Interpreter<'_, S> {
     pub(super) fn one_shot(&mut self, block: &Block, action: Action, at: usize) {
+        let to_machine = matches!(
+            action,
+            Action::ReturnToReference { .. }
+                | Action::ReturnFromReference
+                | Action::MachineCoordinates
+        );
+        if to_machine && self.state.side != Side::Off {
+            self.reference_in_compensation(block, at);
+        }
         match action {
             Action::Dwell => self.dwell(block, at),
             Action::SetData => self.set_data(block, at),
@@ -69,6 +79,22 @@ impl<S: Sink> Interpreter<'_, S> {
             return;
         }
         self.emit(CommandKind::Dwell { seconds });
+    }
+
+    /// G28, G29, G30 and G53 while the tool is beside the contour.
+    fn reference_in_compensation(&mut self, block: &Block, at: usize) {
+        let refused = self.control.parameters.compensation.coordinate_change == Allowance::Refused;
+        let (first, second, _) = self.state.plane.axes();
+        let named = self.axis_words(block);
+        if !refused && named[first].is_none() && named[second].is_none() {
+            return;
+        }
+        let span = self.span(block.words[at].range);
+        let message = "a move to a machine point while cutter compensation is on";
+        let diagnostic = Diagnostic::new(Code::ReferenceInCompensation, span, message)
+            .severity(if refused { Severity::Error } else { Severity::Warning })
+            .help("cancel compensation with G40 first");
+        self.report(diagnostic);
     }
 
     /// G28 and G30: over the point that the words give, then home with the axes they name.

@@ -201,6 +201,27 @@ pub(super) const TOO_MANY_IDLE: CodeInfo = CodeInfo {
 if the contour ended square to the last move."#,
 };
 
+pub(super) const REFERENCE: CodeInfo = CodeInfo {
+    code: Code::ReferenceInCompensation,
+    id: "CH522",
+    name: "reference-in-compensation",
+    severity: Severity::Error,
+    summary: "G28, G30 or G53 while compensation is on",
+    explanation: r#"Fadal and LinuxCNC refuse a return to the reference point while compensation is on. Fanuc takes the
+offset away at the point on the way and puts it back with the next move; other controls do not say what they
+do. The path is shown as if the move were one of the contour. Cancel with G40 first."#,
+};
+
+pub(super) const TOOL_CHANGE: CodeInfo = CodeInfo {
+    code: Code::ToolChangeInCompensation,
+    id: "CH523",
+    name: "tool-change-in-compensation",
+    severity: Severity::Error,
+    summary: "the tool is changed while compensation is on",
+    explanation: r#"M6 does not cancel compensation: the next tool would run with the offset of the last one, and no move takes
+the old offset away. Fadal and LinuxCNC stop here. Put G40 on the move away from the contour, before M6."#,
+};
+
 pub(super) const GOUGE: CodeInfo = CodeInfo {
     code: Code::CutterGouges,
     id: "CH530",

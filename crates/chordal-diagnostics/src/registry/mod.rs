@@ -115,6 +115,8 @@ codes! {
     InterferenceAvoided => compensation::AVOIDED,
     FullTurnLost => compensation::TURN_LOST,
     TooManyIdleBlocks => compensation::TOO_MANY_IDLE,
+    ReferenceInCompensation => compensation::REFERENCE,
+    ToolChangeInCompensation => compensation::TOOL_CHANGE,
     CutterGouges => compensation::GOUGE,
     CutterGougesAtLead => compensation::GOUGE_AT_LEAD,
     SideAmbiguous => compensation::SIDE_AMBIGUOUS,

@@ -42,7 +42,7 @@ impl Compensator {
         let mut centre = Vec::with_capacity(1 + corner.points().len());
         let mut at = self.at.unwrap_or(block.start);
         if block.loose && block.curve.is_arc() {
-            at = self.to_the_arc(&block, at, &mut centre, out);
+            at = self.reach_arc(&block, at, &mut centre, out);
         }
         let curve = self.centre_curve(&block, at, corner.first(), out);
         self.put_main(&block, &curve, out);
@@ -59,7 +59,7 @@ impl Compensator {
     }
 
     /// An arc that begins beside its offset circle is reached by a straight move.
-    fn to_the_arc<P: PathSink>(
+    fn reach_arc<P: PathSink>(
         &mut self,
         block: &Block,
         at: Vec2,
