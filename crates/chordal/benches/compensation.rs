@@ -55,7 +55,13 @@ impl PathSink for Sum {
 fn benches(criterion: &mut Criterion) {
     let text = contour();
     let mut machine = Machine::from_builtin("fanuc-30i").expect("a built-in machine");
-    for assignment in ["tools.1.diameter=0.2 mm", "tools.1.length=100 mm"] {
+    let given = [
+        "tools.1.diameter=0.2 mm",
+        "tools.1.length=100 mm",
+        "axes.X.travel=[\"-1000 mm\", \"50000 mm\"]",
+        "axes.Y.travel=[\"-1000 mm\", \"50000 mm\"]",
+    ];
+    for assignment in given {
         machine.set(assignment).expect("a good assignment");
     }
     let mut sources = SourceMap::new();

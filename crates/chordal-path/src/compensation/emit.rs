@@ -37,7 +37,7 @@ impl Compensator {
     }
 
     /// A block and what stands behind it.
-    pub(super) fn emit<P: PathSink>(&mut self, block: Block, out: &mut P) {
+    pub(super) fn emit<P: PathSink>(&mut self, block: Box<Block>, out: &mut P) {
         let corner = block.corner.unwrap_or_else(|| Corner::at(block.square_end()));
         let mut centre = Vec::with_capacity(1 + corner.points().len());
         let mut at = self.at.unwrap_or(block.start);
@@ -66,7 +66,7 @@ impl Compensator {
         centre: &mut Vec<PlaneCurve>,
         out: &mut P,
     ) -> Vec2 {
-        let Some((tangent, _)) = block.curve.tangents() else { return at };
+        let Some((tangent, _)) = block.tangents else { return at };
         let start = block.curve.from() + tangent.turned_left() * (block.sign * block.radii.0);
         if start.distance(at) > self.parameters.compensation.tangent_mm {
             let link = PlaneCurve::Line { from: at, to: start };

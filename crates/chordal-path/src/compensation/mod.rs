@@ -140,7 +140,7 @@ pub struct Compensator {
     again: bool,
     /// G39 beside the next move.
     round_next: Option<Origin>,
-    queue: VecDeque<Block>,
+    queue: VecDeque<Box<Block>>,
     /// The tool centre, where it is beside the programmed point.
     at: Option<Vec2>,
     stretch: u32,

@@ -116,16 +116,15 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The end of a block.
-    pub fn end(curve: PlaneCurve, sign: f64, radius: f64) -> Option<Edge> {
-        let tangent = curve.tangents()?.1;
-        Some(Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius })
+    /// A corner of a curve, with the unit tangent there.
+    pub fn along(curve: PlaneCurve, tangent: Vec2, sign: f64, radius: f64) -> Edge {
+        Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius }
     }
 
-    /// The start of a block.
+    /// The start of a curve.
     pub fn start(curve: PlaneCurve, sign: f64, radius: f64) -> Option<Edge> {
-        let tangent = curve.tangents()?.0;
-        Some(Edge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius })
+        let (tangent, _) = curve.tangents()?;
+        Some(Edge::along(curve, tangent, sign, radius))
     }
 
     /// Radius of the offset arc; negative where the offset is larger than an inside radius.

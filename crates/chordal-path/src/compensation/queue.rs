@@ -19,6 +19,8 @@ pub(super) const MAX_TRAILING: usize = 4096;
 pub(super) struct Block {
     pub command: Command,
     pub curve: PlaneCurve,
+    /// Unit tangents at its start and end.
+    pub tangents: Option<(Vec2, Vec2)>,
     pub role: Role,
     pub side: chordal_control::Side,
     pub sign: f64,
@@ -48,11 +50,13 @@ pub(super) struct Block {
 
 impl Block {
     fn end_edge(&self) -> Option<Edge> {
-        Edge::end(self.curve, self.sign, self.radii.1)
+        let (_, tangent) = self.tangents?;
+        Some(Edge::along(self.curve, tangent, self.sign, self.radii.1))
     }
 
     fn start_edge(&self, radius: f64) -> Option<Edge> {
-        Edge::start(self.curve, self.sign, radius)
+        let (tangent, _) = self.tangents?;
+        Some(Edge::along(self.curve, tangent, self.sign, radius))
     }
 
     /// The point square to its end.
@@ -105,12 +109,13 @@ impl Compensator {
         self.pass_on(command, out);
     }
 
-    fn block(&self, command: &Command, curve: PlaneCurve, role: Role) -> Block {
+    fn block(&self, command: &Command, curve: PlaneCurve, role: Role) -> Box<Block> {
         let before = self.queue.back().map_or(self.radius, |block| block.radii.1);
         let round = self.round_next.is_some_and(|origin| origin.span == command.origin.span);
-        Block {
+        Box::new(Block {
             command: command.clone(),
             curve,
+            tangents: curve.tangents(),
             role,
             side: self.side,
             sign: self.sign,
@@ -126,7 +131,7 @@ impl Compensator {
             idle: 0,
             zero_move: None,
             trailing: Vec::new(),
-        }
+        })
     }
 
     fn start_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
@@ -226,7 +231,7 @@ impl Compensator {
 
     /// Finds the corner between two blocks, looks whether the first still fits, and puts both
     /// back into the queue.
-    fn join<P: PathSink>(&mut self, mut before: Block, mut new: Block, out: &mut P) {
+    fn join<P: PathSink>(&mut self, mut before: Box<Block>, mut new: Box<Block>, out: &mut P) {
         let mut corner = self.corner_of(&before, &mut new, out);
         let long_arc = matches!(new.curve, PlaneCurve::Arc { sweep, .. }
             if sweep.abs() >= std::f64::consts::PI - 1e-9);
@@ -246,7 +251,7 @@ impl Compensator {
     }
 
     /// The control's check of a block whose corners are both known; then it waits again.
-    fn settle<P: PathSink>(&mut self, mut block: Block, new: Option<&mut Block>, out: &mut P) {
+    fn settle<P: PathSink>(&mut self, mut block: Box<Block>, new: Option<&mut Block>, out: &mut P) {
         let strict = self.parameters.compensation.interference == Interference::Strict;
         let in_contour = block.role == Role::Contour || (strict && !block.made_up);
         let checked = in_contour && !block.told && !block.loose;
