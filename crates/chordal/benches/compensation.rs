@@ -14,7 +14,8 @@ const BLOCKS: u64 = 100_000;
 /// A stair of lines and tangent arcs with a sharp outside and inside corner now and then, on
 /// which the tool fits everywhere.
 fn contour() -> String {
-    let mut text = String::from("G21 G17 G40 G91\nT1 M6\nS1000 M3\nG0 X0 Y5.\nG1 G41 D1 Y-5. F1000.\n");
+    let mut text =
+        String::from("G21 G17 G40 G91\nT1 M6\nS1000 M3\nG0 X0 Y5.\nG1 G41 D1 Y-5. F1000.\n");
     for index in 0..BLOCKS / 4 {
         text += match index % 8 {
             7 => "G1 X.7 Y-.1\nX.5\nX.3 Y.2\nX.5\n",
