@@ -370,7 +370,8 @@ pub struct ControlTable {
     pub parameters: Parameters,
     /// The settings that a machine file may name.
     pub settings: &'static [Setting],
-    /// What it shows for a diagnostic; `{n}` is the block's N number.
+    /// What it shows for a diagnostic; `{n}` is the block's N number, `{move}` the kind of
+    /// move; of two texts with ` / ` between the first is for arcs.
     pub alarms: &'static [(Code, &'static str)],
     /// How motion codes are modal.
     pub motion: MotionModality,

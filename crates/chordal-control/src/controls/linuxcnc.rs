@@ -186,7 +186,8 @@ const ALARMS: &[(Code, &str)] = &[
     ),
     (
         Code::NoOffsetIntersection,
-        "{move} in concave corner cannot be reached by the tool without gouging",
+        "Arc move in concave corner cannot be reached by the tool without gouging / Arc to \
+         straight motion makes a corner the compensated tool can't fit in without gouging",
     ),
     (
         Code::LeadInTooShort,

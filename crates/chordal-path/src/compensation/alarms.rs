@@ -24,6 +24,17 @@ impl Compensator {
             && let Some(text) = self.table.alarm(diagnostic.code)
         {
             let moved = if arc { "Arc move" } else { "Straight feed" };
+            // Two texts: for an arc and for a line.
+            let text = match text.split_once(" / ") {
+                Some((of_arc, of_line)) => {
+                    if arc {
+                        of_arc
+                    } else {
+                        of_line
+                    }
+                }
+                None => text,
+            };
             let text = text.replace("{move}", moved);
             diagnostic.alarm = Some(format!("{}: {text}", self.table.title));
         }

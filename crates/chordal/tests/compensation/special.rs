@@ -236,3 +236,33 @@ fn short_links_are_left_out() {
     assert_eq!(with("settings.\"No. 5010\"=\"4.9 mm\""), 5);
     assert_eq!(with("settings.\"No. 5010\"=\"5.1 mm\""), 4);
 }
+
+#[test]
+fn linuxcnc_names_the_move_that_cannot_be_reached() {
+    // As rs274 2.9 says it.
+    let text = |end: &str| {
+        format!("G21 G17 G90 G40\nG0 X-60 Y0\nF100\nG41 D1 G1 X-40 Y0\n{end}G40 G1 X-20\nM2\n")
+    };
+    for (end, alarm) in [
+        (
+            "G1 X0 Y10\nG3 X1.2 Y10.2 R6\nG1 X1.2 Y30\n",
+            "Arc to straight motion makes a corner the compensated tool can't fit in without gouging",
+        ),
+        ("G1 X0 Y0\nG1 X0 Y30\nG3 X-1 Y31 R1\n", "Tool radius not less than arc radius with comp"),
+    ] {
+        let ran = mm("linuxcnc-mill", 5.0, &[], &text(end));
+        let shown = ran.alarms.iter().any(|shown| shown.ends_with(alarm));
+        assert!(shown, "{end}: {:?}", ran.alarms);
+    }
+}
+
+#[test]
+fn spirals_are_refused_or_done_by_circles() {
+    let text = "G21 G17 G40 G90\nG0 X0 Y-20\nF100\nG42 D1 G1 X0 Y0\nX20\n\
+                G3 X60 Y0 I20 J0 Q5 L2\nG1 X80\nG40 Y20\nM30\n";
+    let fanuc = mm("fanuc-30i", 5.0, &[], text);
+    assert!(fanuc.told.contains(&"CH516"), "{fanuc:?}");
+    assert!(!fanuc.alarms.iter().any(|alarm| alarm.contains("spiral")), "{fanuc:?}");
+    let refused = mm("fanuc-30i", 5.0, &["settings.compensation_spirals=refused"], text);
+    assert!(refused.alarms.iter().any(|alarm| alarm.contains("spiral")), "{refused:?}");
+}
