@@ -317,11 +317,11 @@ fn compensation_has_a_straight_way_in_and_out() {
         assert_eq!(path[at - 1].kind, SegmentKind::Line);
         assert!(path[at - 1].length_mm > 0.2);
         let turn = |path: &[Segment]| {
-            let arcs = path.iter().filter_map(|segment| match segment.curve {
-                Curve::Arc(arc) if arc.sweep.abs() > 6.28 => Some(arc.radius),
+            let mut arcs = path.iter().filter_map(|segment| match segment.curve {
+                Curve::Arc(arc) if arc.sweep.abs() > 0.999 * TAU => Some(arc.radius),
                 _ => None,
             });
-            arcs.last().expect("a turn")
+            arcs.next_back().expect("a turn")
         };
         // A worn tool goes nearer to the thread: inside out, outside in.
         let outward = if ask.place == Where::Inside { -1.0 } else { 1.0 };

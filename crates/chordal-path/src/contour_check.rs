@@ -52,9 +52,9 @@ struct Leads {
     last: Option<Vec2>,
 }
 
-impl ContourCheck {
+impl Default for ContourCheck {
     /// A check for one run.
-    pub fn new() -> ContourCheck {
+    fn default() -> ContourCheck {
         ContourCheck {
             units: Units::Millimetre,
             stretch: 0,
@@ -64,7 +64,9 @@ impl ContourCheck {
             beyond: None,
         }
     }
+}
 
+impl ContourCheck {
     /// Takes the next block of a compensated contour. What is found in the contour before it
     /// is reported once that is known to have ended.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {

@@ -32,7 +32,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
 
     /// The same, and tells where the tool would cut into a contour.
     pub fn judge(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
-        Compensated::run_with(job, None, Some(ContourCheck::new()), sink)
+        Compensated::run_with(job, None, Some(ContourCheck::default()), sink)
     }
 
     /// The same with another radius than the offset table's, mm.

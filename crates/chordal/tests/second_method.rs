@@ -3,7 +3,6 @@
 //! short segments, run through the whole of Chordal as programs.
 
 #[path = "../../chordal-path/tests/support/mod.rs"]
-#[allow(dead_code, reason = "shared with the tests of the gouge check")]
 mod support;
 
 use std::fmt::Write;
