@@ -33,12 +33,20 @@ fn the_path_is_of_the_tool_centre() {
     let mut arguments = vec!["path", "thread.nc"];
     arguments.extend(TOOL);
     let done = folder.run(&arguments).ends(0);
-    let turn = done.out.lines().find(|line| line.contains("\"line\":8,\"kind\":\"arc\"")).expect("the turn");
+    let turn = done
+        .out
+        .lines()
+        .find(|line| line.contains("\"line\":8,\"kind\":\"arc\""))
+        .expect("the turn");
     // .5 less .175 is .325 in: 8.255 mm.
     for words in ["\"compensation\":\"left\"", "\"cutter_radius\":4.445", "8.255"] {
         assert!(turn.contains(words), "{turn}");
     }
-    let plunge = done.out.lines().find(|line| line.contains("\"line\":5,\"kind\":\"line\"")).expect("the plunge");
+    let plunge = done
+        .out
+        .lines()
+        .find(|line| line.contains("\"line\":5,\"kind\":\"line\""))
+        .expect("the plunge");
     assert!(plunge.contains("\"compensation\":\"off\""), "{plunge}");
     arguments.extend(["--format", "csv"]);
     folder.run(&arguments).ends(0).says(&["compensation,cutter_radius_mm", "left,4.445"]);

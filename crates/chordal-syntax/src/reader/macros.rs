@@ -1,0 +1,145 @@
+//! Expressions and statements of macro languages within a block: where they begin and end.
+
+use super::*;
+
+impl BlockReader<'_> {
+    /// The letter O at `self.at` begins flow control: a number, a name or a bracket, and then
+    /// a word.
+    #[cold]
+    pub(super) fn flow_control(&self) -> bool {
+        let line = &self.text[self.at + 1..self.end];
+        let line = &line[..memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len())];
+        let blank = |b: &u8| CLASSES[*b as usize] == Class::Blank;
+        let mut at = line.iter().take_while(|b| blank(b)).count();
+        match line.get(at) {
+            Some(b'<') => return true,
+            Some(b'[') => {
+                let mut depth = 0usize;
+                for byte in &line[at..] {
+                    at += 1;
+                    match byte {
+                        b'[' => depth += 1,
+                        b']' => depth = depth.saturating_sub(1),
+                        _ => {}
+                    }
+                    if depth == 0 {
+                        break;
+                    }
+                }
+            }
+            _ => {
+                let number = |b: &u8| b.is_ascii_digit() || blank(b);
+                at += line[at..].iter().take_while(|b| number(b)).count();
+            }
+        }
+        line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
+    }
+
+    /// Keywords of macro languages, by the letters from `start`.
+    pub(super) fn keyword(&self, start: usize) -> bool {
+        const KEYWORDS: [&str; 27] = [
+            "IF", "WHILE", "WH", "GOTO", "GO", "END", "DO", "THEN", "ELSE", "DPRNT", "BPRNT",
+            "POPEN", "PCLOS", "SETVN", "SUB", "ENDSUB", "CALL", "RETURN", "REPEAT", "PRINT",
+            "INPUT", "AX", "MSG", "BREAK", "CONTINUE", "ENDIF", "VC",
+        ];
+        let rest = &self.text[start..self.end];
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).take(12);
+        let word: String = letters.map(|b| b.to_ascii_uppercase() as char).collect();
+        KEYWORDS.iter().any(|keyword| word == *keyword)
+    }
+
+    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside
+    /// brackets and comments where that ends a block.
+    pub(super) fn skip_statement(&mut self) {
+        if self.lexicon.semicolon == Semicolon::Comment {
+            return self.skip_to_line_end();
+        }
+        let mut depth = 0usize;
+        while self.at < self.end {
+            match self.text[self.at] {
+                b'[' | b'(' => depth += 1,
+                b']' | b')' => depth = depth.saturating_sub(1),
+                b';' if depth == 0 => return,
+                b'\n' | b'\r' => return,
+                _ => {}
+            }
+            self.at += 1;
+        }
+    }
+
+    /// A function of the control with its bracket (`SIN[30.]`) stands at a place.
+    pub(super) fn function_at(&self, at: usize) -> bool {
+        let rest = &self.text[at..self.end];
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let open = self.lexicon.grammar.bracket_bytes().0;
+        let behind = rest[letters..].iter().find(|b| !matches!(b, b' ' | b'\t'));
+        let known = |(name, _): &(&str, _)| rest[..letters].eq_ignore_ascii_case(name.as_bytes());
+        behind == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
+    }
+
+    /// `#12`, `#[…]`, `[…]`, `SIN[…]`, with a sign; brackets are matched, the line end closes
+    /// all. What is inside is read when the block is carried out.
+    pub(super) fn expression(&mut self) -> Value {
+        let start = self.at;
+        self.operand();
+        // `X#1+10.`: a sum without brackets.
+        while !self.lexicon.grammar.operators_in_brackets_only
+            && matches!(self.peek(), b'+' | b'-')
+            && matches!(
+                self.text[..self.end].get(self.at + 1),
+                Some(b'#' | b'[' | b'0'..=b'9' | b'.')
+            )
+        {
+            self.operand();
+        }
+        Value::Expression(TextRange::new(start as u32, self.at as u32))
+    }
+
+    pub(super) fn operand(&mut self) {
+        let blank = |b: u8| CLASSES[b as usize] == Class::Blank;
+        while self.at < self.end
+            && (matches!(self.peek(), b'+' | b'-' | b'#') || blank(self.peek()))
+        {
+            self.at += 1;
+        }
+        match self.peek() {
+            b'<' if self.lexicon.grammar.names => {
+                let rest = &self.text[self.at..self.end];
+                let end = memchr::memchr3(b'>', b'\n', b'\r', rest).unwrap_or(rest.len());
+                self.at += end + usize::from(rest.get(end) == Some(&b'>'));
+            }
+            b'[' => self.brackets(),
+            byte if byte.is_ascii_alphabetic() => {
+                while self.peek().is_ascii_alphabetic() || blank(self.peek()) {
+                    self.at += 1;
+                }
+                self.brackets();
+                if self.peek() == b'/' && self.text[..self.end].get(self.at + 1) == Some(&b'[') {
+                    self.at += 1;
+                    self.brackets();
+                }
+            }
+            _ => {
+                while matches!(self.peek(), b'0'..=b'9' | b'.') {
+                    self.at += 1;
+                }
+            }
+        }
+    }
+
+    /// From an opening bracket to the one that closes it.
+    pub(super) fn brackets(&mut self) {
+        let mut depth = 0usize;
+        while self.at < self.end && !matches!(self.text[self.at], b'\n' | b'\r') {
+            match self.text[self.at] {
+                b'[' => depth += 1,
+                b']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            self.at += 1;
+            if depth == 0 {
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Text that is no word, and what is told about it.
+
+use super::*;
+
+impl BlockReader<'_> {
+    /// `X1O.5`, `XO`, `Xl.5`: the letter O for a zero, a small l for a one.
+    #[cold]
+    pub(super) fn letter_for_digit(&mut self, block: &mut Block, start: usize) -> Option<Value> {
+        let rest = &self.text[self.at..self.end];
+        let numeric = |b: &u8| b.is_ascii_digit() || matches!(b, b'.' | b'+' | b'-');
+        let token: Vec<u8> = rest
+            .iter()
+            .copied()
+            .take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l'))
+            .collect();
+        let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
+        // A keyword or an O word behind a blank is not a slip of the finger.
+        let next = rest.get(token.len()).copied().unwrap_or(b'\n');
+        if letters.next().is_none() || next.is_ascii_alphabetic() {
+            return None;
+        }
+        let mended: Vec<u8> = token
+            .iter()
+            .map(|b| match b {
+                b'O' | b'o' => b'0',
+                b'l' => b'1',
+                other => *other,
+            })
+            .collect();
+        let number = Decimal::parse(&mended)?;
+        self.at += token.len();
+        let range = TextRange::new(start as u32, self.at as u32);
+        let letter = self.text[start] as char;
+        let meant = format!("{letter}{}", String::from_utf8_lossy(&mended));
+        self.problem(block, || {
+            let span = range.in_file(self.file);
+            Diagnostic::new(Code::LetterForDigit, span, "a letter stands inside this number")
+                .label(format!("read as `{meant}`"))
+                .help(format!("write `{meant}`"))
+                .fix(Fix {
+                    title: format!("write `{meant}`"),
+                    span,
+                    replacement: meant.clone(),
+                    applicability: Applicability::Safe,
+                })
+        });
+        Some(Value::Number(number))
+    }
+
+    #[cold]
+    pub(super) fn bad_number(&mut self, block: &mut Block, start: usize) {
+        let rest = &self.text[self.at..self.end];
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        self.at += token;
+        let words = &rest[..token];
+        let points = words.iter().filter(|b| **b == b'.').count();
+        let signs = words.iter().filter(|b| matches!(b, b'+' | b'-')).count();
+        let digits = words.iter().filter(|b| b.is_ascii_digit()).count();
+        let why = match (points, signs, digits) {
+            (_, _, 0) => "it has no digit".to_string(),
+            (_, _, 19..) => format!("it has {digits} digits, and no control keeps more than 18"),
+            (2.., _, _) => format!("it has {points} decimal points"),
+            (_, 2.., _) => format!("it has {signs} signs"),
+            _ => "the sign stands in the middle".to_string(),
+        };
+        let range = TextRange::new(start as u32, self.at as u32);
+        self.problem(block, || {
+            Diagnostic::new(
+                Code::BadNumber,
+                range.in_file(self.file),
+                format!("this is not a number: {why}"),
+            )
+            .label("the word is left out")
+            .help("a number is an optional sign, digits, and at most one decimal point")
+        });
+    }
+
+    /// A number without a letter: a lost letter, or an `I` typed as `1` (`12. J2.`).
+    #[cold]
+    pub(super) fn lone_number(&mut self, block: &mut Block) {
+        let start = self.at;
+        let rest = &self.text[start..self.end];
+        let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
+        self.at += token.max(1);
+        let words = &rest[..token];
+        // The words behind it, not a comment's.
+        let line_end = memchr::memchr3(b'\n', b'\r', b'(', rest).unwrap_or(rest.len());
+        let behind = &rest[token..line_end.min(token + 200)];
+        let has = |letter: u8| {
+            block.letters().has(letter) || behind.iter().any(|b| b.to_ascii_uppercase() == letter)
+        };
+        let one_for_i = words.len() > 1
+            && words[0] == b'1'
+            && !has(b'I')
+            && (has(b'J') || has(b'K'))
+            && Decimal::parse(&words[1..]).is_some();
+        let range = TextRange::new(start as u32, self.at as u32);
+        let shown = String::from_utf8_lossy(words).into_owned();
+        self.problem(block, || {
+            let span = range.in_file(self.file);
+            let problem = Diagnostic::new(
+                Code::MissingAddress,
+                span,
+                format!("`{shown}` has no address letter"),
+            )
+            .label("which axis or function is this?");
+            if one_for_i {
+                let meant = format!("I{}", &shown[1..]);
+                problem.help(format!("the letter I was typed as the digit 1: write `{meant}`")).fix(
+                    Fix {
+                        title: format!("write `{meant}`"),
+                        span,
+                        replacement: meant,
+                        applicability: Applicability::Unsafe,
+                    },
+                )
+            } else {
+                problem.help("write the letter before the number, or take the number out")
+            }
+        });
+    }
+
+    #[cold]
+    pub(super) fn unexpected(&mut self, block: &mut Block) {
+        let start = self.at;
+        let strange = |b: &u8| {
+            CLASSES[*b as usize] == Class::Other && !matches!(b, b'(' | b';' | b'/' | b'%')
+        };
+        let rest = &self.text[start..self.end];
+        self.at += rest.iter().take_while(|b| strange(b)).count().max(1);
+        let range = TextRange::new(start as u32, self.at as u32);
+        self.problem(block, || {
+            let words = &self.text[start..self.at.min(start + 12)];
+            let shown = String::from_utf8_lossy(words).into_owned();
+            Diagnostic::new(
+                Code::UnexpectedCharacter,
+                range.in_file(self.file),
+                format!("`{shown}` means nothing here"),
+            )
+            .help("take it out, or put it into a comment")
+        });
+    }
+
+    #[cold]
+    pub(super) fn problem(&self, block: &mut Block, make: impl FnOnce() -> Diagnostic) {
+        if block.problems.len() < PROBLEMS_PER_BLOCK {
+            block.problems.push(make());
+        }
+    }
+}
