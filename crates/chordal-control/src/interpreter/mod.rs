@@ -48,6 +48,9 @@ impl Default for RunOptions {
     }
 }
 
+/// Words of a block; one with more counts as several against the budget.
+const USUAL_WORDS: usize = 12;
+
 /// How a run ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EndReason {
@@ -243,8 +246,12 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 }
                 self.text_ended_in_call();
             }
-            if (!self.frames.is_empty() || self.is_repeat(&block)) && !self.count_repeated() {
-                return EndReason::Budget;
+            if !self.frames.is_empty() || self.is_repeat(&block) {
+                // A line of hundreds of words is more work than the blocks that people write.
+                self.repeated_blocks += (block.words.len() / USUAL_WORDS) as u64;
+                if !self.count_repeated() {
+                    return EndReason::Budget;
+                }
             }
             match self.execute(&mut block) {
                 Flow::Next => {}
