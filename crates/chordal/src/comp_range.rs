@@ -8,6 +8,7 @@ use chordal_geometry::Plane;
 use chordal_path::gouge::{self, Corners, Limit, LimitReason, Options};
 use chordal_path::{Compensator, ContourLevel, ContourPiece, PathCommand, PathSink};
 
+use crate::compensated::name_sequence;
 use crate::job::Job;
 
 /// Commands kept of one contour; a longer one is left out, and that is said.
@@ -105,7 +106,12 @@ impl Job<'_> {
         self.run(&mut recorder);
         let mut found = ContourRanges { left_out: recorder.left_out, ..ContourRanges::default() };
         for recorded in recorder.contours.into_values() {
-            found.ranges.extend(recorded.range(self.control()));
+            let Some(mut range) = recorded.range(self.control()) else { continue };
+            if let Some(limit) = &mut range.control {
+                let span = limit.alarm.primary.span;
+                name_sequence(&mut limit.alarm, self.sources(), span);
+            }
+            found.ranges.push(range);
         }
         found.ranges.sort_by_key(|range| (range.start.span.file, range.start.span.range.start));
         found

@@ -100,11 +100,7 @@ impl<S: PathSink> PathSink for Told<'_, S> {
         if let Some(contours) = &mut self.contours {
             contours.alarm(&diagnostic);
         }
-        if let Some(alarm) = &mut diagnostic.alarm
-            && alarm.contains("{n}")
-        {
-            *alarm = alarm.replace("{n}", &sequence(self.sources, origin.span));
-        }
+        name_sequence(&mut diagnostic, self.sources, origin.span);
         if origin.call == CallPath::default() || self.waiting.len() >= MOST_WAITING {
             self.inner.diagnostic(diagnostic, origin);
         } else {
@@ -115,6 +111,15 @@ impl<S: PathSink> PathSink for Told<'_, S> {
     fn contour(&mut self, piece: &ContourPiece) {
         self.judge(|contours, report| contours.piece(piece, report));
         self.inner.contour(piece);
+    }
+}
+
+/// Puts the N number of the block into the alarm that shows it.
+pub(crate) fn name_sequence(diagnostic: &mut Diagnostic, sources: &SourceMap, span: Span) {
+    if let Some(alarm) = &mut diagnostic.alarm
+        && alarm.contains("{n}")
+    {
+        *alarm = alarm.replace("{n}", &sequence(sources, span));
     }
 }
 

@@ -157,8 +157,9 @@ pub(super) const SPIRAL: CodeInfo = CodeInfo {
     name: "spiral-in-compensation",
     severity: Severity::Error,
     summary: "a spiral while compensation is on",
-    explanation: r#"The offset of a spiral is no spiral. Controls refuse it or approximate it by circles. The path is shown
-with the offset added to the radius at both ends."#,
+    explanation: r#"The offset of a spiral is no spiral. Some controls refuse it; others (Fanuc) take circles through its ends
+and set the tool off along the radius, which is a little nearer to the wall than square to it. The path is
+shown so on every control."#,
 };
 
 pub(super) const SHIFT: CodeInfo = CodeInfo {

@@ -213,15 +213,20 @@ impl Compensator {
     }
 
     pub(super) fn spiral<P: PathSink>(&self, origin: &Origin, out: &mut P) {
-        let message = "a spiral is not compensated exactly";
-        let severity = match self.parameters.compensation.spirals {
-            SpiralCompensation::Refused => Severity::Error,
-            SpiralCompensation::ByCircles => Severity::Warning,
+        let diagnostic = match self.parameters.compensation.spirals {
+            SpiralCompensation::Refused => {
+                let message = "a spiral while compensation is on";
+                Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
+                    .label("shown with the offset along its radius")
+                    .help("program the tool-centre path for this spiral")
+            }
+            SpiralCompensation::ByCircles => {
+                let message = "this spiral is offset along its radius, by circles through its ends";
+                Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
+                    .severity(Severity::Note)
+                    .label("the exact offset would be square to the spiral")
+            }
         };
-        let diagnostic = Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
-            .label("shown with the offset added to both radii")
-            .severity(severity)
-            .help("program the tool-centre path for this spiral");
         self.tell(diagnostic, origin, out);
     }
 
