@@ -90,6 +90,6 @@ fuzz_target!(|bytes: &[u8]| {
     if let Some((machine, text)) =
         support::program(bytes, "G20 G90 G17 S900 M3\nT1 M6\nH1\nG1 X0 Y0 F10.\n", WORDS)
     {
-        support::run(machine, &text);
+        support::run_words(machine, &text);
     }
 });

@@ -2,8 +2,9 @@
 
 #![no_main]
 
+mod support;
+
 use chordal::machine::{Machine, builtin_names};
-use chordal::{Job, RunOptions, Source, SourceMap};
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
 
@@ -31,26 +32,5 @@ fn machines() -> &'static [Machine] {
 fuzz_target!(|bytes: &[u8]| {
     let Some((choice, text)) = bytes.split_first() else { return };
     let machine = machines()[*choice as usize % machines().len()].clone();
-    let mut sources = SourceMap::new();
-    sources.add(Source::new("fuzz", text));
-    let options = RunOptions { max_repeated_blocks: 2_000 };
-    let job = Job::new(sources, machine).expect("a good machine").options(options);
-    let report = job.report_with(|command, segments| {
-        if let Some(motion) = command.kind.motion() {
-            for axis in 0..6 {
-                assert!(motion.from[axis].is_finite() && motion.to[axis].is_finite());
-            }
-        }
-        for segment in segments {
-            assert!(segment.length_mm.is_finite(), "{command:?}");
-            assert!(segment.duration_s.is_finite(), "{command:?}");
-        }
-    });
-    for diagnostic in &report.diagnostics {
-        let span = diagnostic.primary.span;
-        let source = job.sources().get(span.file).expect("a file of the job");
-        assert!(span.range.start <= span.range.end);
-        assert!(span.range.end as usize <= source.text().len());
-        assert!(!diagnostic.message.is_empty());
-    }
+    support::run(machine, text);
 });

@@ -125,6 +125,6 @@ const WORDS: &[&str] = &[
 
 fuzz_target!(|bytes: &[u8]| {
     if let Some((machine, text)) = support::program(bytes, "G20 G90 S900 M3\n", WORDS) {
-        support::run(machine, &text);
+        support::run_words(machine, &text);
     }
 });

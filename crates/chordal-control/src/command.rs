@@ -190,6 +190,26 @@ pub enum Units {
     Millimetre,
 }
 
+impl Units {
+    /// A length in mm for people, in these units: to 0.0001 in or 0.001 mm.
+    pub fn length_text(self, mm: f64) -> String {
+        match self {
+            Units::Inch => format!("{} in", number_text(mm / 25.4, 4)),
+            Units::Millimetre => format!("{} mm", number_text(mm, 3)),
+        }
+    }
+}
+
+/// A number of at most so many decimals, without useless zeros.
+pub fn number_text(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    if !text.contains('.') {
+        return text;
+    }
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
 /// Cutter radius compensation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Side {

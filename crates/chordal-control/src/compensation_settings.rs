@@ -2,6 +2,7 @@
 
 use chordal_machine::SettingValue;
 
+use crate::choices::{Choices, SWITCH, choose, mm_text, name_of};
 use crate::compensation::{
     Allowance, AloneAction, CompensationPlanes, Interference, LeadLength, Remedy, Repeated,
     SideChange, SpiralCompensation,
@@ -40,10 +41,6 @@ pub enum CompensationField {
     InsideFeed,
 }
 
-type Choices<T> = &'static [(&'static str, T)];
-
-const SWITCH: Choices<bool> =
-    &[("on", true), ("off", false), ("1", true), ("0", false), ("true", true), ("false", false)];
 const ALONE: Choices<AloneAction> =
     &[("waits", AloneAction::Waits), ("perpendicular", AloneAction::Perpendicular)];
 const REPEATED: Choices<Repeated> = &[
@@ -234,14 +231,13 @@ const NO_LIMIT: &str = "no limit";
 /// The present value of a rule, as a machine file writes it.
 pub(crate) fn value_text(p: &Parameters, field: CompensationField) -> String {
     let rules = &p.compensation;
-    let mm = |value: f64| format!("{} mm", (value * 1e9).round() / 1e9);
     let limit = |extra: u32| match rules.idle_blocks {
         Some(blocks) => (blocks.saturating_add(extra)).to_string(),
         None => NO_LIMIT.to_string(),
     };
     match field {
-        CompensationField::Tangent => mm(rules.tangent_mm),
-        CompensationField::DropLink => mm(rules.drop_link_mm),
+        CompensationField::Tangent => mm_text(rules.tangent_mm),
+        CompensationField::DropLink => mm_text(rules.drop_link_mm),
         CompensationField::IdleBlocks => limit(0),
         CompensationField::BlocksRead => limit(2),
         CompensationField::ZeroMoveCounts => rules.zero_move_counts.to_string(),
@@ -275,16 +271,4 @@ fn count(value: &SettingValue, range: std::ops::RangeInclusive<u32>) -> Result<u
     given
         .filter(|number| range.contains(number))
         .ok_or_else(|| format!("a whole number from {} to {}", range.start(), range.end()))
-}
-
-fn choose<T: Copy>(word: &str, choices: Choices<T>) -> Result<T, String> {
-    let found = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let names: Vec<String> = choices.iter().map(|(name, _)| format!("`{name}`")).collect();
-        names.join(" or ")
-    })
-}
-
-fn name_of<T: Copy + PartialEq>(value: T, choices: Choices<T>) -> String {
-    choices.iter().find(|(_, v)| *v == value).map_or("?", |(name, _)| name).to_string()
 }

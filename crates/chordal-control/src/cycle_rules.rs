@@ -5,6 +5,7 @@
 
 use chordal_machine::SettingValue;
 
+use crate::choices::{Choices, SWITCH, choose, mm_text, name_of};
 use crate::parameters::Parameters;
 
 /// Along which axis a cycle drills.
@@ -364,8 +365,6 @@ pub enum CycleField {
     Format,
 }
 
-type Choices<T> = &'static [(&'static str, T)];
-
 const AXES: Choices<DrillingAxis> =
     &[("z", DrillingAxis::AlwaysZ), ("plane-normal", DrillingAxis::PlaneNormal)];
 const FIRING: Choices<FiringWords> = &[
@@ -406,8 +405,6 @@ const BACK_BORES: Choices<BackBore> = &[
     ("up-and-down", BackBore::UpAndDown),
 ];
 const LETTERS: Choices<u8> = &[("K", b'K'), ("L", b'L')];
-const SWITCH: Choices<bool> =
-    &[("on", true), ("off", false), ("1", true), ("0", false), ("true", true), ("false", false)];
 
 /// Sets one rule; the error says what it takes.
 pub(crate) fn set(
@@ -459,7 +456,6 @@ pub(crate) fn set(
 /// The present value of a rule, as a machine file writes it.
 pub(crate) fn value_text(p: &Parameters, field: CycleField) -> String {
     let rules = &p.cycles;
-    let mm = |value: f64| format!("{} mm", (value * 1e9).round() / 1e9);
     match field {
         CycleField::Axis => name_of(rules.axis, AXES),
         CycleField::FiresOn => name_of(rules.fires_on, FIRING),
@@ -467,8 +463,8 @@ pub(crate) fn value_text(p: &Parameters, field: CycleField) -> String {
         CycleField::MissingR => name_of(rules.missing_r, MISSING),
         CycleField::RepeatLetter => name_of(rules.repeat_letter, LETTERS),
         CycleField::ZeroRepeats => name_of(rules.zero_repeats, ZERO_REPEATS),
-        CycleField::Lifts => mm(p.chip_break_mm),
-        CycleField::ReturnAboveR => mm(rules.peck.return_above_r_mm),
+        CycleField::Lifts => mm_text(p.chip_break_mm),
+        CycleField::ReturnAboveR => mm_text(rules.peck.return_above_r_mm),
         CycleField::ChipBreakAboveR => name_of(rules.peck.chip_break_above_r, SWITCH),
         CycleField::PeckDwell => name_of(rules.peck.dwell, PECK_DWELLS),
         CycleField::PIsLift => name_of(rules.peck.p_is_lift, SWITCH),
@@ -477,7 +473,7 @@ pub(crate) fn value_text(p: &Parameters, field: CycleField) -> String {
         CycleField::TapOutFactor => format!("{}", rules.tap.out_factor),
         CycleField::TapPecks => name_of(rules.tap.pecks_by_q, SWITCH),
         CycleField::TapFullReturn => name_of(rules.tap.peck_full_return, SWITCH),
-        CycleField::TapLift => mm(rules.tap.peck_lift_mm),
+        CycleField::TapLift => mm_text(rules.tap.peck_lift_mm),
         CycleField::TapDwellAtR => name_of(rules.tap.dwell_at_r, SWITCH),
         CycleField::DwellBeforeStop => name_of(rules.bore.dwell_before_stop, SWITCH),
         CycleField::Shift => name_of(rules.bore.shift, SHIFTS),
@@ -508,16 +504,4 @@ fn register(value: &SettingValue) -> Result<u8, String> {
         SettingValue::Integer(number @ 0..=9) => Ok(*number as u8),
         _ => Err("the number of a register, 0 to 9".to_string()),
     }
-}
-
-fn choose<T: Copy>(word: &str, choices: Choices<T>) -> Result<T, String> {
-    let found = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let names: Vec<String> = choices.iter().map(|(name, _)| format!("`{name}`")).collect();
-        names.join(" or ")
-    })
-}
-
-fn name_of<T: Copy + PartialEq>(value: T, choices: Choices<T>) -> String {
-    choices.iter().find(|(_, v)| *v == value).map_or("?", |(name, _)| name).to_string()
 }

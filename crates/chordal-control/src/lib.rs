@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+mod choices;
 mod command;
 mod compensation;
 mod compensation_settings;

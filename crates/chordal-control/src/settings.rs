@@ -2,6 +2,7 @@
 
 use chordal_machine::{Machine, Setting as Given, SettingValue};
 
+use crate::choices::{choose, mm_text, name_of};
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::compensation_settings::{self, CompensationField};
 use crate::cycle_rules::{self, CycleField};
@@ -379,11 +380,6 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
 
 /// The present value of a parameter, as a machine file writes it.
 pub fn value_text(p: &Parameters, field: Field) -> String {
-    let mm = |value: f64| {
-        // 399.9999 in is 10159.99746 mm, not what the last bit makes of it.
-        let rounded = (value * 1e9).round() / 1e9;
-        if value.is_finite() { format!("{rounded} mm") } else { "no limit".to_string() }
-    };
     let on = |flag: bool| if flag { "on" } else { "off" }.to_string();
     match field {
         Field::Units => if p.units == Units::Inch { "inch" } else { "mm" }.into(),
@@ -397,14 +393,14 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::PlaneCodes => {
             if p.plane_codes == PlaneCodes::Standard { "standard" } else { "swapped" }.into()
         }
-        Field::RadiusErrorTolerance => mm(p.radius_error_tolerance_mm),
+        Field::RadiusErrorTolerance => mm_text(p.radius_error_tolerance_mm),
         Field::ArcMismatch => {
             if p.arc_mismatch == ArcMismatch::Spiral { "spiral" } else { "arc-then-line" }.into()
         }
-        Field::SemicircleTolerance => mm(p.semicircle_tolerance_mm),
+        Field::SemicircleTolerance => mm_text(p.semicircle_tolerance_mm),
         Field::HelixFeed => if p.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into(),
         Field::Spiral => name_of(p.spiral, SPIRALS),
-        Field::SpiralEndTolerance => mm(p.spiral_end_tolerance_mm),
+        Field::SpiralEndTolerance => mm_text(p.spiral_end_tolerance_mm),
         Field::CenterAndRadius => {
             let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
             if wins { "radius-wins" } else { "refused" }.into()
@@ -414,8 +410,8 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
             if refused { "refused" } else { "no-motion" }.into()
         }
         Field::Rapid => if p.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into(),
-        Field::MaxRadius => mm(p.max_radius_mm),
-        Field::MaxRadiusCompensated => mm(p.max_radius_compensated_mm),
+        Field::MaxRadius => mm_text(p.max_radius_mm),
+        Field::MaxRadiusCompensated => mm_text(p.max_radius_compensated_mm),
         Field::RadiusOffsets => {
             if p.radius_offsets == OffsetKind::Diameter { "diameter" } else { "radius" }.into()
         }
@@ -424,12 +420,12 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::LengthByHAlone => on(p.length_by_h_alone),
         Field::Nesting => p.nesting.to_string(),
         Field::PackedCalls => on(p.packed_calls),
-        Field::ChipBreak => mm(p.chip_break_mm),
-        Field::PeckClearance => mm(p.peck_clearance_mm),
+        Field::ChipBreak => mm_text(p.chip_break_mm),
+        Field::PeckClearance => mm_text(p.peck_clearance_mm),
         Field::LengthMustMatchTool => on(p.length_must_match_tool),
         Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
         Field::ReturnLabelInCallee => on(p.return_label_in_callee),
-        Field::PocketStepover => mm(p.pocket_stepover_mm),
+        Field::PocketStepover => mm_text(p.pocket_stepover_mm),
         Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
         Field::Cycle(rule) => cycle_rules::value_text(p, rule),
@@ -475,15 +471,3 @@ const SPIRALS: &[(&str, SpiralForm)] = &[
     ("increment-height-count", SpiralForm::IncrementHeightCount),
     ("increment-count", SpiralForm::IncrementCount),
 ];
-
-fn choose<T: Copy>(word: &str, choices: &[(&str, T)]) -> Result<T, String> {
-    let found = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let names: Vec<String> = choices.iter().map(|(name, _)| format!("`{name}`")).collect();
-        names.join(" or ")
-    })
-}
-
-fn name_of<T: Copy + PartialEq>(value: T, choices: &[(&str, T)]) -> String {
-    choices.iter().find(|(_, v)| *v == value).map_or("?", |(name, _)| name).to_string()
-}

@@ -25,13 +25,7 @@ fn length(mm: f64, units: Units) -> String {
     if !mm.is_finite() {
         return "any".into();
     }
-    let (value, digits, unit) = match units {
-        Units::Inch => (mm / 25.4, 4, "in"),
-        Units::Millimetre => (mm, 3, "mm"),
-    };
-    let text = format!("{value:.digits$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    format!("{} {unit}", if text == "-0" { "0" } else { text })
+    units.length_text(mm)
 }
 
 fn code(side: Side) -> &'static str {

@@ -1,6 +1,8 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
-use chordal_control::{AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units};
+use chordal_control::{
+    AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units, number_text,
+};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{Axis, Machine};
@@ -187,12 +189,9 @@ impl<'a> Checks<'a> {
 
     fn axis_text(&self, axis: Axis, value: f64) -> String {
         if axis.is_rotary() {
-            return format!("{} deg", number(value.to_degrees(), 3));
+            return format!("{} deg", number_text(value.to_degrees(), 3));
         }
-        match self.units {
-            Units::Inch => format!("{} in", number(value / 25.4, 4)),
-            Units::Millimetre => format!("{} mm", number(value, 3)),
-        }
+        self.units.length_text(value)
     }
 
     /// A rapid that ends below the clearance plane. Without a model of the stock, three
@@ -312,7 +311,10 @@ impl<'a> Checks<'a> {
             Diagnostic::new(
                 Code::NearlyTangent,
                 origin.span,
-                format!("the path turns by {} degrees where this block begins", number(degrees, 2)),
+                format!(
+                    "the path turns by {} degrees where this block begins",
+                    number_text(degrees, 2)
+                ),
             )
             .label("almost tangent to the block before")
             .help("if the joint is meant to be smooth, compute the coordinates with more decimals"),
@@ -369,13 +371,4 @@ impl Degrees for f64 {
         let s = self;
         (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()
     }
-}
-
-fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    if !text.contains('.') {
-        return text;
-    }
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
 }

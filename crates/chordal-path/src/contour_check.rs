@@ -219,13 +219,7 @@ impl ContourCheck {
 
     /// A length in the program's units.
     fn length(&self, mm: f64) -> String {
-        let (value, digits, unit) = match self.units {
-            Units::Inch => (mm / 25.4, 4, "in"),
-            Units::Millimetre => (mm, 3, "mm"),
-        };
-        let text = format!("{value:.digits$}");
-        let text = text.trim_end_matches('0').trim_end_matches('.');
-        format!("{} {unit}", if text == "-0" { "0" } else { text })
+        self.units.length_text(mm)
     }
 }
 

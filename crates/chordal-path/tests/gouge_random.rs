@@ -3,14 +3,13 @@
 
 mod support;
 
-use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
-use chordal_geometry::Vec2;
+use cavalier_contours::polyline::PlineSource;
 use chordal_path::gouge::{
     Corners, LimitReason, Options, PlaneCurve, Side, check, clearance, range,
 };
 use support::{
-    Dice, bulged, closed_contour, contour, has_inside_corner_with_arc, necked_pocket, offset_path,
-    point_distance, sampled_distance,
+    Dice, closed_contour, contour, curves_of, has_inside_corner_with_arc, necked_pocket,
+    offset_path, point_distance, polyline, sampled_distance,
 };
 
 fn side_of(dice: &mut Dice) -> Side {
@@ -71,29 +70,6 @@ fn sampling_finds_nothing_nearer() {
         let step = path.iter().map(|m| m.curve.length()).fold(0.0, f64::max) / 120.0;
         assert!(sampled <= found.clearance + step, "seed {seed}");
     }
-}
-
-fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
-    let mut line = Polyline::new_closed();
-    for curve in curves {
-        let bulge = match curve {
-            PlaneCurve::Line { .. } => 0.0,
-            PlaneCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
-        };
-        let from = curve.from();
-        line.add(from.a, from.b, bulge);
-    }
-    line
-}
-
-fn curves_of(line: &Polyline<f64>) -> Vec<PlaneCurve> {
-    line.iter_segments()
-        .map(|(v, w)| {
-            let (from, to) = (Vec2::new(v.x, v.y), Vec2::new(w.x, w.y));
-            if v.bulge == 0.0 { PlaneCurve::line(from, to) } else { bulged(from, to, v.bulge) }
-        })
-        .filter(|c| c.length() > 0.0)
-        .collect()
 }
 
 /// The library's offset is what can be machined without a gouge. Where the path has none, it is the

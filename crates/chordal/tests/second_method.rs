@@ -7,13 +7,13 @@ mod support;
 
 use std::fmt::Write;
 
-use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
+use cavalier_contours::polyline::PlineSource;
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
 use chordal::path::gouge::{self, PlaneCurve, Side};
 use chordal::path::{ContourLevel, ContourPiece, PathCommand, PathSink};
 use chordal::{Diagnostic, Job, Machine, Role, Severity, Source, SourceMap};
-use support::{Dice, bulged, closed_contour, point_distance};
+use support::{Dice, closed_contour, curves_of, point_distance, polyline};
 
 /// The control's alarms and the pieces of the contour.
 #[derive(Default)]
@@ -95,26 +95,6 @@ fn along(pieces: &[ContourPiece]) -> Vec<PlaneCurve> {
         level.get_or_insert_with(|| ContourLevel::of(piece)).take(piece);
     }
     level.map_or(Vec::new(), |level| level.moves.iter().map(|step| step.curve).collect())
-}
-
-fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
-    let mut line = Polyline::new_closed();
-    for curve in curves {
-        let bulge = match curve {
-            PlaneCurve::Line { .. } => 0.0,
-            PlaneCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
-        };
-        line.add(curve.from().a, curve.from().b, bulge);
-    }
-    line
-}
-
-fn curves_of(line: &Polyline<f64>) -> Vec<PlaneCurve> {
-    let segments = line.iter_segments().map(|(v, w)| {
-        let (from, to) = (Vec2::new(v.x, v.y), Vec2::new(w.x, w.y));
-        if v.bulge == 0.0 { PlaneCurve::line(from, to) } else { bulged(from, to, v.bulge) }
-    });
-    segments.filter(|curve| curve.length() > 0.0).collect()
 }
 
 fn nearest(curves: &[PlaneCurve], p: Vec2) -> f64 {

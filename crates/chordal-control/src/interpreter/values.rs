@@ -4,7 +4,7 @@ use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_syntax::{Block, Decimal, Value, Word};
 
 use super::Interpreter;
-use crate::command::Sink;
+use crate::command::{Sink, number_text};
 use crate::parameters::DecimalPoint;
 
 /// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
@@ -146,11 +146,5 @@ pub(super) fn trim(value: f64, decimals: usize) -> String {
     while decimals < 9 && value != 0.0 && value.abs() < 10f64.powi(1 - decimals as i32) {
         decimals += 1;
     }
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        let text = text.trim_end_matches('0').trim_end_matches('.');
-        if text == "-0" { "0".into() } else { text.into() }
-    } else {
-        text
-    }
+    number_text(value, decimals)
 }

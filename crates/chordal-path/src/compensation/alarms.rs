@@ -1,6 +1,6 @@
 //! What is told about a compensated contour.
 
-use chordal_control::{Origin, SideChange, SpiralCompensation, Units};
+use chordal_control::{Origin, SideChange, SpiralCompensation};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 
 use super::interference::Found;
@@ -43,13 +43,7 @@ impl Compensator {
 
     /// A length in the program's units.
     fn length(&self, mm: f64) -> String {
-        let (value, digits, unit) = match self.units {
-            Units::Inch => (mm / 25.4, 4, "in"),
-            Units::Millimetre => (mm, 3, "mm"),
-        };
-        let text = format!("{value:.digits$}");
-        let text = text.trim_end_matches('0').trim_end_matches('.');
-        format!("{} {unit}", if text == "-0" { "0" } else { text })
+        self.units.length_text(mm)
     }
 
     pub(super) fn inside_arc_told<P: PathSink>(

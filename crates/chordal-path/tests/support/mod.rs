@@ -4,6 +4,7 @@
 
 use std::f64::consts::TAU;
 
+use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 use chordal_geometry::Vec2;
 use chordal_path::gouge::{Block, Contour, Move, PlaneCurve, Role, Side};
 
@@ -264,4 +265,29 @@ pub fn point_distance(curve: &PlaneCurve, p: Vec2) -> f64 {
             if turned.rem_euclid(TAU) <= sweep.abs() { (out.length() - radius).abs() } else { ends }
         }
     }
+}
+
+/// The contour as the polygon-offset library has it.
+pub fn polyline(curves: &[PlaneCurve]) -> Polyline<f64> {
+    let mut line = Polyline::new_closed();
+    for curve in curves {
+        let bulge = match curve {
+            PlaneCurve::Line { .. } => 0.0,
+            PlaneCurve::Arc { sweep, .. } => (sweep / 4.0).tan(),
+        };
+        let from = curve.from();
+        line.add(from.a, from.b, bulge);
+    }
+    line
+}
+
+/// The pieces of a polyline of the library.
+pub fn curves_of(line: &Polyline<f64>) -> Vec<PlaneCurve> {
+    line.iter_segments()
+        .map(|(v, w)| {
+            let (from, to) = (Vec2::new(v.x, v.y), Vec2::new(w.x, w.y));
+            if v.bulge == 0.0 { PlaneCurve::line(from, to) } else { bulged(from, to, v.bulge) }
+        })
+        .filter(|c| c.length() > 0.0)
+        .collect()
 }
