@@ -40,6 +40,16 @@ pub trait ParamCurve: Sized {
     /// Derivative d³p/ds³ of the curvature vector at `s` mm from the start, 1/mm².
     fn curvature_derivative_at(&self, s: f64) -> Vec3;
 
+    /// The point at `s` mm from the start and its first three derivatives by `s`.
+    fn jet_at(&self, s: f64) -> [Vec3; 4] {
+        [
+            self.point_at(s),
+            self.tangent_at(s),
+            self.curvature_at(s),
+            self.curvature_derivative_at(s),
+        ]
+    }
+
     /// The smallest box around the curve, mm: exact extremes, not those of samples or of a hull.
     fn bounds(&self) -> Aabb;
 
@@ -148,6 +158,10 @@ impl ParamCurve for Curve {
 
     fn curvature_derivative_at(&self, s: f64) -> Vec3 {
         each!(self, c => c.curvature_derivative_at(s))
+    }
+
+    fn jet_at(&self, s: f64) -> [Vec3; 4] {
+        each!(self, c => c.jet_at(s))
     }
 
     fn bounds(&self) -> Aabb {

@@ -19,6 +19,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "chordal-path",
         &["chordal-control", "chordal-machine", "chordal-geometry", "chordal-diagnostics"],
     ),
+    ("chordal-motion", &["chordal-geometry"]),
     (
         "chordal",
         &[
@@ -28,6 +29,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-machine",
             "chordal-control",
             "chordal-path",
+            "chordal-motion",
         ],
     ),
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),

@@ -1,0 +1,98 @@
+use crate::Axes;
+
+/// What one axis can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisLimit {
+    /// mm/s or rad/s.
+    pub velocity: f64,
+    /// mm/s² or rad/s².
+    pub acceleration: f64,
+    /// mm/s³ or rad/s³.
+    pub jerk: f64,
+}
+
+/// What the axes of a machine can do, by X Y Z A B C; `None`: there is no such axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    axes: [Option<AxisLimit>; 6],
+}
+
+/// Which limit of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Its speed.
+    Velocity,
+    /// Its acceleration.
+    Acceleration,
+    /// Its jerk.
+    Jerk,
+}
+
+impl std::fmt::Display for Quantity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Quantity::Velocity => "velocity",
+            Quantity::Acceleration => "acceleration",
+            Quantity::Jerk => "jerk",
+        })
+    }
+}
+
+/// A limit nothing can be planned with.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the {quantity} limit of axis {} is {value}: it must be a positive number", letter(*.axis))]
+pub struct LimitError {
+    /// Index of the axis.
+    pub axis: usize,
+    /// Which of its limits.
+    pub quantity: Quantity,
+    /// What was given, in mm or rad and s.
+    pub value: f64,
+}
+
+/// The letter of an axis.
+pub(crate) fn letter(axis: usize) -> char {
+    "XYZABC".chars().nth(axis).unwrap_or('?')
+}
+
+impl Limits {
+    /// Limits of the axes a machine has.
+    ///
+    /// # Errors
+    /// The first limit that is not a positive finite number.
+    pub fn new(axes: [Option<AxisLimit>; 6]) -> Result<Limits, LimitError> {
+        for (axis, limit) in axes.iter().enumerate() {
+            let Some(limit) = limit else { continue };
+            for (quantity, value) in [
+                (Quantity::Velocity, limit.velocity),
+                (Quantity::Acceleration, limit.acceleration),
+                (Quantity::Jerk, limit.jerk),
+            ] {
+                if !(value > 0.0 && value.is_finite()) {
+                    return Err(LimitError { axis, quantity, value });
+                }
+            }
+        }
+        Ok(Limits { axes })
+    }
+
+    /// The limits of an axis; `None`: there is no such axis.
+    pub fn axis(&self, axis: usize) -> Option<&AxisLimit> {
+        self.axes.get(axis).and_then(Option::as_ref)
+    }
+
+    /// Speeds by axis; infinite where there is no axis, which then must not move.
+    pub fn velocity(&self) -> Axes {
+        self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.velocity))
+    }
+
+    /// Accelerations by axis, likewise.
+    pub fn acceleration(&self) -> Axes {
+        self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.acceleration))
+    }
+
+    /// Jerks by axis, likewise.
+    pub fn jerk(&self) -> Axes {
+        self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.jerk))
+    }
+}
