@@ -3,7 +3,7 @@
 
 use crate::Axes;
 use crate::limits::Limits;
-use crate::profile::Effort;
+use crate::profile::{Ability, Effort};
 
 /// What keeps a piece from being travelled faster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +25,8 @@ pub struct Cell {
     pub length: f64,
     /// Largest σ per s.
     pub speed: f64,
-    /// Largest σ per s² and σ per s³, at any speed up to the largest.
-    pub effort: Effort,
+    /// Largest σ per s² and σ per s³.
+    pub ability: Ability,
     /// What sets the speed.
     pub cause: Cause,
     /// Over how many pieces of path it goes.
@@ -74,8 +74,10 @@ pub struct Bounds {
 }
 
 /// Shares of the limits that holding the speed may take; the rest is for changing it.
-const ACCELERATION_SHARE: f64 = 0.9;
-const JERK_SHARE: f64 = 0.6;
+const ACCELERATION_SHARE: f64 = 0.96;
+const JERK_SHARE: f64 = 0.7;
+/// Below this share of the largest speed of a curve more is left for changing the speed.
+const KNEE: f64 = 0.8;
 /// Share of what is left of the jerk that may go into turning while the speed changes.
 const TURNING_SHARE: f64 = 0.6;
 
@@ -106,7 +108,25 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     take((ACCELERATION_SHARE / by_square).sqrt(), Cause::Acceleration);
     take(libm::cbrt(JERK_SHARE / by_cube), Cause::Jerk);
 
-    let v = speed;
+    let high = effort_at(speed, bounds, limits);
+    let ability = if matches!(cause, Cause::Acceleration | Cause::Jerk) {
+        let knee = KNEE * speed;
+        Ability { knee, low: effort_at(knee, bounds, limits), high }
+    } else {
+        Ability { knee: f64::INFINITY, low: high, high }
+    };
+    Cell { length, speed, ability, cause, pieces: 1 }
+}
+
+/// What is left for changing the speed, at any speed up to `v`.
+fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
+    let [x1, x2, x3] = &bounds.even;
+    let turn = |axis: usize| match &bounds.turning {
+        Some(turning) if axis < 3 => turning.share[axis],
+        _ => 0.0,
+    };
+    let (k, twist) =
+        bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
     let q = k * v * v;
     let mut acceleration = f64::INFINITY;
     for axis in 0..6 {
@@ -128,7 +148,7 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
         let left = limits.jerk[axis] - used + x1[axis] * along;
         jerk = jerk.min(largest(c, normal, x1[axis], left) - along);
     }
-    Cell { length, speed, effort: Effort { acceleration, jerk }, cause, pieces: 1 }
+    Effort { acceleration, jerk }
 }
 
 /// The largest a with c·√(a² + q²) + x·a ≤ b, for c, q, x ≥ 0.

@@ -1,7 +1,7 @@
 //! The law of time along a path: jerk-limited changes of speed between places that are passed at
 //! even speed.
 //!
-//! A path is a row of cells, each with its own limits of speed and effort. Where the fastest law
+//! A path is a row of cells, each with its own limits of speed and ability. Where the fastest law
 //! touches a limit of speed it has no acceleration, so it is made of ramps from touch to touch.
 //! Two passes find the touches: the highest speed at each boundary of cells that can be reached
 //! from the touch before it, and backwards from the touch after it. The ramps go over any number
@@ -9,7 +9,7 @@
 
 mod ramp;
 
-pub use ramp::{Effort, peak};
+pub use ramp::{Ability, Effort, peak};
 
 use crate::cell::Cell;
 use crate::trajectory::Phase;
@@ -105,25 +105,25 @@ impl Solver {
         self.forward.resize(count, 0.0);
         self.forward[0] = self.most[0];
         self.starts[0] |= FORWARD;
-        let (mut source, mut effort) = (0, Effort::FREE);
+        let (mut source, mut ability) = (0, Ability::FREE);
         for node in 1..count {
             let cell = &cells[node - 1];
-            effort = effort.and(cell.effort);
+            ability = ability.and(cell.ability);
             let (before, most) = (self.forward[node - 1], self.most[node]);
             let mut reached = most;
             if most > before {
-                reached = climb(self.forward[source], self.at[node] - self.at[source], effort);
+                reached = ability.climb(self.forward[source], self.at[node] - self.at[source]);
                 if source + 1 < node && reached < most {
-                    let fresh = climb(before, cell.length, cell.effort);
+                    let fresh = cell.ability.climb(before, cell.length);
                     if fresh > reached * (1.0 + 1e-12) {
-                        (source, effort, reached) = (node - 1, cell.effort, fresh);
+                        (source, ability, reached) = (node - 1, cell.ability, fresh);
                         self.starts[source] |= FORWARD;
                     }
                 }
             }
             self.forward[node] = reached.min(most);
             if reached >= most {
-                (source, effort) = (node, Effort::FREE);
+                (source, ability) = (node, Ability::FREE);
                 self.starts[node] |= FORWARD;
             }
         }
@@ -135,25 +135,25 @@ impl Solver {
         self.backward.resize(count, 0.0);
         self.backward[count - 1] = self.most[count - 1];
         self.starts[count - 1] |= BACKWARD;
-        let (mut source, mut effort) = (count - 1, Effort::FREE);
+        let (mut source, mut ability) = (count - 1, Ability::FREE);
         for node in (0..count - 1).rev() {
             let cell = &cells[node];
-            effort = effort.and(cell.effort);
+            ability = ability.and(cell.ability);
             let (after, most) = (self.backward[node + 1], self.most[node]);
             let mut reached = most;
             if most > after {
-                reached = climb(self.backward[source], self.at[source] - self.at[node], effort);
+                reached = ability.climb(self.backward[source], self.at[source] - self.at[node]);
                 if source > node + 1 && reached < most {
-                    let fresh = climb(after, cell.length, cell.effort);
+                    let fresh = cell.ability.climb(after, cell.length);
                     if fresh > reached * (1.0 + 1e-12) {
-                        (source, effort, reached) = (node + 1, cell.effort, fresh);
+                        (source, ability, reached) = (node + 1, cell.ability, fresh);
                         self.starts[source] |= BACKWARD;
                     }
                 }
             }
             self.backward[node] = reached.min(most);
             if reached >= most {
-                (source, effort) = (node, Effort::FREE);
+                (source, ability) = (node, Ability::FREE);
                 self.starts[node] |= BACKWARD;
             }
         }
@@ -179,8 +179,8 @@ impl Solver {
         for index in 1..self.stations.len() {
             let (a, b) = (self.stations[index - 1], self.stations[index]);
             if b.speed > a.speed && (a.fresh || b.fresh) {
-                let effort = effort_of(&cells[a.node..b.node]);
-                let reached = climb(a.speed, b.at - a.at, effort);
+                let ability = ability_of(&cells[a.node..b.node]);
+                let reached = ability.climb(a.speed, b.at - a.at);
                 if reached < b.speed {
                     self.stations[index].speed = reached;
                     self.stations[index].fresh = true;
@@ -191,8 +191,8 @@ impl Solver {
         for index in (1..self.stations.len()).rev() {
             let (a, b) = (self.stations[index - 1], self.stations[index]);
             if a.speed > b.speed && (a.fresh || b.fresh) {
-                let effort = effort_of(&cells[a.node..b.node]);
-                let reached = climb(b.speed, b.at - a.at, effort);
+                let ability = ability_of(&cells[a.node..b.node]);
+                let reached = ability.climb(b.speed, b.at - a.at);
                 if reached < a.speed {
                     self.stations[index - 1].speed = reached;
                     self.stations[index - 1].fresh = true;
@@ -241,13 +241,9 @@ impl Solver {
     }
 }
 
-fn climb(from: f64, length: f64, effort: Effort) -> f64 {
-    from + effort.rise(from, length)
-}
-
 /// What holds over all the cells.
-fn effort_of(cells: &[Cell]) -> Effort {
-    cells.iter().fold(Effort::FREE, |all, cell| all.and(cell.effort))
+fn ability_of(cells: &[Cell]) -> Ability {
+    cells.iter().fold(Ability::FREE, |all, cell| all.and(cell.ability))
 }
 
 /// The boundary, counted from the first of the cells, at which the ramps between two stations
@@ -256,18 +252,18 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
     if cells.len() < 2 {
         return None;
     }
-    let effort = effort_of(cells);
+    let ability = ability_of(cells);
     let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
     let length = to.at - from.at;
-    let top = peak(from.speed, to.speed, length, fastest, effort, effort)?;
+    let top = peak(from.speed, to.speed, length, fastest, &ability)?;
     let mut worst: Option<(f64, usize)> = None;
     let mut begin = 0.0;
     for (index, cell) in cells.iter().enumerate() {
         let end = begin + cell.length;
         if cell.speed < top * (1.0 - 1e-12) {
             // The law is below the cell's speed in a part at its start and a part at its end.
-            let rises = effort.way_until(from.speed, top, cell.speed);
-            let falls = length - effort.way_until(to.speed, top, cell.speed);
+            let rises = ability.way_until(from.speed, top, cell.speed);
+            let falls = length - ability.way_until(to.speed, top, cell.speed);
             let slack = 1e-12 * length;
             let lower = worst.is_none_or(|(speed, _)| cell.speed < speed);
             let inside = end > rises + slack && begin < falls - slack;
@@ -293,13 +289,13 @@ pub fn phases(cells: &[Cell], from: &Station, to: &Station, out: &mut Vec<Phase>
         return even(from.at, from.speed, length, out);
     }
     let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
-    let effort = effort_of(cells);
+    let ability = ability_of(cells);
     let low = from.speed.max(to.speed);
-    let top = peak(from.speed, to.speed, length, fastest, effort, effort).unwrap_or(low);
-    let (up, down) = (effort.way(from.speed, top), effort.way(top, to.speed));
-    effort.phases(from.at, from.speed, top, |phase| out.push(phase));
+    let top = peak(from.speed, to.speed, length, fastest, &ability).unwrap_or(low);
+    let (up, down) = (ability.way(from.speed, top), ability.way(top, to.speed));
+    ability.phases(from.at, from.speed, top, |phase| out.push(phase));
     even(from.at + up, top, length - up - down, out);
-    effort.phases(to.at - down, top, to.speed, |phase| out.push(phase));
+    ability.phases(to.at - down, top, to.speed, |phase| out.push(phase));
 }
 
 /// Travels at even speed, in one phase with what was even before.

@@ -124,12 +124,106 @@ impl Effort {
     }
 }
 
-/// The highest speed up to `top` between two speeds over a length: up with one effort, down with
-/// another. `None` when even the direct change is longer than the length.
-pub fn peak(from: f64, to: f64, length: f64, top: f64, up: Effort, down: Effort) -> Option<f64> {
+/// What holds along a piece of path, at low and at high speed: near the largest speed of a curve
+/// most of the acceleration goes into turning. A ramp that goes through `knee` rests there at
+/// even speed for an instant, or obeys the high effort all along, whichever is shorter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ability {
+    /// Up to this speed `low` holds, σ per s.
+    pub knee: f64,
+    /// At low speed.
+    pub low: Effort,
+    /// At any speed.
+    pub high: Effort,
+}
+
+/// How a ramp is made.
+enum Plan {
+    One(Effort),
+    /// Two ramps that meet at the knee.
+    Two,
+}
+
+impl Ability {
+    /// Nothing limits.
+    pub const FREE: Ability =
+        Ability { knee: f64::INFINITY, low: Effort::FREE, high: Effort::FREE };
+
+    /// What holds where both hold.
+    #[inline]
+    pub fn and(self, other: Ability) -> Ability {
+        Ability {
+            knee: self.knee.min(other.knee),
+            low: self.low.and(other.low),
+            high: self.high.and(other.high),
+        }
+    }
+
+    fn plan(&self, low: f64, high: f64) -> Plan {
+        if high <= self.knee {
+            return Plan::One(self.low);
+        }
+        if low >= self.knee
+            || self.high.way(low, high)
+                <= self.low.way(low, self.knee) + self.high.way(self.knee, high)
+        {
+            return Plan::One(self.high);
+        }
+        Plan::Two
+    }
+
+    /// How far a change of speed goes.
+    pub fn way(&self, from: f64, to: f64) -> f64 {
+        let (low, high) = (from.min(to), from.max(to));
+        match self.plan(low, high) {
+            Plan::One(effort) => effort.way(low, high),
+            Plan::Two => self.low.way(low, self.knee) + self.high.way(self.knee, high),
+        }
+    }
+
+    /// How far a rise of speed has gone when it passes a speed between its ends.
+    pub fn way_until(&self, from: f64, to: f64, speed: f64) -> f64 {
+        match self.plan(from, to) {
+            Plan::One(effort) => effort.way_until(from, to, speed),
+            Plan::Two if speed <= self.knee => self.low.way_until(from, self.knee, speed),
+            Plan::Two => self.low.way(from, self.knee) + self.high.way_until(self.knee, to, speed),
+        }
+    }
+
+    /// The speed that can be reached over a length.
+    pub fn climb(&self, from: f64, length: f64) -> f64 {
+        if from >= self.knee {
+            return from + self.high.rise(from, length);
+        }
+        let low = from + self.low.rise(from, length);
+        if low <= self.knee {
+            return low;
+        }
+        let rest = length - self.low.way(from, self.knee);
+        let two = self.knee + self.high.rise(self.knee, rest);
+        two.max(from + self.high.rise(from, length))
+    }
+
+    /// The phases of a change of speed, handed on in order.
+    pub fn phases(&self, at: f64, from: f64, to: f64, mut take: impl FnMut(Phase)) {
+        match self.plan(from.min(to), from.max(to)) {
+            Plan::One(effort) => effort.phases(at, from, to, take),
+            Plan::Two => {
+                let (first, second) =
+                    if from < to { (self.low, self.high) } else { (self.high, self.low) };
+                first.phases(at, from, self.knee, &mut take);
+                second.phases(at + first.way(from, self.knee), self.knee, to, take);
+            }
+        }
+    }
+}
+
+/// The highest speed up to `top` between two speeds over a length. `None` when even the direct
+/// change is longer than the length.
+pub fn peak(from: f64, to: f64, length: f64, top: f64, ability: &Ability) -> Option<f64> {
     let low = from.max(to);
     let top = top.max(low);
-    let way = |speed: f64| up.way(from, speed) + down.way(speed, to);
+    let way = |speed: f64| ability.way(from, speed) + ability.way(speed, to);
     let slack = length * (1.0 + 1e-12);
     if way(low) > slack {
         return None;
@@ -166,7 +260,8 @@ mod tests {
 
     #[test]
     fn a_hundred_millimetres_take_the_published_time() {
-        let top = peak(0.0, 0.0, 100.0, 500.0, EFFORT, EFFORT).unwrap();
+        let ability = Ability { knee: f64::INFINITY, low: EFFORT, high: EFFORT };
+        let top = peak(0.0, 0.0, 100.0, 500.0, &ability).unwrap();
         let time = 2.0 * EFFORT.time(top) + (100.0 - 2.0 * EFFORT.way(0.0, top)) / top;
         // 2·(top/a + a/j) with top·(top/a + a/j) = 100: top = (√(a⁴/j² + 400·a) − a²/j)/2.
         let exact = (-0.05 + (0.0025_f64 + 4.0 * 100.0 / 5000.0).sqrt()) / 2.0 * 5000.0;

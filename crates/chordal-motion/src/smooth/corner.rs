@@ -132,7 +132,7 @@ pub fn passing(
         let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
         let (square, cube) = (speed * speed, speed * speed * speed);
         step.kink_need =
-            step.kink_need.max((2.0 * cube * kink / j).sqrt()).max(2.0 * square * kink / a);
+            step.kink_need.max((6.0 * cube * kink / j).sqrt()).max(2.0 * square * kink / a);
         step.bend_need = step.bend_need.max(2.0 * SLOPE * cube * bend / j);
     }
     // Both corrections at once share the tolerance.

@@ -52,7 +52,9 @@ pub fn make<'a>(
         }
         let mut cell =
             cell(to - from, &bounds(leg, &correction, from, to - from), leg.feed, limits);
-        cell.effort.jerk *= leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];
+        let share = leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];
+        cell.ability.low.jerk *= share;
+        cell.ability.high.jerk *= share;
         cell.pieces = count;
         add(cell, &mut row.cells);
         from = to;
@@ -163,8 +165,11 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
 fn add(cell: Cell, cells: &mut Vec<Cell>) {
     if let Some(last) = cells.last_mut()
         && near(last.speed, cell.speed)
-        && near(last.effort.acceleration, cell.effort.acceleration)
-        && near(last.effort.jerk, cell.effort.jerk)
+        && near(last.ability.knee, cell.ability.knee)
+        && near(last.ability.low.acceleration, cell.ability.low.acceleration)
+        && near(last.ability.low.jerk, cell.ability.low.jerk)
+        && near(last.ability.high.acceleration, cell.ability.high.acceleration)
+        && near(last.ability.high.jerk, cell.ability.high.jerk)
     {
         last.length += cell.length;
         last.pieces += cell.pieces;
