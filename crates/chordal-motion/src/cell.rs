@@ -73,9 +73,10 @@ pub struct Bounds {
     pub rate: f64,
 }
 
-/// Shares of the limits that holding the speed may take; the rest is for changing it.
-const ACCELERATION_SHARE: f64 = 0.96;
-const JERK_SHARE: f64 = 0.7;
+/// Share of the acceleration that holding the speed may take; the rest is for changing it.
+pub const ACCELERATION_SHARE: f64 = 0.96;
+/// The same of the jerk.
+pub const JERK_SHARE: f64 = 0.7;
 /// Below this share of the largest speed of a curve more is left for changing the speed.
 const KNEE: f64 = 0.8;
 /// Share of what is left of the jerk that may go into turning while the speed changes.

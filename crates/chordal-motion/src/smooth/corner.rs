@@ -1,7 +1,7 @@
 //! How the joint of two moves is passed: at speed, eased within its tolerance, or at rest.
 
 use crate::Axes;
-use crate::cell::AxisArrays;
+use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE};
 use crate::profile::Effort;
 use crate::segment::Corner;
 use crate::smooth::bump::{BEND_DEVIATION, KINK_DEVIATION, SLOPE};
@@ -77,10 +77,14 @@ pub struct Overlap {
     pub reach: f64,
     /// Share of the jerk with which the two ends may run, so that their sum keeps the limits.
     pub jerk_share: f64,
-    /// Direction before the corner.
-    pub before: Axes,
-    /// Direction after it.
-    pub after: Axes,
+}
+
+impl Overlap {
+    /// How far from the corner the movements are when one of them has just stopped, with like
+    /// jerks on both sides, σ.
+    pub fn clear(&self) -> f64 {
+        8.0 * self.reach
+    }
 }
 
 /// The half width that a kink may have by its tolerance alone.
@@ -141,7 +145,8 @@ pub fn passing(
     let (kink_width, bend_width) = (half * kink_half(&step), half.sqrt() * bend_half(&step));
     for axis in 0..6 {
         let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
-        let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
+        let a = ACCELERATION_SHARE * limits.acceleration[axis];
+        let j = JERK_SHARE * limits.jerk[axis];
         if kink > 0.0 {
             let h = kink_width.min(step.kink_need);
             eased = eased.min((a * h / kink).sqrt()).min(libm::cbrt(j * h * h / kink));
@@ -206,12 +211,7 @@ fn overlap(
     }
     let most =
         tolerance.of(kink).max(tolerance.of(&before.direction)).max(tolerance.of(&after.direction));
-    Overlap {
-        reach: 1.0 / most,
-        jerk_share: share,
-        before: before.direction,
-        after: after.direction,
-    }
+    Overlap { reach: 1.0 / most, jerk_share: share }
 }
 
 /// What the axes can do along a direction.

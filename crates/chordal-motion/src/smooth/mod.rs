@@ -67,6 +67,9 @@ pub struct Smoother {
     /// Number of the first node whose widths are not settled.
     unsettled: usize,
     length: f64,
+    /// How much of the run's two ends is left straight where it can be, for movements that
+    /// overlap there.
+    clear: [f64; 2],
     corner: Option<Corner>,
     breaks: Vec<f64>,
 }
@@ -92,7 +95,7 @@ impl Smoother {
         let next = Leg::new(motion, start, self.length, limits);
         let size = start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
         let shortest = self.last_part().map_or(last.length, |part| part.length).min(next.length);
-        let noise = 1e-9 + 4e-15 * size / shortest;
+        let noise = 1e-11 + 4e-15 * size / shortest;
         Some(corner::passing(&last.tail, &next.head, corner, noise, limits))
     }
 
@@ -130,17 +133,19 @@ impl Smoother {
         self.legs.push_back(leg);
     }
 
-    /// The run's first leg is left at an overlapped corner with this share of the jerk.
-    pub fn begin_with(&mut self, jerk_share: f64) {
+    /// The run begins at a corner where the movements overlap.
+    pub fn begin_with(&mut self, overlap: &Overlap) {
+        self.clear[0] = overlap.clear();
         if let Some(leg) = self.legs.front_mut() {
-            leg.jerk_share[0] = jerk_share;
+            leg.jerk_share[0] = overlap.jerk_share;
         }
     }
 
-    /// The run's last leg ends at an overlapped corner with this share of the jerk.
-    pub fn end_with(&mut self, jerk_share: f64) {
+    /// The run ends at a corner where the movements overlap.
+    pub fn end_with(&mut self, overlap: &Overlap) {
+        self.clear[1] = overlap.clear();
         if let Some(leg) = self.legs.back_mut() {
-            leg.jerk_share[1] = jerk_share;
+            leg.jerk_share[1] = overlap.jerk_share;
         }
     }
 
@@ -160,7 +165,7 @@ impl Smoother {
             self.nodes.clear();
             self.parts.clear();
             (self.legs_gone, self.nodes_gone, self.unsettled) = (0, 0, 0);
-            self.length = 0.0;
+            (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;
         }
     }
@@ -177,7 +182,8 @@ impl Smoother {
                 break;
             }
             // No correction reaches over the ends of the run, where the axes stand still.
-            let room = node.at.min(self.length - node.at);
+            let room = |way: f64, clear: f64| (way - clear).max(way / 2.0);
+            let room = room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]));
             let half = self.half_among(self.unsettled - self.nodes_gone, need.min(room));
             let number = self.unsettled;
             let node = &mut self.nodes[number - self.nodes_gone];
