@@ -31,6 +31,8 @@ pub struct Cell {
     pub cause: Cause,
     /// Over how many pieces of path it goes.
     pub pieces: u32,
+    /// The axes come to rest where it ends.
+    pub ends_at_rest: bool,
 }
 
 /// Limits of the axes as arrays.
@@ -116,7 +118,7 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     } else {
         Ability { knee: f64::INFINITY, low: high, high }
     };
-    Cell { length, speed, ability, cause, pieces: 1 }
+    Cell { length, speed, ability, cause, pieces: 1, ends_at_rest: false }
 }
 
 /// What is left for changing the speed, at any speed up to `v`.

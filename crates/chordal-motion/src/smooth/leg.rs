@@ -41,6 +41,8 @@ pub struct Leg {
     pub tail: Side,
     /// Numbers of the first node that reaches into it and of the one after the last.
     pub nodes: (usize, usize),
+    /// The axes come to rest where it begins, in the middle of a run.
+    pub begins_at_rest: bool,
     /// Share of the jerk in its first and in its second half.
     pub jerk_share: [f64; 2],
 }
@@ -83,6 +85,7 @@ impl Leg {
             head: side(0.0),
             tail: side(length),
             nodes: (usize::MAX, 0),
+            begins_at_rest: false,
             jerk_share: [1.0; 2],
         }
     }

@@ -151,7 +151,7 @@ impl Smoother {
 
     /// Hands on what later moves cannot change; all of it when the run ends here.
     pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
-        self.settle(ends);
+        self.settle(ends, limits);
         loop {
             let Some(leg) = self.legs.front() else { break };
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
@@ -175,7 +175,7 @@ impl Smoother {
         self.nodes.get(self.unsettled - self.nodes_gone).map_or(self.length, |node| node.at)
     }
 
-    fn settle(&mut self, ends: bool) {
+    fn settle(&mut self, ends: bool, limits: &AxisArrays) {
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
             let need = node.need();
             if !ends && self.length - node.at <= 2.0 * need {
@@ -189,6 +189,13 @@ impl Smoother {
             let node = &mut self.nodes[number - self.nodes_gone];
             node.kink_half = half.min(node.step.kink_need);
             node.bend_half = half.min(node.step.bend_need);
+            if node.step.is_quicker_at_rest(node.kink_half, node.bend_half, limits) {
+                (node.kink_half, node.bend_half) = (0.0, 0.0);
+                let leg = node.leg - self.legs_gone;
+                self.legs[leg].begins_at_rest = true;
+                self.unsettled += 1;
+                continue;
+            }
             let (first, at, half) = (node.leg, node.at, node.half());
             self.reach(number, first, at, half);
             self.unsettled += 1;
