@@ -23,6 +23,9 @@ use leg::Part;
 /// far cannot change the path any more.
 const WIDEST: f64 = 10.0;
 
+/// No more than this is left straight at an overlapped corner, mm or rad.
+const CLEAREST: f64 = 1.0;
+
 /// Steps of the search for the half width of a correction among others.
 const HALVINGS: usize = 4;
 
@@ -134,7 +137,7 @@ impl Smoother {
 
     /// The run begins at a corner where the movements overlap.
     pub fn begin_with(&mut self, overlap: &Overlap) {
-        self.clear[0] = overlap.clear();
+        self.clear[0] = overlap.clear().min(CLEAREST);
         if let Some(leg) = self.legs.front_mut() {
             leg.jerk_share[0] = overlap.jerk_share;
         }
@@ -142,7 +145,7 @@ impl Smoother {
 
     /// The run ends at a corner where the movements overlap.
     pub fn end_with(&mut self, overlap: &Overlap) {
-        self.clear[1] = overlap.clear();
+        self.clear[1] = overlap.clear().min(CLEAREST);
         if let Some(leg) = self.legs.back_mut() {
             leg.jerk_share[1] = overlap.jerk_share;
         }
@@ -177,7 +180,7 @@ impl Smoother {
     fn settle(&mut self, ends: bool, limits: &AxisArrays) {
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
             let need = node.need();
-            if !ends && self.length - node.at <= 2.0 * need {
+            if !ends && self.length - node.at <= 2.0 * need + CLEAREST {
                 break;
             }
             // No correction reaches over the ends of the run, where the axes stand still.

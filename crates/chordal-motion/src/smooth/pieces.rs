@@ -10,6 +10,9 @@ use crate::smooth::{Node, Row};
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
 
+/// Places of a leg nearer to each other than this share of its length are one.
+const ROUNDING: f64 = 1e-12;
+
 /// Where corrections change their polynomial.
 #[derive(Clone, Copy, Debug)]
 pub struct Break {
@@ -42,7 +45,9 @@ pub fn make<'a>(
     let (brief, mut whole) = (leg.is_brief(), None);
     for index in 0..=breaks.len() {
         let to = breaks.get(index).map_or(leg.end(), |next| next.at);
-        if to > from {
+        // Breaks that miss each other by rounding are one.
+        let apart = to - from > ROUNDING * leg.length || index == breaks.len();
+        if apart {
             let bounds = bounds(leg, &correction, from, to - from);
             let count = add_pieces(leg, &mut parts, &correction, from, to, row);
             if brief {
@@ -53,6 +58,7 @@ pub fn make<'a>(
                 add_cell(leg, &bounds, from, to, count, limits, row);
             }
             correction = ahead(&correction, to - from);
+            from = to;
         }
         let Some(next) = breaks.get(index) else { break };
         active += next.begins;
@@ -63,7 +69,6 @@ pub fn make<'a>(
             // What is left is rounding.
             correction = [[0.0; 6]; 4];
         }
-        from = from.max(to);
     }
     if let Some((bounds, count)) = whole {
         add_cell(leg, &bounds, leg.from, leg.end(), count, limits, row);
@@ -143,11 +148,13 @@ fn corrections<'a>(
     nodes: impl Iterator<Item = &'a Node>,
     breaks: &mut Vec<Break>,
 ) -> (Jet, i32) {
-    let (from, to) = (leg.from, leg.end());
+    // Breaks that miss an end of the leg by rounding are at the end.
+    let rounding = ROUNDING * leg.length;
+    let (from, to) = (leg.from + rounding, leg.end() - rounding);
     let mut jet = [[0.0; 6]; 4];
     let mut active = 0;
     for node in nodes {
-        let w = from - node.at;
+        let w = leg.from - node.at;
         // A node is at one end of a leg or outside: it lies before the leg or after it.
         let side = 0.5 * (from + to) - node.at;
         let mut take =
