@@ -27,7 +27,7 @@ pub struct PlannerOptions {
 
 /// So many cells are looked at together. A row ends earlier where the axes stop; a longer one is
 /// handed on as far as later moves cannot change it.
-const ROW: usize = 16_384;
+const ROW: usize = 4096;
 
 /// Shorter moves are left out, mm or rad: their direction would be rounding.
 const SHORTEST: f64 = 1e-9;
@@ -167,7 +167,11 @@ impl Planner {
             phases(&self.row.cells, &pair[0], &pair[1], &mut stretch.phases);
         }
         let pieces = pieces_of(&self.row.cells[..node]);
-        stretch.pieces.extend(self.row.pieces.drain(..pieces));
+        if pieces == self.row.pieces.len() {
+            std::mem::swap(&mut stretch.pieces, &mut self.row.pieces);
+        } else {
+            stretch.pieces.extend(self.row.pieces.drain(..pieces));
+        }
         self.row.cells.drain(..node);
         let (first, last) = (End::first(stretch), End::last(stretch));
         stretch.overlap_s = match (self.overlap.take(), self.last, first) {

@@ -69,25 +69,25 @@ pub struct Step {
     pub kink_need: f64,
     /// The same for the bend.
     pub bend_need: f64,
+    /// The kink over the accelerations and over the jerks of the axes, the largest of each.
+    kink_effort: [f64; 2],
+    /// The bend over the jerks.
+    bend_effort: f64,
     /// Speeds before and after it, σ per s, and how they can change.
     sides: [(f64, Effort); 2],
 }
 
 impl Step {
     /// The largest speed through corrections of these half widths, σ per s.
-    fn speed_within(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> f64 {
+    fn speed_within(&self, kink_half: f64, bend_half: f64) -> f64 {
+        let [a, j] = self.kink_effort;
         let mut speed = f64::INFINITY;
-        for axis in 0..6 {
-            let (kink, bend) = (self.kink[axis].abs(), self.bend[axis].abs());
-            let a = ACCELERATION_SHARE * limits.acceleration[axis];
-            let j = JERK_SHARE * limits.jerk[axis];
-            if kink > 0.0 {
-                let by_square = (a * kink_half / kink).sqrt();
-                speed = speed.min(by_square).min(cbrt(j * kink_half * kink_half / kink));
-            }
-            if bend > 0.0 {
-                speed = speed.min(cbrt(j * bend_half / (SLOPE * bend)));
-            }
+        if j > 0.0 {
+            let by_square = (ACCELERATION_SHARE * kink_half / a).sqrt();
+            speed = by_square.min(cbrt(JERK_SHARE * kink_half * kink_half / j));
+        }
+        if self.bend_effort > 0.0 {
+            speed = speed.min(cbrt(JERK_SHARE * bend_half / (SLOPE * self.bend_effort)));
         }
         speed
     }
@@ -112,8 +112,8 @@ impl Step {
     }
 
     /// Whether passing at rest would be quicker than within corrections of these half widths.
-    pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> bool {
-        let speed = self.speed_within(kink_half, bend_half, limits);
+    pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64) -> bool {
+        let speed = self.speed_within(kink_half, bend_half);
         if speed >= self.sides[0].0.max(self.sides[1].0) {
             return false;
         }
@@ -175,30 +175,32 @@ pub fn passing(
     let speed = before.speed.max(after.speed);
     let nothing = [0.0; 6];
     let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
-    let mut step = Step {
-        kink: if kinked { kink } else { nothing },
-        bend: if bent { bend } else { nothing },
+    let nothing = [0.0; 6];
+    let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });
+    let [by_acceleration, by_jerk] = [&limits.acceleration, &limits.jerk].map(|most| {
+        let over =
+            |step: &Axes| (0..6).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]));
+        [over(&kink), over(&bend)]
+    });
+    let (square, cube) = (speed * speed, speed * speed * speed);
+    let step = Step {
+        kink,
+        bend,
         kink_share: if kinked { tolerance.of(&kink) } else { 0.0 },
         bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
-        kink_need: 0.0,
-        bend_need: 0.0,
+        kink_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration[0]),
+        bend_need: 2.0 * SLOPE * cube * by_jerk[1],
+        kink_effort: [by_acceleration[0], by_jerk[0]],
+        bend_effort: by_jerk[1],
         sides: [(before.speed, one), (after.speed, two)],
     };
-    for axis in 0..6 {
-        let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
-        let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
-        let (square, cube) = (speed * speed, speed * speed * speed);
-        step.kink_need =
-            step.kink_need.max((6.0 * cube * kink / j).sqrt()).max(2.0 * square * kink / a);
-        step.bend_need = step.bend_need.max(2.0 * SLOPE * cube * bend / j);
-    }
     // Both corrections at once share the tolerance.
     let half = if kinked && bent { 0.5 } else { 1.0 };
     let kink_half = (half * kink_half(&step)).min(step.kink_need);
     let bend_half = (half.sqrt() * bend_half(&step)).min(step.bend_need);
     let kink_half = if kinked { kink_half } else { 0.0 };
     let bend_half = if bent { bend_half } else { 0.0 };
-    let eased = step.speed_within(kink_half, bend_half, limits);
+    let eased = step.speed_within(kink_half, bend_half);
     if eased >= speed {
         return Passing::Ease(step);
     }

@@ -29,7 +29,7 @@ pub struct Leg {
     /// Its extent in σ.
     pub length: f64,
     /// The curve, where it is not a line.
-    pub curve: Option<Curve>,
+    pub curve: Option<Box<Curve>>,
     /// Speed asked for, σ per s.
     pub feed: f64,
     /// Its first part.
@@ -55,7 +55,7 @@ impl Leg {
         let end = motion.to();
         let curve = match motion.curve {
             Curve::Line(_) => None,
-            curve => Some(curve),
+            curve => Some(Box::new(curve)),
         };
         let mut direction = [0.0; 6];
         let first = if curve.is_some() { 3 } else { 0 };

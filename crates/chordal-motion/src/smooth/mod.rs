@@ -82,7 +82,7 @@ pub struct Smoother {
 #[derive(Debug, Default)]
 pub struct Row {
     /// The path.
-    pub pieces: VecDeque<Piece>,
+    pub pieces: Vec<Piece>,
     /// The limits, each over one or more pieces.
     pub cells: Vec<Cell>,
 }
@@ -153,7 +153,7 @@ impl Smoother {
 
     /// Hands on what later moves cannot change; all of it when the run ends here.
     pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
-        self.settle(ends, limits);
+        self.settle(ends);
         loop {
             let Some(leg) = self.legs.front() else { break };
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
@@ -177,7 +177,7 @@ impl Smoother {
         self.nodes.get(self.unsettled - self.nodes_gone).map_or(self.length, |node| node.at)
     }
 
-    fn settle(&mut self, ends: bool, limits: &AxisArrays) {
+    fn settle(&mut self, ends: bool) {
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
             let need = node.need();
             if !ends && self.length - node.at <= 2.0 * need + CLEAREST {
@@ -191,7 +191,7 @@ impl Smoother {
             let node = &mut self.nodes[number - self.nodes_gone];
             node.kink_half = half.min(node.step.kink_need);
             node.bend_half = half.min(node.step.bend_need);
-            if node.step.is_quicker_at_rest(node.kink_half, node.bend_half, limits) {
+            if node.step.is_quicker_at_rest(node.kink_half, node.bend_half) {
                 (node.kink_half, node.bend_half) = (0.0, 0.0);
                 let leg = node.leg - self.legs_gone;
                 self.legs[leg].begins_at_rest = true;

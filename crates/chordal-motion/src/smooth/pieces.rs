@@ -92,7 +92,7 @@ fn add_pieces<'a>(
         let until = if last { to } else { end.min(to) };
         if until > at {
             let jet = if at > from { ahead(correction, at - from) } else { *correction };
-            row.pieces.push_back(piece(leg, part, jet, at, until - at));
+            row.pieces.push(piece(leg, part, jet, at, until - at));
             count += 1;
         }
         at = until;
@@ -131,7 +131,7 @@ fn ends_with(leg: &Leg, end: f64) -> bool {
 /// Breaks of the leg's own: where its curvature or what it may use of the jerk changes.
 fn cut(leg: &Leg, breaks: &mut Vec<Break>) {
     let mut take = |at: f64| breaks.push(Break { at, change: [0.0; 6], begins: 0 });
-    if let Some(curve) = &leg.curve {
+    if let Some(curve) = leg.curve.as_deref() {
         let count = cuts(curve);
         (1..count).for_each(|cut| take(leg.from + leg.length * cut as f64 / count as f64));
     }
@@ -215,7 +215,12 @@ fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece 
         start[0][axis] += part.start[axis] + part.direction[axis] * done;
         start[1][axis] += part.direction[axis];
     }
-    Piece { length, base: leg.curve.map(|curve| (curve, at - leg.from)), start, tag: part.tag }
+    Piece {
+        length,
+        base: leg.curve.as_deref().map(|curve| (*curve, at - leg.from)),
+        start,
+        tag: part.tag,
+    }
 }
 
 /// Bounds of the derivatives on a piece of a leg.
@@ -240,7 +245,7 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
     let largest = |squares: [f64; 3]| squares.into_iter().fold(0.0, f64::max).sqrt();
     let mut rate = largest(rates[0]);
     let mut turns = None;
-    if let Some(curve) = &leg.curve {
+    if let Some(curve) = leg.curve.as_deref() {
         let at = from - leg.from;
         let (turning, along) = turning(curve, at, at + length);
         for (value, along) in even[0].iter_mut().zip(along) {
