@@ -14,10 +14,12 @@
 //! | input | [`Move`] | `segment.rs` |
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
+//! | the least time | [`bound`] | `bound/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
 
 #![forbid(unsafe_code)]
 
+mod bound;
 mod limits;
 mod piece;
 mod planner;
@@ -25,6 +27,7 @@ mod sampler;
 mod segment;
 mod trajectory;
 
+pub use bound::{Bound, Run, RunError, bound};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
