@@ -15,6 +15,7 @@
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
 //! | the least time | [`bound`] | `bound/` |
+//! | the least time with jerk | [`reference`] | `reference/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
 
 #![forbid(unsafe_code)]
@@ -23,6 +24,7 @@ mod bound;
 mod limits;
 mod piece;
 mod planner;
+mod reference;
 mod sampler;
 mod segment;
 mod trajectory;
@@ -31,6 +33,7 @@ pub use bound::{Bound, Run, RunError, bound};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
+pub use reference::{Effort, Law, ReferenceError, reference};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
