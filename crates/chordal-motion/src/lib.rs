@@ -33,7 +33,7 @@ pub use bound::{Bound, Run, RunError, bound};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
-pub use reference::{Effort, Law, ReferenceError, reference};
+pub use reference::{Best, Effort, Law, ReferenceError, best, reference};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};

@@ -9,12 +9,17 @@
 //! (Verscheure and others 2009 for the convex programme without jerk; Debrouwere and others 2013
 //! for the sequence with jerk.)
 
+mod best;
 mod convex;
+mod excess;
 mod grid;
 mod law;
+mod plan;
+mod polish;
 mod program;
 
 use crate::bound::{Bound, Run};
+pub use best::{Best, best};
 use convex::{Jerk, Step, first_law};
 use grid::Grid;
 pub use law::Law;
