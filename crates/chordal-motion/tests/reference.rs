@@ -2,7 +2,7 @@
 
 mod shapes;
 
-use chordal_motion::{best, Effort, Law, Limits, Piece, Run, bound, reference};
+use chordal_motion::{Effort, Law, Limits, Piece, Run, best, bound, reference};
 use shapes::{arc, ellipse, limits, line, near, seven_phases};
 
 fn solve(pieces: &[Piece], speed: f64, limits: &Limits) -> (f64, Law) {
@@ -10,7 +10,13 @@ fn solve(pieces: &[Piece], speed: f64, limits: &Limits) -> (f64, Law) {
     let run = Run::new(pieces, &speeds, 0.0, limits).unwrap();
     let bound = bound(&run);
     let law = reference(&run, &bound, &Effort::default()).unwrap();
-    println!("bound {:.5} reference {:.5} change {:.1e} nodes {}", bound.time_s, law.time_s, law.change_s, law.sigma.len());
+    println!(
+        "bound {:.5} reference {:.5} change {:.1e} nodes {}",
+        bound.time_s,
+        law.time_s,
+        law.change_s,
+        law.sigma.len()
+    );
     println!("best {:?}", best(&run, &law).map(|b| b.time_s));
     (bound.time_s, law)
 }

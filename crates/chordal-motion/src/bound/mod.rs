@@ -10,7 +10,7 @@
 //!
 //! **Grid.** A piece begins as one cell for each tenth of a radian that the path turns on it, and
 //! the run as at least 64. Cells are then halved as long as halving changes their time by more
-//! than their share, until the last halving has changed less than 2e-4 of the whole. Both ends
+//! than their share, until the last halving has changed less than 8e-5 of the whole. Both ends
 //! being held makes each grid a little slower than the limit, and its error falls at least with
 //! the size of the cells; the limit therefore lies within one more such change, and 1.2 of it is
 //! taken off the time: the answer is rounded towards faster.
@@ -25,7 +25,7 @@ pub use run::{Run, RunError};
 const CELLS: usize = 64;
 const MOST_CELLS: usize = 4_000_000;
 /// Share of the time that the last halving may have changed.
-const UNKNOWN: f64 = 2e-4;
+const UNKNOWN: f64 = 8e-5;
 /// How many times that change is taken off: once is the limit of refinement to first order.
 const MARGIN: f64 = 1.2;
 const ROUNDS: usize = 14;
@@ -142,8 +142,7 @@ fn note_changes(cells: &mut [Cell], square: &[f64]) {
     for index in 0..cells.len() {
         let Some(before) = cells[index].whole_s.take() else { continue };
         let (first, second) = (&cells[index], &cells[index + 1]);
-        let now =
-            cell_time(first, &square[index..]) + cell_time(second, &square[index + 1..]);
+        let now = cell_time(first, &square[index..]) + cell_time(second, &square[index + 1..]);
         let change = 0.5 * (before - now).abs();
         cells[index].change_s = change;
         cells[index + 1].change_s = change;

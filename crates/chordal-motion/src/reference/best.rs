@@ -23,6 +23,8 @@ const LEAST_PHASES: usize = 150;
 const PROGRAMS: usize = 8;
 /// The iteration ends when a programme gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
+/// How far a law may move along the path at a time at first, as a share of it.
+const REACH: f64 = 0.02;
 /// By this much more than measured the time is stretched: peaks are found to about 1e-9.
 const MARGIN: f64 = 1e-8;
 
@@ -31,30 +33,33 @@ pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
     let phases = law.sigma.len().clamp(LEAST_PHASES, MOST_PHASES);
     let mut plan = Plan::of(law, phases);
     let mut best: Option<Best> = None;
-    let mut reach = run.length() / 50.0;
+    let mut reach = REACH * run.length();
     for _ in 0..PROGRAMS {
-        let Ok(next) = polish(run, &plan, reach) else {
+        let Some((next, stretch)) = improved(run, &plan, reach) else {
             reach *= 0.25;
             continue;
         };
-        let next = next.exact(run);
-        let stretch = excess(run, &next.phases()).stretch() * (1.0 + MARGIN);
-        let time_s = next.duration_s() * stretch;
-        println!("   polish {:.6} stretch {:.6} -> {:.6} back {}", next.duration_s(), stretch, time_s, next.goes_back());
-        if next.goes_back() || !time_s.is_finite() {
-            reach *= 0.25;
-            continue;
-        }
         let before = best.as_ref().map_or(f64::INFINITY, |best| best.time_s);
-        if time_s >= before {
+        let time_s = next.duration_s() * stretch;
+        if time_s < before {
+            plan = next.stretched(stretch);
+            best = Some(Best { time_s: plan.duration_s(), phases: plan.phases() });
+        } else {
             reach *= 0.25;
-            continue;
         }
-        plan = next.stretched(stretch);
-        best = Some(Best { time_s: plan.duration_s(), phases: plan.phases() });
-        if before - time_s < SETTLED * time_s {
+        if (before - time_s).abs() < SETTLED * time_s {
             break;
         }
     }
     best
+}
+
+/// A better law and by how much it must be stretched.
+fn improved(run: &Run<'_>, plan: &Plan, reach: f64) -> Option<(Plan, f64)> {
+    let next = polish(run, plan, reach).ok()?.exact(run);
+    if next.goes_back() {
+        return None;
+    }
+    let stretch = excess(run, &next.phases()).stretch() * (1.0 + MARGIN);
+    stretch.is_finite().then_some((next, stretch))
 }

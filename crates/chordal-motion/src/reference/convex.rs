@@ -154,10 +154,9 @@ impl<'a> Step<'a> {
             }
             let limits = self.run.limits().acceleration();
             if straight {
-                let least = (0..6).filter(|axis| jet[1][*axis] != 0.0).fold(
-                    f64::MAX,
-                    |least, axis| least.min(limits[axis] / jet[1][axis].abs()),
-                );
+                let least = (0..6)
+                    .filter(|axis| jet[1][*axis] != 0.0)
+                    .fold(f64::MAX, |least, axis| least.min(limits[axis] / jet[1][axis].abs()));
                 let share = acceleration.clone().times(1.0 / least);
                 self.within(&share, &Affine::constant(1.0));
                 continue;
@@ -232,9 +231,7 @@ impl<'a> Step<'a> {
         let sum = self.law.square[cell] + self.law.square[cell + 1];
         let limit = match self.jerk {
             Jerk::Fixed => Affine::constant(1.0),
-            Jerk::Tangent => {
-                Affine::constant(1.5).add(&b0, -0.5 / sum).add(&b1, -0.5 / sum)
-            }
+            Jerk::Tangent => Affine::constant(1.5).add(&b0, -0.5 / sum).add(&b1, -0.5 / sum),
         };
         let limits = self.run.limits().jerk();
         let slope = a1.clone().add(&a0, -1.0).times(1.0 / way);

@@ -113,8 +113,8 @@ fn part(run: &Run<'_>, phase: &Phase, piece: usize, from: f64, to: f64, excess: 
         let so_far = [excess.velocity, excess.acceleration, excess.jerk][quantity];
         if most[quantity] > NEAR * so_far {
             let (low, high) = (at(top.saturating_sub(1)), at((top + 1).min(PARTS)));
-            most[quantity] = most[quantity]
-                .max(peak(low, high, |t| shares(run, phase, piece, t)[quantity]));
+            most[quantity] =
+                most[quantity].max(peak(low, high, |t| shares(run, phase, piece, t)[quantity]));
         }
         excess.take(most);
     }

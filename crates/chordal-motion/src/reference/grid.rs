@@ -21,9 +21,9 @@ pub(crate) struct Grid {
 pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
     let jet = run.jet(run.piece_at(sigma), sigma);
     let limits = run.limits().jerk();
-    (0..6).filter(|axis| jet[1][*axis] != 0.0).fold(f64::MAX, |least, axis| {
-        least.min(limits[axis] / jet[1][axis].abs())
-    })
+    (0..6)
+        .filter(|axis| jet[1][*axis] != 0.0)
+        .fold(f64::MAX, |least, axis| least.min(limits[axis] / jet[1][axis].abs()))
 }
 
 /// b after a way from rest at even jerk: σ = jt³/6 and σ̇ = jt²/2.
@@ -48,10 +48,9 @@ impl Grid {
         let law: Vec<(f64, f64)> = fine.iter().map(|(s, b)| (*s, eased(*s, *b))).collect();
         let clock = clock(&law, from_rest);
         let total = clock[clock.len() - 1];
-        let count = (total / effort.step_s).ceil().clamp(
-            effort.least_nodes.max(8) as f64,
-            effort.most_nodes.max(8) as f64,
-        );
+        let count = (total / effort.step_s)
+            .ceil()
+            .clamp(effort.least_nodes.max(8) as f64, effort.most_nodes.max(8) as f64);
         let step_s = total / count;
         let mut sigma = even_in_time(&law, &clock, count as usize, from_rest);
         add_seams(run, &mut sigma, effort.most_nodes);
@@ -114,7 +113,8 @@ fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool
             index += 1;
         }
         let span = clock[index + 1] - clock[index];
-        let mut share = if span > 0.0 { ((now - clock[index]) / span).clamp(0.0, 1.0) } else { 0.0 };
+        let mut share =
+            if span > 0.0 { ((now - clock[index]) / span).clamp(0.0, 1.0) } else { 0.0 };
         // Next to rest the way grows as the cube of the time.
         if index == 0 && from_rest {
             share = share * share * share;

@@ -38,7 +38,8 @@ impl Plan {
             let share = ((now - clock[cell]) / span).clamp(0.0, 1.0);
             let (v0, v1) = (law.square[cell].sqrt(), law.square[cell + 1].sqrt());
             let (a0, a1) = (law.acceleration[cell], law.acceleration[cell + 1]);
-            plan.sigma[node] = law.sigma[cell] + way * hermite(share, v0 * span / way, v1 * span / way);
+            plan.sigma[node] =
+                law.sigma[cell] + way * hermite(share, v0 * span / way, v1 * span / way);
             let rise = v1 - v0;
             plan.speed[node] = if rise == 0.0 {
                 v0

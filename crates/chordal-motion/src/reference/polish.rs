@@ -152,7 +152,8 @@ impl Polish<'_> {
         let way = plan.sigma[phase + 1] - plan.sigma[phase];
         let mean = 0.5 * (v0 + v1) * h;
         let shape = h * (f * v0 + h * (0.5 * f * f * a0 + f * f * f / 6.0 * (a1 - a0)));
-        let sigma = plan.sigma[phase] + if mean > 0.0 { (shape + f * (way - mean)).clamp(0.0, way) } else { f * way };
+        let sigma = plan.sigma[phase]
+            + if mean > 0.0 { (shape + f * (way - mean)).clamp(0.0, way) } else { f * way };
         let to_sigma = self.shift(phase).times(1.0 - f).add(&self.shift(phase + 1), f);
         Motion {
             sigma,
@@ -187,9 +188,8 @@ impl Polish<'_> {
                 }
                 if jet[2] == [0.0; 6] && jet[3] == [0.0; 6] {
                     let limits = self.run.limits().jerk();
-                    straight = (0..6).fold(straight, |most, axis| {
-                        most.max(jet[1][axis].abs() / limits[axis])
-                    });
+                    straight = (0..6)
+                        .fold(straight, |most, axis| most.max(jet[1][axis].abs() / limits[axis]));
                 } else {
                     self.hold_jerk(&jet, &motion);
                 }
