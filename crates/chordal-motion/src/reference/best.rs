@@ -18,27 +18,30 @@ pub struct Best {
 
 /// Phases at most; longer runs keep the law they have.
 const MOST_PHASES: usize = 6000;
-const LEAST_PHASES: usize = 150;
 /// Linear programmes at most.
 const PROGRAMS: usize = 8;
 /// The iteration ends when a programme gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
-/// How far a law may move along the path at a time at first, as a share of it.
-const REACH: f64 = 0.02;
+const DEBUG: bool = true;
+/// By which share speeds may change at a time at first.
+const REACH: f64 = 0.5;
 /// By this much more than measured the time is stretched: peaks are found to about 1e-9.
 const MARGIN: f64 = 1e-8;
 
 /// The law as phases, stretched until every limit is held; `None` when that was not found.
 pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
-    let phases = law.sigma.len().clamp(LEAST_PHASES, MOST_PHASES);
-    let mut plan = Plan::of(law, phases);
+    if law.sigma.len() > MOST_PHASES {
+        return None;
+    }
+    let mut plan = Plan::of(law)?;
     let mut best: Option<Best> = None;
-    let mut reach = REACH * run.length();
+    let mut reach = REACH;
     for _ in 0..PROGRAMS {
         let Some((next, stretch)) = improved(run, &plan, reach) else {
             reach *= 0.25;
             continue;
         };
+        if DEBUG { eprintln!("   {:?} step {} {:?}", next.duration_s(), stretch, excess(run, &next.phases())); }
         let before = best.as_ref().map_or(f64::INFINITY, |best| best.time_s);
         let time_s = next.duration_s() * stretch;
         if time_s < before {
@@ -56,7 +59,7 @@ pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
 
 /// A better law and by how much it must be stretched.
 fn improved(run: &Run<'_>, plan: &Plan, reach: f64) -> Option<(Plan, f64)> {
-    let next = polish(run, plan, reach).ok()?.exact(run);
+    let next = polish(run, plan, reach).ok()?.exact()?;
     if next.goes_back() {
         return None;
     }

@@ -16,6 +16,8 @@ pub(crate) struct Excess {
 const PARTS: usize = 8;
 /// Steps of the golden section about a largest sample.
 const STEPS: usize = 16;
+/// Share of the way of a phase that is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Samples below this share of the largest so far are not followed to their peak.
 const NEAR: f64 = 0.99;
 
@@ -42,14 +44,19 @@ pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Excess {
             let ends_at = run.from(piece) + run.pieces()[piece].length;
             let last = piece + 1 == run.pieces().len();
             let whole = phase.at(phase.duration_s).sigma;
-            let ends = if last || whole <= ends_at {
+            // A phase that ends with its piece does so but for rounding.
+            let within = last || whole <= ends_at + ROUNDING * (whole - phase.from);
+            let ends = if within {
                 phase.duration_s
             } else {
                 crossing(phase, begins, ends_at)
             };
             part(run, phase, piece, begins, ends, &mut excess);
             begins = ends;
-            if last || whole <= ends_at {
+            if within {
+                if !last && whole >= ends_at - ROUNDING * (whole - phase.from) {
+                    piece += 1;
+                }
                 break;
             }
             piece += 1;

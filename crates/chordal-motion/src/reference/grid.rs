@@ -4,6 +4,13 @@
 use super::Effort;
 use crate::bound::{Bound, Run};
 
+/// Nodes this share of a cell beside a seam are left out.
+const BESIDE: f64 = 0.3;
+/// Seams are at least this share of a cell apart.
+const APART: f64 = 1e-4;
+/// Steps of less than this share of a limit are none.
+const MATTERS: f64 = 1e-3;
+
 /// Places and a first guess of b there.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
@@ -53,7 +60,7 @@ impl Grid {
             .clamp(effort.least_nodes.max(8) as f64, effort.most_nodes.max(8) as f64);
         let step_s = total / count;
         let mut sigma = even_in_time(&law, &clock, count as usize, from_rest);
-        add_seams(run, &mut sigma, effort.most_nodes);
+        add_seams(run, &law, &mut sigma, effort.most_nodes);
         let square = along(&law, &sigma, &eased);
         Grid { sigma, square, from_rest, step_s }
     }
@@ -128,26 +135,62 @@ fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool
     sigma
 }
 
-/// Adds the seams of the pieces where there is room for them between the nodes.
-fn add_seams(run: &Run<'_>, sigma: &mut Vec<f64>, most: usize) {
+/// Puts a node at each seam where the law may have to change, in place of those close by.
+fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usize) {
     let mut seams: Vec<f64> = Vec::new();
-    let mut cell = 0;
+    let (mut cell, mut at) = (0, 0);
     for index in 1..run.pieces().len() {
         let seam = run.from(index);
         while cell + 2 < sigma.len() && sigma[cell + 1] <= seam {
             cell += 1;
         }
-        let room = 0.2 * (sigma[cell + 1] - sigma[cell]);
-        let before = seams.last().copied().unwrap_or(0.0).max(sigma[cell]);
-        let inside = cell > 0 && cell + 2 < sigma.len();
-        if inside && seam - before >= room && sigma[cell + 1] - seam >= room {
+        while at + 2 < law.len() && law[at + 1].0 <= seam {
+            at += 1;
+        }
+        let width = sigma[cell + 1] - sigma[cell];
+        // Next to rest the axes are too slow for a step to matter.
+        let rest = (cell == 0 && seam - sigma[0] < BESIDE * width)
+            || (cell + 2 == sigma.len() && sigma[cell + 1] - seam < BESIDE * width);
+        let apart = seams.last().is_none_or(|last| seam - last > APART * width);
+        if !rest && apart && steps(run, index, law[at].1.max(law[at + 1].1)) {
             seams.push(seam);
         }
     }
-    if sigma.len() + seams.len() <= 2 * most {
-        sigma.extend(seams);
-        sigma.sort_by(f64::total_cmp);
+    if seams.len() > most {
+        return;
     }
+    let last = sigma.len() - 1;
+    let mut next = 0;
+    let mut merged = Vec::with_capacity(sigma.len() + seams.len());
+    for (index, node) in sigma.iter().enumerate() {
+        while next < seams.len() && seams[next] <= *node {
+            merged.push(seams[next]);
+            next += 1;
+        }
+        let inner = index > 0 && index < last;
+        let width = if inner { BESIDE * (sigma[index + 1] - sigma[index - 1]) / 2.0 } else { 0.0 };
+        let close = |seam: Option<&f64>| seam.is_some_and(|seam| (seam - node).abs() < width);
+        let before = next.checked_sub(1).and_then(|index| seams.get(index));
+        if !(inner && (close(before) || close(seams.get(next)))) {
+            merged.push(*node);
+        }
+    }
+    merged.dedup();
+    *sigma = merged;
+}
+
+/// Whether the feed, or curvature or its change by the way, has a step at the start of a piece
+/// that matters at b.
+fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
+    let sigma = run.from(index);
+    let (before, after) = (run.jet(index - 1, sigma), run.jet(index, sigma));
+    let (accelerations, jerks) = (run.limits().acceleration(), run.limits().jerk());
+    run.feed(index) != run.feed(index - 1)
+        || (0..6).any(|axis| {
+            let bend = (after[2][axis] - before[2][axis]).abs() * square;
+            let change = (after[3][axis] - before[3][axis]).abs() * square * square.sqrt();
+            bend > MATTERS * accelerations[axis] || change > MATTERS * jerks[axis]
+        })
 }
 
 /// The law at other places.

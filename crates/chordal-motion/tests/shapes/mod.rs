@@ -77,21 +77,22 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
 }
 
 /// Cubic pieces one after the other whose second derivatives are continuous: by piece its
-/// length and, by axis, the turn over it (second derivative at its end times its length).
+/// length and, by axis, the turn: the second derivative at its end times its length or the next
+/// one's, whichever is longer.
 pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<Piece> {
     let mut jet = [[0.0; 6]; 4];
     jet[1][0] = 1.0;
-    steps
-        .iter()
-        .map(|(length, turns)| {
-            for axis in 0..4 {
-                jet[3][axis] = (turns[axis] / length - jet[2][axis]) / length;
-            }
-            let piece = Piece { length: *length, base: None, start: jet, tag: 0 };
-            jet = piece.at(*length);
-            piece
-        })
-        .collect()
+    let mut pieces = Vec::new();
+    for (index, (length, turns)) in steps.iter().enumerate() {
+        let longer = steps.get(index + 1).map_or(*length, |next| next.0.max(*length));
+        for axis in 0..4 {
+            jet[3][axis] = (turns[axis] / longer - jet[2][axis]) / length;
+        }
+        let piece = Piece { length: *length, base: None, start: jet, tag: 0 };
+        jet = piece.at(*length);
+        pieces.push(piece);
+    }
+    pieces
 }
 
 /// The same path from its end to its start.
