@@ -15,7 +15,7 @@ fn steps() -> impl Strategy<Value = Vec<(f64, [f64; 4])>> {
     prop::collection::vec(((-3.0..1.0f64).prop_map(|power| 10f64.powf(power)), turns), 1..8)
 }
 
-const EFFORT: Effort = Effort { step_s: 0.003, least_nodes: 100, most_nodes: 800, programs: 5 };
+const EFFORT: Effort = Effort { step_s: 0.003, least_nodes: 100, most_nodes: 800, programs: 8 };
 
 struct Times {
     bound: f64,
@@ -122,6 +122,13 @@ fn survey() {
         let speeds = vec![120.0; pieces.len()];
         let limits = limits(200.0, 2000.0, 1e5);
         let times = times(&pieces, &speeds, &limits);
-        println!("bound {:.5} reference {:.5} best {:.5} {:.4} {:?}", times.bound, times.reference, times.best.time_s, times.best.time_s / times.reference, steps.iter().map(|s| s.0).collect::<Vec<_>>());
+        println!(
+            "bound {:.5} reference {:.5} best {:.5} {:.4} {:?}",
+            times.bound,
+            times.reference,
+            times.best.time_s,
+            times.best.time_s / times.reference,
+            steps.iter().map(|s| s.0).collect::<Vec<_>>()
+        );
     }
 }

@@ -41,7 +41,14 @@ pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
             reach *= 0.25;
             continue;
         };
-        if DEBUG { eprintln!("   {:?} step {} {:?}", next.duration_s(), stretch, excess(run, &next.phases())); }
+        if DEBUG {
+            eprintln!(
+                "   {:?} step {} {:?}",
+                next.duration_s(),
+                stretch,
+                excess(run, &next.phases())
+            );
+        }
         let before = best.as_ref().map_or(f64::INFINITY, |best| best.time_s);
         let time_s = next.duration_s() * stretch;
         if time_s < before {

@@ -46,11 +46,7 @@ pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Excess {
             let whole = phase.at(phase.duration_s).sigma;
             // A phase that ends with its piece does so but for rounding.
             let within = last || whole <= ends_at + ROUNDING * (whole - phase.from);
-            let ends = if within {
-                phase.duration_s
-            } else {
-                crossing(phase, begins, ends_at)
-            };
+            let ends = if within { phase.duration_s } else { crossing(phase, begins, ends_at) };
             part(run, phase, piece, begins, ends, &mut excess);
             begins = ends;
             if within {

@@ -148,11 +148,8 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
             at += 1;
         }
         let width = sigma[cell + 1] - sigma[cell];
-        // Next to rest the axes are too slow for a step to matter.
-        let rest = (cell == 0 && seam - sigma[0] < BESIDE * width)
-            || (cell + 2 == sigma.len() && sigma[cell + 1] - seam < BESIDE * width);
         let apart = seams.last().is_none_or(|last| seam - last > APART * width);
-        if !rest && apart && steps(run, index, law[at].1.max(law[at + 1].1)) {
+        if apart && steps(run, index, law[at].1.max(law[at + 1].1)) {
             seams.push(seam);
         }
     }

@@ -1,5 +1,8 @@
 //! A law of b = σ̇² over the path.
 
+/// Cells may take this much more than what was aimed at, in parts of it.
+const SLACK: f64 = 0.5;
+
 /// How fast a run is travelled, as b = σ̇² by place.
 ///
 /// Between nodes b is a parabola with the slopes 2·`acceleration` at its ends; next to rest the
@@ -59,5 +62,50 @@ impl Law {
             clock.push(now);
         }
         clock
+    }
+
+    /// Cuts cells that turned out to take much longer than was aimed at; whether there were any.
+    pub(crate) fn refine(&mut self, most: usize) -> bool {
+        let last = self.sigma.len() - 1;
+        let parts: Vec<usize> = (0..last)
+            .map(|cell| {
+                (self.cell_time(cell) / self.step_s - SLACK).ceil().clamp(1.0, 64.0) as usize
+            })
+            .collect();
+        let nodes: usize = parts.iter().sum::<usize>() + 1;
+        if nodes == last + 1 || nodes > most {
+            return false;
+        }
+        let mut finer = Law { step_s: self.step_s, time_s: self.time_s, ..Law::default() };
+        for (cell, count) in parts.into_iter().enumerate() {
+            for part in 0..count {
+                let (sigma, square, acceleration) = self.within(cell, part as f64 / count as f64);
+                finer.sigma.push(sigma);
+                finer.square.push(square);
+                finer.acceleration.push(acceleration);
+            }
+        }
+        finer.sigma.push(self.sigma[last]);
+        finer.square.push(self.square[last]);
+        finer.acceleration.push(self.acceleration[last]);
+        *self = finer;
+        true
+    }
+
+    /// σ, b and σ̈ at a share of the time of a cell, roughly.
+    fn within(&self, cell: usize, share: f64) -> (f64, f64, f64) {
+        let (s0, s1) = (self.sigma[cell], self.sigma[cell + 1]);
+        let (b0, b1) = (self.square[cell], self.square[cell + 1]);
+        let (a0, a1) = (self.acceleration[cell], self.acceleration[cell + 1]);
+        let left = 1.0 - share;
+        if share > 0.0 && b0 <= 0.0 {
+            return (s0 + (s1 - s0) * share.powi(3), b1 * share.powi(4), a1 * share);
+        }
+        if share > 0.0 && b1 <= 0.0 {
+            return (s1 - (s1 - s0) * left.powi(3), b0 * left.powi(4), a0 * left);
+        }
+        let bend = (a1 - a0) * (s1 - s0);
+        let square = b0 * left + b1 * share - bend * share * left;
+        (s0 + (s1 - s0) * share, square.max(0.1 * b0.min(b1)), a0 * left + a1 * share)
     }
 }

@@ -139,10 +139,7 @@ impl Polish<'_> {
                 .add(&to_a1, by_last)
                 .add(&self.longer(phase, gained), 1.0),
             to_acceleration: to_a0.clone().times(1.0 - f).add(&to_a1, f),
-            to_jerk: to_a1
-                .add(&to_a0, -1.0)
-                .times(1.0 / h)
-                .add(&self.longer(phase, -jerk), 1.0),
+            to_jerk: to_a1.add(&to_a0, -1.0).times(1.0 / h).add(&self.longer(phase, -jerk), 1.0),
         }
     }
 
