@@ -21,22 +21,27 @@
 #![forbid(unsafe_code)]
 
 mod bound;
+mod cell;
 mod limits;
 mod piece;
 mod planner;
+mod profile;
 mod reference;
 mod sampler;
 mod segment;
+mod smooth;
 mod trajectory;
+mod verify;
 
 pub use bound::{Bound, Run, RunError, bound};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
-pub use reference::{Best, Effort, Law, ReferenceError, best, reference};
+pub use reference::{Best, Effort, Gauge, Law, Least, ReferenceError, RunTimes, best, reference};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
+pub use verify::{Use, largest_use};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
 pub type Axes = [f64; 6];

@@ -3,7 +3,7 @@
 mod shapes;
 
 use chordal_motion::{
-    Best, Cursor, Effort, Limits, Phase, Piece, Run, Stretch, best, bound, reference,
+    Best, Effort, Limits, Piece, Run, Stretch, best, bound, largest_use, reference,
 };
 use proptest::prelude::*;
 use shapes::{chain, limits, reversed, scaled};
@@ -31,36 +31,8 @@ fn times(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Times {
     Times { bound: bound.time_s, reference: law.time_s, best }
 }
 
-/// Largest shares of velocity with feed, acceleration and jerk at `count` even times.
-fn measured(
-    pieces: &[Piece],
-    speeds: &[f64],
-    phases: &[Phase],
-    limits: &Limits,
-    count: usize,
-) -> [f64; 3] {
-    let stretch = Stretch { pieces: pieces.to_vec(), phases: phases.to_vec(), overlap_s: 0.0 };
-    let total = stretch.duration_s();
-    let mut cursor = Cursor::default();
-    let mut most = [0.0f64; 3];
-    for index in 0..=count {
-        let state = cursor.at(&stretch, total * index as f64 / count as f64);
-        for axis in 0..6 {
-            let Some(limit) = limits.axis(axis) else { continue };
-            most[0] = most[0].max(state.velocity[axis].abs() / limit.velocity);
-            most[1] = most[1].max(state.acceleration[axis].abs() / limit.acceleration);
-            most[2] = most[2].max(state.jerk[axis].abs() / limit.jerk);
-        }
-    }
-    for phase in phases {
-        let feed = speeds.iter().fold(0.0f64, |most, speed| most.max(*speed));
-        most[0] = most[0].max(phase.speed / feed);
-    }
-    most
-}
-
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, max_shrink_iters: 0, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 4, failure_persistence: None, max_shrink_iters: 0, ..ProptestConfig::default() })]
 
     #[test]
     fn best_holds_every_limit_and_is_near_the_reference(steps in steps(), feed in 5.0..400.0f64) {
@@ -68,11 +40,13 @@ proptest! {
         let speeds = vec![feed; pieces.len()];
         let limits = limits(200.0, 2000.0, 1e5);
         let times = times(&pieces, &speeds, &limits);
-        println!("bound {:.5} reference {:.5} best {:.5} {:.4}", times.bound, times.reference, times.best.time_s, times.best.time_s / times.reference);
         prop_assert!(times.bound <= times.reference);
         prop_assert!(times.best.time_s <= 1.03 * times.reference, "{} {}", times.best.time_s, times.reference);
-        for share in measured(&pieces, &speeds, &times.best.phases, &limits, 20_000) {
-            prop_assert!(share <= 1.0 + 1e-6, "{share}");
+        let phases = times.best.phases.clone();
+        let stretch = Stretch { pieces: pieces.clone(), phases, overlap_s: 0.0 };
+        let used = largest_use(&stretch, &limits, 30);
+        for share in [used.velocity, used.acceleration, used.jerk] {
+            prop_assert!(share <= 1.0 + 1e-6, "{used:?}");
         }
         let end = times.best.phases.last().unwrap();
         let end = end.at(end.duration_s);
@@ -80,7 +54,7 @@ proptest! {
         prop_assert!((end.sigma - length).abs() <= 1e-12 * length);
         prop_assert!(end.speed.abs() <= 1e-9 * feed);
         for phase in &times.best.phases {
-            prop_assert!(phase.speed >= -1e-12 * feed);
+            prop_assert!(phase.speed >= -1e-12 * feed && phase.speed <= feed * (1.0 + 1e-6));
         }
     }
 
@@ -91,7 +65,6 @@ proptest! {
         let speeds = vec![150.0; pieces.len()];
         let limits = limits(200.0, 2000.0, 1e5);
         let (there, back) = (times(&pieces, &speeds, &limits), times(&back, &speeds, &limits));
-        println!("{:.6} {:.6}  {:.6} {:.6}  {:.6} {:.6}", there.bound, back.bound, there.reference, back.reference, there.best.time_s, back.best.time_s);
         prop_assert!((there.bound - back.bound).abs() <= 2e-4 * there.bound);
         prop_assert!((there.reference - back.reference).abs() <= 5e-3 * there.reference);
         prop_assert!((there.best.time_s - back.best.time_s).abs() <= 2e-2 * there.best.time_s);
@@ -105,30 +78,8 @@ proptest! {
         let mm = times(&pieces, &speeds, &limits(200.0, 2000.0, 1e5));
         let speeds = vec![150.0 / 25.4; pieces.len()];
         let inch = times(&inches, &speeds, &limits(200.0 / 25.4, 2000.0 / 25.4, 1e5 / 25.4));
-        println!("{:.6} {:.6}  {:.6} {:.6}  {:.6} {:.6}", mm.bound, inch.bound, mm.reference, inch.reference, mm.best.time_s, inch.best.time_s);
         prop_assert!((mm.bound - inch.bound).abs() <= 1e-9 * mm.bound);
         prop_assert!((mm.reference - inch.reference).abs() <= 1e-4 * mm.reference);
         prop_assert!((mm.best.time_s - inch.best.time_s).abs() <= 1e-2 * mm.best.time_s);
-    }
-}
-
-#[test]
-fn survey() {
-    use proptest::strategy::ValueTree;
-    let mut runner = proptest::test_runner::TestRunner::deterministic();
-    for _ in 0..16 {
-        let steps = steps().new_tree(&mut runner).unwrap().current();
-        let pieces = chain(&steps);
-        let speeds = vec![120.0; pieces.len()];
-        let limits = limits(200.0, 2000.0, 1e5);
-        let times = times(&pieces, &speeds, &limits);
-        println!(
-            "bound {:.5} reference {:.5} best {:.5} {:.4} {:?}",
-            times.bound,
-            times.reference,
-            times.best.time_s,
-            times.best.time_s / times.reference,
-            steps.iter().map(|s| s.0).collect::<Vec<_>>()
-        );
     }
 }

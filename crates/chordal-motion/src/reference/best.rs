@@ -16,21 +16,33 @@ pub struct Best {
     pub phases: Vec<Phase>,
 }
 
+impl Best {
+    /// This law, or the given one where that is quicker.
+    #[must_use]
+    pub fn or(self, given: &[Phase]) -> Best {
+        let time_s: f64 = given.iter().map(|phase| phase.duration_s).sum();
+        if time_s <= self.time_s { Best { time_s, phases: given.to_vec() } } else { self }
+    }
+}
+
 /// Phases at most; longer runs keep the law they have.
 const MOST_PHASES: usize = 6000;
 /// Linear programmes at most.
 const PROGRAMS: usize = 8;
 /// The iteration ends when a programme gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
-const DEBUG: bool = true;
 /// By which share speeds may change at a time at first.
 const REACH: f64 = 0.5;
 /// By this much more than measured the time is stretched: peaks are found to about 1e-9.
 const MARGIN: f64 = 1e-8;
 
-/// The law as phases, stretched until every limit is held; `None` when that was not found.
+/// The law as phases, stretched until every limit is held; `None` when that was not found, the
+/// run does not begin at rest (it cannot be stretched) or is too long for one programme.
+///
+/// Phases end where pieces do, as far as the pieces there differ: a jerk of the axes that steps
+/// with the path is answered by a step of the jerk along it.
 pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
-    if law.sigma.len() > MOST_PHASES {
+    if law.sigma.len() > MOST_PHASES || run.start_speed() > 0.0 {
         return None;
     }
     let mut plan = Plan::of(law)?;
@@ -41,14 +53,6 @@ pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
             reach *= 0.25;
             continue;
         };
-        if DEBUG {
-            eprintln!(
-                "   {:?} step {} {:?}",
-                next.duration_s(),
-                stretch,
-                excess(run, &next.phases())
-            );
-        }
         let before = best.as_ref().map_or(f64::INFINITY, |best| best.time_s);
         let time_s = next.duration_s() * stretch;
         if time_s < before {

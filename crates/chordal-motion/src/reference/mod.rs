@@ -12,6 +12,7 @@
 mod best;
 mod convex;
 mod excess;
+mod gauge;
 mod grid;
 mod law;
 mod plan;
@@ -21,6 +22,7 @@ mod program;
 use crate::bound::{Bound, Run};
 pub use best::{Best, best};
 use convex::{Jerk, Step, first_law};
+pub use gauge::{Gauge, Least, RunTimes};
 use grid::Grid;
 pub use law::Law;
 
