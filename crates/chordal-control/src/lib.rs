@@ -18,6 +18,7 @@ mod library;
 pub mod macros;
 mod offsets;
 mod parameters;
+mod path_modes;
 mod pocket;
 mod recognize;
 mod settings;
@@ -34,6 +35,7 @@ pub use cycle_rules::*;
 pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;
+pub use path_modes::{PathField, PathRules, StartMode};
 pub use recognize::{Recognition, recognize};
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,

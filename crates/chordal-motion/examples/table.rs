@@ -13,11 +13,14 @@ fn main() {
         let (mut total, mut stretches, mut phases, mut used, mut rest) =
             (0.0, 0, 0, Use::default(), 0.0);
         let mut length = 0.0;
+        
+        let mut all: Vec<Stretch> = vec![];
         let mut tag = 0;
         let mut take = |step: Step<'_>| {
             if let Step::Stretch(s) = step {
                 total += s.duration_s() - s.overlap_s;
                 rest += s.overlap_s;
+                all.push(s.clone());
                 stretches += 1;
                 phases += s.phases.len();
                 used = used.or(largest_use(s, &limits, 5));
@@ -76,6 +79,17 @@ fn main() {
                 .unwrap();
         }
         planner.finish(&mut take);
+        let mut gauge = Gauge::new(limits, Effort::default());
+        for s in &all {
+            gauge.push(Step::Stretch(s), |t| f, |_| {});
+        }
+        let least = gauge.finish(|_| {});
+        println!(
+            "bound {:.4} ref {:.4} ratio {:.4}",
+            least.bound_s,
+            least.reference_s,
+            total / least.reference_s
+        );
         println!(
             "{:28} {total:9.4} s  L {length:8.3}  L/F {:8.4} stretches {stretches} phases {phases} overlap {rest:.4} v {:.4} a {:.4} j {:.6}",
             file.rsplit('/').next().unwrap(),

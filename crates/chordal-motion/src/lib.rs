@@ -14,15 +14,19 @@
 //! | input | [`Move`] | `segment.rs` |
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
+//! | the least time | [`bound`] | `bound/` |
+//! | the least time with jerk | [`reference`] | `reference/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
 
 #![forbid(unsafe_code)]
 
+mod bound;
 mod cell;
 mod limits;
 mod piece;
 mod planner;
 mod profile;
+mod reference;
 mod root;
 mod sampler;
 mod segment;
@@ -30,9 +34,11 @@ mod smooth;
 mod trajectory;
 mod verify;
 
+pub use bound::{Bound, Run, RunError, bound};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
+pub use reference::{Best, Effort, Gauge, Law, Least, ReferenceError, RunTimes, best, reference};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};

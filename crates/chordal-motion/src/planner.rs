@@ -158,21 +158,39 @@ impl Planner {
         }
     }
 
-    /// Hands on the cells before a boundary, which is a station.
+    /// Hands on the cells before a boundary, which is a station, from rest to rest where the
+    /// axes rest before.
     fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_>)) {
+        let mut begin = 0;
+        while begin < node {
+            let rest = self.row.cells[begin..node].iter().position(|cell| cell.ends_at_rest);
+            let end = rest.map_or(node, |index| begin + index + 1);
+            self.emit_part(begin, end, take);
+            begin = end;
+        }
+        self.row.cells.drain(..node);
+    }
+
+    /// Hands on the cells between two boundaries.
+    fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(Step<'_>)) {
         let stretch = &mut self.stretch;
         stretch.phases.clear();
         stretch.pieces.clear();
-        for pair in self.solver.stations().windows(2).take_while(|pair| pair[1].node <= node) {
+        let stations = self.solver.stations();
+        let first = stations.partition_point(|station| station.node < begin);
+        let from = stations.get(first).map_or(0.0, |station| station.at);
+        for pair in stations[first..].windows(2).take_while(|pair| pair[1].node <= end) {
             phases(&self.row.cells, &pair[0], &pair[1], &mut stretch.phases);
         }
-        let pieces = pieces_of(&self.row.cells[..node]);
+        if from > 0.0 {
+            stretch.phases.iter_mut().for_each(|phase| phase.from -= from);
+        }
+        let pieces = pieces_of(&self.row.cells[begin..end]);
         if pieces == self.row.pieces.len() {
             std::mem::swap(&mut stretch.pieces, &mut self.row.pieces);
         } else {
             stretch.pieces.extend(self.row.pieces.drain(..pieces));
         }
-        self.row.cells.drain(..node);
         let (first, last) = (End::first(stretch), End::last(stretch));
         stretch.overlap_s = match (self.overlap.take(), self.last, first) {
             (Some(overlap), Some(last), Some(first)) => overlap_of(&overlap, &last, &first),

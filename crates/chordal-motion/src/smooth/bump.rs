@@ -24,9 +24,6 @@ pub const BEND_DEVIATION: f64 = 0.014_53;
 /// Largest deviation of a kink with Δ = 1 and h = 1.
 pub const KINK_DEVIATION: f64 = 1.0 / 6.0;
 
-/// By how much a bend's ramp overshoots either curvature, as a share of the step.
-pub const OVERSHOOT: f64 = SLOPE * (1.0 - TURN);
-
 /// A value and its first three derivatives.
 pub type Bump = [f64; 4];
 

@@ -173,7 +173,6 @@ pub fn passing(
         ),
     };
     let speed = before.speed.max(after.speed);
-    let nothing = [0.0; 6];
     let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
     let nothing = [0.0; 6];
     let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });

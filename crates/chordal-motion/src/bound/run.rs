@@ -1,0 +1,135 @@
+//! A run: smooth pieces with their speeds and the limits of the axes.
+
+use crate::limits::Limits;
+use crate::piece::{Jet, Piece};
+
+/// Speeds above this, in σ per s, are no limit.
+const NO_LIMIT: f64 = 1e9;
+
+/// Smooth pieces of path, travelled to rest.
+#[derive(Clone, Debug)]
+pub struct Run<'a> {
+    pieces: &'a [Piece],
+    speeds: &'a [f64],
+    /// Where each piece begins, and where the last one ends; σ from the start.
+    from: Vec<f64>,
+    start_speed: f64,
+    limits: Limits,
+}
+
+/// A run that has no law of time.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// Not as many speeds as pieces.
+    #[error("{pieces} pieces of path were given {speeds} speeds")]
+    Count {
+        /// How many pieces.
+        pieces: usize,
+        /// How many speeds.
+        speeds: usize,
+    },
+    /// A length or a speed that is not a positive number, by the number of its piece.
+    #[error("piece {0} has a length, a speed or a derivative that is no positive number")]
+    NotPositive(usize),
+    /// No way at all.
+    #[error("the run has no length")]
+    Empty,
+    /// The speed at the start is below zero or not a number.
+    #[error("the run begins at {0} mm/s: it must not be below zero")]
+    Start(f64),
+}
+
+impl<'a> Run<'a> {
+    /// A run with the largest speed of each piece (σ per s; infinite for none but the axes'),
+    /// that begins at `start_speed` without acceleration.
+    ///
+    /// # Errors
+    /// What stands in the way.
+    pub fn new(
+        pieces: &'a [Piece],
+        speeds: &'a [f64],
+        start_speed: f64,
+        limits: &Limits,
+    ) -> Result<Run<'a>, RunError> {
+        if pieces.len() != speeds.len() {
+            return Err(RunError::Count { pieces: pieces.len(), speeds: speeds.len() });
+        }
+        if start_speed.is_nan() || start_speed < 0.0 {
+            return Err(RunError::Start(start_speed));
+        }
+        let mut from = Vec::with_capacity(pieces.len() + 1);
+        let mut at = 0.0;
+        for (index, (piece, speed)) in pieces.iter().zip(speeds).enumerate() {
+            let fits = piece.length >= 0.0
+                && piece.length.is_finite()
+                && *speed > 0.0
+                && piece.start.iter().flatten().all(|value| value.is_finite());
+            if !fits {
+                return Err(RunError::NotPositive(index));
+            }
+            from.push(at);
+            at += piece.length;
+        }
+        from.push(at);
+        if at <= 0.0 {
+            return Err(RunError::Empty);
+        }
+        Ok(Run { pieces, speeds, from, start_speed, limits: *limits })
+    }
+
+    /// Its length in σ.
+    pub fn length(&self) -> f64 {
+        self.from.last().copied().unwrap_or(0.0)
+    }
+
+    /// Its pieces.
+    pub fn pieces(&self) -> &'a [Piece] {
+        self.pieces
+    }
+
+    /// σ per s at its start.
+    pub fn start_speed(&self) -> f64 {
+        self.start_speed
+    }
+
+    /// What the axes can do.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// Where piece `index` begins, σ from the start.
+    pub(crate) fn from(&self, index: usize) -> f64 {
+        self.from[index]
+    }
+
+    /// The largest programmed speed on a piece.
+    pub(crate) fn feed(&self, index: usize) -> f64 {
+        self.speeds[index].min(NO_LIMIT)
+    }
+
+    /// The piece that holds a place, the later one at a seam.
+    pub(crate) fn piece_at(&self, sigma: f64) -> usize {
+        let after = self.from.partition_point(|from| *from <= sigma);
+        let mut index = after.saturating_sub(1).min(self.pieces.len() - 1);
+        while index > 0 && self.pieces[index].length <= 0.0 {
+            index -= 1;
+        }
+        index
+    }
+
+    /// The axes and their derivatives on a piece, at a place given from the start of the run.
+    pub(crate) fn jet(&self, index: usize, sigma: f64) -> Jet {
+        let piece = &self.pieces[index];
+        piece.at((sigma - self.from[index]).clamp(0.0, piece.length))
+    }
+
+    /// The largest σ̇ on a piece where the axes have these derivatives: the feed and what the
+    /// axes can do.
+    pub(crate) fn speed_cap(&self, index: usize, jet: &Jet) -> f64 {
+        let velocity = self.limits.velocity();
+        (0..6).fold(self.feed(index), |cap, axis| {
+            let rate = jet[1][axis].abs();
+            if rate * cap > velocity[axis] { velocity[axis] / rate } else { cap }
+        })
+    }
+}

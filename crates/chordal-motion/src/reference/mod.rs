@@ -1,0 +1,77 @@
+//! The least time with limits of jerk, by convex programming: a yardstick, and the level "best".
+//!
+//! 1. The bound without jerk gives b̄ ≥ b = σ̇².
+//! 2. A grid evenly spaced in time (`grid.rs`).
+//! 3. A first programme with |jerk| ≤ J/√b̄, which is conservative.
+//! 4. Programmes with the tangent of J/√b at the law before (`convex.rs`), each a second-order
+//!    cone programme; every law is a start for the next, and the times fall.
+//!
+//! (Verscheure and others 2009 for the convex programme without jerk; Debrouwere and others 2013
+//! for the sequence with jerk.)
+
+mod best;
+mod convex;
+mod excess;
+mod gauge;
+mod grid;
+mod law;
+mod plan;
+mod polish;
+mod program;
+
+use crate::bound::{Bound, Run};
+pub use best::{Best, best};
+use convex::{Jerk, Step, first_law};
+pub use gauge::{Gauge, Least, RunTimes};
+use grid::Grid;
+pub use law::Law;
+
+/// How much work the reference may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// Time between nodes, s; more where a run would need more than `most_nodes`.
+    pub step_s: f64,
+    /// Nodes at least.
+    pub least_nodes: usize,
+    /// Nodes at most; seams of pieces may double them.
+    pub most_nodes: usize,
+    /// Convex programmes at most.
+    pub programs: usize,
+}
+
+impl Default for Effort {
+    fn default() -> Effort {
+        Effort { step_s: 0.002, least_nodes: 150, most_nodes: 20_000, programs: 8 }
+    }
+}
+
+/// The iteration ends when a programme gains less than this share of the time.
+const SETTLED: f64 = 2e-5;
+
+/// No law was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the programme for the least time has no solution: the run cannot be brought to rest")]
+pub struct ReferenceError;
+
+/// The least time of a run within every limit, jerk included: a local optimum to the accuracy
+/// of its grid, about 0.1 %.
+///
+/// # Errors
+/// When no law was found, which a run from rest always has; one that begins at speed may not.
+pub fn reference(run: &Run<'_>, bound: &Bound, effort: &Effort) -> Result<Law, ReferenceError> {
+    let grid = Grid::new(run, bound, effort);
+    let mut law = first_law(run, &grid);
+    law = Step::solve(run, &law, Jerk::Fixed).map_err(|_| ReferenceError)?;
+    for _ in 1..effort.programs {
+        // Where jerk makes it slower than was thought, its cells must be shorter.
+        let refined = law.refine(2 * effort.most_nodes);
+        let before = law.time_s;
+        let Ok(next) = Step::solve(run, &law, Jerk::Tangent) else { break };
+        law = next;
+        law.change_s = before - law.time_s;
+        if !refined && law.change_s.abs() < SETTLED * law.time_s {
+            break;
+        }
+    }
+    Ok(law)
+}

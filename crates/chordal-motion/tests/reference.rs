@@ -1,0 +1,182 @@
+//! The least time with limits of jerk, and the level best, against worked figures.
+
+mod shapes;
+
+use chordal_geometry::{Curve, Line, Vec3};
+use chordal_motion::{
+    Best, Bound, Corner, Effort, Gauge, Law, Level, Limits, Move, MoveKind, Piece, Planner,
+    PlannerOptions, Run, Stretch, best, bound, largest_use, reference,
+};
+use shapes::{arc, ellipse, limits, line, near, seven_phases};
+
+struct Found {
+    bound: Bound,
+    law: Law,
+    best: Best,
+}
+
+/// All three laws; the best one is held against the limits.
+#[track_caller]
+fn solve(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Found {
+    let run = Run::new(pieces, speeds, 0.0, limits).unwrap();
+    let bound = bound(&run);
+    let law = reference(&run, &bound, &Effort::default()).unwrap();
+    let best = best(&run, &law).unwrap();
+    println!(
+        "bound {:.5} reference {:.5} (change {:.0e}, {} nodes) best {:.5}",
+        bound.time_s,
+        law.time_s,
+        law.change_s,
+        law.sigma.len(),
+        best.time_s
+    );
+    let stretch = Stretch { pieces: pieces.to_vec(), phases: best.phases.clone(), overlap_s: 0.0 };
+    let used = largest_use(&stretch, limits, 16);
+    for share in [used.velocity, used.acceleration, used.jerk] {
+        assert!(share <= 1.0 + 1e-6, "{used:?}");
+    }
+    near(stretch.duration_s(), best.time_s, 1e-12);
+    assert!(bound.time_s <= law.time_s);
+    assert!(best.time_s <= 1.03 * law.time_s, "{} for {}", best.time_s, law.time_s);
+    Found { bound, law, best }
+}
+
+#[test]
+fn a_line_takes_its_seven_phases() {
+    for (way, speed) in [(100.0, 500.0), (100.0, 100.0), (1.0, 500.0), (0.001, 500.0)] {
+        let found =
+            solve(&[line([0.0; 3], [way, 0.0, 0.0])], &[speed], &limits(500.0, 5000.0, 1e5));
+        let expected = seven_phases(way, speed, 5000.0, 1e5);
+        near(found.law.time_s, expected, 1e-3);
+        near(found.best.time_s, expected, 5e-4);
+    }
+    // The figure of the 100 mm line: 0.350 s.
+    near(seven_phases(100.0, 500.0, 5000.0, 1e5), 0.35, 1e-9);
+}
+
+#[test]
+fn a_diagonal_uses_all_axes() {
+    // Along the diagonal of a cube the path may do √3 times what an axis may.
+    let found = solve(&[line([0.0; 3], [30.0; 3])], &[f64::INFINITY], &limits(500.0, 5000.0, 1e5));
+    near(found.best.time_s, seven_phases(30.0, 500.0, 5000.0, 1e5), 5e-4);
+}
+
+#[test]
+fn a_lap_of_the_ellipse() {
+    let pieces = ellipse(30.0, 10.0, 200);
+    let speeds = vec![f64::INFINITY; pieces.len()];
+    let found = solve(&pieces, &speeds, &limits(500.0, 5000.0, 1e5));
+    near(found.bound.time_s, 0.468, 1e-3);
+    near(found.law.time_s, 0.541, 4e-3);
+}
+
+#[test]
+fn circles_and_helix() {
+    let machine = limits(200.0, 2000.0, 1e5);
+    let large = solve(&[arc(20.0, 1.0, 0.0)], &[100.0], &machine);
+    near(large.best.time_s, 1.33, 5e-3);
+    let small = solve(&[arc(2.0, 5.0, 0.0)], &[100.0], &machine);
+    assert!(small.best.time_s < 1.1);
+    // The way at the feed, one ramp up and one down: nothing else slows an arc this wide.
+    let helix = arc(10.0, 3.0, 15.0);
+    let found = solve(&[helix], &[100.0], &machine);
+    assert!(found.best.time_s > helix.length / 100.0 + 0.05);
+    assert!(found.best.time_s < helix.length / 100.0 + 0.08);
+}
+
+#[test]
+fn cutting_a_line_changes_nothing() {
+    let machine = limits(500.0, 5000.0, 1e5);
+    let whole = solve(&[line([0.0; 3], [100.0, 0.0, 0.0])], &[400.0], &machine);
+    let cuts: Vec<Piece> = (0..1000)
+        .map(|k| line([0.1 * f64::from(k), 0.0, 0.0], [0.1 * f64::from(k + 1), 0.0, 0.0]))
+        .collect();
+    let cut = solve(&cuts, &[400.0; 1000], &machine);
+    near(cut.bound.time_s, whole.bound.time_s, 1e-4);
+    near(cut.law.time_s, whole.law.time_s, 1e-5);
+    near(cut.best.time_s, whole.best.time_s, 1e-5);
+}
+
+#[test]
+fn a_slow_feed_in_the_middle_is_kept() {
+    let pieces = [
+        line([0.0; 3], [20.0, 0.0, 0.0]),
+        line([20.0, 0.0, 0.0], [25.0, 0.0, 0.0]),
+        line([25.0, 0.0, 0.0], [45.0, 0.0, 0.0]),
+    ];
+    let machine = limits(500.0, 5000.0, 1e5);
+    let found = solve(&pieces, &[200.0, 50.0, 200.0], &machine);
+    // With even speed at the seams: 5 mm at 50 mm/s take 0.1 s; on each side 20 mm from rest up
+    // to 200 mm/s (0.09 s, 9 mm), on for 1 mm, and down to 50 (0.08 s, 10 mm). The least time is
+    // shorter: the brake may be let go of behind the seam, a little below 50 mm/s.
+    let even = 0.1 + 2.0 * (0.09 + 0.08 + 1.0 / 200.0);
+    assert!(found.best.time_s < even && found.best.time_s > 0.96 * even);
+    for phase in &found.best.phases {
+        if phase.from > 20.0 - 1e-9 && phase.from < 25.0 + 1e-9 {
+            assert!(phase.speed <= 50.0 * (1.0 + 1e-6), "{}", phase.speed);
+        }
+    }
+}
+
+#[test]
+fn a_run_may_begin_at_speed() {
+    let machine = limits(500.0, 5000.0, 1e5);
+    let pieces = [line([0.0; 3], [10.0, 0.0, 0.0])];
+    let run = Run::new(&pieces, &[50.0], 50.0, &machine).unwrap();
+    let law = reference(&run, &bound(&run), &Effort::default()).unwrap();
+    // The stop from 50 mm/s takes 2√(50/1e5) s, over half that time at 50 mm/s.
+    let stop = 2.0 * (50.0f64 / 1e5).sqrt();
+    near(law.time_s, (10.0 - 25.0 * stop) / 50.0 + stop, 1e-3);
+    assert_eq!(best(&run, &law), None);
+}
+
+#[test]
+fn the_same_run_has_the_same_law_to_the_bit() {
+    let machine = limits(200.0, 2000.0, 1e5);
+    let first = solve(&[arc(2.0, 1.0, 0.0)], &[100.0], &machine);
+    let again = solve(&[arc(2.0, 1.0, 0.0)], &[100.0], &machine);
+    assert_eq!(first.law, again.law);
+    assert_eq!(first.best, again.best);
+}
+
+#[test]
+fn the_better_of_two_is_taken() {
+    let machine = limits(500.0, 5000.0, 1e5);
+    let found = solve(&[line([0.0; 3], [1.0, 0.0, 0.0])], &[500.0], &machine);
+    let mut slower = found.best.phases.clone();
+    slower[0].duration_s += 1.0;
+    assert_eq!(found.best.clone().or(&slower), found.best);
+    let quicker = &found.best.phases[1..];
+    assert_eq!(found.best.clone().or(quicker).phases, quicker);
+}
+
+#[test]
+fn a_planned_square_is_gauged_side_by_side() {
+    let machine = limits(200.0, 2000.0, 1e5);
+    let corners = [(0.0, 0.0), (50.0, 0.0), (50.0, 50.0), (0.0, 50.0), (0.0, 0.0)];
+    let mut planner = Planner::new(machine, PlannerOptions { level: Level::Fast });
+    let mut gauge =
+        Gauge::new(machine, Effort { step_s: 0.01, least_nodes: 100, ..Effort::default() });
+    let mut runs = Vec::new();
+    let at = |(x, y): (f64, f64)| Vec3::new(x, y, 0.0);
+    for (tag, ends) in corners.windows(2).enumerate() {
+        let curve = Curve::Line(Line::new(at(ends[0]), at(ends[1])));
+        let (rotary_from, rotary_to) = ([0.0; 3], [0.0; 3]);
+        let (corner, kind, tag) = (Corner::Stop, MoveKind::Cut, tag as u64);
+        let motion = Move { curve, rotary_from, rotary_to, speed: 50.0, corner, kind, tag };
+        planner.push(&motion, |step| gauge.push(step, |_| 50.0, |run| runs.push(*run))).unwrap();
+    }
+    planner.finish(|step| gauge.push(step, |_| 50.0, |run| runs.push(*run)));
+    let least = gauge.finish(|run| runs.push(*run));
+    assert_eq!(runs.len(), 4);
+    assert_eq!(
+        runs.iter().map(|run| run.tags).collect::<Vec<_>>(),
+        [(0, 0), (1, 1), (2, 2), (3, 3)]
+    );
+    for run in &runs {
+        near(run.bound_s, shapes::bang_bang(50.0, 50.0, 2000.0), 1e-4);
+        near(run.reference_s, seven_phases(50.0, 50.0, 2000.0, 1e5), 2e-3);
+        assert!(run.bound_s < run.reference_s && run.reference_s <= run.time_s);
+    }
+    near(least.reference_s, runs.iter().map(|run| run.reference_s).sum(), 1e-12);
+}
