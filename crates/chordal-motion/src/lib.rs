@@ -15,6 +15,7 @@
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
+//! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
 
 #![forbid(unsafe_code)]
 
@@ -23,6 +24,7 @@ mod piece;
 mod planner;
 mod sampler;
 mod segment;
+mod stream;
 mod trajectory;
 
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
@@ -30,6 +32,7 @@ pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
+pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
