@@ -19,13 +19,17 @@
 
 #![forbid(unsafe_code)]
 
+mod cell;
 mod limits;
 mod piece;
 mod planner;
+mod profile;
 mod sampler;
 mod segment;
+mod smooth;
 mod stream;
 mod trajectory;
+mod verify;
 
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
@@ -34,6 +38,7 @@ pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
+pub use verify::{Use, largest_use};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
 pub type Axes = [f64; 6];
