@@ -162,21 +162,26 @@ impl Servo {
 
     /// Feed hold: the axes stop on the path.
     pub fn hold(&mut self) {
-        self.holding = true;
-        self.try_next = 0;
+        if !self.holding {
+            self.holding = true;
+            self.try_next = 0;
+        }
     }
 
     /// The motion goes on after a hold.
     pub fn resume(&mut self) {
-        self.holding = false;
-        self.try_next = 0;
+        if self.holding {
+            self.holding = false;
+            self.try_next = 0;
+        }
     }
 
     /// Feed override: 1 is 100 %. From 0 to 2; a number that is none changes nothing.
     pub fn set_override(&mut self, factor: f64) {
+        // What is tried next stays: with another factor in every period the milder courses
+        // must have their turn, too.
         if !factor.is_nan() {
             self.wanted = factor.clamp(0.0, MOST);
-            self.try_next = 0;
         }
     }
 
@@ -218,7 +223,6 @@ impl Servo {
     fn take_windows(&mut self) {
         while let Ok(window) = self.arriving.pop() {
             self.windows.push_back(window);
-            self.try_next = 0;
             if self.windows.len() == 1 {
                 self.place = Place::default();
                 self.at_s = 0.0;
