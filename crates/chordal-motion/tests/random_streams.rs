@@ -5,7 +5,8 @@ mod common;
 
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_motion::{
-    AxisLimit, Corner, Limits, Move, MoveKind, Pushed, Setpoint, StreamOptions, stream,
+    Axes, AxisLimit, Corner, Level, Limits, Move, MoveKind, Piece, Planner, PlannerOptions, Pushed,
+    Setpoint, Step, StreamOptions, stream,
 };
 use common::Watch;
 use proptest::prelude::*;
@@ -190,18 +191,84 @@ fn check(drafts: &[Draft], events: &[Event], options: StreamOptions) -> Result<(
     for axis in 0..6 {
         prop_assert!((end.position[axis] - target[axis]).abs() < 1e-9, "{:?}", end);
     }
-    // The widest tolerance of a program whose corners are all exact is zero.
+    // The planner takes a nanometre for kinks that are exact by their words.
     let exact = drafts.iter().all(|draft| draft.corner < 2);
-    let tolerance = if exact { 0.0 } else { 0.2 };
+    let tolerance = if exact { 1e-6 } else { 0.2 };
     for point in &points {
         let off = off_path(&moves, point);
         prop_assert!(off <= tolerance + 1e-9, "{off} mm off the path: {point:?}");
     }
+    // A flush in between plans a stop that this plan has not got.
+    if exact && events.iter().all(|event| event.what != 6) {
+        let mut walk = Walk { pieces: planned(&moves, options.headroom), piece: 0, sigma: 0.0 };
+        for point in &points {
+            let off = walk.off(&point.position);
+            prop_assert!(off < 1e-9, "{off} mm off what was planned: {point:?}");
+        }
+    }
     Ok(())
 }
 
+/// The pieces that the feeder's planner makes.
+fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
+    let machine = machine();
+    let axes = [0, 1, 2, 3, 4, 5].map(|axis| {
+        machine.axis(axis).map(|limit| AxisLimit {
+            acceleration: limit.acceleration * (1.0 - headroom),
+            jerk: limit.jerk * (1.0 - headroom),
+            ..*limit
+        })
+    });
+    let limits = Limits::new(axes).expect("positive limits");
+    let mut planner = Planner::new(limits, PlannerOptions { level: Level::Fast });
+    let mut pieces = Vec::new();
+    let mut take = |step: Step<'_>| {
+        if let Step::Stretch(stretch) = step {
+            pieces.extend_from_slice(&stretch.pieces);
+        }
+    };
+    for motion in moves {
+        planner.push(motion, &mut take).expect("a move that can be planned");
+    }
+    planner.finish(&mut take);
+    pieces
+}
+
+/// Goes along the planned path and never back.
+struct Walk {
+    pieces: Vec<Piece>,
+    piece: usize,
+    sigma: f64,
+}
+
+impl Walk {
+    /// Distance of a place from the path at or after the last one.
+    fn off(&mut self, place: &Axes) -> f64 {
+        let mut least = f64::INFINITY;
+        for index in self.piece..self.pieces.len() {
+            let piece = &self.pieces[index];
+            let from = if index == self.piece { self.sigma } else { 0.0 };
+            let mut sigma = from;
+            for _ in 0..20 {
+                let [x, d, ..] = piece.at(sigma);
+                let along: f64 = (0..6).map(|axis| (place[axis] - x[axis]) * d[axis]).sum();
+                let square: f64 = d.iter().map(|d| d * d).sum();
+                sigma = (sigma + along / square).clamp(from, piece.length);
+            }
+            let x = piece.at(sigma)[0];
+            let off = (0..6).map(|axis| (place[axis] - x[axis]).powi(2)).sum::<f64>().sqrt();
+            least = least.min(off);
+            if off < 1e-9 {
+                (self.piece, self.sigma) = (index, sigma);
+                return off;
+            }
+        }
+        least
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, max_shrink_iters: 150, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 150, max_shrink_iters: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn limits_and_path_hold_whatever_is_done(
@@ -219,7 +286,8 @@ proptest! {
     }
 
     #[test]
-    fn exact_programs_stay_exact(mut drafts in drafts(), events in events()) {
+    fn exact_programs_stay_exact(mut drafts in drafts(), mut events in events()) {
+        events.retain(|event| event.what != 6);
         for draft in &mut drafts {
             draft.corner %= 2;
         }

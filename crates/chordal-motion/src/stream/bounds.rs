@@ -51,11 +51,9 @@ impl Room {
     /// limits where the plan itself takes nothing of them.
     pub fn steepest(&self, fastest: &Axes) -> (f64, f64) {
         let mut steepest = (1e3_f64, 1e6_f64);
-        for axis in 0..6 {
-            if fastest[axis] > 0.0 {
-                steepest.0 = steepest.0.min(self.acceleration[axis] / fastest[axis]);
-                steepest.1 = steepest.1.min(self.jerk[axis] / fastest[axis]);
-            }
+        for (axis, fastest) in fastest.iter().enumerate().filter(|(_, fastest)| **fastest > 0.0) {
+            steepest.0 = steepest.0.min(self.acceleration[axis] / fastest);
+            steepest.1 = steepest.1.min(self.jerk[axis] / fastest);
         }
         steepest
     }
@@ -126,8 +124,10 @@ pub(super) fn fill(window: &mut Window) {
 pub(super) fn fastest(blocks: &[Block]) -> Axes {
     let mut fastest = [0.0_f64; 6];
     for block in blocks {
-        for axis in 0..6 {
-            fastest[axis] = fastest[axis].max(block.high[0][axis]).max(-block.low[0][axis]);
+        for (fastest, (low, high)) in
+            fastest.iter_mut().zip(block.low[0].iter().zip(&block.high[0]))
+        {
+            *fastest = fastest.max(*high).max(-low);
         }
     }
     fastest

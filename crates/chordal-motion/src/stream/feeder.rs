@@ -220,12 +220,11 @@ impl Line {
             return Err(FeedError::Finished);
         }
         self.publish();
-        let idle = self.timeline.items.is_empty();
-        let waiting = !idle && self.next_end_s().is_some();
-        if idle {
+        if self.timeline.items.is_empty() {
             self.flushing = false;
         }
-        Ok(!waiting && !(self.flushing && !idle))
+        // What was flushed goes out before anything is laid behind it.
+        Ok(!self.flushing && self.next_end_s().is_none())
     }
 
     /// When the next window ends, if one can be made.

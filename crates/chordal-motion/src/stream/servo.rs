@@ -190,7 +190,8 @@ impl Servo {
         self.underruns
     }
 
-    /// The setpoint one period after the last.
+    /// The setpoint one period after the last; for ever, as axes want one when they stand, too.
+    #[allow(clippy::should_implement_trait, reason = "there is always a next one, no option")]
     #[inline]
     pub fn next(&mut self) -> Setpoint {
         self.take_windows();
@@ -299,8 +300,8 @@ impl Servo {
         let window = self.windows.front()?;
         let mut far = window.fastest;
         if let Some(next) = self.windows.get(1) {
-            for axis in 0..6 {
-                far[axis] = far[axis].max(next.fastest[axis]);
+            for (far, next) in far.iter_mut().zip(&next.fastest) {
+                *far = far.max(*next);
             }
         }
         let first = window.blocks.partition_point(|block| block.end_s <= self.at_s);

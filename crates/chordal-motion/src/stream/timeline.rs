@@ -55,7 +55,7 @@ fn sums(into: &mut Vec<f64>, parts: impl Iterator<Item = f64>) {
 #[derive(Debug)]
 pub(super) enum Item {
     /// A stretch and when it begins, s from the start of the next window.
-    Stretch(Box<Laid>, f64),
+    Stretch(Laid, f64),
     /// A wait, begun where the stretches before it end.
     Wait(f64, u64),
 }
@@ -65,7 +65,7 @@ pub(super) enum Item {
 pub(super) struct Timeline {
     pub items: VecDeque<Item>,
     /// Used ones, for their memory.
-    spare: Vec<Box<Laid>>,
+    spare: Vec<Laid>,
     /// When the stretches up to the first wait end, and until when they cannot change any more,
     /// s from the start of the next window.
     pub ends_s: f64,
