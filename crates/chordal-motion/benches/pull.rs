@@ -34,7 +34,7 @@ fn line(from: [f64; 2], to: [f64; 2], corner: Corner, tag: u64) -> Move {
 
 /// To and fro.
 fn lines(index: u64) -> Move {
-    let (from, to) = if index % 2 == 0 { (0.0, 500.0) } else { (500.0, 0.0) };
+    let (from, to) = if index.is_multiple_of(2) { (0.0, 500.0) } else { (500.0, 0.0) };
     line([from, 0.0], [to, 0.0], Corner::Stop, index)
 }
 

@@ -15,7 +15,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use chordal_geometry::{Arc, Curve, Line, ParamCurve, Plane, Vec3};
+use chordal_geometry::{Arc, Curve, Line, Plane, Vec3};
 use chordal_motion::{
     AxisLimit, Corner, Feeder, Limits, Move, MoveKind, Pushed, Servo, StreamOptions, stream,
 };

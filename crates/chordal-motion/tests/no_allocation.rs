@@ -38,7 +38,7 @@ fn no_setpoint_allocates_or_frees() {
     let mut finished = false;
     while !finished {
         // Now and then the push side is away.
-        if total % 900 < 700 {
+        if total % 1200 < 500 {
             while let Some(step) = next {
                 match feeder.push_step(step) {
                     Ok(Pushed::Taken) => next = steps.next(),

@@ -125,6 +125,11 @@ fn off_path(moves: &[Move], point: &Setpoint) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
+/// Every fourth move begins after a wait.
+fn waits_before(motion: &Move) -> bool {
+    motion.tag % 4 == 3
+}
+
 /// Pushes and pulls until the end; what the setpoints ask of the axes is in the watch.
 fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<Setpoint>) {
     let machine = machine();
@@ -136,13 +141,23 @@ fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<
     let mut wait = event.map_or(0, |event| event.after);
     let mut next = 0;
     let mut away = 0_usize;
+    let mut wait_due = false;
     loop {
         if away > 0 {
             away -= 1;
         } else {
             while next < moves.len() {
-                match feeder.push(&moves[next]).expect("a move that can be planned") {
-                    Pushed::Taken => next += 1,
+                let pushed = if wait_due {
+                    feeder.wait(0.03, moves[next].tag)
+                } else {
+                    feeder.push(&moves[next])
+                };
+                match pushed.expect("a move that can be planned") {
+                    Pushed::Taken if wait_due => wait_due = false,
+                    Pushed::Taken => {
+                        next += 1;
+                        wait_due = next < moves.len() && waits_before(&moves[next]);
+                    }
                     Pushed::Full => break,
                 }
             }
@@ -188,8 +203,8 @@ fn check(drafts: &[Draft], events: &[Event], options: StreamOptions) -> Result<(
     watch.check(options.period_s, &machine());
     let end = points.last().expect("an end");
     let target = moves[moves.len() - 1].to();
-    for axis in 0..6 {
-        prop_assert!((end.position[axis] - target[axis]).abs() < 1e-9, "{:?}", end);
+    for (end, target) in end.position.iter().zip(&target) {
+        prop_assert!((end - target).abs() < 1e-9, "{end} for {target}");
     }
     // The planner takes a nanometre for kinks that are exact by their words.
     let exact = drafts.iter().all(|draft| draft.corner < 2);
@@ -228,6 +243,9 @@ fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
         }
     };
     for motion in moves {
+        if waits_before(motion) {
+            planner.wait(0.03, motion.tag, &mut take);
+        }
         planner.push(motion, &mut take).expect("a move that can be planned");
     }
     planner.finish(&mut take);
@@ -268,7 +286,7 @@ impl Walk {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, max_shrink_iters: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, max_shrink_iters: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn limits_and_path_hold_whatever_is_done(
@@ -278,10 +296,11 @@ proptest! {
         windows in prop_oneof![Just(3_usize), Just(16)],
         headroom in prop_oneof![Just(0.0), Just(0.03), Just(0.2)],
         scale_waits in any::<bool>(),
+        pieces in prop_oneof![Just(64_usize), Just(16_384)],
     ) {
         let period_s = if fine { 0.000_25 } else { 0.001 };
         let options =
-            StreamOptions { period_s, windows, headroom, scale_waits, ..StreamOptions::default() };
+            StreamOptions { period_s, windows, headroom, scale_waits, pieces, ..StreamOptions::default() };
         check(&drafts, &events, options)?;
     }
 

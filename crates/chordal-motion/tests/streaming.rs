@@ -2,7 +2,7 @@
 
 mod common;
 
-use chordal_motion::{Pushed, Setpoint, Step, StreamOptions, stream};
+use chordal_motion::{Corner, Move, MoveKind, Pushed, Setpoint, Step, StreamOptions, stream};
 use common::{Watch, circle_stretch, cut_line, limits, line, piece, stretch as by_hand};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
@@ -109,7 +109,7 @@ fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
 fn a_circle_holds_its_axes_under_hold_and_override() {
     for radius in [0.5, 2.0, 20.0] {
         let planned = circle_stretch(radius, 20.0, 3);
-        let points = run(&[planned.clone()], 0.001, |index, servo| match index % 700 {
+        let points = run(std::slice::from_ref(&planned), 0.001, |index, servo| match index % 700 {
             100 => servo.set_override(0.4),
             200 => servo.hold(),
             400 => servo.resume(),
@@ -160,4 +160,83 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         assert_eq!(point.position, planned.to());
         watch.check(0.001, &machine());
     }
+}
+
+#[test]
+fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
+    let planned = by_hand(cut_line([0.0; 3], [0.05, 0.02, 0.0], 50_000), 100.0, 1900.0, 9e4);
+    let duration_s = planned.duration_s();
+    for pieces in [1000, 16_384] {
+        let options = StreamOptions { pieces, ..StreamOptions::default() };
+        let (mut feeder, mut servo) = stream(machine(), options, [0.0; 6]);
+        assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+        let mut watch = Watch::default();
+        let mut point = Setpoint::default();
+        let mut count = 0;
+        while !point.finished && count < 100_000 {
+            feeder.finish();
+            point = servo.next();
+            watch.take(&point, 0.001, &machine());
+            count += 1;
+        }
+        assert!(point.finished, "{pieces} pieces: {point:?}");
+        assert!((point.position[0] - 0.05).abs() < 1e-9);
+        watch.check(0.001, &machine());
+        if pieces > 16_000 {
+            // Where a window holds enough path, nothing is lost.
+            assert!(f64::from(count) * 0.001 < 3.0 * duration_s, "{count} for {duration_s} s");
+        }
+    }
+}
+
+/// A circle of radius 30 as 300 lines, eased within a hundredth: the plan is at its limits of
+/// jerk in every corner.
+fn polygon() -> Vec<Move> {
+    let at = |corner: u32| {
+        let angle = f64::from(corner) / 300.0 * std::f64::consts::TAU;
+        [30.0 * angle.cos(), 30.0 * angle.sin(), 0.0]
+    };
+    (0..300)
+        .map(|corner| Move {
+            curve: line(at(corner), at(corner + 1)),
+            rotary_from: [0.0; 3],
+            rotary_to: [0.0; 3],
+            speed: 150.0,
+            corner: Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 },
+            kind: MoveKind::Cut,
+            tag: u64::from(corner),
+        })
+        .collect()
+}
+
+#[test]
+fn a_hold_in_eased_corners_stops_in_bounded_time_and_sooner_with_headroom() {
+    let mut took = Vec::new();
+    for headroom in [0.0, 0.03, 0.1, 0.3] {
+        let options = StreamOptions { headroom, ..StreamOptions::default() };
+        let moves = polygon();
+        let (mut feeder, mut servo) = stream(machine(), options, moves[0].from());
+        for motion in &moves {
+            assert_eq!(feeder.push(motion), Ok(Pushed::Taken));
+        }
+        feeder.finish();
+        let mut watch = Watch::default();
+        let mut count = 0;
+        loop {
+            feeder.finish();
+            if count == 500 {
+                servo.hold();
+            }
+            let point = servo.next();
+            watch.take(&point, 0.001, &machine());
+            if point.rate == 0.0 {
+                break;
+            }
+            count += 1;
+            assert!(count < 3000, "no stop: {point:?}");
+        }
+        watch.check(0.001, &machine());
+        took.push(f64::from(count - 500) * 0.001);
+    }
+    assert!(took[1] < 0.5 && took[3] < 0.25, "{took:?}");
 }

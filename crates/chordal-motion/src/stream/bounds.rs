@@ -77,6 +77,10 @@ impl Block {
         for axis in 0..6 {
             let of = |row: usize| (self.low[row][axis], self.high[row][axis]);
             let (v, a, j) = (of(0), of(1), of(2));
+            // What does not move needs no check.
+            if v.0 == 0.0 && v.1 == 0.0 {
+                continue;
+            }
             held &= fast * v.1.max(-v.0) <= room.velocity[axis];
             let acceleration = plus(times(a, squares), times(v, slope));
             held &= acceleration.1.max(-acceleration.0) <= room.acceleration[axis];

@@ -1,22 +1,16 @@
 //! Cuts windows out of the line of time and finds the stop of each.
 
 use super::bounds::{self, Room};
-use super::feeder::StreamOptions;
 use super::rate::{Ahead, Course, Rate};
 use super::timeline::{Item, Timeline};
 use super::window::{Leg, Placed, Stop, Timed, Window};
 
 /// Rates at the wall for which a stop is looked for, the best first.
-const LEVELS: [f64; 5] = [1.0, 0.7, 0.4, 0.1, 0.01];
+const LEVELS: [f64; 6] = [1.0, 0.7, 0.4, 0.1, 0.01, 0.001];
 /// Shares of the steepest stop that are tried.
 const STEEPNESS: [f64; 7] = [0.96, 0.6, 0.3, 0.1, 0.03, 0.01, 0.003];
 /// How many lengths of a stop before the end of the window it is begun.
 const EARLIER: [f64; 4] = [1.0, 1.3, 1.8, 3.0];
-
-/// How many blocks a window may have.
-pub(super) fn most_blocks(options: &StreamOptions) -> usize {
-    (options.window_s * 500.0) as usize * 4 + 64
-}
 
 /// Puts what lies on the line before `end_s` into an empty window. False, and the window is
 /// to be cleared, when it has not that much room.

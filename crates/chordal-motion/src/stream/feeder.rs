@@ -24,7 +24,9 @@ pub struct StreamOptions {
     pub window_s: f64,
     /// How many windows there are: together they bound memory and the time ahead.
     pub windows: usize,
-    /// How many pieces of path a window may hold.
+    /// How many pieces of path a window may hold, about 500 bytes each where they are used. In
+    /// shorter windows the stop has less path, so that the axes cannot get as quick as planned:
+    /// let it be the most pieces that are travelled in two times `window_s`.
     pub pieces: usize,
     /// Share of each axis' acceleration and jerk that the plan leaves to changes of the rate
     /// (hold, resume, override), 0 to 0.5. It costs about a third of itself in cycle time.
@@ -39,7 +41,7 @@ impl Default for StreamOptions {
             period_s: 0.001,
             window_s: 0.1,
             windows: 16,
-            pieces: 2048,
+            pieces: 16_384,
             headroom: 0.03,
             scale_waits: false,
         }

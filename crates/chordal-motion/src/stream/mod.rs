@@ -47,10 +47,7 @@ pub fn stream(limits: Limits, options: StreamOptions, start: Axes) -> (Feeder, S
     let (mut leaving, leave) = rtrb::RingBuffer::new(options.windows);
     for _ in 0..options.windows {
         // The rings hold every window there is.
-        let _ = leaving.push(Box::new(window::Window::with_capacity(
-            options.pieces,
-            cut::most_blocks(&options),
-        )));
+        let _ = leaving.push(Box::new(window::Window::new()));
     }
     let feeder = Feeder::new(limits, options, room, (arrive, leave));
     let times = (options.period_s, options.scale_waits);

@@ -13,9 +13,9 @@ use super::window::{Stop, Window};
 /// The finest step of the clock in which a course is checked, s.
 const STEP_S: f64 = 0.001;
 /// How many steps a check may take.
-const STEPS: f64 = 64.0;
+const STEPS: f64 = 48.0;
 /// How many times a step is held against a block at most.
-const BUDGET: usize = 512;
+const BUDGET: usize = 384;
 
 /// A time with a constant second derivative of the rate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -223,6 +223,46 @@ impl Walk<'_> {
                 return Walked::Held;
             }
             self.block += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn end(course: &Course, from: Rate) -> Rate {
+        course.bends[..course.count]
+            .iter()
+            .fold(from, |rate, bend| rate.after(bend.bend, bend.seconds).0)
+    }
+
+    #[test]
+    fn a_course_ends_evenly_at_its_target() {
+        for value in [0.0, 0.3, 1.0, 1.7] {
+            for slope in [-9.0, -0.5, 0.0, 2.0, 30.0] {
+                for target in [0.0, 0.31, 1.0, 2.0] {
+                    for (steep, bend) in [(0.5, 3.0), (10.0, 20.0), (2.0, 1e4)] {
+                        let from = Rate { value, slope };
+                        let course = Course::to(from, target, steep, bend);
+                        let end = end(&course, from);
+                        assert!((end.value - target).abs() < 1e-9, "{from:?} {course:?} {end:?}");
+                        assert!(end.slope.abs() < 1e-9, "{from:?} {course:?} {end:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_stop_is_the_same_way_at_any_rate() {
+        let whole = Course::tail(1.0, 8.0, 200.0).passed(Rate::even(1.0));
+        // It falls as evenly after its middle as before: on average the rate is a half.
+        assert!((whole - Course::tail(1.0, 8.0, 200.0).seconds() / 2.0).abs() < 1e-12);
+        for rate in [0.9, 0.5, 0.01] {
+            let tail = Course::tail(rate, 8.0, 200.0);
+            assert!((tail.passed(Rate::even(rate)) - whole).abs() < 1e-12);
+            assert!(end(&tail, Rate::even(rate)).value.abs() < 1e-12);
         }
     }
 }

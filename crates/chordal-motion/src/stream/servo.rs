@@ -13,13 +13,14 @@ use super::window::{Place, Stop, Window};
 
 /// Shares of the steepest change of the rate that are tried, quickest first; the first ones of
 /// what the speeds of the next blocks allow, the others of what those of whole windows allow.
-const STEEPNESS: [f64; 7] = [0.96, 0.5, 0.96, 0.6, 0.3, 0.1, 0.03];
+const STEEPNESS: [f64; 9] = [0.96, 0.5, 0.96, 0.6, 0.35, 0.2, 0.1, 0.06, 0.03];
 /// How many belong to the next blocks, and how many blocks those are.
 const NEAR: (usize, usize) = (2, 12);
 /// Shares of the way to the wanted rate that are tried, all of it first.
-const SHARES: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
-/// Courses that are checked in one period at most.
-const TRIES: usize = 2;
+const SHARES: [f64; 6] = [1.0, 0.5, 0.2, 0.05, 0.01, 0.001];
+/// Courses that are drawn up, and that are checked, in one period at most.
+const DRAFTS: usize = 9;
+const CHECKS: usize = 2;
 /// How long a rate above 1 is to last when it is checked, s by the clock.
 const ABOVE_S: [f64; 3] = [0.1, 0.04, 0.01];
 /// Largest override.
@@ -275,9 +276,12 @@ impl Servo {
         }
         let Some((near, far)) = self.fastest() else { return };
         let (near, far) = (self.room.steepest(&near), self.room.steepest(&far));
-        for _ in 0..TRIES {
-            let index = self.try_next;
-            self.try_next = (index + 1) % (STEEPNESS.len() * SHARES.len());
+        // Where the wanted rate is under way, only a quicker way to it is looked for.
+        let shares = if off > 1e-9 { SHARES.len() } else { 1 };
+        let mut checks = 0;
+        for _ in 0..DRAFTS {
+            let index = self.try_next % (STEEPNESS.len() * shares);
+            self.try_next = index + 1;
             let kind = index % STEEPNESS.len();
             let part = STEEPNESS[kind];
             let (steep, bend) = if kind < NEAR.0 { near } else { far };
@@ -287,9 +291,16 @@ impl Servo {
             let nearer = (aim - target).abs();
             let course = self.towards(aim, steep * part, bend * part, ABOVE_S[index % 3]);
             let better = nearer < off - 1e-9 || (nearer <= off && course.seconds() < 0.9 * left_s);
-            if better && self.is_safe(&course) {
+            if !better {
+                continue;
+            }
+            if self.is_safe(&course) {
                 self.follow(course, aim, false);
                 self.try_next = 0;
+                return;
+            }
+            checks += 1;
+            if checks == CHECKS {
                 return;
             }
         }
@@ -497,27 +508,30 @@ impl Servo {
     /// Goes over to the next window where the first is over; whether there is time to go on.
     #[inline]
     fn pass_windows(&mut self, left_s: &mut f64, before_s: f64) -> bool {
-        let Some(window) = self.windows.front() else { return false };
-        if self.at_s < window.duration_s {
-            return true;
-        }
-        let pauses = self.windows.get(1).is_none_or(|next| next.legs.is_empty());
-        let rests = window.wait.is_some()
-            || (window.stop == Stop::Rest && (pauses || self.wall_window == 1));
-        if rests {
-            // What went beyond the end is time to wait, or to begin anew.
-            let beyond = self.at_s - window.duration_s;
-            if self.rate.value > 0.0 {
-                *left_s = (*left_s + beyond / self.rate.value).min(before_s);
+        // A period may pass several windows where the pieces are very short.
+        loop {
+            let Some(window) = self.windows.front() else { return false };
+            if self.at_s < window.duration_s {
+                return true;
             }
-            self.rest_at_end();
-            return true;
-        }
-        if self.windows.len() > 1 {
+            let pauses = self.windows.get(1).is_none_or(|next| next.legs.is_empty());
+            let rests = window.wait.is_some()
+                || (window.stop == Stop::Rest && (pauses || self.wall_window == 1));
+            if rests {
+                // What went beyond the end is time to wait, or to begin anew.
+                let beyond = self.at_s - window.duration_s;
+                if self.rate.value > 0.0 {
+                    *left_s = (*left_s + beyond / self.rate.value).min(before_s);
+                }
+                self.rest_at_end();
+                return true;
+            }
+            if self.windows.len() < 2 {
+                return true;
+            }
             self.at_s -= window.duration_s;
             self.drop_window_keeping_time();
         }
-        true
     }
 
     /// The plan rests at the end of the first window.

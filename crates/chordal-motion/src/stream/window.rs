@@ -67,13 +67,14 @@ pub(super) struct Window {
 }
 
 impl Window {
-    pub fn with_capacity(pieces: usize, blocks: usize) -> Window {
+    /// An empty window. It grows on the push side to what its options bound.
+    pub fn new() -> Window {
         Window {
             duration_s: 0.0,
-            legs: Vec::with_capacity(pieces),
-            phases: Vec::with_capacity(7 * pieces),
-            pieces: Vec::with_capacity(pieces),
-            blocks: Vec::with_capacity(blocks),
+            legs: Vec::new(),
+            phases: Vec::new(),
+            pieces: Vec::new(),
+            blocks: Vec::new(),
             fastest: [0.0; 6],
             stop: Stop::Unknown,
             wait: None,

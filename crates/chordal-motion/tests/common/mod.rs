@@ -121,26 +121,23 @@ impl Watch {
         if self.last.len() > 4 {
             self.last.remove(0);
         }
-        let p = &self.last;
-        let n = p.len();
+        let back = |axis: usize, count: usize| {
+            let at = self.last.len().checked_sub(1 + count)?;
+            Some(self.last[at][axis])
+        };
         for axis in 0..6 {
             let Some(limit) = limits.axis(axis) else { continue };
-            let d = |row: usize, back: usize| match row {
-                0 => p[n - 1 - back][axis] - p[n - 2 - back][axis],
-                _ => f64::NAN,
+            let [a, b, c, d] = [3, 2, 1, 0].map(|count| back(axis, count));
+            let mut take = |row: usize, value: Option<f64>, limit: f64| {
+                if let Some(value) = value {
+                    let share = value.abs() / period_s.powi(row as i32 + 1) / limit;
+                    self.worst[row] = self.worst[row].max(share);
+                }
             };
-            if n > 1 {
-                let v = d(0, 0) / period_s;
-                self.worst[0] = self.worst[0].max(v.abs() / limit.velocity);
-            }
-            if n > 2 {
-                let a = (d(0, 0) - d(0, 1)) / period_s.powi(2);
-                self.worst[1] = self.worst[1].max(a.abs() / limit.acceleration);
-            }
-            if n > 3 {
-                let j = (d(0, 0) - 2.0 * d(0, 1) + d(0, 2)) / period_s.powi(3);
-                self.worst[2] = self.worst[2].max(j.abs() / limit.jerk);
-            }
+            let (Some(d), Some(c)) = (d, c) else { continue };
+            take(0, Some(d - c), limit.velocity);
+            take(1, b.map(|b| d - 2.0 * c + b), limit.acceleration);
+            take(2, a.zip(b).map(|(a, b)| d - 3.0 * c + 3.0 * b - a), limit.jerk);
             self.told[0] = self.told[0].max(point.velocity[axis].abs() / limit.velocity);
             self.told[1] = self.told[1].max(point.acceleration[axis].abs() / limit.acceleration);
         }
