@@ -168,3 +168,17 @@ fn rapids_with_limits_of_their_own_take_their_own_time() {
     let was = 0.12 + 100.0 / 200.0;
     assert!((slow.seconds - same - (due - was)).abs() < 1e-6, "{} {same} {due}", slow.seconds);
 }
+
+#[test]
+fn a_dog_leg_rapid_takes_the_time_of_its_slowest_axis() {
+    let program = "G21 G90 G61 S600 M3\nG0 X100 Y50\nM2\n";
+    let seconds = |dog_leg_shape: bool| {
+        let options = MotionOptions { dog_leg_shape, ..Default::default() };
+        plan_with(program, &["rapid.shape = dog-leg"], options).0.seconds
+    };
+    // X alone takes 100 mm at 200 mm/s and one ramp of 0.12 s, whatever Y does meanwhile.
+    assert!((seconds(false) - 0.62).abs() < 1e-6, "{}", seconds(false));
+    // The shape with its bend costs no more than a stop there, which is another ramp.
+    let shape = seconds(true);
+    assert!(shape > 0.62 - 1e-9 && shape < 0.74, "{shape}");
+}
