@@ -1,12 +1,12 @@
 //! The pull side allocates and frees nothing, whatever happens. One test alone: others beside it
 //! would be counted, too.
 
-mod common;
+mod by_hand;
 
 use std::alloc::System;
 
+use by_hand::{circle_stretch, cut_line, limits, stretch as ramp};
 use chordal_motion::{Pushed, Step, StreamOptions, stream};
-use common::{circle_stretch, cut_line, limits, stretch as by_hand};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -23,7 +23,7 @@ fn no_setpoint_allocates_or_frees() {
     let (mut feeder, mut servo) = stream(machine, options, [5.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let circle = circle_stretch(5.0, 12.0, 1);
     let end = circle.to();
-    let lines = by_hand(
+    let lines = ramp(
         cut_line([end[0], end[1], 0.0], [end[0] + 60.0, end[1], 0.0], 60_000),
         150.0,
         1900.0,

@@ -1,14 +1,14 @@
 //! Random programs, pushed and pulled in random order, with random holds, resumes and overrides:
 //! the limits hold, the path stays the path, the end is the end.
 
-mod common;
+mod by_hand;
 
+use by_hand::Watch;
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Level, Limits, Move, MoveKind, Piece, Planner, PlannerOptions, Pushed,
     Setpoint, Step, StreamOptions, stream,
 };
-use common::Watch;
 use proptest::prelude::*;
 
 fn machine() -> Limits {

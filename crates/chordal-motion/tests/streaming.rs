@@ -1,9 +1,9 @@
 //! The stream between a planner and a servo loop.
 
-mod common;
+mod by_hand;
 
+use by_hand::{Watch, circle_stretch, cut_line, limits, line, piece, stretch as ramp};
 use chordal_motion::{Corner, Move, MoveKind, Pushed, Setpoint, Step, StreamOptions, stream};
-use common::{Watch, circle_stretch, cut_line, limits, line, piece, stretch as by_hand};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
 
@@ -13,7 +13,7 @@ fn machine() -> chordal_motion::Limits {
 
 #[test]
 fn a_line_is_travelled_as_planned_and_ends_exactly() {
-    let planned = by_hand(vec![piece(&line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
+    let planned = ramp(vec![piece(&line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
     let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; 6]);
     assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
@@ -77,7 +77,7 @@ fn run(
 fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
     for (period_s, at) in [(0.001, 500), (0.00025, 2000), (0.001, 20), (0.001, 1090)] {
         let planned =
-            by_hand(vec![piece(&line([0.0; 3], [200.0, 0.0, 0.0]), 1)], 190.0, 1940.0, 9.7e4);
+            ramp(vec![piece(&line([0.0; 3], [200.0, 0.0, 0.0]), 1)], 190.0, 1940.0, 9.7e4);
         let mut stopped = None;
         let mut count = 0;
         let points = run(&[planned], period_s, |index, servo| {
@@ -132,7 +132,7 @@ fn a_circle_holds_its_axes_under_hold_and_override() {
 fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
     // The second half of a line comes late by more and more.
     for late in [0, 5, 20, 40, 80, 300] {
-        let planned = by_hand(cut_line([0.0; 3], [150.0, 80.0, 0.0], 500), 150.0, 1900.0, 9e4);
+        let planned = ramp(cut_line([0.0; 3], [150.0, 80.0, 0.0], 500), 150.0, 1900.0, 9e4);
         // Two windows are all there is, so that the pull side runs dry when nothing is pushed.
         let options = StreamOptions { windows: 3, ..StreamOptions::default() };
         let (mut feeder, mut servo) = stream(machine(), options, [0.0; 6]);
@@ -164,7 +164,7 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
 
 #[test]
 fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
-    let planned = by_hand(cut_line([0.0; 3], [0.05, 0.02, 0.0], 50_000), 100.0, 1900.0, 9e4);
+    let planned = ramp(cut_line([0.0; 3], [0.05, 0.02, 0.0], 50_000), 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
     for pieces in [1000, 16_384] {
         let options = StreamOptions { pieces, ..StreamOptions::default() };
