@@ -46,6 +46,7 @@ impl Piece {
 
 /// What is worth knowing of a piece before it is asked at many places.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for a cursor, which allocates nothing")]
 pub(crate) enum Shape {
     /// Every axis moves evenly with σ.
     Even,
