@@ -193,9 +193,12 @@ fn a_walk_answers_what_the_piece_answers() {
                 let along = phase.at(share * phase.duration_s);
                 let walked = cursor.at(&stretch, phase_from + share * phase.duration_s);
                 let jet = stretch.pieces[0].at(along.sigma.min(stretch.pieces[0].length));
-                for axis in 0..6 {
-                    assert!((walked.position[axis] - jet[0][axis]).abs() < 1e-12);
-                    assert!((walked.velocity[axis] - jet[1][axis] * along.speed).abs() < 1e-10);
+                let [places, slopes, ..] = jet;
+                for (walked, place) in walked.position.iter().zip(places) {
+                    assert!((walked - place).abs() < 1e-12);
+                }
+                for (walked, slope) in walked.velocity.iter().zip(slopes) {
+                    assert!((walked - slope * along.speed).abs() < 1e-10);
                 }
             }
             phase_from += phase.duration_s;
