@@ -128,6 +128,20 @@ pub enum Step<'a> {
 }
 
 /// The axes at a place of a piece, moved by the law of time.
+pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
+    let mut sample = Sample { tag: piece.tag, ..Sample::default() };
+    fill_bent(piece, sigma, along, &mut sample);
+    sample.into()
+}
+
+impl From<Sample> for State {
+    fn from(sample: Sample) -> State {
+        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
+        State { position, velocity, acceleration, jerk, tag }
+    }
+}
+
+/// The same written into a sample.
 #[inline]
 fn fill_bent(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
     let [position, d1, d2, d3] = piece.at(sigma);
@@ -185,8 +199,7 @@ impl Cursor {
     pub fn at(&mut self, stretch: &Stretch, t: f64) -> State {
         let mut sample = Sample::default();
         self.fill(stretch, t, &mut sample);
-        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
-        State { position, velocity, acceleration, jerk, tag }
+        sample.into()
     }
 
     /// The same written into a sample, whose time stays. A stretch of nothing changes nothing.
