@@ -168,7 +168,6 @@ struct Rows {
     done: io::Result<()>,
     period_s: f64,
     count: u64,
-    last_s: f64,
     /// The largest chord of the period, mm, and its line.
     chord: (f64, u32),
 }
@@ -178,7 +177,6 @@ impl Rows {
         let line = StepSource::line_of(sample.tag);
         keep(&mut self.done, || self.writer.sample(sample, line));
         self.count += 1;
-        self.last_s = sample.time_s;
         let chord = normal_acceleration(sample) * self.period_s * self.period_s / 8.0;
         if chord > self.chord.0 {
             self.chord = (chord, line);
@@ -223,15 +221,15 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         done: Ok(()),
         period_s: args.period,
         count: 0,
-        last_s: 0.0,
         chord: (0.0, 0),
     };
     let sampler = Sampler::new(args.period).at_most(args.max_samples);
     let mut setpoints = Setpoints { sampler, rows };
     let motion = plan(&job, args.level, &mut setpoints)?;
     let Setpoints { sampler, mut rows } = setpoints;
+    let time_s = sampler.time_s();
     if sampler.is_exhausted() {
-        return Err(too_many(args, sampler.time_s()));
+        return Err(too_many(args, time_s));
     }
     sampler.finish(|sample| rows.take(sample));
     rows.done.map_err(told)?;
@@ -245,7 +243,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         .tell(&loaded.chosen.told(loaded.name(), job.control().table.title).unwrap_or_default());
     terminal.tell(&report::text(&report, job.sources(), terminal.err));
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
-    let numbers = Numbers { count: rows.count, last_s: rows.last_s, chord: rows.chord };
+    let numbers = Numbers { count: rows.count, time_s, chord: rows.chord };
     terminal.tell(&summary(&numbers, args.period, &motion, units, terminal.err));
     Ok(verdict(&report))
 }
@@ -312,7 +310,7 @@ fn too_many(args: &Args, seconds: f64) -> Failure {
 
 struct Numbers {
     count: u64,
-    last_s: f64,
+    time_s: f64,
     chord: (f64, u32),
 }
 
@@ -330,7 +328,7 @@ fn summary(
     };
     let count = counted(numbers.count, "setpoint", "setpoints");
     row("samples", &format!("{count}, one every {}", time_text(period_s)));
-    row("time", &format!("{} ({} s)", duration(numbers.last_s), short(numbers.last_s, 6)));
+    row("time", &format!("{} ({} s)", duration(numbers.time_s), short(numbers.time_s, 6)));
     let (chord_mm, line) = numbers.chord;
     row("chord", &chord_text(chord_mm, line, units));
     if !motion.limits.assumed.is_empty() {

@@ -1,8 +1,10 @@
 //! Pictures of a motion made by hand.
 
 use chordal::motion::{
-    AxisLimit, Limits, Phase, Piece, Sampler, Sources, Step, StepSource, Stretch,
+    AxisLimit, Limits, MachineLimits, MotionOptions, Phase, Piece, PlanSink, Sampler, Sources,
+    Step, StepSource, Stretch,
 };
+use chordal::{Job, Machine, Source, SourceMap};
 use chordal_export::{MotionPlot, PlotOptions};
 
 /// From rest to rest over a length, with 100 mm/s, 2000 mm/s² and 1e5 mm/s³ along the path.
@@ -79,6 +81,7 @@ fn the_sheet_says_what_it_shows() {
         "Jerk over time, m/s³; limits X Y 120",
         "Speed along the path, mm/min",
         ">6,000<",
+        ">0.5 s<",
         ">T12<",
         ">line 11<",
         "limit of an axis",
@@ -94,7 +97,7 @@ fn a_sheet_in_inches() {
     let mut plot = square();
     plot.set_inch(true);
     let svg = plot.svg(&options());
-    for text in ["Speed over time, in/min", "in/s²", "in/s³", ">in<"] {
+    for text in ["Speed over time, in/min", "in/s²", "in/s³", "0 in<"] {
         assert!(svg.contains(text), "{text} is missing");
     }
     assert!(!svg.contains("mm/min"));
@@ -110,7 +113,7 @@ fn an_hour_takes_no_more_room_than_a_second() {
     let svg = plot.svg(&options());
     assert!(svg.len() < 500_000, "{} bytes", svg.len());
     // 0.07 s of acceleration in an hour are still there.
-    assert!(svg.contains(">6,000<") && svg.contains(">min<") && svg.contains(">m<"));
+    assert!(svg.contains(">6,000<") && svg.contains("0 min<") && svg.contains("0 m<"));
 }
 
 #[test]
@@ -128,11 +131,48 @@ fn nothing_and_any_size_can_be_drawn() {
     assert_eq!(square().png(&options()).unwrap()[1..4], *b"PNG");
 }
 
-/// Writes the picture for somebody to look at: `MOTION_PLOT=square.png cargo test … -- --ignored`.
+struct Drawn(MotionPlot);
+
+impl PlanSink for Drawn {
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        self.0.step(step, sources);
+    }
+}
+
+fn planned(name: &str, program: &[u8], machine: &str) -> MotionPlot {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new(name, program));
+    let job = Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap();
+    let limits = MachineLimits::of(job.machine()).unwrap();
+    let mut drawn = Drawn(MotionPlot::new(&limits.cut, job.report().summary.inch));
+    job.plan(&MotionOptions::default(), &mut drawn).unwrap();
+    drawn.0.finish();
+    drawn.0
+}
+
+#[test]
+fn a_program_with_two_tools() {
+    let program = b"O1\nT1 M6\nG20 G90 G0 X0 Y0\nS900 M3\nG1 X4. F60.\nM5\nT7 M6\nM3\n\
+                    G3 X4. Y2. R1.\nM30\n";
+    let svg = planned("O1.nc", program, "haas-vf2").svg(&options());
+    for text in ["in/min", ">T1<", ">T7<", ">X<", ">Y<", ">line 5<", ">line 9<"] {
+        assert!(svg.contains(text), "{text} is missing");
+    }
+}
+
+/// Writes a picture for somebody to look at, with what the environment says:
+/// `MOTION_PLOT=a.png MOTION_PROGRAM=a.nc MOTION_MACHINE=haas-vf2 cargo test … -- --ignored`.
 #[test]
 #[ignore = "for looking at"]
-#[allow(clippy::disallowed_methods, reason = "writes where it is told")]
+#[allow(clippy::disallowed_methods, reason = "reads and writes what it is told")]
 fn the_picture() {
+    let plot = match std::env::var("MOTION_PROGRAM") {
+        Ok(path) => {
+            let machine = std::env::var("MOTION_MACHINE").unwrap();
+            planned(&path, &std::fs::read(&path).unwrap(), &machine)
+        }
+        Err(_) => square(),
+    };
     let path = std::env::var("MOTION_PLOT").unwrap();
-    std::fs::write(path, square().png(&options()).unwrap()).unwrap();
+    std::fs::write(path, plot.png(&options()).unwrap()).unwrap();
 }

@@ -133,10 +133,9 @@ impl Chart {
         }
         for tick in self.x.ticks() {
             let at = (self.across(tick), self.rect.bottom() + 17.0 * unit);
-            self.text(out, at, "middle", colors.faint, &self.x.number(tick));
+            let text = format!("{} {x_unit}", self.x.number(tick));
+            self.text(out, at, "middle", colors.faint, &text);
         }
-        let below = self.rect.bottom() + 17.0 * unit;
-        self.text(out, (self.rect.right() + 8.0 * unit, below), "start", colors.faint, x_unit);
         out.push_str(&format!(
             "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\">{title}</text>\n",
             px(x),
@@ -187,10 +186,8 @@ impl Chart {
             let high = self.down(cell.high[series.value] * series.factor);
             let from_high = here.is_some_and(|y: f64| (y - high).abs() < (y - low).abs());
             let (first, second) = if from_high { (high, low) } else { (low, high) };
-            for y in [first, second] {
-                if here.is_some() && y == second && (first - second).abs() < 0.3 {
-                    continue;
-                }
+            let flat = (first - second).abs() < 0.3;
+            for y in [first, second].into_iter().take(if flat { 1 } else { 2 }) {
                 data.push(if here.is_some() { 'L' } else { 'M' });
                 push_px(&mut data, x);
                 data.push(' ');

@@ -213,10 +213,10 @@ impl Sheet<'_> {
     fn speed(&self, out: &mut String, rect: Rect, time: &Scale, (word, factor): (&str, f64)) {
         let (unit, scale) = self.words.speed;
         let high = self.plot.time.extent(SPEED).map_or(0.0, |extent| extent.1) * scale;
-        let y = Scale::new(0.0, high.max(1e-9), 5.0, true);
+        let y = Scale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
         let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
         chart.frame(out, &format!("Speed over time, {unit}"), word, self.colors);
-        self.tools(out, &chart, factor);
+        self.tools(out, &chart, factor, true);
         let color = self.colors.tool(0);
         let series = Series { value: SPEED, factor: scale, color, stroke: 1.4 };
         chart.curve(out, &self.plot.time, factor, &series);
@@ -254,7 +254,7 @@ impl Sheet<'_> {
         let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
         let title = format!("{} over time, {unit}{}", what.title, told(&limits, &chart.y));
         chart.frame(out, &title, word, self.colors);
-        self.tools(out, &chart, factor);
+        self.tools(out, &chart, factor, false);
         let faint = self.colors.faint;
         let along = Series { value: what.along, factor: scale, color: faint, stroke: 2.6 };
         chart.curve(out, &self.plot.time, factor, &along);
@@ -279,7 +279,7 @@ impl Sheet<'_> {
         let (unit, scale) = self.words.speed;
         let x = Scale::new(0.0, (self.plot.way.end() * factor).max(1e-9), 12.0, false);
         let high = self.plot.way.extent(0).map_or(0.0, |extent| extent.1) * scale;
-        let y = Scale::new(0.0, high.max(1e-9), 5.0, true);
+        let y = Scale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
         let chart = Chart { rect, x, y, unit: self.unit };
         chart.frame(out, &format!("Speed along the path, {unit}"), way, self.colors);
         let color = self.colors.tool(0);
@@ -292,8 +292,8 @@ impl Sheet<'_> {
         self.lines(out, &chart, |x| self.plot.way.line_at(x / factor));
     }
 
-    /// Tool changes, named where there is room.
-    fn tools(&self, out: &mut String, chart: &Chart, factor: f64) {
+    /// Tool changes where there is room.
+    fn tools(&self, out: &mut String, chart: &Chart, factor: f64, named: bool) {
         let mut free = f64::NEG_INFINITY;
         for (time_s, tool) in &self.plot.tools {
             let x = chart.across(time_s * factor);
@@ -311,8 +311,10 @@ impl Sheet<'_> {
                 px(2.0 * self.unit),
                 px(3.0 * self.unit)
             ));
-            let at = (x + 4.0 * self.unit, chart.rect.y + 14.0 * self.unit);
-            chart.text(out, at, "start", self.colors.faint, &format!("T{tool}"));
+            if named {
+                let at = (x + 4.0 * self.unit, chart.rect.bottom() - 7.0 * self.unit);
+                chart.text(out, at, "start", self.colors.faint, &format!("T{tool}"));
+            }
             free = x + 34.0 * self.unit;
         }
     }
