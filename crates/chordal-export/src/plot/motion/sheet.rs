@@ -213,7 +213,7 @@ impl Sheet<'_> {
     fn speed(&self, out: &mut String, rect: Rect, time: &Scale, (word, factor): (&str, f64)) {
         let (unit, scale) = self.words.speed;
         let high = self.plot.time.extent(SPEED).map_or(0.0, |extent| extent.1) * scale;
-        let y = Scale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
+        let y = Scale::new(0.0, high.max(1e-9) * 1.12, 5.0, false);
         let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
         chart.frame(out, &format!("Speed over time, {unit}"), word, self.colors);
         self.tools(out, &chart, factor, true);
@@ -312,7 +312,7 @@ impl Sheet<'_> {
                 px(3.0 * self.unit)
             ));
             if named {
-                let at = (x + 4.0 * self.unit, chart.rect.bottom() - 7.0 * self.unit);
+                let at = (x + 4.0 * self.unit, chart.rect.y + 14.0 * self.unit);
                 chart.text(out, at, "start", self.colors.faint, &format!("T{tool}"));
             }
             free = x + 34.0 * self.unit;
