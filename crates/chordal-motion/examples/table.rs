@@ -13,7 +13,7 @@ fn main() {
         let (mut total, mut stretches, mut phases, mut used, mut rest) =
             (0.0, 0, 0, Use::default(), 0.0);
         let mut length = 0.0;
-        
+
         let mut all: Vec<Stretch> = vec![];
         let mut tag = 0;
         let mut take = |step: Step<'_>| {

@@ -96,6 +96,8 @@ pub const JERK_SHARE: f64 = 0.7;
 const KNEE: f64 = 0.8;
 /// Share of what is left of the jerk that may go into turning while the speed changes.
 const TURNING_SHARE: f64 = 0.6;
+/// Share of what is left of the jerk along the path that stays for changing the speed.
+const ALONG_SHARE: f64 = 0.6;
 
 /// The cell of a piece.
 pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cell {
@@ -145,20 +147,28 @@ fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
     let (k, twist) =
         bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
     let q = k * v * v;
+    let along = k * k * v * v * v;
     let mut acceleration = f64::INFINITY;
     for axis in 0..6 {
         let c = turn(axis);
         let left = limits.acceleration[axis] - x2[axis] * v * v;
         acceleration = acceleration.min(largest(c, q, x1[axis], left));
-        let turning = 3.0 * v * (x2[axis] + c * k);
-        if turning > 0.0 {
-            let left = limits.jerk[axis] - (x3[axis] + c * (k * k + twist)) * v * v * v;
-            acceleration = acceleration.min(TURNING_SHARE * left / turning);
+        // Turning while the speed changes takes jerk: evenly from what is left on straight
+        // axes, and across the change of speed where both turn together.
+        let left = limits.jerk[axis] - x3[axis] * v * v * v;
+        let mut share = 3.0 * v * x2[axis] / (TURNING_SHARE * (left - c * along)).max(0.0);
+        if c > 0.0 {
+            let whole = left / c;
+            let kept = along + ALONG_SHARE * (whole - along).max(0.0);
+            let across = (whole * whole - kept * kept).max(0.0).sqrt() - twist * v * v * v;
+            share += 3.0 * v * k / across.max(0.0);
+        }
+        if share > 0.0 {
+            acceleration = acceleration.min(1.0 / share);
         }
     }
     let mut jerk = f64::INFINITY;
     let normal = 3.0 * k * v * acceleration + twist * v * v * v;
-    let along = k * k * v * v * v;
     for axis in 0..6 {
         let c = turn(axis);
         let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;

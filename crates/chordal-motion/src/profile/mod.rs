@@ -9,7 +9,8 @@
 
 mod ramp;
 
-pub use ramp::{Ability, Effort, peak};
+pub use ramp::{Ability, Effort};
+use ramp::{Aim, peak};
 
 use crate::cell::Cell;
 use crate::trajectory::Phase;
@@ -255,15 +256,15 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
     let ability = ability_of(cells);
     let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
     let length = to.at - from.at;
-    let top = peak(from.speed, to.speed, length, fastest, &ability)?;
+    let (top, aim) = peak(from.speed, to.speed, length, fastest, &ability)?;
     let mut worst: Option<(f64, f64, usize)> = None;
     let mut begin = 0.0;
     for (index, cell) in cells.iter().enumerate() {
         let end = begin + cell.length;
         if cell.speed < top * (1.0 - 1e-12) {
             // The law is below the cell's speed in a part at its start and a part at its end.
-            let rises = ability.way_until(from.speed, top, cell.speed);
-            let falls = length - ability.way_until(to.speed, top, cell.speed);
+            let rises = ability.way_until(from.speed, top, cell.speed, aim);
+            let falls = length - ability.way_until(to.speed, top, cell.speed, aim);
             let slack = 1e-12 * length;
             // Of like ones the outermost, so that the way back is planned alike.
             let out = (begin + end - length).abs();
@@ -294,12 +295,12 @@ pub fn phases(cells: &[Cell], from: &Station, to: &Station, out: &mut Vec<Phase>
     }
     let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
     let ability = ability_of(cells);
-    let low = from.speed.max(to.speed);
-    let top = peak(from.speed, to.speed, length, fastest, &ability).unwrap_or(low);
-    let (up, down) = (ability.way(from.speed, top), ability.way(top, to.speed));
-    ability.phases(from.at, from.speed, top, |phase| out.push(phase));
+    let (top, aim) = peak(from.speed, to.speed, length, fastest, &ability)
+        .unwrap_or((from.speed.max(to.speed), Aim::Short));
+    let (up, down) = (ability.way(from.speed, top, aim), ability.way(top, to.speed, aim));
+    ability.phases(from.at, (from.speed, top), aim, |phase| out.push(phase));
     even(from.at + up, top, length - up - down, out);
-    ability.phases(to.at - down, top, to.speed, |phase| out.push(phase));
+    ability.phases(to.at - down, (top, to.speed), aim, |phase| out.push(phase));
 }
 
 /// Travels at even speed, in one phase with what was even before.

@@ -139,6 +139,15 @@ pub struct Ability {
     pub high: Effort,
 }
 
+/// What a ramp through the knee is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// Little way.
+    Short,
+    /// Little time lost.
+    Quick,
+}
+
 /// How a ramp is made.
 enum Plan {
     One(Effort),
@@ -161,31 +170,39 @@ impl Ability {
         }
     }
 
-    fn plan(&self, low: f64, high: f64) -> Plan {
+    fn plan(&self, low: f64, high: f64, aim: Aim) -> Plan {
         if high <= self.knee {
             return Plan::One(self.low);
         }
-        if low >= self.knee
-            || self.high.way(low, high)
-                <= self.low.way(low, self.knee) + self.high.way(self.knee, high)
-        {
+        if low >= self.knee {
             return Plan::One(self.high);
         }
-        Plan::Two
+        let one = self.high.way(low, high);
+        let two = self.low.way(low, self.knee) + self.high.way(self.knee, high);
+        let cost = match aim {
+            Aim::Short => one - two,
+            // Time lost against travelling at the higher speed.
+            Aim::Quick => {
+                let one_s = self.high.time(high - low);
+                let two_s = self.low.time(self.knee - low) + self.high.time(high - self.knee);
+                (one_s - two_s) * high - (one - two)
+            }
+        };
+        if cost <= 0.0 { Plan::One(self.high) } else { Plan::Two }
     }
 
     /// How far a change of speed goes.
-    pub fn way(&self, from: f64, to: f64) -> f64 {
+    pub fn way(&self, from: f64, to: f64, aim: Aim) -> f64 {
         let (low, high) = (from.min(to), from.max(to));
-        match self.plan(low, high) {
+        match self.plan(low, high, aim) {
             Plan::One(effort) => effort.way(low, high),
             Plan::Two => self.low.way(low, self.knee) + self.high.way(self.knee, high),
         }
     }
 
     /// How far a rise of speed has gone when it passes a speed between its ends.
-    pub fn way_until(&self, from: f64, to: f64, speed: f64) -> f64 {
-        match self.plan(from, to) {
+    pub fn way_until(&self, from: f64, to: f64, speed: f64, aim: Aim) -> f64 {
+        match self.plan(from, to, aim) {
             Plan::One(effort) => effort.way_until(from, to, speed),
             Plan::Two if speed <= self.knee => self.low.way_until(from, self.knee, speed),
             Plan::Two => self.low.way(from, self.knee) + self.high.way_until(self.knee, to, speed),
@@ -207,8 +224,8 @@ impl Ability {
     }
 
     /// The phases of a change of speed, handed on in order.
-    pub fn phases(&self, at: f64, from: f64, to: f64, mut take: impl FnMut(Phase)) {
-        match self.plan(from.min(to), from.max(to)) {
+    pub fn phases(&self, at: f64, (from, to): (f64, f64), aim: Aim, mut take: impl FnMut(Phase)) {
+        match self.plan(from.min(to), from.max(to), aim) {
             Plan::One(effort) => effort.phases(at, from, to, take),
             Plan::Two => {
                 let (first, second) =
@@ -220,18 +237,23 @@ impl Ability {
     }
 }
 
-/// The highest speed up to `top` between two speeds over a length. `None` when even the direct
-/// change is longer than the length.
-pub fn peak(from: f64, to: f64, length: f64, top: f64, ability: &Ability) -> Option<f64> {
+/// The highest speed up to `top` between two speeds over a length, and how the ramps to it and
+/// from it are made. `None` when even the direct change is longer than the length.
+pub fn peak(from: f64, to: f64, length: f64, top: f64, ability: &Ability) -> Option<(f64, Aim)> {
     let low = from.max(to);
     let top = top.max(low);
-    let way = |speed: f64| ability.way(from, speed) + ability.way(speed, to);
+    let ways = |speed: f64, aim: Aim| ability.way(from, speed, aim) + ability.way(speed, to, aim);
+    if ways(top, Aim::Quick) <= length {
+        return Some((top, Aim::Quick));
+    }
     let slack = length * (1.0 + 1e-12);
+    let aim = if ways(low, Aim::Quick) <= length { Aim::Quick } else { Aim::Short };
+    let way = |speed: f64| ways(speed, aim);
     if way(low) > slack {
         return None;
     }
     if way(top) <= length {
-        return Some(top);
+        return Some((top, aim));
     }
     let (mut below, mut above) = (low, top);
     let (mut miss_below, mut miss_above) = (way(low) - length, way(top) - length);
@@ -251,7 +273,7 @@ pub fn peak(from: f64, to: f64, length: f64, top: f64, ability: &Ability) -> Opt
             miss_above *= 0.5;
         }
     }
-    Some(below)
+    Some((below, aim))
 }
 
 #[cfg(test)]
@@ -263,7 +285,7 @@ mod tests {
     #[test]
     fn a_hundred_millimetres_take_the_published_time() {
         let ability = Ability { knee: f64::INFINITY, low: EFFORT, high: EFFORT };
-        let top = peak(0.0, 0.0, 100.0, 500.0, &ability).unwrap();
+        let (top, _) = peak(0.0, 0.0, 100.0, 500.0, &ability).unwrap();
         let time = 2.0 * EFFORT.time(top) + (100.0 - 2.0 * EFFORT.way(0.0, top)) / top;
         // Up to 500 mm/s in 500/5000 + 5000/1e5 s, twice, and 25 mm at that speed.
         assert!((top - 500.0).abs() < 1e-12, "{top}");
