@@ -74,7 +74,7 @@ fn arcs(count: usize) -> Vec<Move> {
 }
 
 fn plan(moves: &[Move]) -> f64 {
-    let mut planner = Planner::new(limits(), PlannerOptions { level: Level::Fast });
+    let mut planner = Planner::new(limits(), PlannerOptions::new(Level::Fast));
     let mut time = 0.0;
     let mut take = |step: Step<'_>| {
         if let Step::Stretch(stretch) = step {

@@ -9,7 +9,7 @@ fn main() {
     for file in std::env::args().skip(1) {
         let text = std::fs::read_to_string(&file).unwrap();
         let (mut p, mut f, mut corner) = (Vec3::ZERO, 0.0, Corner::Exact);
-        let mut planner = Planner::new(limits, PlannerOptions { level: Level::Fast });
+        let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
         let (mut total, mut stretches, mut phases, mut used, mut rest) =
             (0.0, 0, 0, Use::default(), 0.0);
         let mut length = 0.0;

@@ -23,11 +23,22 @@ pub enum Level {
 pub struct PlannerOptions {
     /// How hard it tries.
     pub level: Level,
+    /// Moves are looked at together when they would take so long at their largest speeds, s.
+    /// What is certain of them is handed on, so that a servo loop is fed early. Infinite: as
+    /// many as memory allows.
+    pub row_s: f64,
 }
 
-/// So many cells are looked at together. A row ends earlier where the axes stop; a longer one is
-/// handed on as far as later moves cannot change it.
-const ROW: usize = 4096;
+impl PlannerOptions {
+    /// A planner that takes its time.
+    pub fn new(level: Level) -> PlannerOptions {
+        PlannerOptions { level, row_s: f64::INFINITY }
+    }
+}
+
+/// So many pieces are looked at together. A row ends earlier where the axes stop; a longer one
+/// is handed on as far as later moves cannot change it.
+const ROW: usize = 8192;
 
 /// Shorter moves are left out, mm or rad: their direction would be rounding.
 const SHORTEST: f64 = 1e-9;
@@ -46,7 +57,8 @@ pub struct Planner {
     stretch: Stretch,
     /// Speed at the start of the row.
     speed: f64,
-    /// Rows are looked at when they have so many cells.
+    options: PlannerOptions,
+    /// Rows are looked at when they are so many times as long as usual: a power of two.
     patience: usize,
     /// Where the axes will be after all moves.
     position: Option<Axes>,
@@ -57,7 +69,7 @@ pub struct Planner {
 
 impl Planner {
     /// A planner for a machine at rest.
-    pub fn new(limits: Limits, _options: PlannerOptions) -> Planner {
+    pub fn new(limits: Limits, options: PlannerOptions) -> Planner {
         Planner {
             arrays: AxisArrays::new(&limits),
             limits,
@@ -66,7 +78,8 @@ impl Planner {
             solver: Solver::default(),
             stretch: Stretch::default(),
             speed: 0.0,
-            patience: ROW,
+            options,
+            patience: 1,
             position: None,
             overlap: None,
             last: None,
@@ -103,7 +116,8 @@ impl Planner {
         }
         self.smoother.push(leg, motion.corner, passing);
         self.smoother.drain(false, &self.arrays, &mut self.row);
-        if self.row.cells.len() >= self.patience {
+        let long = self.row.time_s >= self.options.row_s * self.patience as f64;
+        if long || self.row.pieces.len() >= ROW * self.patience {
             self.hand_on(&mut take);
         }
         Ok(())
@@ -141,7 +155,7 @@ impl Planner {
         self.solver.solve(&self.row.cells, self.speed, 0.0);
         self.emit(count, take);
         self.speed = 0.0;
-        self.patience = ROW;
+        self.patience = 1;
     }
 
     /// Hands on as much of a long row as later moves cannot change.
@@ -151,7 +165,7 @@ impl Planner {
             Some(station) if station.node > 0 => {
                 self.emit(station.node, take);
                 self.speed = station.speed;
-                self.patience = ROW.max(2 * self.row.cells.len());
+                self.patience = 1;
             }
             // The stop at the end reaches back to the start: more has to be known.
             _ => self.patience *= 2,
@@ -169,6 +183,7 @@ impl Planner {
             begin = end;
         }
         self.row.cells.drain(..node);
+        self.row.time_s = self.row.cells.iter().map(|cell| cell.length / cell.speed).sum();
     }
 
     /// Hands on the cells between two boundaries.

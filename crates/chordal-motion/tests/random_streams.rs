@@ -235,7 +235,7 @@ fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
         })
     });
     let limits = Limits::new(axes).expect("positive limits");
-    let mut planner = Planner::new(limits, PlannerOptions { level: Level::Fast });
+    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
     let mut pieces = Vec::new();
     let mut take = |step: Step<'_>| {
         if let Step::Stretch(stretch) = step {

@@ -154,7 +154,7 @@ fn the_better_of_two_is_taken() {
 fn a_planned_square_is_gauged_side_by_side() {
     let machine = limits(200.0, 2000.0, 1e5);
     let corners = [(0.0, 0.0), (50.0, 0.0), (50.0, 50.0), (0.0, 50.0), (0.0, 0.0)];
-    let mut planner = Planner::new(machine, PlannerOptions { level: Level::Fast });
+    let mut planner = Planner::new(machine, PlannerOptions::new(Level::Fast));
     let mut gauge =
         Gauge::new(machine, Effort { step_s: 0.01, least_nodes: 100, ..Effort::default() });
     let mut runs = Vec::new();

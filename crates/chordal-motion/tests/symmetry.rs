@@ -3,7 +3,7 @@
 mod support;
 
 use chordal_geometry::{Curve, Line, ParamCurve, Transform};
-use chordal_motion::{AxisLimit, Corner, Level, Limits, Move};
+use chordal_motion::{AxisLimit, Corner, Level, Limits, Move, Planner, PlannerOptions, Step};
 use support::{Dice, Mix, plan, random_limits, random_path, time_of};
 
 const MIX: Mix =
@@ -161,5 +161,28 @@ fn units_change_no_time() {
             time_of(&plan(&moves, limits, Level::Fast)),
             time_of(&plan(&scaled, small, Level::Fast)),
         );
+    }
+}
+
+#[test]
+fn rows_of_any_length_give_one_time() {
+    for seed in 0..12 {
+        let mut dice = Dice(seed + 1300);
+        let limits = random_limits(&mut dice);
+        let mut moves = random_path(&mut dice, &Mix { turn: 0.1, ..MIX });
+        one_mode(&mut dice, &mut moves);
+        let whole = time_of(&plan(&moves, limits, Level::Fast));
+        for row_s in [0.01, 0.3] {
+            let mut planner = Planner::new(limits, PlannerOptions { level: Level::Fast, row_s });
+            let mut time = 0.0;
+            let mut take = |step: Step<'_>| {
+                if let Step::Stretch(stretch) = step {
+                    time += stretch.duration_s() - stretch.overlap_s;
+                }
+            };
+            moves.iter().for_each(|motion| planner.push(motion, &mut take).unwrap());
+            planner.finish(&mut take);
+            same("rows", seed, whole, time);
+        }
     }
 }

@@ -70,12 +70,17 @@ impl Solver {
         &self.stations
     }
 
-    /// The last station that cells to come, in place of the end of the row, cannot change.
+    /// The last station that cells to come, in place of the end of the row, cannot change: one
+    /// where the law touches a limit of speed whatever comes after.
     pub fn last_certain(&self) -> Option<Station> {
         let last = self.most.len() - 1;
+        let touches = |node: usize| {
+            self.backward[node] >= self.most[node] && self.forward[node] >= self.most[node]
+        };
         let free = (0..last).rev().find(|node| self.backward[*node] >= self.most[*node])?;
         let certain = |station: &&Station| {
-            station.node <= free && self.forward[station.node] <= self.backward[station.node]
+            let node = station.node;
+            node <= free && touches(node) && station.speed >= self.most[node]
         };
         self.stations.iter().rev().find(certain).copied()
     }

@@ -85,6 +85,8 @@ pub struct Row {
     pub pieces: Vec<Piece>,
     /// The limits, each over one or more pieces.
     pub cells: Vec<Cell>,
+    /// What the cells take at their largest speeds, s.
+    pub time_s: f64,
 }
 
 impl Smoother {

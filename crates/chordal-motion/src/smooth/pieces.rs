@@ -10,6 +10,11 @@ use crate::smooth::{Node, Row};
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
 
+/// No cell goes over more pieces, so that a long row can be handed on in its middle.
+const MOST_PIECES: u32 = 1024;
+/// And over no more time, s, than this and one piece.
+const MOST_S: f64 = 0.5;
+
 /// Places of a leg nearer to each other than this share of its length are one.
 const ROUNDING: f64 = 1e-12;
 
@@ -120,6 +125,7 @@ fn add_cell(
         cell.ability.high.jerk *= share;
     }
     cell.pieces = pieces;
+    row.time_s += cell.length / cell.speed;
     add(cell, &mut row.cells);
 }
 
@@ -264,6 +270,8 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
 fn add(cell: Cell, cells: &mut Vec<Cell>) {
     if let Some(last) = cells.last_mut()
         && !last.ends_at_rest
+        && last.pieces < MOST_PIECES
+        && last.length < MOST_S * last.speed
         && near(last.speed, cell.speed)
         && near(last.ability.knee, cell.ability.knee)
         && near(last.ability.low.acceleration, cell.ability.low.acceleration)

@@ -162,7 +162,7 @@ pub fn random_path(dice: &mut Dice, mix: &Mix) -> Vec<Move> {
 
 /// The plan of some moves.
 pub fn plan(moves: &[Move], limits: Limits, level: Level) -> Vec<Stretch> {
-    let mut planner = Planner::new(limits, PlannerOptions { level });
+    let mut planner = Planner::new(limits, PlannerOptions::new(level));
     let mut stretches = Vec::new();
     let mut take = |step: Step<'_>| {
         if let Step::Stretch(stretch) = step {

@@ -73,7 +73,7 @@ pub(crate) struct Planning<'s, S> {
 
 impl<'s, S: PlanSink> Planning<'s, S> {
     pub fn new(limits: MachineLimits, options: &MotionOptions, sink: &'s mut S) -> Self {
-        let options = PlannerOptions { level: options.level };
+        let options = PlannerOptions::new(options.level);
         Planning {
             planner: Planner::new(limits.cut, options),
             options,
