@@ -15,7 +15,8 @@ fn steps() -> impl Strategy<Value = Vec<(f64, [f64; 4])>> {
     prop::collection::vec(((-3.0..1.0f64).prop_map(|power| 10f64.powf(power)), turns), 1..8)
 }
 
-const EFFORT: Effort = Effort { step_s: 0.003, least_nodes: 100, most_nodes: 800, programs: 8 };
+const EFFORT: Effort =
+    Effort { step_s: 0.003, least_nodes: 100, most_nodes: 800, total_nodes: 800, programs: 8 };
 
 struct Times {
     bound: f64,
