@@ -17,6 +17,7 @@
 //! | the least time | [`bound`] | `bound/` |
 //! | the least time with jerk | [`reference`] | `reference/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
+//! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
 
 #![forbid(unsafe_code)]
 
@@ -27,9 +28,11 @@ mod piece;
 mod planner;
 mod profile;
 mod reference;
+mod root;
 mod sampler;
 mod segment;
 mod smooth;
+mod stream;
 mod trajectory;
 mod verify;
 
@@ -40,6 +43,7 @@ pub use planner::{Level, Planner, PlannerOptions};
 pub use reference::{Best, Effort, Gauge, Law, Least, ReferenceError, RunTimes, best, reference};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
+pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
 pub use verify::{Use, largest_use};
 
