@@ -280,7 +280,7 @@ impl<'a> Step<'a> {
                 continue;
             }
             let rough = !whole.is_straight() && to - from > MUCH * whole.length;
-            let shares: &[f64] = if rough { &[0.02, 0.5, 0.98] } else { &[0.5] };
+            let shares: &[f64] = if rough { &[0.15, 0.5, 0.85] } else { &[0.5] };
             for share in shares {
                 let at = from + share * (to - from);
                 places.push(((at - s0) / (s1 - s0), self.run.jet(piece, at)));

@@ -6,6 +6,16 @@
 //! 4. Programmes with the tangent of J/√b at the law before (`convex.rs`), each a second-order
 //!    cone programme; every law is a start for the next, and the times fall.
 //!
+//! 5. Cells that turn out to take longer than was aimed at are cut, and it goes on.
+//! 6. For the level best (`best.rs`) the law becomes phases of even jerk between the nodes
+//!    (`plan.rs`), which linear programmes with the true jerks at both ends of each phase make
+//!    hold every limit (`polish.rs`); what is left is measured (`excess.rs`) and stretched away.
+//!
+//! A [`Gauge`] holds the steps of any planner against the bound and the reference.
+//!
+//! Pieces must fit in place, direction and curvature, as those of a planner do: a step of the
+//! curvature at speed is a jerk without limit, which no law of time avoids and none here sees.
+//!
 //! (Verscheure and others 2009 for the convex programme without jerk; Debrouwere and others 2013
 //! for the sequence with jerk.)
 
