@@ -14,8 +14,8 @@
 //! | input | [`Move`] | `segment.rs` |
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
-//! | the least time | [`bound`] | `bound/` |
-//! | the least time with jerk | [`reference`] | `reference/` |
+//! | the least time | [`bound()`] | `bound/` |
+//! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
 //! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
 

@@ -28,11 +28,14 @@ impl Best {
 /// Phases at most; longer runs keep the law they have.
 const MOST_PHASES: usize = 6000;
 /// Linear programmes at most.
-const PROGRAMS: usize = 8;
+const PROGRAMS: usize = 16;
 /// The iteration ends when a programme gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
 /// By which share speeds may change at a time at first.
 const REACH: f64 = 0.5;
+/// How it changes after a law that is no better, and after one that is.
+const SHRINK: f64 = 0.4;
+const GROW: f64 = 1.5;
 /// By this much more than measured the time is stretched: peaks are found to about 1e-9.
 const MARGIN: f64 = 1e-8;
 
@@ -50,16 +53,17 @@ pub fn best(run: &Run<'_>, law: &Law) -> Option<Best> {
     let mut reach = REACH;
     for _ in 0..PROGRAMS {
         let Some((next, stretch)) = improved(run, &plan, reach) else {
-            reach *= 0.25;
+            reach *= SHRINK;
             continue;
         };
         let before = best.as_ref().map_or(f64::INFINITY, |best| best.time_s);
         let time_s = next.duration_s() * stretch;
         if time_s < before {
             plan = next.stretched(stretch);
+            reach = REACH.min(reach * GROW);
             best = Some(Best { time_s: plan.duration_s(), phases: plan.phases() });
         } else {
-            reach *= 0.25;
+            reach *= SHRINK;
         }
         if (before - time_s).abs() < SETTLED * time_s {
             break;

@@ -17,6 +17,9 @@ use crate::bound::Run;
 /// Places at which the jerk is held in a cell of many pieces.
 const MOST_PLACES: usize = 12;
 
+/// A cell that is more than this share of a piece is looked at in three places.
+const MUCH: f64 = 0.1;
+
 /// The right side of the limit of jerk.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Jerk {
@@ -262,19 +265,25 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Where the jerk is held in a cell: in the middle of each piece's part of it. Shares of the
-    /// cell, and the derivatives there.
+    /// Where the jerk is held in a cell: in the middle of each piece's part of it, and near the
+    /// ends too where that is much of the piece. Shares of the cell, and the derivatives there.
     fn places(&self, cell: usize) -> Vec<(f64, crate::Jet)> {
         let (s0, s1) = (self.law.sigma[cell], self.law.sigma[cell + 1]);
         let (first, last) = (self.run.piece_at(s0), self.run.piece_at(s1));
         let stride = (last - first) / MOST_PLACES + 1;
         let mut places = Vec::new();
         for piece in (first..=last).step_by(stride) {
+            let whole = &self.run.pieces()[piece];
             let from = self.run.from(piece).max(s0);
-            let to = (self.run.from(piece) + self.run.pieces()[piece].length).min(s1);
-            if to > from {
-                let middle = 0.5 * (from + to);
-                places.push(((middle - s0) / (s1 - s0), self.run.jet(piece, middle)));
+            let to = (self.run.from(piece) + whole.length).min(s1);
+            if to <= from {
+                continue;
+            }
+            let rough = !whole.is_straight() && to - from > MUCH * whole.length;
+            let shares: &[f64] = if rough { &[0.15, 0.5, 0.85] } else { &[0.5] };
+            for share in shares {
+                let at = from + share * (to - from);
+                places.push(((at - s0) / (s1 - s0), self.run.jet(piece, at)));
             }
         }
         places

@@ -13,13 +13,13 @@ pub(crate) struct Excess {
 }
 
 /// Parts of a phase that are looked at, in a piece that is not straight.
-const PARTS: usize = 8;
+const PARTS: usize = 12;
 /// Steps of the golden section about a largest sample.
 const STEPS: usize = 16;
 /// Share of the way of a phase that is rounding.
 const ROUNDING: f64 = 1e-9;
 /// Samples below this share of the largest so far are not followed to their peak.
-const NEAR: f64 = 0.99;
+const NEAR: f64 = 0.9;
 
 impl Excess {
     /// How much longer everything must take for all limits to be held.
@@ -105,21 +105,20 @@ fn part(run: &Run<'_>, phase: &Phase, piece: usize, from: f64, to: f64, excess: 
     let samples: [[f64; 3]; PARTS + 1] =
         std::array::from_fn(|index| shares(run, phase, piece, at(index)));
     for quantity in 0..3 {
-        let mut top = 0;
-        for (index, sample) in samples.iter().enumerate() {
-            if sample[quantity] > samples[top][quantity] {
-                top = index;
+        let sample = |index: usize| samples[index][quantity];
+        let so_far = [excess.velocity, excess.acceleration, excess.jerk][quantity];
+        let most = (0..=PARTS).map(sample).fold(so_far, f64::max);
+        let mut shares = [0.0; 3];
+        shares[quantity] = most;
+        for index in 0..=PARTS {
+            let (before, after) = (index.saturating_sub(1), (index + 1).min(PARTS));
+            let high = sample(index) >= sample(before).max(sample(after));
+            if high && sample(index) > NEAR * most {
+                let share = |t| self::shares(run, phase, piece, t)[quantity];
+                shares[quantity] = shares[quantity].max(peak(at(before), at(after), share));
             }
         }
-        let mut most = [0.0; 3];
-        most[quantity] = samples[top][quantity];
-        let so_far = [excess.velocity, excess.acceleration, excess.jerk][quantity];
-        if most[quantity] > NEAR * so_far {
-            let (low, high) = (at(top.saturating_sub(1)), at((top + 1).min(PARTS)));
-            most[quantity] =
-                most[quantity].max(peak(low, high, |t| shares(run, phase, piece, t)[quantity]));
-        }
-        excess.take(most);
+        excess.take(shares);
     }
 }
 

@@ -15,8 +15,9 @@ pub struct RunTimes {
     pub time_s: f64,
     /// The time that nothing beats while velocities and accelerations are held, s.
     pub bound_s: f64,
-    /// The least time with jerk, s; `time_s` where no law was found or that is less.
-    pub reference_s: f64,
+    /// The least time with jerk, s, and no more than `time_s`; `None` where the work that is
+    /// allowed was spent or no law was found.
+    pub reference_s: Option<f64>,
     /// How much of it is made together with the run before, s.
     pub overlap_s: f64,
 }
@@ -28,8 +29,10 @@ pub struct Least {
     pub time_s: f64,
     /// Without jerk, s.
     pub bound_s: f64,
-    /// With jerk, s.
+    /// With jerk, s; runs without a reference count as planned.
     pub reference_s: f64,
+    /// How much of `time_s` is of runs without a reference, s.
+    pub unknown_s: f64,
 }
 
 impl Least {
@@ -37,7 +40,10 @@ impl Least {
     fn add(&mut self, run: &RunTimes) {
         self.time_s += run.time_s - run.overlap_s;
         self.bound_s += (run.bound_s - run.overlap_s).max(0.0);
-        self.reference_s += run.reference_s - run.overlap_s;
+        self.reference_s += run.reference_s.unwrap_or(run.time_s) - run.overlap_s;
+        if run.reference_s.is_none() {
+            self.unknown_s += run.time_s - run.overlap_s;
+        }
     }
 }
 
@@ -54,6 +60,8 @@ pub struct Gauge {
     speeds: Vec<f64>,
     run: RunTimes,
     sum: Least,
+    /// Nodes that may still be spent.
+    left: usize,
 }
 
 /// Share of its largest speed below which a stretch ends at rest.
@@ -64,6 +72,7 @@ impl Gauge {
     pub fn new(limits: Limits, effort: Effort) -> Gauge {
         Gauge {
             limits,
+            left: effort.total_nodes,
             effort,
             pieces: Vec::new(),
             speeds: Vec::new(),
@@ -111,19 +120,69 @@ impl Gauge {
         let mut times = std::mem::take(&mut self.run);
         let (Some(first), Some(last)) = (self.pieces.first(), self.pieces.last()) else { return };
         times.tags = (first.tag, last.tag);
-        (times.bound_s, times.reference_s) = (times.time_s, times.time_s);
-        if let Ok(run) = Run::new(&self.pieces, &self.speeds, 0.0, &self.limits) {
-            let bound = bound(&run);
-            times.bound_s = bound.time_s.min(times.time_s);
-            if let Ok(law) = reference(&run, &bound, &self.effort) {
-                times.reference_s = law.time_s.clamp(times.bound_s, times.time_s);
-            }
-        }
+        (times.bound_s, times.reference_s) = self.least(times.time_s);
         self.pieces.clear();
         self.speeds.clear();
         self.sum.add(&times);
         take(&times);
     }
+
+    /// Bound and reference of the run that took `time_s`.
+    fn least(&mut self, time_s: f64) -> (f64, Option<f64>) {
+        if let Some((bound_s, reference_s)) = self.least_of_line() {
+            return (bound_s.min(time_s), Some(reference_s.min(time_s)));
+        }
+        let Ok(run) = Run::new(&self.pieces, &self.speeds, 0.0, &self.limits) else {
+            return (time_s, None);
+        };
+        let bound = bound(&run);
+        let bound_s = bound.time_s.min(time_s);
+        let effort = Effort { most_nodes: self.effort.most_nodes.min(self.left), ..self.effort };
+        if effort.most_nodes < effort.least_nodes {
+            return (bound_s, None);
+        }
+        let law = reference(&run, &bound, &effort).ok();
+        self.left -= law.as_ref().map_or(effort.least_nodes, |law| law.sigma.len()).min(self.left);
+        (bound_s, law.map(|law| law.time_s.clamp(bound_s, time_s)))
+    }
+
+    /// A straight line at one feed has closed forms for both: most runs of a program that drills
+    /// or stops at corners are one.
+    fn least_of_line(&self) -> Option<(f64, f64)> {
+        let (first, feed) = (self.pieces.first()?, *self.speeds.first()?);
+        let one = self.pieces.iter().all(|piece| {
+            piece.is_straight() && piece.start[1] == first.start[1] && piece.length >= 0.0
+        });
+        if !one || self.speeds.iter().any(|speed| *speed != feed) {
+            return None;
+        }
+        let along = |limits: [f64; 6]| {
+            let rates = first.start[1].iter().zip(limits).filter(|(rate, _)| **rate != 0.0);
+            rates.fold(f64::MAX, |least, (rate, limit)| least.min(limit / rate.abs()))
+        };
+        let way: f64 = self.pieces.iter().map(|piece| piece.length).sum();
+        let v = feed.min(along(self.limits.velocity()));
+        let (a, j) = (along(self.limits.acceleration()), along(self.limits.jerk()));
+        let known = way > 0.0 && v > 0.0 && v < f64::MAX;
+        known.then(|| (without_jerk(way, v, a), with_jerk(way, v, a, j)))
+    }
+}
+
+/// From rest to rest over a way, σ.
+fn without_jerk(way: f64, v: f64, a: f64) -> f64 {
+    let top = v.min((way * a).sqrt());
+    way / top + top / a
+}
+
+/// The same with a limit of jerk: seven phases or fewer. A ramp to the speed `top` takes
+/// 2√(top/j), or top/a + a/j where it touches the acceleration.
+fn with_jerk(way: f64, v: f64, a: f64, j: f64) -> f64 {
+    // The top at which two ramps make up the way.
+    let sharp = libm::cbrt(0.25 * way * way * j);
+    let touched = 0.5 * ((a * a * a * a / (j * j) + 4.0 * way * a).sqrt() - a * a / j);
+    let top = v.min(if sharp * j <= a * a { sharp } else { touched });
+    let ramp = if top * j <= a * a { 2.0 * (top / j).sqrt() } else { top / a + a / j };
+    way / top + ramp
 }
 
 fn ends_at_rest(stretch: &Stretch) -> bool {
