@@ -1,0 +1,17 @@
+//! Time for people: how long a program takes, where the time goes and why.
+//!
+//! | what | file |
+//! |---|---|
+//! | which move is under way when | `walk.rs` |
+//! | moves and steps to a report | `builder.rs`, `report.rs` |
+//! | why a move is not faster | `reason.rs` |
+//! | the blocks that cost the most | `blocks.rs` |
+
+mod blocks;
+mod builder;
+mod reason;
+mod report;
+mod walk;
+
+pub use builder::TimeBuilder;
+pub use report::{BlockTime, OperationTime, Reason, TimeReport, Times, ToolTime, Wait};
