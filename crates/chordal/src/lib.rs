@@ -28,7 +28,6 @@ pub use chordal_control as control;
 pub use chordal_diagnostics as diagnostics;
 pub use chordal_geometry as geometry;
 pub use chordal_machine as machine;
-pub use chordal_motion as motion;
 pub use chordal_path as path;
 pub use chordal_syntax as syntax;
 

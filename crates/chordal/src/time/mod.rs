@@ -6,12 +6,15 @@
 //! | moves and steps to a report | `builder.rs`, `report.rs` |
 //! | why a move is not faster | `reason.rs` |
 //! | the blocks that cost the most | `blocks.rs` |
+//! | limits from measured times | `calibrate.rs` |
 
 mod blocks;
 mod builder;
+mod calibrate;
 mod reason;
 mod report;
 mod walk;
 
 pub use builder::TimeBuilder;
+pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
 pub use report::{BlockTime, OperationTime, Reason, TimeReport, Times, ToolTime, Wait};
