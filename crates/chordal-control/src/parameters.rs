@@ -2,6 +2,7 @@
 
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::compensation::CompensationRules;
+use crate::corners::CornerRules;
 use crate::cycle_rules::CycleRules;
 
 /// How a number without a decimal point is read.
@@ -217,6 +218,8 @@ pub struct Parameters {
     pub cycles: CycleRules,
     /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
     pub macro_angles_full_circle: bool,
+    /// How ends of moves are passed.
+    pub corners: CornerRules,
     /// Codes that call macros.
     pub aliases: Aliases,
 }
@@ -282,6 +285,7 @@ impl Parameters {
         bore_diameter_register: 1,
         cycles: CycleRules::COMMON,
         macro_angles_full_circle: false,
+        corners: CornerRules::COMMON,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

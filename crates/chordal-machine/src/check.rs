@@ -12,6 +12,9 @@ use crate::schema::{self, Keys, ROWS, Row, Sign, Slot};
 use crate::suggest;
 use crate::value::{Setting, SettingValue};
 
+/// The widest override that panels have: 200 %.
+const LARGEST_OVERRIDE: f64 = 2.0;
+
 /// A place in the schema: the path as the schema has it, and as the file has it.
 #[derive(Clone, Default)]
 pub(crate) struct At {
@@ -258,6 +261,7 @@ impl Value<'_> {
                 };
                 *place(machine, keys) = Some(number);
             }
+            Slot::Override(place) => *place(machine, keys) = Some(self.percentage()?),
             Slot::Switches => machine.switches.block_delete = self.switches()?,
             Slot::Setting => {
                 let location = Some(self.source.location(self.value.span()));
@@ -277,6 +281,36 @@ impl Value<'_> {
             }
         }
         Ok(())
+    }
+
+    /// An override as a fraction.
+    fn percentage(&self) -> Result<f64, MachineError> {
+        let help = || Some("write it as `\"80 %\"` or `0.8`".to_string());
+        let wanted = "a percentage or a fraction";
+        let fraction = match self.value.get_ref() {
+            DeValue::String(text) => match text.trim().strip_suffix('%') {
+                Some(number) => number.trim().parse::<f64>().ok().map(|percent| percent / 100.0),
+                None => None,
+            },
+            DeValue::Integer(_) | DeValue::Float(_) => Some(self.plain_number()?),
+            _ => None,
+        };
+        let Some(fraction) = fraction.filter(|fraction| fraction.is_finite()) else {
+            return Err(self.takes(wanted, help()));
+        };
+        if fraction > 0.0 && fraction <= LARGEST_OVERRIDE {
+            return Ok(fraction);
+        }
+        let message = format!(
+            "`{}` is {} %: it must be above 0 and at most {} %",
+            self.name(),
+            fraction * 100.0,
+            LARGEST_OVERRIDE * 100.0
+        );
+        let bare = !matches!(self.value.get_ref(), DeValue::String(_));
+        let meant = bare && fraction > LARGEST_OVERRIDE && fraction <= LARGEST_OVERRIDE * 100.0;
+        let help = if meant { Some(format!("did you mean \"{fraction} %\"?")) } else { help() };
+        Err(self.error(message, help))
     }
 
     fn plain_number(&self) -> Result<f64, MachineError> {

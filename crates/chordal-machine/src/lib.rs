@@ -35,6 +35,7 @@ mod control;
 mod decimal;
 mod error;
 mod machine;
+mod motion;
 mod offset;
 mod quantity;
 mod read;
@@ -52,6 +53,7 @@ pub use machine::{
     AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Switches, Times, Tool,
     WorkOffset,
 };
+pub use motion::Motion;
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use schema::schema_reference;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::axis::Axis;
 use crate::control::ControlName;
+use crate::motion::Motion;
 use crate::value::Setting;
 
 /// A machine and what its shop has set on it.
@@ -39,6 +40,8 @@ pub struct Machine {
     pub switches: Switches,
     /// The plane above which rapids may move freely, Z in work coordinates.
     pub clearance_mm: Option<f64>,
+    /// How it moves, beside the limits of its axes.
+    pub motion: Motion,
     /// What takes time besides moving.
     pub times: Times,
     /// What macro programs find.
@@ -58,6 +61,10 @@ pub struct AxisLimits {
     pub max_acceleration: Option<f64>,
     /// mm/s³ or rad/s³.
     pub max_jerk: Option<f64>,
+    /// The acceleration of rapids where it is another, mm/s² or rad/s².
+    pub rapid_acceleration: Option<f64>,
+    /// The jerk of rapids where it is another, mm/s³ or rad/s³.
+    pub rapid_jerk: Option<f64>,
 }
 
 /// The fastest feeds that may be programmed.
@@ -128,6 +135,14 @@ pub struct Switches {
 pub struct Times {
     /// A change of tool, from M06 to the next move.
     pub tool_change_s: Option<f64>,
+    /// The spindle speeds up or slows down by 1000 rpm.
+    pub spindle_per_1000_rpm_s: Option<f64>,
+    /// The spindle comes to stand at its mark (M19), beside its slowing down.
+    pub spindle_orient_s: Option<f64>,
+    /// A probe touches and the control takes the place over.
+    pub probe_s: Option<f64>,
+    /// An M code that switches coolant, until the control goes on.
+    pub m_code_s: Option<f64>,
 }
 
 /// What macro programs find when the program starts.
@@ -187,6 +202,7 @@ impl Machine {
             reference_points: [[None; 6]; 3],
             switches: Switches::default(),
             clearance_mm: None,
+            motion: Motion::default(),
             times: Times::default(),
             macros: Macros::default(),
             probe: Probe::default(),

@@ -59,6 +59,8 @@ pub(crate) enum Slot {
     },
     /// The block delete switches.
     Switches,
+    /// An override: `"80 %"` or the fraction 0.8.
+    Override(Place<Option<f64>>),
     /// A setting of the control, kept raw.
     Setting,
     /// Read before all other keys.
@@ -189,6 +191,20 @@ pub(crate) const ROWS: &[Row] = &[
         Sign::Positive,
         |m, k| &mut axis(m, k).max_jerk,
         "the largest change of acceleration",
+    ),
+    quantity(
+        "axes.<axis>.rapid_acceleration",
+        Dimension::Acceleration,
+        Sign::Positive,
+        |m, k| &mut axis(m, k).rapid_acceleration,
+        "the largest acceleration of rapids, where it is not that of cuts",
+    ),
+    quantity(
+        "axes.<axis>.rapid_jerk",
+        Dimension::Jerk,
+        Sign::Positive,
+        |m, k| &mut axis(m, k).rapid_jerk,
+        "the largest change of acceleration of rapids, where it is not that of cuts",
     ),
     quantity(
         "feed.max",
@@ -322,11 +338,84 @@ pub(crate) const ROWS: &[Row] = &[
         "the plane above which rapids may move freely, Z in work coordinates",
     ),
     quantity(
+        "motion.servo_period",
+        Dimension::Time,
+        Sign::Positive,
+        |m, _| &mut m.motion.servo_period_s,
+        "how often the control sends a place to the axes; otherwise 1 ms",
+    ),
+    Row {
+        path: "motion.feed_override",
+        slot: Slot::Override(|m, _| &mut m.motion.feed_override),
+        doc: "where the feed override stands; otherwise 100 %",
+    },
+    Row {
+        path: "motion.rapid_override",
+        slot: Slot::Override(|m, _| &mut m.motion.rapid_override),
+        doc: "where the rapid override stands; otherwise 100 %",
+    },
+    quantity(
+        "motion.corner_tolerance",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, _| &mut m.motion.corner_tolerance_mm,
+        "how far from the path a corner may be passed where corners are rounded and the control names no tolerance; otherwise 0.05 mm, which is a choice",
+    ),
+    quantity(
+        "motion.exact_path_tolerance",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, _| &mut m.motion.exact_path_tolerance_mm,
+        "how far from the path the tool may be in exact path mode where a line meets a tangent arc; otherwise 0: it stops there",
+    ),
+    quantity(
+        "motion.rapid_corner_tolerance",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, _| &mut m.motion.rapid_corner_tolerance_mm,
+        "how far the bends of a dog-leg rapid, and corners between rapids that do not stop, may be rounded; otherwise 10 mm, which is a choice",
+    ),
+    quantity(
+        "motion.rotary_tolerance",
+        Dimension::Angle,
+        Sign::NotNegative,
+        |m, _| &mut m.motion.rotary_tolerance_rad,
+        "how far a rotary axis may be from its angle at a rounded corner; otherwise 0.01 deg, which is a choice",
+    ),
+    quantity(
         "times.tool_change",
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.tool_change_s,
         "how long a change of tool takes",
+    ),
+    quantity(
+        "times.spindle_per_1000_rpm",
+        Dimension::Time,
+        Sign::NotNegative,
+        |m, _| &mut m.times.spindle_per_1000_rpm_s,
+        "how long the spindle takes to become 1000 rpm faster or slower",
+    ),
+    quantity(
+        "times.spindle_orient",
+        Dimension::Time,
+        Sign::NotNegative,
+        |m, _| &mut m.times.spindle_orient_s,
+        "how long the spindle takes to find its mark (M19), beside its slowing down",
+    ),
+    quantity(
+        "times.probe",
+        Dimension::Time,
+        Sign::NotNegative,
+        |m, _| &mut m.times.probe_s,
+        "how long the machine stands when a probe has touched",
+    ),
+    quantity(
+        "times.m_code",
+        Dimension::Time,
+        Sign::NotNegative,
+        |m, _| &mut m.times.m_code_s,
+        "how long an M code that switches coolant takes until the control goes on",
     ),
     Row {
         path: "macros.variables.<variable>",
@@ -517,6 +606,9 @@ impl Row {
                 format!("{what}: `\"{form}\"`")
             }
             Slot::Switches => "`true`, `false` or a list of 1 to 9".into(),
+            Slot::Override(_) => {
+                "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
+            }
             Slot::Setting => "a text, a number or `true`/`false`, as the control takes it".into(),
             Slot::Table(_) => "a table".into(),
             Slot::Axis => "a table, or `false`".into(),

@@ -43,10 +43,8 @@ impl Machine {
             out.table("program");
             out.quantity("clearance", self.clearance_mm, Dimension::Length);
         }
-        if self.times != Default::default() {
-            out.table("times");
-            out.quantity("tool_change", self.times.tool_change_s, Dimension::Time);
-        }
+        self.write_motion(&mut out);
+        self.write_times(&mut out);
         self.write_macros(&mut out);
         match self.probe.hit {
             Some(hit) => {
@@ -92,7 +90,39 @@ impl Machine {
             out.quantity("max_velocity", limits.max_velocity, of(Dimension::Velocity));
             out.quantity("max_acceleration", limits.max_acceleration, of(Dimension::Acceleration));
             out.quantity("max_jerk", limits.max_jerk, of(Dimension::Jerk));
+            let acceleration = of(Dimension::Acceleration);
+            out.quantity("rapid_acceleration", limits.rapid_acceleration, acceleration);
+            out.quantity("rapid_jerk", limits.rapid_jerk, of(Dimension::Jerk));
         }
+    }
+
+    fn write_motion(&self, out: &mut Out) {
+        let motion = &self.motion;
+        if *motion == Default::default() {
+            return;
+        }
+        out.table("motion");
+        out.quantity("servo_period", motion.servo_period_s, Dimension::Time);
+        out.fraction("feed_override", motion.feed_override);
+        out.fraction("rapid_override", motion.rapid_override);
+        out.quantity("corner_tolerance", motion.corner_tolerance_mm, Dimension::Length);
+        out.quantity("exact_path_tolerance", motion.exact_path_tolerance_mm, Dimension::Length);
+        let rapid = motion.rapid_corner_tolerance_mm;
+        out.quantity("rapid_corner_tolerance", rapid, Dimension::Length);
+        out.quantity("rotary_tolerance", motion.rotary_tolerance_rad, Dimension::Angle);
+    }
+
+    fn write_times(&self, out: &mut Out) {
+        let times = &self.times;
+        if *times == Default::default() {
+            return;
+        }
+        out.table("times");
+        out.quantity("tool_change", times.tool_change_s, Dimension::Time);
+        out.quantity("spindle_per_1000_rpm", times.spindle_per_1000_rpm_s, Dimension::Time);
+        out.quantity("spindle_orient", times.spindle_orient_s, Dimension::Time);
+        out.quantity("probe", times.probe_s, Dimension::Time);
+        out.quantity("m_code", times.m_code_s, Dimension::Time);
     }
 
     fn write_switches(&self, out: &mut Out) {
@@ -170,6 +200,12 @@ impl Out {
     fn quantity(&mut self, key: &str, value: Option<f64>, dimension: Dimension) {
         if let Some(value) = value {
             self.line(key, &format!("\"{value} {}\"", dimension.inside()));
+        }
+    }
+
+    fn fraction(&mut self, key: &str, value: Option<f64>) {
+        if let Some(value) = value {
+            self.line(key, &format!("{value:?}"));
         }
     }
 

@@ -7,6 +7,10 @@ use chordal_machine::Machine;
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 
 use crate::compensated::Compensated;
+use crate::motion::{
+    LimitError, MachineLimits, MotionBuilder, MotionOptions, MotionReport, MotionSink, PlanSink,
+    Planning,
+};
 use crate::summary::{Summary, SummaryBuilder};
 
 /// Why there is no job.
@@ -234,7 +238,37 @@ impl<'a> Job<'a> {
         Report::new(Summary::default(), collector, output, outcomes)
     }
 
-    fn initial_offset(&self) -> ([f64; 6], AxisMask) {
+    /// Runs and hands on the moves of the machine and its waits, as a planner takes them.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn motion<S: MotionSink>(
+        &self,
+        options: &MotionOptions,
+        sink: S,
+    ) -> Result<(MotionReport, S), LimitError> {
+        let limits = MachineLimits::of(&self.machine)?;
+        let builder = MotionBuilder::new(self, limits, options, sink);
+        let (outcomes, builder) = Compensated::run(self, builder);
+        Ok(builder.finish(outcomes))
+    }
+
+    /// Runs and plans: hands on the steps of the machine as they become certain.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn plan<S: PlanSink>(
+        &self,
+        options: &MotionOptions,
+        sink: &mut S,
+    ) -> Result<MotionReport, LimitError> {
+        let planning = Planning::new(MachineLimits::of(&self.machine)?, options, sink);
+        let (report, mut planning) = self.motion(options, planning)?;
+        planning.finish();
+        Ok(report)
+    }
+
+    pub(crate) fn initial_offset(&self) -> ([f64; 6], AxisMask) {
         initial_offset(&self.machine, &self.control)
     }
 }

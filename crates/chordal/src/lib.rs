@@ -21,6 +21,7 @@
 mod comp_range;
 mod compensated;
 mod job;
+pub mod motion;
 mod summary;
 pub mod time;
 

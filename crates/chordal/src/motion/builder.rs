@@ -1,0 +1,306 @@
+//! From the commands of the tool centre to moves that join on to each other, and waits.
+
+use chordal_control::{Command, CommandKind, CornerRules, Origin, Outcome, PathMode, SpindleState};
+use chordal_diagnostics::Diagnostic;
+use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_machine::{FeedLimits, Machine, Times};
+use chordal_motion::{Axes, Corner, Move, MoveKind};
+use chordal_path::{PathBuilder, PathCommand, PathSink, Segment, SegmentKind};
+
+use super::corner::{Ending, corner_of};
+use super::options::InForce;
+use super::{
+    MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, Refused, StepKind,
+    StepSource, Wait, WaitKind,
+};
+use crate::job::Job;
+
+/// How many refused moves are kept.
+const KEPT_REFUSED: usize = 20;
+
+/// Ends that are nearer than this are one point, mm or rad: rounding of the arcs' ends. What is
+/// farther away is a jump of the coordinates.
+const SAME_POINT: f64 = 1e-7;
+
+/// Makes moves and waits of a run, and holds the last move until the next is known.
+pub(crate) struct MotionBuilder<'a, S> {
+    path: PathBuilder<'a>,
+    segments: Vec<Segment>,
+    rules: CornerRules,
+    times: Times,
+    feed: FeedLimits,
+    rapid_speeds: Axes,
+    optional_stop: bool,
+    in_force: InForce,
+    forced_mode: Option<PathMode>,
+    mode: PathMode,
+    spindle_rpm: f64,
+    tool: u32,
+    /// The end of the last move.
+    at: Option<Axes>,
+    shift: Axes,
+    number: u32,
+    held: Option<(Ending, StepSource)>,
+    report: MotionReport,
+    sink: S,
+}
+
+impl<'a, S: MotionSink> MotionBuilder<'a, S> {
+    pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
+        let machine: &Machine = job.machine();
+        let (offset, known) = job.initial_offset();
+        let rules = job.control().parameters.corners;
+        let report = MotionReport {
+            limits,
+            moves: 0,
+            waits: 0,
+            cuts_without_feed: 0,
+            unknown_moves: 0,
+            refused_moves: 0,
+            refused: Vec::new(),
+            outcomes: Vec::new(),
+        };
+        MotionBuilder {
+            path: PathBuilder::new(machine, offset, known),
+            segments: Vec::new(),
+            mode: options.path_mode.unwrap_or(rules.start),
+            rules,
+            times: machine.times,
+            feed: machine.feed,
+            rapid_speeds: report.limits.rapid.velocity(),
+            optional_stop: machine.switches.optional_stop,
+            in_force: InForce::new(machine, options),
+            forced_mode: options.path_mode,
+            spindle_rpm: 0.0,
+            tool: 0,
+            at: None,
+            shift: [0.0; 6],
+            number: 0,
+            held: None,
+            report,
+            sink,
+        }
+    }
+
+    /// The last move is handed on.
+    pub fn finish(mut self, outcomes: Vec<Outcome>) -> (MotionReport, S) {
+        self.hand_on(|_| Corner::Stop);
+        self.report.outcomes = outcomes;
+        (self.report, self.sink)
+    }
+
+    fn other_command(&mut self, command: &Command) {
+        let origin = command.origin;
+        match command.kind {
+            CommandKind::PathMode(mode) => self.mode = self.forced_mode.unwrap_or(mode),
+            CommandKind::Dwell { seconds } => self.wait(WaitKind::Dwell, seconds, origin),
+            CommandKind::Tool { number } => {
+                let changes = number != self.tool;
+                self.tool = number;
+                if changes {
+                    let seconds = self.times.tool_change_s.unwrap_or(0.0);
+                    self.wait(WaitKind::ToolChange, seconds, origin);
+                }
+            }
+            CommandKind::Spindle { state, rpm } => self.spindle(state, rpm, origin),
+            CommandKind::Coolant(_) => {
+                self.wait(WaitKind::Coolant, self.times.m_code_s.unwrap_or(0.0), origin);
+            }
+            CommandKind::Stop { optional } if !optional || self.optional_stop => {
+                self.wait(WaitKind::Stop, 0.0, origin);
+            }
+            CommandKind::End => {
+                self.wait(WaitKind::End, 0.0, origin);
+                self.mode = self.forced_mode.unwrap_or(self.rules.start);
+            }
+            _ => {}
+        }
+    }
+
+    /// The spindle takes time for the difference of its speeds; turning round goes through zero.
+    fn spindle(&mut self, state: SpindleState, rpm: f64, origin: Origin) {
+        let target = match state {
+            SpindleState::Cw => rpm,
+            SpindleState::Ccw => -rpm,
+            SpindleState::Off | SpindleState::Oriented => 0.0,
+        };
+        let difference = (target - self.spindle_rpm).abs();
+        self.spindle_rpm = target;
+        let per_1000 = self.times.spindle_per_1000_rpm_s.unwrap_or(0.0);
+        if difference > 0.0 {
+            self.wait(WaitKind::SpindleSpeed, difference / 1000.0 * per_1000, origin);
+        }
+        if state == SpindleState::Oriented {
+            let seconds = self.times.spindle_orient_s.unwrap_or(0.0);
+            self.wait(WaitKind::SpindleOrient, seconds, origin);
+        }
+    }
+
+    fn wait(&mut self, kind: WaitKind, seconds: f64, origin: Origin) {
+        let seconds = if seconds > 0.0 && seconds.is_finite() { seconds } else { 0.0 };
+        self.hand_on(|_| Corner::Stop);
+        let tag = self.next_tag(&origin);
+        let source = StepSource {
+            tag,
+            origin,
+            tool: self.tool,
+            kind: StepKind::Wait(kind),
+            known: true,
+            length: 0.0,
+            nominal_s: seconds,
+            shift: self.shift,
+        };
+        self.report.waits += 1;
+        // A wait has no limits that it could break.
+        let _ = self.sink.step(&MotionStep::Wait(Wait { seconds, kind, tag }), &source);
+    }
+
+    fn next_tag(&mut self, origin: &Origin) -> u64 {
+        let tag = StepSource::tag_of(self.number, origin.line);
+        self.number = self.number.wrapping_add(1);
+        tag
+    }
+
+    /// A piece of path of a command; `bends`: the same rapid goes on after it.
+    fn segment(&mut self, segment: &Segment, cycle: bool, bends: bool) {
+        let kind = match segment.kind {
+            SegmentKind::Rapid => MoveKind::Rapid,
+            _ => MoveKind::Cut,
+        };
+        let mut motion = Move {
+            curve: segment.curve,
+            rotary_from: segment.rotary_from,
+            rotary_to: segment.rotary_to,
+            speed: f64::INFINITY,
+            corner: Corner::Stop,
+            kind,
+            tag: 0,
+        };
+        let length = motion.length();
+        if length <= 0.0 {
+            return;
+        }
+        let speed = match kind {
+            MoveKind::Rapid => self.rapid_speed(&motion, length),
+            MoveKind::Cut => self.cut_speed(segment, length),
+        };
+        let Some(speed) = speed else {
+            self.report.cuts_without_feed += 1;
+            self.hand_on(|_| Corner::Stop);
+            return;
+        };
+        motion.speed = speed;
+        // Only now is the end of the last move known: it may be refused.
+        let (rules, in_force) = (self.rules, self.in_force);
+        self.hand_on(|ending| corner_of(ending, &motion, &rules, &in_force));
+        self.join(&mut motion);
+        motion.tag = self.next_tag(&segment.origin);
+        let nominal_s = match kind {
+            MoveKind::Rapid => segment.duration_s / self.in_force.rapid_override.min(1.0),
+            MoveKind::Cut => length / speed,
+        };
+        let source = StepSource {
+            tag: motion.tag,
+            origin: segment.origin,
+            tool: segment.tool,
+            kind: StepKind::Move(segment.kind),
+            known: segment.known,
+            length,
+            nominal_s,
+            shift: self.shift,
+        };
+        self.at = Some(motion.to());
+        self.held = Some((Ending { motion, mode: self.mode, cycle, bends }, source));
+    }
+
+    /// Speed along a cut with the override; never more than the machine's largest feed. `None`
+    /// without a feed.
+    fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
+        let speed = length / segment.duration_s * self.in_force.feed_override;
+        let turns_only = segment.length_mm <= 0.0;
+        let largest = if turns_only { self.feed.max_rad_per_s } else { self.feed.max_mm_per_s };
+        let speed = speed.min(largest.unwrap_or(f64::INFINITY));
+        (speed > 0.0 && speed.is_finite()).then_some(speed)
+    }
+
+    /// As fast as the axes can, or the part of it that the override leaves.
+    fn rapid_speed(&self, motion: &Move, length: f64) -> Option<f64> {
+        let part = self.in_force.rapid_override;
+        if part >= 1.0 {
+            return Some(f64::INFINITY);
+        }
+        let (from, to) = (motion.from(), motion.to());
+        let seconds = (0..6)
+            .map(|axis| (to[axis] - from[axis]).abs() / self.rapid_speeds[axis])
+            .fold(0.0, f64::max);
+        Some(if seconds > 0.0 { length / seconds * part } else { f64::INFINITY })
+    }
+
+    /// Moves a move to where the last one ended.
+    fn join(&mut self, motion: &mut Move) {
+        let from = motion.from();
+        if let Some(at) = self.at {
+            let away = |axis: usize| (from[axis] + self.shift[axis] - at[axis]).abs();
+            if (0..6).any(|axis| away(axis) > SAME_POINT) {
+                self.shift = std::array::from_fn(|axis| at[axis] - from[axis]);
+            }
+        }
+        let shift = self.shift;
+        if shift == [0.0; 6] {
+            return;
+        }
+        let by = Vec3::new(shift[0], shift[1], shift[2]);
+        motion.curve = match motion.curve {
+            Curve::Line(line) => Curve::Line(Line { start: line.start + by, end: line.end + by }),
+            curve => curve.transformed(&Transform::translation(by)),
+        };
+        for axis in 0..3 {
+            motion.rotary_from[axis] += shift[axis + 3];
+            motion.rotary_to[axis] += shift[axis + 3];
+        }
+    }
+
+    /// Hands on the held move with the corner at its end.
+    fn hand_on(&mut self, corner: impl FnOnce(&Ending) -> Corner) {
+        let Some((ending, source)) = self.held.take() else { return };
+        let motion = Move { corner: corner(&ending), ..ending.motion };
+        match self.sink.step(&MotionStep::Move(motion), &source) {
+            Ok(()) => {
+                self.report.moves += 1;
+                self.report.unknown_moves += u64::from(!source.known);
+            }
+            Err(error) => {
+                self.at = Some(motion.from());
+                self.report.refused_moves += 1;
+                if self.report.refused.len() < KEPT_REFUSED {
+                    self.report.refused.push(Refused { error, source });
+                }
+            }
+        }
+    }
+}
+
+impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
+    fn command(&mut self, path: PathCommand<'_>) {
+        let command = path.command;
+        self.sink.command(command);
+        let mut segments = std::mem::take(&mut self.segments);
+        segments.clear();
+        self.path.command(command, |segment| segments.push(*segment));
+        match segments.split_last() {
+            None => self.other_command(command),
+            Some((last, bends)) => {
+                let cycle = command.origin.cycle;
+                for segment in bends {
+                    self.segment(segment, cycle, true);
+                }
+                self.segment(last, cycle, false);
+            }
+        }
+        self.segments = segments;
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
+        self.sink.diagnostic(diagnostic);
+    }
+}

@@ -1,0 +1,77 @@
+use chordal_machine::{Axis, AxisLimits, Machine};
+use chordal_motion::{AxisLimit, LimitError, Limits, Quantity};
+
+/// A limit that the machine file does not give.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AssumedLimit {
+    /// The axis.
+    pub axis: Axis,
+    /// Which of its limits.
+    pub quantity: Quantity,
+    /// What was taken, in mm or rad and s.
+    pub value: f64,
+}
+
+/// The limits of a machine's axes, as a planner takes them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MachineLimits {
+    /// Of cuts.
+    pub cut: Limits,
+    /// Of rapids.
+    pub rapid: Limits,
+    /// What the machine file does not give.
+    pub assumed: Vec<AssumedLimit>,
+}
+
+/// Typical of a machining centre of middle size: 24 m/min, 3 m/s², 100 m/s³.
+const TYPICAL_LINEAR: AxisLimit =
+    AxisLimit { velocity: 400.0, acceleration: 3000.0, jerk: 100_000.0 };
+
+/// Typical of a rotary table of middle size, in degrees: 100 deg/s, 500 deg/s², 10000 deg/s³.
+const TYPICAL_ROTARY_DEG: AxisLimit =
+    AxisLimit { velocity: 100.0, acceleration: 500.0, jerk: 10_000.0 };
+
+impl MachineLimits {
+    /// The limits of a machine; typical ones where its file gives none.
+    ///
+    /// # Errors
+    /// The first limit that is not a positive number.
+    pub fn of(machine: &Machine) -> Result<MachineLimits, LimitError> {
+        let mut assumed = Vec::new();
+        let mut cut = [None; 6];
+        let mut rapid = [None; 6];
+        for axis in Axis::ALL {
+            let Some(given) = machine.axis(axis) else { continue };
+            let limit = of_axis(axis, given, &mut assumed);
+            cut[axis as usize] = Some(limit);
+            rapid[axis as usize] = Some(AxisLimit {
+                acceleration: given.rapid_acceleration.unwrap_or(limit.acceleration),
+                jerk: given.rapid_jerk.unwrap_or(limit.jerk),
+                ..limit
+            });
+        }
+        Ok(MachineLimits { cut: Limits::new(cut)?, rapid: Limits::new(rapid)?, assumed })
+    }
+}
+
+fn of_axis(axis: Axis, given: &AxisLimits, assumed: &mut Vec<AssumedLimit>) -> AxisLimit {
+    let typical = match axis.is_rotary() {
+        false => TYPICAL_LINEAR,
+        true => AxisLimit {
+            velocity: TYPICAL_ROTARY_DEG.velocity.to_radians(),
+            acceleration: TYPICAL_ROTARY_DEG.acceleration.to_radians(),
+            jerk: TYPICAL_ROTARY_DEG.jerk.to_radians(),
+        },
+    };
+    let mut take = |quantity, given: Option<f64>, value| {
+        given.unwrap_or_else(|| {
+            assumed.push(AssumedLimit { axis, quantity, value });
+            value
+        })
+    };
+    AxisLimit {
+        velocity: take(Quantity::Velocity, given.max_velocity, typical.velocity),
+        acceleration: take(Quantity::Acceleration, given.max_acceleration, typical.acceleration),
+        jerk: take(Quantity::Jerk, given.max_jerk, typical.jerk),
+    }
+}

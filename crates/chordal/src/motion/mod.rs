@@ -1,0 +1,47 @@
+//! From a run to what a planner takes: moves that join on to each other, and waits.
+//!
+//! ```text
+//! tool-centre path ── MotionBuilder ──▶ MotionStep ── Planner ──▶ Step
+//! ```
+//!
+//! [`Job::motion`](crate::Job::motion) hands on the moves with their speeds and corners;
+//! [`Job::plan`](crate::Job::plan) also plans them. Both stream: a step is handed on as soon as
+//! the one after it is known.
+//!
+//! # The frame of the moves
+//!
+//! A planner wants moves of the machine: each begins where the one before ends. Program
+//! coordinates jump where a work offset, a tool length or G92 changes. Every move is therefore
+//! shifted so that it joins on; the shift is zero until the first jump and is told with each step
+//! ([`StepSource::shift`]): position − shift are the coordinates of
+//! [`Job::path`](crate::Job::path). Only the machine knows where an axis is whose offset the
+//! machine file does not give; such moves go as the numbers say and are counted
+//! ([`MotionReport::unknown_moves`]).
+//!
+//! # Corners
+//!
+//! What happens at the end of a move is decided by the path mode in force at its block and by the
+//! rules of the control ([`CornerRules`](crate::control::CornerRules)); see `corner.rs`.
+
+mod builder;
+mod corner;
+mod limits;
+mod options;
+mod plan;
+mod steps;
+
+pub use chordal_motion::{
+    Along, Axes, AxisLimit, Corner, Cursor, Jet, Level, LimitError, Limits, Move, MoveError,
+    MoveKind, Phase, Piece, Planner, PlannerOptions, Quantity, Sample, Sampler, State, Step,
+    Stretch,
+};
+
+pub use limits::{AssumedLimit, MachineLimits};
+pub use options::MotionOptions;
+pub use plan::{PlanSink, Sources};
+pub use steps::{
+    MotionReport, MotionSink, MotionStep, Refused, StepKind, StepSource, Wait, WaitKind,
+};
+
+pub(crate) use builder::MotionBuilder;
+pub(crate) use plan::Planning;

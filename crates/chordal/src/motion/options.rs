@@ -1,0 +1,59 @@
+use chordal_control::PathMode;
+use chordal_machine::Machine;
+use chordal_motion::Level;
+
+/// What may be other than the machine file and the program say. `None`: as they say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionOptions {
+    /// How hard the planner tries.
+    pub level: Level,
+    /// The feed override; 1 is as programmed.
+    pub feed_override: Option<f64>,
+    /// The rapid override; 1 is full speed.
+    pub rapid_override: Option<f64>,
+    /// The path mode of every cut, whatever the program says.
+    pub path_mode: Option<PathMode>,
+    /// The tolerance of corners where the mode rounds them and names none, mm.
+    pub corner_tolerance_mm: Option<f64>,
+}
+
+impl Default for MotionOptions {
+    fn default() -> MotionOptions {
+        MotionOptions {
+            level: Level::Fast,
+            feed_override: None,
+            rapid_override: None,
+            path_mode: None,
+            corner_tolerance_mm: None,
+        }
+    }
+}
+
+/// The numbers in force.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InForce {
+    pub feed_override: f64,
+    pub rapid_override: f64,
+    pub corner_tolerance_mm: f64,
+    pub exact_path_tolerance_mm: f64,
+    pub rapid_corner_tolerance_mm: f64,
+    pub rotary_tolerance_rad: f64,
+}
+
+impl InForce {
+    pub fn new(machine: &Machine, options: &MotionOptions) -> InForce {
+        let motion = &machine.motion;
+        // An override of zero or NaN is no speed at all; the panel's 100 % stands for it.
+        let sane = |value: f64| if value > 0.0 && value.is_finite() { value } else { 1.0 };
+        InForce {
+            feed_override: sane(options.feed_override.unwrap_or_else(|| motion.feed_override())),
+            rapid_override: sane(options.rapid_override.unwrap_or_else(|| motion.rapid_override())),
+            corner_tolerance_mm: options
+                .corner_tolerance_mm
+                .unwrap_or_else(|| motion.corner_tolerance_mm()),
+            exact_path_tolerance_mm: motion.exact_path_tolerance_mm(),
+            rapid_corner_tolerance_mm: motion.rapid_corner_tolerance_mm(),
+            rotary_tolerance_rad: motion.rotary_tolerance_rad(),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+use chordal_control::{Command, Origin, Outcome};
+use chordal_diagnostics::Diagnostic;
+use chordal_motion::{Axes, Move, MoveError};
+use chordal_path::SegmentKind;
+
+use super::MachineLimits;
+
+/// What the machine does next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MotionStep {
+    /// It moves.
+    Move(Move),
+    /// Its axes come to rest and stand.
+    Wait(Wait),
+}
+
+/// The axes come to rest and stand for a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wait {
+    /// How long, s; 0 where the machine file gives no time: the axes come to rest all the same.
+    pub seconds: f64,
+    /// What for.
+    pub kind: WaitKind,
+    /// As in [`StepSource::tag`].
+    pub tag: u64,
+}
+
+/// Why the axes stand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+pub enum WaitKind {
+    /// G4, or the dwell of a cycle.
+    Dwell,
+    /// A tool goes into the spindle.
+    ToolChange,
+    /// The spindle starts, stops, turns round or changes its speed.
+    SpindleSpeed,
+    /// The spindle comes to stand at its mark (M19).
+    SpindleOrient,
+    /// Coolant is switched.
+    Coolant,
+    /// A probe has touched.
+    Probe,
+    /// M00, or M01 with its switch on: the operator's time is not counted.
+    Stop,
+    /// The program ends.
+    End,
+}
+
+impl WaitKind {
+    /// For people: `tool change`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            WaitKind::Dwell => "dwell",
+            WaitKind::ToolChange => "tool change",
+            WaitKind::SpindleSpeed => "spindle speed",
+            WaitKind::SpindleOrient => "spindle orientation",
+            WaitKind::Coolant => "coolant",
+            WaitKind::Probe => "probe",
+            WaitKind::Stop => "program stop",
+            WaitKind::End => "program end",
+        }
+    }
+}
+
+/// What a step is, apart from its numbers.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum StepKind {
+    /// A move of this kind.
+    Move(SegmentKind),
+    /// A wait.
+    Wait(WaitKind),
+}
+
+/// Where a step comes from.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct StepSource {
+    /// Names the step: its number in the run above the line of its block, so that tags grow.
+    /// See [`StepSource::line_of`].
+    pub tag: u64,
+    /// The block.
+    pub origin: Origin,
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// What it is.
+    pub kind: StepKind,
+    /// Both ends are known relative to the part.
+    pub known: bool,
+    /// Length: mm along X, Y and Z, or rad where rotary axes alone move; 0 for a wait.
+    pub length: f64,
+    /// How long it takes at its feed with the overrides, without acceleration, s.
+    pub nominal_s: f64,
+    /// Position − shift is where the step is in the coordinates of [`Job::path`](crate::Job::path)
+    /// (mm, rad).
+    pub shift: Axes,
+}
+
+impl StepSource {
+    /// The tag of the step with this number, from a block on this line.
+    pub const fn tag_of(number: u32, line: u32) -> u64 {
+        (number as u64) << 32 | line as u64
+    }
+
+    /// The line of a tag, from 1.
+    pub const fn line_of(tag: u64) -> u32 {
+        tag as u32
+    }
+
+    /// The number of a tag's step in the run, from 0.
+    pub const fn number_of(tag: u64) -> u32 {
+        (tag >> 32) as u32
+    }
+}
+
+/// Takes the moves and waits of a run.
+pub trait MotionSink {
+    /// A command of the tool centre, before its steps.
+    fn command(&mut self, _command: &Command) {}
+
+    /// A step.
+    ///
+    /// # Errors
+    /// Where a move cannot be taken. The moves after it then join on to the last one that was.
+    fn step(&mut self, step: &MotionStep, source: &StepSource) -> Result<(), MoveError>;
+
+    /// A problem of the program.
+    fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
+}
+
+impl<F: FnMut(&MotionStep, &StepSource) -> Result<(), MoveError>> MotionSink for F {
+    fn step(&mut self, step: &MotionStep, source: &StepSource) -> Result<(), MoveError> {
+        self(step, source)
+    }
+}
+
+/// A move that could not be planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refused {
+    /// Why.
+    pub error: MoveError,
+    /// Where it comes from.
+    pub source: StepSource,
+}
+
+/// What a run leaves beside its steps.
+#[derive(Clone, Debug)]
+pub struct MotionReport {
+    /// The limits that were used, and which of them the machine file does not give.
+    pub limits: MachineLimits,
+    /// Moves handed on.
+    pub moves: u64,
+    /// Waits handed on.
+    pub waits: u64,
+    /// Cuts that are left out because they have no feed.
+    pub cuts_without_feed: u64,
+    /// Moves of which an end is not known relative to the part: they go as the numbers say, as
+    /// if offsets that the machine file does not give were zero.
+    pub unknown_moves: u64,
+    /// Moves that could not be planned; they are left out.
+    pub refused_moves: u64,
+    /// The first of them.
+    pub refused: Vec<Refused>,
+    /// How each program ended.
+    pub outcomes: Vec<Outcome>,
+}

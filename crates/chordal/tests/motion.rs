@@ -1,0 +1,228 @@
+//! What a run becomes before it is planned: moves that join on to each other, speeds, corners,
+//! waits.
+
+use chordal::motion::{
+    Corner, MotionOptions, MotionReport, MotionStep, Move, MoveKind, StepSource, Wait, WaitKind,
+};
+use chordal::{Job, Machine, Source, SourceMap};
+
+const MACHINE: &str = "
+control = \"fanuc\"
+[axes.X]
+max_velocity = \"400 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[axes.Y]
+max_velocity = \"400 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[axes.Z]
+max_velocity = \"200 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[axes.A]
+max_velocity = \"100 deg/s\"
+max_acceleration = \"500 deg/s^2\"
+max_jerk = \"10000 deg/s^3\"
+[work_offsets.G54]
+X = \"0 mm\"
+Y = \"0 mm\"
+Z = \"0 mm\"
+[work_offsets.G55]
+X = \"100 mm\"
+Y = \"0 mm\"
+Z = \"0 mm\"
+[tools.1]
+length = \"50 mm\"
+[home]
+X = \"0 mm\"
+Y = \"0 mm\"
+Z = \"0 mm\"
+[times]
+tool_change = \"6 s\"
+spindle_per_1000_rpm = \"0.5 s\"
+spindle_orient = \"1 s\"
+m_code = \"0.25 s\"
+[settings]
+units = \"mm\"
+";
+
+fn machine(changes: &[&str]) -> Machine {
+    let mut machine =
+        Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("a machine");
+    for change in changes {
+        machine.set(change).expect("a change");
+    }
+    machine
+}
+
+fn run_with(
+    program: &str,
+    changes: &[&str],
+    options: MotionOptions,
+) -> (Vec<(MotionStep, StepSource)>, MotionReport) {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.nc", program.as_bytes()));
+    let job = Job::new(sources, machine(changes)).expect("a job");
+    let mut steps = Vec::new();
+    let sink = |step: &MotionStep, source: &StepSource| {
+        steps.push((*step, *source));
+        Ok(())
+    };
+    let (report, _) = job.motion(&options, sink).expect("limits");
+    (steps, report)
+}
+
+fn run(program: &str) -> (Vec<(MotionStep, StepSource)>, MotionReport) {
+    run_with(program, &[], MotionOptions::default())
+}
+
+fn moves(steps: &[(MotionStep, StepSource)]) -> Vec<Move> {
+    let of = |step: &MotionStep| match step {
+        MotionStep::Move(motion) => Some(*motion),
+        MotionStep::Wait(_) => None,
+    };
+    steps.iter().filter_map(|(step, _)| of(step)).collect()
+}
+
+fn waits(steps: &[(MotionStep, StepSource)]) -> Vec<(WaitKind, f64)> {
+    let of = |step: &MotionStep| match step {
+        MotionStep::Move(_) => None,
+        MotionStep::Wait(Wait { seconds, kind, .. }) => Some((*kind, *seconds)),
+    };
+    steps.iter().filter_map(|(step, _)| of(step)).collect()
+}
+
+fn cuts(steps: &[(MotionStep, StepSource)]) -> Vec<Move> {
+    moves(steps).into_iter().filter(|motion| motion.kind == MoveKind::Cut).collect()
+}
+
+#[test]
+fn moves_join_on_over_offsets_lengths_and_presets() {
+    let (steps, _) = run("G90 G54 S1000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 Z0 F600.\nX20.\n\
+                          G55\nX0.\nG92 X7. Y7.\nG1 X8. Y9.\nG49\nG1 Z1.\nG91 G28 Z0\nM30\n");
+    let moves = moves(&steps);
+    assert!(moves.len() >= 8);
+    for pair in moves.windows(2) {
+        let (to, from) = (pair[0].to(), pair[1].from());
+        for axis in 0..6 {
+            assert!((to[axis] - from[axis]).abs() < 1e-7, "{pair:?}");
+        }
+    }
+}
+
+#[test]
+fn a_known_work_offset_is_travelled() {
+    let (steps, _) = run("G90 G54 S1000 M3\nG1 X20. F600.\nG55 X0.\nM30\n");
+    let cuts = cuts(&steps);
+    // X0 of G55 is 100 mm of the machine: 80 mm to go.
+    assert!((cuts[1].length() - 80.0).abs() < 1e-9, "{:?}", cuts[1]);
+}
+
+#[test]
+fn a_cut_without_feed_is_left_out_and_counted() {
+    let (steps, report) = run("G90 G54 S1000 M3\nG1 X10.\nF600.\nX20.\nM30\n");
+    assert_eq!(report.cuts_without_feed, 1);
+    assert_eq!(cuts(&steps).len(), 1);
+}
+
+#[test]
+fn speeds_follow_the_feed_mode() {
+    let (steps, _) = run("G90 G54 S600 M3\nG1 X10. F600.\nG93 X20. F30.\nG95 X30. F0.2\nM30\n");
+    let speeds: Vec<f64> = cuts(&steps).iter().map(|motion| motion.speed).collect();
+    // 600 mm/min; 10 mm in a thirtieth of a minute; 0.2 mm × 10 rev/s.
+    for (speed, due) in speeds.iter().zip([10.0, 5.0, 2.0]) {
+        assert!((speed - due).abs() < 1e-9, "{speeds:?}");
+    }
+}
+
+#[test]
+fn rotary_axes_alone_turn_by_degrees_a_minute() {
+    let (steps, _) = run("G90 G54 S600 M3\nG1 A90. F600.\nM30\n");
+    let cut = cuts(&steps)[0];
+    assert!((cut.speed - 10f64.to_radians()).abs() < 1e-12);
+    assert!((cut.length() - 90f64.to_radians()).abs() < 1e-12);
+}
+
+#[test]
+fn overrides_change_speeds() {
+    let options = MotionOptions {
+        feed_override: Some(0.5),
+        rapid_override: Some(0.25),
+        ..Default::default()
+    };
+    let (steps, _) = run_with("G90 G54 S600 M3\nG0 X100.\nG1 X10. F600.\nM30\n", &[], options);
+    let moves = moves(&steps);
+    assert!((moves[0].speed - 100.0).abs() < 1e-9, "a quarter of 400 mm/s");
+    assert!((moves[1].speed - 5.0).abs() < 1e-9, "half of 600 mm/min");
+}
+
+#[test]
+fn the_largest_feed_of_the_machine_holds() {
+    let options = MotionOptions { feed_override: Some(2.0), ..Default::default() };
+    let program = "G90 G54 S600 M3\nG1 X10. F600.\nM30\n";
+    let (steps, _) = run_with(program, &["feed.max = 15 mm/s"], options);
+    assert!((cuts(&steps)[0].speed - 15.0).abs() < 1e-9);
+}
+
+#[test]
+fn waits_take_the_times_of_the_machine() {
+    let (steps, _) =
+        run("G90 G54 T1 M6\nS2000 M3\nM8\nG4 P1500\nS3000\nM3\nM4\nM19\nM0\nM1\nM30\n");
+    let due = [
+        (WaitKind::ToolChange, 6.0),
+        (WaitKind::SpindleSpeed, 1.0),
+        (WaitKind::Coolant, 0.25),
+        (WaitKind::Dwell, 1.5),
+        (WaitKind::SpindleSpeed, 0.5),
+        // From 3000 rpm one way to 3000 rpm the other way.
+        (WaitKind::SpindleSpeed, 3.0),
+        (WaitKind::SpindleSpeed, 1.5),
+        (WaitKind::SpindleOrient, 1.0),
+        (WaitKind::Stop, 0.0),
+        (WaitKind::End, 0.0),
+    ];
+    assert_eq!(waits(&steps), due);
+}
+
+#[test]
+fn assumed_limits_are_named() {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.nc", b"G0 X1.\nM30\n".as_slice()));
+    let text = "control = \"fanuc\"\n[axes.X]\nmax_velocity = \"10 m/min\"\n";
+    let machine = Machine::from_toml("m.toml", text, &|_| Err(String::new())).expect("a machine");
+    let job = Job::new(sources, machine).expect("a job");
+    let sink = |_: &MotionStep, _: &StepSource| Ok(());
+    let (report, _) = job.motion(&MotionOptions::default(), sink).expect("limits");
+    let assumed: Vec<String> = report
+        .limits
+        .assumed
+        .iter()
+        .map(|assumed| format!("{} {}", assumed.axis, assumed.quantity))
+        .collect();
+    assert_eq!(assumed, ["X acceleration", "X jerk"]);
+}
+
+#[test]
+fn a_limit_that_is_none_is_an_error() {
+    let mut machine = machine(&[]);
+    machine.axes[1].as_mut().expect("Y").max_jerk = Some(f64::NAN);
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.nc", b"G0 X1.\nM30\n".as_slice()));
+    let job = Job::new(sources, machine).expect("a job");
+    let sink = |_: &MotionStep, _: &StepSource| Ok(());
+    let error = job.motion(&MotionOptions::default(), sink).err().expect("an error");
+    assert_eq!(error.to_string(), "the jerk limit of axis Y is NaN: it must be a positive number");
+}
+
+#[test]
+fn the_default_mode_rounds_corners_between_cuts_within_the_tolerance_of_the_machine() {
+    let program = "G90 G54 S600 M3\nG0 X100.\nG1 X10. F600.\nY10.\nG0 X0\nM30\n";
+    let (steps, _) = run_with(program, &["motion.corner_tolerance = 0.02 mm"], Default::default());
+    let corners: Vec<Corner> = moves(&steps).iter().map(|motion| motion.corner).collect();
+    let rotary_rad = 0.01_f64.to_radians();
+    assert_eq!(
+        corners,
+        [Corner::Stop, Corner::Within { linear_mm: 0.02, rotary_rad }, Corner::Stop, Corner::Stop]
+    );
+}
