@@ -1,13 +1,14 @@
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use chordal_control::Origin;
 use chordal_geometry::{Curve, ParamCurve, Vec3};
-use chordal_motion::{Corner, Limits, Move, MoveKind, Step, Stretch};
+use chordal_motion::{Corner, Move, MoveKind, Step, Stretch};
 
 use super::blocks::{BlockRun, Blocks};
 use super::reason::{Asked, Ride, reason_of};
-use super::report::{OperationTime, Reason, TimeReport, Times, ToolTime, Wait};
+use super::report::{OperationTime, Reason, TimeReport, Times, ToolTime};
 use super::walk::walk;
+use crate::motion::{MotionStep, StepSource, WaitKind};
 
 /// Most operations that are kept.
 const MOST_OPERATIONS: usize = 1000;
@@ -25,7 +26,7 @@ const TANGENT: f64 = 1e-4;
 #[derive(Clone, Copy, Debug)]
 enum Pending {
     Move { asked: Asked, speed: f64, exact: bool, tangent_next: bool },
-    Wait(Wait),
+    Wait(WaitKind),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -45,16 +46,13 @@ struct Item {
 /// Moves and waits are announced with rising tags before they are pushed into the planner; the
 /// steps come when the planner is sure of them. What is announced waits here until the steps
 /// have passed it: as much as the planner looks ahead.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct TimeBuilder {
-    limits: Limits,
     pending: VecDeque<Item>,
-    tag: u64,
-    tool: u32,
     /// How many have begun.
     operations: usize,
     report: TimeReport,
-    waits: [f64; Wait::ALL.len()],
+    waits: BTreeMap<WaitKind, f64>,
     tools: Vec<ToolTime>,
     blocks: Blocks,
     /// Direction in which the newest move ends.
@@ -62,93 +60,64 @@ pub struct TimeBuilder {
 }
 
 impl TimeBuilder {
-    /// A builder for a machine with these limits.
-    pub fn new(limits: Limits) -> TimeBuilder {
-        TimeBuilder {
-            limits,
-            pending: VecDeque::new(),
-            tag: 0,
-            tool: 0,
-            operations: 0,
-            report: TimeReport::default(),
-            waits: [0.0; Wait::ALL.len()],
-            tools: Vec::new(),
-            blocks: Blocks::default(),
-            direction: Vec3::ZERO,
+    /// Announces a move or a wait that goes into the planner now.
+    pub fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+        let StepSource { tag, tool, origin, .. } = *source;
+        let what = match step {
+            MotionStep::Move(motion) => self.asked_move(motion, source.nominal_s),
+            MotionStep::Wait(wait) => {
+                if wait.kind == WaitKind::ToolChange {
+                    self.operation(tool, origin);
+                    self.report.tool_changes += 1;
+                    tool_entry(&mut self.tools, tool).changes += 1;
+                }
+                Pending::Wait(wait.kind)
+            }
+        };
+        if self.operations == 0 {
+            self.operation(tool, origin);
         }
+        let (operation, ride) = (self.operations - 1, Ride::default());
+        self.pending.push_back(Item {
+            tag,
+            tool,
+            operation,
+            origin,
+            what,
+            ride,
+            ends_at_rest: false,
+        });
     }
 
-    /// A tool goes into the spindle: what follows is its own. The time of the change is a
-    /// wait that is announced after this.
-    pub fn tool(&mut self, number: u32, origin: Origin) {
-        self.tool = number;
-        self.report.tool_changes += 1;
-        tool_entry(&mut self.tools, number).changes += 1;
-        self.operation(origin);
-    }
-
-    /// The next operation begins.
-    fn operation(&mut self, first: Origin) {
-        self.operations += 1;
-        tool_entry(&mut self.tools, self.tool);
-        if self.report.operations.len() < MOST_OPERATIONS {
-            let (tool, times) = (self.tool, Times::default());
-            self.report.operations.push(OperationTime { tool, first, last: first, times });
-        } else {
-            self.report.operations_left_out += 1;
-        }
-    }
-
-    /// Announces a move and gives the tag with which it must go into the planner.
-    pub fn announce(&mut self, motion: &Move, origin: Origin) -> u64 {
-        let starts = motion.curve.tangent_at(0.0);
-        let length = motion.length();
+    fn asked_move(&mut self, motion: &Move, ideal_s: f64) -> Pending {
         if let Some(Item { what: Pending::Move { exact: true, tangent_next, .. }, .. }) =
             self.pending.back_mut()
         {
+            let starts = motion.curve.tangent_at(0.0);
             let (cross, dot) = (self.direction.cross(starts), self.direction.dot(starts));
             *tangent_next = dot > 0.0 && cross.length() < TANGENT;
         }
         let exact = motion.corner == Corner::Exact && motion.kind == MoveKind::Cut;
         if exact {
-            self.direction = motion.curve.tangent_at(length);
+            self.direction = motion.curve.tangent_at(motion.length());
         }
         let asked = Asked {
             rapid: motion.kind == MoveKind::Rapid,
             curved: !matches!(motion.curve, Curve::Line(_)),
-            ideal_s: ideal_s(motion, &self.limits),
+            ideal_s,
         };
-        self.report.moves += 1;
-        self.push(origin, Pending::Move { asked, speed: motion.speed, exact, tangent_next: false })
+        Pending::Move { asked, speed: motion.speed, exact, tangent_next: false }
     }
 
-    /// Announces a wait and gives the tag with which it must go into the planner.
-    pub fn announce_wait(&mut self, wait: Wait, origin: Origin) -> u64 {
-        self.push(origin, Pending::Wait(wait))
-    }
-
-    fn push(&mut self, origin: Origin, what: Pending) -> u64 {
-        if self.operations == 0 {
-            self.operation(origin);
-        }
-        self.tag += 1;
-        self.pending.push_back(Item {
-            tag: self.tag,
-            tool: self.tool,
-            operation: self.operations - 1,
-            origin,
-            what,
-            ride: Ride::default(),
-            ends_at_rest: false,
-        });
-        self.tag
-    }
-
-    /// The newest move could not be planned after all.
-    pub fn refused(&mut self) {
-        if self.pending.pop_back().is_some() {
-            self.report.moves -= 1;
-            self.report.unplanned += 1;
+    /// The next operation begins.
+    fn operation(&mut self, tool: u32, first: Origin) {
+        self.operations += 1;
+        tool_entry(&mut self.tools, tool);
+        if self.report.operations.len() < MOST_OPERATIONS {
+            let times = Times::default();
+            self.report.operations.push(OperationTime { tool, first, last: first, times });
+        } else {
+            self.report.operations_left_out += 1;
         }
     }
 
@@ -210,30 +179,26 @@ impl TimeBuilder {
 
     fn done(&mut self, item: &Item) {
         let time_s = item.ride.time_s;
-        let (mut times, mut reason) = (Times::default(), Reason::Rapid);
-        match item.what {
-            Pending::Wait(wait) => {
+        let mut times = Times::default();
+        let reason = match item.what {
+            // The end of the program, or a move that the planner could not take.
+            _ if time_s <= 0.0 => return,
+            Pending::Wait(kind) => {
                 times.other_s = time_s;
-                reason = Reason::Wait(wait);
-                if let Some(at) = Wait::ALL.iter().position(|other| *other == wait) {
-                    self.waits[at] += time_s;
-                }
+                *self.waits.entry(kind).or_default() += time_s;
+                Reason::Wait(kind)
             }
             Pending::Move { asked, exact, tangent_next, .. } => {
-                if asked.rapid {
-                    times.rapid_s = time_s
-                } else {
-                    times.cutting_s = time_s
-                }
+                let share = if asked.rapid { &mut times.rapid_s } else { &mut times.cutting_s };
+                *share = time_s;
                 times.lost_s = (time_s - asked.ideal_s).max(0.0);
+                self.report.moves += 1;
                 self.report.at_feed_s += asked.ideal_s;
-                if !asked.rapid {
-                    reason = reason_of(&item.ride, &asked);
-                }
                 let stops = item.ends_at_rest && exact && tangent_next;
                 self.report.tangent_stops += u64::from(stops);
+                reason_of(&item.ride, &asked)
             }
-        }
+        };
         self.report.times.add(&times);
         tool_entry(&mut self.tools, item.tool).times.add(&times);
         if let Some(operation) = self.report.operations.get_mut(item.operation) {
@@ -247,9 +212,14 @@ impl TimeBuilder {
     pub fn finish(mut self) -> TimeReport {
         self.pass(u64::MAX);
         let (longest, costliest) = self.blocks.finish(RANKED);
-        let waits = Wait::ALL.into_iter().zip(self.waits).filter(|(_, seconds)| *seconds > 0.0);
         self.tools.retain(|tool| tool.changes > 0 || tool.times != Times::default());
-        TimeReport { waits: waits.collect(), tools: self.tools, longest, costliest, ..self.report }
+        TimeReport {
+            waits: self.waits.into_iter().collect(),
+            tools: self.tools,
+            longest,
+            costliest,
+            ..self.report
+        }
     }
 }
 
@@ -286,27 +256,15 @@ fn ride_on(ride: &mut Ride, seconds: f64, part: &super::walk::Part, speed: f64) 
     *share += seconds;
 }
 
-/// Length over speed; where no speed is asked for, the time at which the slowest axis could
-/// do its way without speeding up first, s.
-fn ideal_s(motion: &Move, limits: &Limits) -> f64 {
-    if motion.speed.is_finite() {
-        return motion.length() / motion.speed;
-    }
-    let (from, to, velocity) = (motion.from(), motion.to(), limits.velocity());
-    (0..6).map(|axis| (to[axis] - from[axis]).abs() / velocity[axis]).fold(0.0, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use chordal_diagnostics::{FileId, Span, TextRange};
     use chordal_geometry::{Direction, Line, Plane, arc_from_center};
-    use chordal_motion::{AxisLimit, Phase, Piece};
+    use chordal_motion::{Phase, Piece};
+    use chordal_path::SegmentKind;
 
-    fn limits() -> Limits {
-        let axis = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
-        Limits::new([axis, axis, axis, None, None, None]).unwrap()
-    }
+    use crate::motion::{StepKind, Wait};
 
     fn origin(line: u32) -> Origin {
         let span = Span { file: FileId(0), range: TextRange::new(line * 10, line * 10 + 9) };
@@ -323,6 +281,48 @@ mod tests {
             corner: Corner::Exact,
             kind,
             tag: 0,
+        }
+    }
+
+    /// Announces moves and waits under numbers of its own.
+    struct Asking {
+        time: TimeBuilder,
+        number: u32,
+        tool: u32,
+    }
+
+    impl Asking {
+        fn new() -> Asking {
+            Asking { time: TimeBuilder::default(), number: 0, tool: 0 }
+        }
+
+        fn ask(&mut self, line: u32, kind: StepKind, nominal_s: f64, step: &MotionStep) -> u64 {
+            self.number += 1;
+            let tag = StepSource::tag_of(self.number, line);
+            self.time.asked(
+                step,
+                &StepSource {
+                    tag,
+                    origin: origin(line),
+                    tool: self.tool,
+                    kind,
+                    known: true,
+                    length: 0.0,
+                    nominal_s,
+                    shift: [0.0; 6],
+                },
+            );
+            tag
+        }
+
+        fn motion(&mut self, line: u32, motion: Move, nominal_s: f64) -> u64 {
+            let kind = StepKind::Move(SegmentKind::Line);
+            self.ask(line, kind, nominal_s, &MotionStep::Move(motion))
+        }
+
+        fn wait(&mut self, line: u32, kind: WaitKind, seconds: f64) -> u64 {
+            let wait = Wait { seconds, kind, tag: 0 };
+            self.ask(line, StepKind::Wait(kind), seconds, &MotionStep::Wait(wait))
         }
     }
 
@@ -356,20 +356,20 @@ mod tests {
     /// 100 mm at 100 mm/s with 1000 mm/s²: 0.1 s up, 0.9 s at feed, 0.1 s down.
     #[test]
     fn a_program_by_hand() {
-        let mut time = TimeBuilder::new(limits());
-        let rapid = time.announce(&line(0.0, 40.0, f64::INFINITY, MoveKind::Rapid), origin(1));
-        time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
-        time.tool(3, origin(2));
-        let change = time.announce_wait(Wait::ToolChange, origin(2));
-        time.step(Step::Wait { seconds: 5.0, tag: change });
+        let mut asking = Asking::new();
+        let rapid = asking.motion(1, line(0.0, 40.0, f64::INFINITY, MoveKind::Rapid), 0.2);
+        asking.time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
+        asking.tool = 3;
+        let change = asking.wait(2, WaitKind::ToolChange, 5.0);
+        asking.time.step(Step::Wait { seconds: 5.0, tag: change });
         let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
-        let cuts: Vec<u64> = (0..2).map(|_| time.announce(&cut, origin(3))).collect();
-        let dwell = time.announce_wait(Wait::Dwell, origin(4));
+        let cuts: Vec<u64> = (0..2).map(|_| asking.motion(3, cut, 1.0)).collect();
+        let dwell = asking.wait(4, WaitKind::Dwell, 0.5);
         for tag in cuts {
-            time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
+            asking.time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
         }
-        time.step(Step::Wait { seconds: 0.5, tag: dwell });
-        let report = time.finish();
+        asking.time.step(Step::Wait { seconds: 0.5, tag: dwell });
+        let report = asking.time.finish();
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
         near(report.times.rapid_s, 0.4);
         near(report.times.cutting_s, 2.2);
@@ -378,7 +378,7 @@ mod tests {
         // The rapid: 40 mm at 200 mm/s are 0.2 s.
         near(report.at_feed_s, 2.2);
         near(report.times.lost_s, 0.4);
-        assert_eq!(report.waits, [(Wait::Dwell, 0.5), (Wait::ToolChange, 5.0)]);
+        assert_eq!(report.waits, [(WaitKind::Dwell, 0.5), (WaitKind::ToolChange, 5.0)]);
         let tools: Vec<_> =
             report.tools.iter().map(|t| (t.number, t.changes, t.times.total_s())).collect();
         assert_eq!(tools.len(), 2);
@@ -393,9 +393,9 @@ mod tests {
         assert_eq!(
             longest,
             [
-                (2, 1, Reason::Wait(Wait::ToolChange)),
+                (2, 1, Reason::Wait(WaitKind::ToolChange)),
                 (3, 1, Reason::Stop),
-                (4, 1, Reason::Wait(Wait::Dwell)),
+                (4, 1, Reason::Wait(WaitKind::Dwell)),
                 (1, 1, Reason::Rapid),
             ]
         );
@@ -405,9 +405,10 @@ mod tests {
 
     #[test]
     fn an_overlap_counts_once() {
-        let mut time = TimeBuilder::new(limits());
+        let mut asking = Asking::new();
         let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
-        let (a, b) = (time.announce(&cut, origin(1)), time.announce(&cut, origin(2)));
+        let (a, b) = (asking.motion(1, cut, 1.0), asking.motion(2, cut, 1.0));
+        let mut time = asking.time;
         time.step(Step::Stretch(&stretch(vec![piece(100.0, a)], 100.0, 0.0)));
         time.step(Step::Stretch(&stretch(vec![piece(100.0, b)], 100.0, 0.08)));
         let report = time.finish();
@@ -438,9 +439,10 @@ mod tests {
             kind: MoveKind::Cut,
             tag: 0,
         };
-        let mut time = TimeBuilder::new(limits());
-        let tag = time.announce(&circle, origin(1));
         let length = circle.length();
+        let mut asking = Asking::new();
+        let tag = asking.motion(1, circle, length / 200.0);
+        let mut time = asking.time;
         time.step(Step::Stretch(&stretch(vec![piece(length, tag)], 100.0, 0.0)));
         let report = time.finish();
         assert_eq!(report.longest[0].reason, Reason::Curvature);

@@ -2,6 +2,8 @@ use std::fmt;
 
 use chordal_control::Origin;
 
+use crate::motion::WaitKind;
+
 /// Why a block takes the time that it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reason {
@@ -24,39 +26,7 @@ pub enum Reason {
     /// A rapid.
     Rapid,
     /// The axes stand.
-    Wait(Wait),
-}
-
-/// Why the axes stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Wait {
-    /// The program says so.
-    Dwell,
-    /// A tool goes into the spindle.
-    ToolChange,
-    /// The spindle speeds up, slows down or turns to its mark.
-    Spindle,
-    /// A probe touches.
-    Probe,
-    /// An M code is carried out.
-    MCode,
-}
-
-impl Wait {
-    /// All of them, in the order in which they are told.
-    pub const ALL: [Wait; 5] =
-        [Wait::Dwell, Wait::ToolChange, Wait::Spindle, Wait::Probe, Wait::MCode];
-
-    /// The word for people and programs.
-    pub fn word(self) -> &'static str {
-        match self {
-            Wait::Dwell => "dwell",
-            Wait::ToolChange => "tool change",
-            Wait::Spindle => "spindle",
-            Wait::Probe => "probe",
-            Wait::MCode => "M code",
-        }
-    }
+    Wait(WaitKind),
 }
 
 impl Reason {
@@ -72,7 +42,7 @@ impl Reason {
             Reason::ShortSegments => "short segments",
             Reason::AxisSpeed => "axis speed",
             Reason::Rapid => "rapid",
-            Reason::Wait(wait) => wait.word(),
+            Reason::Wait(kind) => kind.name(),
         }
     }
 }
@@ -151,13 +121,11 @@ pub struct TimeReport {
     /// All of it.
     pub times: Times,
     /// The times of waiting by their reason, s, where there are any.
-    pub waits: Vec<(Wait, f64)>,
+    pub waits: Vec<(WaitKind, f64)>,
     /// Length of the cuts over their feed, and of the rapids over rapid speed, s.
     pub at_feed_s: f64,
     /// Moves that were planned.
     pub moves: u64,
-    /// Moves that could not be planned and are not counted.
-    pub unplanned: u64,
     /// Moves that end at rest, though the next goes on in the same direction: a line and a
     /// tangent arc, where the path mode lets nothing be eased.
     pub tangent_stops: u64,
