@@ -233,15 +233,8 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
         (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
     for tool in tools {
-        let known = job.machine().tools.get(&tool.number);
-        let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
-        let name = match (tool.number, known) {
-            (0, _) => "none yet".to_string(),
-            (number, Some(known)) => format!("T{number} {known}"),
-            (number, None) => format!("T{number}"),
-        };
         table.add_row([
-            name,
+            tool_name(tool.number, job),
             ranges(&tool.lines),
             tool.feeds_mm_per_s.map_or_else(
                 || "-".into(),
@@ -256,6 +249,17 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
         ]);
     }
     table
+}
+
+/// `T5 end mill`, as the machine file calls it.
+pub fn tool_name(number: u32, job: &Job) -> String {
+    let known = job.machine().tools.get(&number);
+    let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
+    match (number, known) {
+        (0, _) => "none yet".to_string(),
+        (number, Some(known)) => format!("T{number} {known}"),
+        (number, None) => format!("T{number}"),
+    }
 }
 
 fn ranges(lines: &[(u32, u32)]) -> String {

@@ -6,6 +6,7 @@
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
+//! | time | JSON | [`time_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -26,6 +27,7 @@ mod motion;
 mod number;
 mod plot;
 pub mod report;
+mod time;
 mod worked;
 
 pub use canon::Canon;
@@ -36,4 +38,5 @@ pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use plot::{Plot, PlotError, PlotOptions, figure_png, figure_svg};
+pub use time::{TimeDocument, level_word, time_json};
 pub use worked::{worked_json, worked_text};
