@@ -18,12 +18,16 @@
 
 #![forbid(unsafe_code)]
 
+mod cell;
 mod limits;
 mod piece;
 mod planner;
+mod profile;
 mod sampler;
 mod segment;
+mod smooth;
 mod trajectory;
+mod verify;
 
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
@@ -31,6 +35,7 @@ pub use planner::{Level, Planner, PlannerOptions};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
+pub use verify::{Use, largest_use};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
 pub type Axes = [f64; 6];

@@ -1,8 +1,10 @@
+use crate::Axes;
+use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
+use crate::profile::{Solver, phases};
 use crate::segment::{Move, MoveError};
+use crate::smooth::{Overlap, Passing, Row, Smoother, overlap_time};
 use crate::trajectory::{Phase, Step, Stretch};
-use crate::{Corner, Piece};
-use chordal_geometry::{Curve, ParamCurve};
 
 /// How hard a planner tries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,18 +23,52 @@ pub struct PlannerOptions {
     pub level: Level,
 }
 
+/// So many cells are looked at together. A row ends earlier where the axes stop; a longer one is
+/// handed on as far as later moves cannot change it.
+const ROW: usize = 16_384;
+
+/// Shorter moves are left out, mm or rad: their direction would be rounding.
+const SHORTEST: f64 = 1e-9;
+
+/// A gap between moves that is closed without a word, mm or rad.
+const GAP: f64 = 1e-6;
+
 /// Turns moves into steps: holds every limit, keeps the path, loses little time.
 #[derive(Debug)]
 pub struct Planner {
     limits: Limits,
-    options: PlannerOptions,
+    arrays: AxisArrays,
+    smoother: Smoother,
+    row: Row,
+    solver: Solver,
     stretch: Stretch,
+    /// Speed at the start of the row.
+    speed: f64,
+    /// Rows are looked at when they have so many cells.
+    patience: usize,
+    /// Where the axes will be after all moves.
+    position: Option<Axes>,
+    /// The corner at which the run begins, and how the movement before it ends.
+    overlap: Option<Overlap>,
+    last: Option<Phase>,
 }
 
 impl Planner {
     /// A planner for a machine at rest.
-    pub fn new(limits: Limits, options: PlannerOptions) -> Planner {
-        Planner { limits, options, stretch: Stretch::default() }
+    pub fn new(limits: Limits, _options: PlannerOptions) -> Planner {
+        Planner {
+            arrays: AxisArrays::new(&limits),
+            limits,
+            smoother: Smoother::default(),
+            row: Row::default(),
+            solver: Solver::default(),
+            stretch: Stretch::default(),
+            speed: 0.0,
+            patience: ROW,
+            position: None,
+            overlap: None,
+            last: None,
+        }
     }
 
     /// Takes a move and hands on the steps that are certain now.
@@ -41,13 +77,31 @@ impl Planner {
     /// When the move cannot be planned; it is left out.
     pub fn push(&mut self, motion: &Move, mut take: impl FnMut(Step<'_>)) -> Result<(), MoveError> {
         motion.check(&self.limits)?;
-        let _ = (&self.options, &mut self.stretch, Corner::Stop);
-        let _ = (
-            Phase { duration_s: 0.0, from: 0.0, speed: 0.0, acceleration: 0.0, jerk: 0.0 },
-            Piece { length: 0.0, base: None::<(Curve, f64)>, start: [[0.0; 6]; 4], tag: 0 },
-        );
-        let _ = motion.curve.length();
-        take(Step::Stretch(&self.stretch));
+        let start = self.start_of(motion)?;
+        if motion.length() < SHORTEST {
+            // The next line begins where this one did, so nothing is lost.
+            self.position = Some(start);
+            return Ok(());
+        }
+        self.position = Some(motion.to());
+        let passing = self.smoother.passing(motion, &start, &self.arrays);
+        if let Some(Passing::Rest(overlap)) = passing {
+            if let Some(overlap) = &overlap {
+                self.smoother.end_with(overlap.jerk_share);
+            }
+            self.end_run(&mut take);
+            self.smoother.push(motion, &start, None, &self.arrays);
+            if let Some(overlap) = &overlap {
+                self.smoother.begin_with(overlap.jerk_share);
+            }
+            self.overlap = overlap;
+            return Ok(());
+        }
+        self.smoother.push(motion, &start, passing, &self.arrays);
+        self.smoother.drain(false, &self.arrays, &mut self.row);
+        if self.row.cells.len() >= self.patience {
+            self.hand_on(&mut take);
+        }
         Ok(())
     }
 
@@ -57,6 +111,72 @@ impl Planner {
         take(Step::Wait { seconds, tag });
     }
 
-    /// The axes come to rest: hands on the rest of the steps.
-    pub fn finish(&mut self, _take: impl FnMut(Step<'_>)) {}
+    /// The axes come to rest: hands on the rest of the steps. The next move may begin anywhere.
+    pub fn finish(&mut self, mut take: impl FnMut(Step<'_>)) {
+        self.end_run(&mut take);
+        self.position = None;
+        self.overlap = None;
+        self.last = None;
+    }
+
+    /// Where a move begins: where the one before it ended.
+    fn start_of(&self, motion: &Move) -> Result<Axes, MoveError> {
+        let from = motion.from();
+        let Some(position) = self.position else { return Ok(from) };
+        let gap = from.iter().zip(&position).fold(0.0_f64, |gap, (a, b)| gap.max((a - b).abs()));
+        if gap > GAP { Err(MoveError::Gap(gap)) } else { Ok(position) }
+    }
+
+    /// The axes come to rest at the end of what was pushed.
+    fn end_run(&mut self, take: &mut impl FnMut(Step<'_>)) {
+        if self.smoother.is_empty() && self.row.cells.is_empty() {
+            return;
+        }
+        self.smoother.drain(true, &self.arrays, &mut self.row);
+        let count = self.row.cells.len();
+        self.solver.solve(&self.row.cells, self.speed, 0.0);
+        self.emit(count, take);
+        self.speed = 0.0;
+        self.patience = ROW;
+    }
+
+    /// Hands on as much of a long row as later moves cannot change.
+    fn hand_on(&mut self, take: &mut impl FnMut(Step<'_>)) {
+        self.solver.solve(&self.row.cells, self.speed, 0.0);
+        match self.solver.last_certain() {
+            Some(station) if station.node > 0 => {
+                self.emit(station.node, take);
+                self.speed = station.speed;
+                self.patience = ROW.max(2 * self.row.cells.len());
+            }
+            // The stop at the end reaches back to the start: more has to be known.
+            _ => self.patience *= 2,
+        }
+    }
+
+    /// Hands on the cells before a boundary, which is a station.
+    fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_>)) {
+        let stretch = &mut self.stretch;
+        stretch.phases.clear();
+        stretch.pieces.clear();
+        for pair in self.solver.stations().windows(2).take_while(|pair| pair[1].node <= node) {
+            phases(&self.row.cells, &pair[0], &pair[1], &mut stretch.phases);
+        }
+        let pieces = pieces_of(&self.row.cells[..node]);
+        stretch.pieces.extend(self.row.pieces.drain(..pieces));
+        self.row.cells.drain(..node);
+        stretch.overlap_s = match (self.overlap.take(), self.last, stretch.phases.first()) {
+            (Some(overlap), Some(last), Some(first)) => {
+                let time = overlap_time(overlap.reach, last.jerk.abs(), first.jerk.abs());
+                time.min(last.duration_s).min(first.duration_s)
+            }
+            _ => 0.0,
+        };
+        self.last = stretch.phases.last().copied();
+        take(Step::Stretch(stretch));
+    }
+}
+
+fn pieces_of(cells: &[Cell]) -> usize {
+    cells.iter().map(|cell| cell.pieces as usize).sum()
 }

@@ -1,0 +1,183 @@
+//! How fast a piece of path may be travelled at all: limits of the axes turned into limits of
+//! the law of time that hold anywhere on the piece, together.
+
+use crate::Axes;
+use crate::limits::Limits;
+use crate::profile::{Ability, Effort};
+
+/// What keeps a piece from being travelled faster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The programmed feed.
+    Feed,
+    /// The largest speed of an axis.
+    AxisSpeed,
+    /// Curvature, by the acceleration of an axis.
+    Acceleration,
+    /// Change of curvature, by the jerk of an axis.
+    Jerk,
+}
+
+/// The limits of the law of time on a piece of path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Extent in σ.
+    pub length: f64,
+    /// Largest σ per s.
+    pub speed: f64,
+    /// Largest σ per s² and σ per s³.
+    pub ability: Ability,
+    /// What sets the speed.
+    pub cause: Cause,
+    /// Over how many pieces of path it goes.
+    pub pieces: u32,
+}
+
+/// Limits of the axes as arrays.
+#[derive(Clone, Copy, Debug)]
+pub struct AxisArrays {
+    pub velocity: Axes,
+    pub acceleration: Axes,
+    pub jerk: Axes,
+}
+
+impl AxisArrays {
+    pub fn new(limits: &Limits) -> AxisArrays {
+        AxisArrays {
+            velocity: limits.velocity(),
+            acceleration: limits.acceleration(),
+            jerk: limits.jerk(),
+        }
+    }
+}
+
+/// The part of a path that turns: an arc, or a spiral between two of its places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turning {
+    /// How much of the turning each of X, Y and Z sees, from 0 to 1.
+    pub share: [f64; 3],
+    /// Largest |q''|.
+    pub curvature: f64,
+    /// Largest change of the curvature by σ.
+    pub twist: f64,
+}
+
+/// Bounds of the derivatives of the axes by σ on a piece.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// |q'|, |q''| and |q'''| of what does not turn.
+    pub even: [Axes; 3],
+    /// What turns.
+    pub turning: Option<Turning>,
+    /// Largest |q'| of the tool.
+    pub rate: f64,
+}
+
+/// Shares of the limits that holding the speed may take; the rest is for changing it.
+const ACCELERATION_SHARE: f64 = 0.96;
+const JERK_SHARE: f64 = 0.7;
+/// Below this share of the largest speed of a curve more is left for changing the speed.
+const KNEE: f64 = 0.8;
+/// Share of what is left of the jerk that may go into turning while the speed changes.
+const TURNING_SHARE: f64 = 0.6;
+
+/// The cell of a piece.
+pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cell {
+    let mut speed = feed / bounds.rate.max(f64::MIN_POSITIVE);
+    let mut cause = Cause::Feed;
+    let [x1, x2, x3] = &bounds.even;
+    let mut take = |limit: f64, by: Cause| {
+        if limit < speed {
+            (speed, cause) = (limit, by);
+        }
+    };
+    let turn = |axis: usize| match &bounds.turning {
+        Some(turning) if axis < 3 => turning.share[axis],
+        _ => 0.0,
+    };
+    let (k, twist) =
+        bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
+    let (mut by_speed, mut by_square, mut by_cube) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for axis in 0..6 {
+        let c = turn(axis);
+        by_speed = by_speed.max((x1[axis] + c) / limits.velocity[axis]);
+        by_square = by_square.max((x2[axis] + c * k) / limits.acceleration[axis]);
+        by_cube = by_cube.max((x3[axis] + c * (k * k + twist)) / limits.jerk[axis]);
+    }
+    take(1.0 / by_speed, Cause::AxisSpeed);
+    take((ACCELERATION_SHARE / by_square).sqrt(), Cause::Acceleration);
+    take(libm::cbrt(JERK_SHARE / by_cube), Cause::Jerk);
+
+    let high = effort_at(speed, bounds, limits);
+    let ability = if matches!(cause, Cause::Acceleration | Cause::Jerk) {
+        let knee = KNEE * speed;
+        Ability { knee, low: effort_at(knee, bounds, limits), high }
+    } else {
+        Ability { knee: f64::INFINITY, low: high, high }
+    };
+    Cell { length, speed, ability, cause, pieces: 1 }
+}
+
+/// What is left for changing the speed, at any speed up to `v`.
+fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
+    let [x1, x2, x3] = &bounds.even;
+    let turn = |axis: usize| match &bounds.turning {
+        Some(turning) if axis < 3 => turning.share[axis],
+        _ => 0.0,
+    };
+    let (k, twist) =
+        bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
+    let q = k * v * v;
+    let mut acceleration = f64::INFINITY;
+    for axis in 0..6 {
+        let c = turn(axis);
+        let left = limits.acceleration[axis] - x2[axis] * v * v;
+        acceleration = acceleration.min(largest(c, q, x1[axis], left));
+        let turning = 3.0 * v * (x2[axis] + c * k);
+        if turning > 0.0 {
+            let left = limits.jerk[axis] - (x3[axis] + c * (k * k + twist)) * v * v * v;
+            acceleration = acceleration.min(TURNING_SHARE * left / turning);
+        }
+    }
+    let mut jerk = f64::INFINITY;
+    let normal = 3.0 * k * v * acceleration + twist * v * v * v;
+    let along = k * k * v * v * v;
+    for axis in 0..6 {
+        let c = turn(axis);
+        let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
+        let left = limits.jerk[axis] - used + x1[axis] * along;
+        jerk = jerk.min(largest(c, normal, x1[axis], left) - along);
+    }
+    Effort { acceleration, jerk }
+}
+
+/// The largest a with c·√(a² + q²) + x·a ≤ b, for c, q, x ≥ 0.
+#[inline]
+fn largest(c: f64, q: f64, x: f64, b: f64) -> f64 {
+    if c == 0.0 {
+        return if x > 0.0 { b / x } else { f64::INFINITY };
+    }
+    if x == 0.0 {
+        return ((b / c).powi(2) - q * q).max(0.0).sqrt();
+    }
+    // c²(a² + q²) = (b − x·a)², the root below b/x.
+    let (p, r) = (c * c - x * x, b * b - c * c * q * q);
+    let root = (x * x * b * b + p * r).max(0.0).sqrt();
+    r / (x * b + root)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn largest_meets_the_limit() {
+        for (c, q, x, b) in
+            [(1.0, 3.0, 0.0, 5.0), (0.6, 2.0, 0.8, 4.0), (0.8, 2.0, 0.6, 4.0), (0.7, 1.0, 0.7, 9.0)]
+        {
+            let a = largest(c, q, x, b);
+            let sum = c * (a * a + q * q).sqrt() + x * a;
+            assert!((sum - b).abs() < 1e-12, "{c} {q} {x} {b}: {a} {sum}");
+        }
+    }
+}

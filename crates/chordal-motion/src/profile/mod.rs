@@ -1,0 +1,316 @@
+//! The law of time along a path: jerk-limited changes of speed between places that are passed at
+//! even speed.
+//!
+//! A path is a row of cells, each with its own limits of speed and ability. Where the fastest law
+//! touches a limit of speed it has no acceleration, so it is made of ramps from touch to touch.
+//! Two passes find the touches: the highest speed at each boundary of cells that can be reached
+//! from the touch before it, and backwards from the touch after it. The ramps go over any number
+//! of cells: a boundary as such costs nothing, and cutting a line changes no time.
+
+mod ramp;
+
+pub use ramp::{Ability, Effort, peak};
+
+use crate::cell::Cell;
+use crate::trajectory::Phase;
+
+/// A place passed at even speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// The boundary: before the cell of this number.
+    pub node: usize,
+    /// σ from the start of the cells.
+    pub at: f64,
+    /// σ per s.
+    pub speed: f64,
+    /// The ramps from here to the next station have not been looked at.
+    fresh: bool,
+}
+
+/// Solves for the stations of a row of cells. Keeps its memory from one row to the next.
+#[derive(Debug, Default)]
+pub struct Solver {
+    /// σ at each boundary, one more than cells.
+    at: Vec<f64>,
+    /// Largest speed at each boundary.
+    most: Vec<f64>,
+    forward: Vec<f64>,
+    backward: Vec<f64>,
+    /// Boundaries from which a ramp begins in one of the passes.
+    starts: Vec<u8>,
+    stations: Vec<Station>,
+    spare: Vec<Station>,
+}
+
+const FORWARD: u8 = 1;
+const BACKWARD: u8 = 2;
+
+/// Rounds of adding stations before every boundary becomes one.
+const ROUNDS: usize = 24;
+
+impl Solver {
+    /// Finds the stations of the fastest law from the speed `from` to the speed `to`, both even.
+    pub fn solve(&mut self, cells: &[Cell], from: f64, to: f64) {
+        self.boundaries(cells, from, to);
+        self.pass_forward(cells);
+        self.pass_backward(cells);
+        self.choose();
+        for round in 0..ROUNDS {
+            self.level(cells);
+            if !self.split(cells, round + 1 == ROUNDS) {
+                break;
+            }
+        }
+        self.level(cells);
+    }
+
+    /// The stations found last.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// The last station that cells to come, in place of the end of the row, cannot change.
+    pub fn last_certain(&self) -> Option<Station> {
+        let last = self.most.len() - 1;
+        let free = (0..last).rev().find(|node| self.backward[*node] >= self.most[*node])?;
+        let certain = |station: &&Station| {
+            station.node <= free && self.forward[station.node] <= self.backward[station.node]
+        };
+        self.stations.iter().rev().find(certain).copied()
+    }
+
+    fn boundaries(&mut self, cells: &[Cell], from: f64, to: f64) {
+        let count = cells.len() + 1;
+        self.at.clear();
+        self.most.clear();
+        let mut at = 0.0;
+        let mut before = f64::INFINITY;
+        for cell in cells {
+            self.at.push(at);
+            self.most.push(cell.speed.min(before));
+            at += cell.length;
+            before = cell.speed;
+        }
+        self.at.push(at);
+        self.most.push(before);
+        self.most[0] = self.most[0].min(from);
+        self.most[count - 1] = self.most[count - 1].min(to);
+        self.starts.clear();
+        self.starts.resize(count, 0);
+    }
+
+    fn pass_forward(&mut self, cells: &[Cell]) {
+        let count = self.most.len();
+        self.forward.clear();
+        self.forward.resize(count, 0.0);
+        self.forward[0] = self.most[0];
+        self.starts[0] |= FORWARD;
+        let (mut source, mut ability) = (0, Ability::FREE);
+        for node in 1..count {
+            let cell = &cells[node - 1];
+            ability = ability.and(cell.ability);
+            let (before, most) = (self.forward[node - 1], self.most[node]);
+            let mut reached = most;
+            if most > before {
+                reached = ability.climb(self.forward[source], self.at[node] - self.at[source]);
+                if source + 1 < node && reached < most {
+                    let fresh = cell.ability.climb(before, cell.length);
+                    if fresh > reached * (1.0 + 1e-12) {
+                        (source, ability, reached) = (node - 1, cell.ability, fresh);
+                        self.starts[source] |= FORWARD;
+                    }
+                }
+            }
+            self.forward[node] = reached.min(most);
+            if reached >= most {
+                (source, ability) = (node, Ability::FREE);
+                self.starts[node] |= FORWARD;
+            }
+        }
+    }
+
+    fn pass_backward(&mut self, cells: &[Cell]) {
+        let count = self.most.len();
+        self.backward.clear();
+        self.backward.resize(count, 0.0);
+        self.backward[count - 1] = self.most[count - 1];
+        self.starts[count - 1] |= BACKWARD;
+        let (mut source, mut ability) = (count - 1, Ability::FREE);
+        for node in (0..count - 1).rev() {
+            let cell = &cells[node];
+            ability = ability.and(cell.ability);
+            let (after, most) = (self.backward[node + 1], self.most[node]);
+            let mut reached = most;
+            if most > after {
+                reached = ability.climb(self.backward[source], self.at[source] - self.at[node]);
+                if source > node + 1 && reached < most {
+                    let fresh = cell.ability.climb(after, cell.length);
+                    if fresh > reached * (1.0 + 1e-12) {
+                        (source, ability, reached) = (node + 1, cell.ability, fresh);
+                        self.starts[source] |= BACKWARD;
+                    }
+                }
+            }
+            self.backward[node] = reached.min(most);
+            if reached >= most {
+                (source, ability) = (node, Ability::FREE);
+                self.starts[node] |= BACKWARD;
+            }
+        }
+    }
+
+    /// The boundaries from which a ramp really begins or at which one really ends.
+    fn choose(&mut self) {
+        self.stations.clear();
+        let last = self.most.len() - 1;
+        for node in 0..=last {
+            let (forward, backward) = (self.forward[node], self.backward[node]);
+            let begins = self.starts[node] & FORWARD != 0 && forward <= backward;
+            let ends = self.starts[node] & BACKWARD != 0 && backward <= forward;
+            if node == 0 || node == last || begins || ends {
+                let speed = forward.min(backward);
+                self.stations.push(Station { node, at: self.at[node], speed, fresh: true });
+            }
+        }
+    }
+
+    /// Lowers stations that cannot be reached from their neighbours.
+    fn level(&mut self, cells: &[Cell]) {
+        for index in 1..self.stations.len() {
+            let (a, b) = (self.stations[index - 1], self.stations[index]);
+            if b.speed > a.speed && (a.fresh || b.fresh) {
+                let ability = ability_of(&cells[a.node..b.node]);
+                let reached = ability.climb(a.speed, b.at - a.at);
+                if reached < b.speed {
+                    self.stations[index].speed = reached;
+                    self.stations[index].fresh = true;
+                    self.stations[index - 1].fresh = true;
+                }
+            }
+        }
+        for index in (1..self.stations.len()).rev() {
+            let (a, b) = (self.stations[index - 1], self.stations[index]);
+            if a.speed > b.speed && (a.fresh || b.fresh) {
+                let ability = ability_of(&cells[a.node..b.node]);
+                let reached = ability.climb(b.speed, b.at - a.at);
+                if reached < a.speed {
+                    self.stations[index - 1].speed = reached;
+                    self.stations[index - 1].fresh = true;
+                    if index >= 2 {
+                        self.stations[index - 2].fresh = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts stations where a ramp would be too fast for a cell that it goes over. Says whether
+    /// there were any.
+    fn split(&mut self, cells: &[Cell], everywhere: bool) -> bool {
+        std::mem::swap(&mut self.stations, &mut self.spare);
+        self.stations.clear();
+        let mut any = false;
+        for index in 0..self.spare.len() {
+            let mut station = self.spare[index];
+            let Some(next) = self.spare.get(index + 1).copied() else {
+                self.stations.push(station);
+                break;
+            };
+            let looked = !station.fresh;
+            station.fresh = false;
+            let too_fast = if looked {
+                None
+            } else {
+                too_fast(&cells[station.node..next.node], &station, &next)
+            };
+            let Some(cut) = too_fast else {
+                self.stations.push(station);
+                continue;
+            };
+            any = true;
+            station.fresh = true;
+            self.stations.push(station);
+            let node = station.node + cut;
+            let cuts = if everywhere { station.node + 1..next.node } else { node..node + 1 };
+            for node in cuts {
+                let speed = self.forward[node].min(self.backward[node]);
+                self.stations.push(Station { node, at: self.at[node], speed, fresh: true });
+            }
+        }
+        any
+    }
+}
+
+/// What holds over all the cells.
+fn ability_of(cells: &[Cell]) -> Ability {
+    cells.iter().fold(Ability::FREE, |all, cell| all.and(cell.ability))
+}
+
+/// The boundary, counted from the first of the cells, at which the ramps between two stations
+/// must have a station of their own, because they are faster than a cell allows.
+fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
+    if cells.len() < 2 {
+        return None;
+    }
+    let ability = ability_of(cells);
+    let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
+    let length = to.at - from.at;
+    let top = peak(from.speed, to.speed, length, fastest, &ability)?;
+    let mut worst: Option<(f64, usize)> = None;
+    let mut begin = 0.0;
+    for (index, cell) in cells.iter().enumerate() {
+        let end = begin + cell.length;
+        if cell.speed < top * (1.0 - 1e-12) {
+            // The law is below the cell's speed in a part at its start and a part at its end.
+            let rises = ability.way_until(from.speed, top, cell.speed);
+            let falls = length - ability.way_until(to.speed, top, cell.speed);
+            let slack = 1e-12 * length;
+            let lower = worst.is_none_or(|(speed, _)| cell.speed < speed);
+            let inside = end > rises + slack && begin < falls - slack;
+            if inside && lower {
+                // On the way up the limit ends with the cell, on the way down it begins with it.
+                let up = begin + end < rises + falls;
+                let cut =
+                    if (up && index + 1 < cells.len()) || index == 0 { index + 1 } else { index };
+                worst = Some((cell.speed, cut));
+            }
+        }
+        begin = end;
+    }
+    worst.map(|(_, cut)| cut)
+}
+
+/// The phases from one station to the next, with σ counted from the start of the cells.
+pub fn phases(cells: &[Cell], from: &Station, to: &Station, out: &mut Vec<Phase>) {
+    let cells = &cells[from.node..to.node];
+    let length = to.at - from.at;
+    let slowest = cells.iter().map(|cell| cell.speed).fold(f64::INFINITY, f64::min);
+    if from.speed == to.speed && from.speed >= slowest {
+        return even(from.at, from.speed, length, out);
+    }
+    let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
+    let ability = ability_of(cells);
+    let low = from.speed.max(to.speed);
+    let top = peak(from.speed, to.speed, length, fastest, &ability).unwrap_or(low);
+    let (up, down) = (ability.way(from.speed, top), ability.way(top, to.speed));
+    ability.phases(from.at, from.speed, top, |phase| out.push(phase));
+    even(from.at + up, top, length - up - down, out);
+    ability.phases(to.at - down, top, to.speed, |phase| out.push(phase));
+}
+
+/// Travels at even speed, in one phase with what was even before.
+fn even(at: f64, speed: f64, length: f64, out: &mut Vec<Phase>) {
+    if length <= 0.0 || speed <= 0.0 {
+        return;
+    }
+    let duration_s = length / speed;
+    if let Some(last) = out.last_mut()
+        && last.jerk == 0.0
+        && last.acceleration == 0.0
+        && last.speed == speed
+    {
+        last.duration_s += duration_s;
+        return;
+    }
+    out.push(Phase { duration_s, from: at, speed, acceleration: 0.0, jerk: 0.0 });
+}

@@ -1,0 +1,232 @@
+//! How the joint of two moves is passed: at speed, eased within its tolerance, or at rest.
+
+use crate::Axes;
+use crate::cell::AxisArrays;
+use crate::profile::Effort;
+use crate::segment::Corner;
+use crate::smooth::bump::{BEND_DEVIATION, KINK_DEVIATION, SLOPE};
+
+/// How far an exact joint may be left: a millionth of a millimetre, and as many radians. It lets
+/// the rounding of coordinates pass at speed, and is less than any scale resolves.
+pub const EXACT: Tolerance = Tolerance { linear_mm: 1e-6, rotary_rad: 1e-8 };
+
+/// How far easing may leave the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Of X, Y and Z, mm.
+    pub linear_mm: f64,
+    /// Of each rotary axis, rad.
+    pub rotary_rad: f64,
+}
+
+impl Tolerance {
+    /// How many tolerances a deviation is.
+    pub fn of(&self, deviation: &Axes) -> f64 {
+        let [x, y, z, a, b, c] = *deviation;
+        let (linear, rotary) = ((x * x + y * y + z * z).sqrt(), a.abs().max(b.abs()).max(c.abs()));
+        let share = |size: f64, tolerance: f64| if size > 0.0 { size / tolerance } else { 0.0 };
+        share(linear, self.linear_mm).max(share(rotary, self.rotary_rad))
+    }
+}
+
+/// One side of a joint.
+#[derive(Clone, Copy, Debug)]
+pub struct Side {
+    /// First derivative by σ.
+    pub direction: Axes,
+    /// Second derivative by σ.
+    pub bend: Axes,
+    /// Speed asked for, which the axes can hold, σ per s.
+    pub speed: f64,
+    /// It is a straight line.
+    pub straight: bool,
+}
+
+/// How a joint is passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Passing {
+    /// There is nothing to ease.
+    Smooth,
+    /// Corrections take the steps away.
+    Ease(Step),
+    /// At rest. The ends of the two movements may overlap in time, if there is a wish.
+    Rest(Option<Overlap>),
+}
+
+/// The steps at a joint that is eased.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Step of the first derivative.
+    pub kink: Axes,
+    /// Step of the second derivative.
+    pub bend: Axes,
+    /// The kink over the tolerance, 1/σ.
+    pub kink_share: f64,
+    /// The bend over the tolerance, 1/σ².
+    pub bend_share: f64,
+    /// Half widths beyond which nothing is gained, σ.
+    pub kink_need: f64,
+    /// The same for the bend.
+    pub bend_need: f64,
+}
+
+/// What the overlap of two movements at a corner has to keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// How far each movement may be from the corner when both are as far, σ.
+    pub reach: f64,
+    /// Share of the jerk with which the two ends may run, so that their sum keeps the limits.
+    pub jerk_share: f64,
+    /// Direction before the corner.
+    pub before: Axes,
+    /// Direction after it.
+    pub after: Axes,
+}
+
+/// The half width that a kink may have by its tolerance alone.
+fn kink_half(step: &Step) -> f64 {
+    1.0 / (KINK_DEVIATION * step.kink_share)
+}
+
+fn bend_half(step: &Step) -> f64 {
+    (1.0 / (BEND_DEVIATION * step.bend_share)).sqrt()
+}
+
+/// Decides how a joint is passed.
+pub fn passing(
+    before: &Side,
+    after: &Side,
+    corner: Corner,
+    noise: f64,
+    limits: &AxisArrays,
+) -> Passing {
+    let kink = difference(&after.direction, &before.direction);
+    let bend = difference(&after.bend, &before.bend);
+    let size = |axes: &Axes| axes.iter().fold(0.0_f64, |all, value| all.max(value.abs()));
+    let bent = size(&bend) > 1e-9 * size(&before.bend).max(size(&after.bend)) + 1e-12;
+    let kinked = size(&kink) > noise;
+    let (tolerance, overlaps) = match corner {
+        Corner::Stop => return Passing::Rest(None),
+        _ if !bent && !kinked => return Passing::Smooth,
+        Corner::Exact => (EXACT, false),
+        Corner::Within { linear_mm, rotary_rad } => (
+            Tolerance {
+                linear_mm: linear_mm.max(EXACT.linear_mm),
+                rotary_rad: rotary_rad.max(EXACT.rotary_rad),
+            },
+            true,
+        ),
+    };
+    let speed = before.speed.max(after.speed);
+    let nothing = [0.0; 6];
+    let mut step = Step {
+        kink: if kinked { kink } else { nothing },
+        bend: if bent { bend } else { nothing },
+        kink_share: if kinked { tolerance.of(&kink) } else { 0.0 },
+        bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
+        kink_need: 0.0,
+        bend_need: 0.0,
+    };
+    for axis in 0..6 {
+        let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
+        let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
+        let (square, cube) = (speed * speed, speed * speed * speed);
+        step.kink_need =
+            step.kink_need.max((6.0 * cube * kink / j).sqrt()).max(2.0 * square * kink / a);
+        step.bend_need = step.bend_need.max(2.0 * SLOPE * cube * bend / j);
+    }
+    // Both corrections at once share the tolerance.
+    let half = if kinked && bent { 0.5 } else { 1.0 };
+    let mut eased = f64::INFINITY;
+    let (kink_width, bend_width) = (half * kink_half(&step), half.sqrt() * bend_half(&step));
+    for axis in 0..6 {
+        let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
+        let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
+        if kink > 0.0 {
+            let h = kink_width.min(step.kink_need);
+            eased = eased.min((a * h / kink).sqrt()).min(libm::cbrt(j * h * h / kink));
+        }
+        if bend > 0.0 {
+            let h = bend_width.min(step.bend_need);
+            eased = eased.min(libm::cbrt(j * h / (SLOPE * bend)));
+        }
+    }
+    let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
+    let loss = |one: Effort, two: Effort, eased: f64| {
+        let side = |effort: Effort, speed: f64| {
+            let change = (speed - eased).max(0.0);
+            effort.time(change) * change / (2.0 * speed)
+        };
+        side(one, before.speed) + side(two, after.speed)
+    };
+    let slow = if eased < speed {
+        let width = if kinked { 2.0 * kink_width.min(step.kink_need) } else { 2.0 * bend_width };
+        width * (1.0 / eased - 1.0 / speed)
+    } else {
+        0.0
+    };
+    let ease = loss(one, two, eased.min(speed)) + slow;
+    let mut rest = loss(one, two, 0.0);
+    let mut wish = None;
+    if overlaps && before.straight && after.straight {
+        let overlap = overlap(before, after, &tolerance, &kink, limits, one, two);
+        let share = overlap.jerk_share;
+        let eased_by = |effort: Effort| Effort { jerk: effort.jerk * share, ..effort };
+        let (one, two) = (eased_by(one), eased_by(two));
+        let gain = overlap_time(overlap.reach, one.jerk, two.jerk);
+        let overlapped = loss(one, two, 0.0) - gain;
+        if overlapped < rest {
+            rest = overlapped;
+            wish = Some(overlap);
+        }
+    }
+    if ease <= rest { Passing::Ease(step) } else { Passing::Rest(wish) }
+}
+
+/// How long two ends with these jerks overlap, so that both are `reach` from the corner at once.
+pub fn overlap_time(reach: f64, before: f64, after: f64) -> f64 {
+    libm::cbrt(6.0 * reach / before) + libm::cbrt(6.0 * reach / after)
+}
+
+fn overlap(
+    before: &Side,
+    after: &Side,
+    tolerance: &Tolerance,
+    kink: &Axes,
+    limits: &AxisArrays,
+    one: Effort,
+    two: Effort,
+) -> Overlap {
+    let mut share = 1.0_f64;
+    for axis in 0..6 {
+        let sum = (one.jerk * before.direction[axis] + two.jerk * after.direction[axis]).abs();
+        if sum > 0.0 {
+            share = share.min(limits.jerk[axis] / sum);
+        }
+    }
+    let most =
+        tolerance.of(kink).max(tolerance.of(&before.direction)).max(tolerance.of(&after.direction));
+    Overlap {
+        reach: 1.0 / most,
+        jerk_share: share,
+        before: before.direction,
+        after: after.direction,
+    }
+}
+
+/// What the axes can do along a direction.
+pub fn effort(direction: &Axes, limits: &AxisArrays) -> Effort {
+    let mut effort = Effort::FREE;
+    for axis in 0..6 {
+        let share = direction[axis].abs();
+        if share > 0.0 {
+            effort.acceleration = effort.acceleration.min(limits.acceleration[axis] / share);
+            effort.jerk = effort.jerk.min(limits.jerk[axis] / share);
+        }
+    }
+    effort
+}
+
+fn difference(a: &Axes, b: &Axes) -> Axes {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}

@@ -1,0 +1,147 @@
+use chordal_geometry::{Curve, ParamCurve};
+
+use crate::Axes;
+use crate::cell::{AxisArrays, Turning};
+use crate::segment::Move;
+use crate::smooth::corner::Side;
+
+/// A straight piece of a leg, as programmed.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// Where it begins, σ of the run.
+    pub from: f64,
+    /// Its extent in σ.
+    pub length: f64,
+    /// The axes at its start; without X, Y and Z where a curve gives them.
+    pub start: Axes,
+    /// Their derivative by σ.
+    pub direction: Axes,
+    /// The tag of its move.
+    pub tag: u64,
+}
+
+/// Moves on one straight line at one speed, or one arc or spiral.
+#[derive(Clone, Debug)]
+pub struct Leg {
+    /// Where it begins, σ of the run.
+    pub from: f64,
+    /// Its extent in σ.
+    pub length: f64,
+    /// The curve, where it is not a line.
+    pub curve: Option<Curve>,
+    /// Speed asked for, σ per s.
+    pub feed: f64,
+    /// Its first part.
+    pub part: Part,
+    /// How many more parts it has.
+    pub more: u32,
+    /// How it begins.
+    pub head: Side,
+    /// How it ends.
+    pub tail: Side,
+    /// Numbers of the first node that reaches into it and of the one after the last.
+    pub nodes: (usize, usize),
+    /// Share of the jerk in its first and in its second half.
+    pub jerk_share: [f64; 2],
+}
+
+impl Leg {
+    /// The leg of one move; `start` is where the axes are when it begins.
+    pub fn new(motion: &Move, start: &Axes, from: f64, limits: &AxisArrays) -> Leg {
+        let length = motion.length();
+        let end = motion.to();
+        let curve = match motion.curve {
+            Curve::Line(_) => None,
+            curve => Some(curve),
+        };
+        let mut direction = [0.0; 6];
+        let first = if curve.is_some() { 3 } else { 0 };
+        for axis in first..6 {
+            direction[axis] = (end[axis] - start[axis]) / length;
+        }
+        let mut anchor = *start;
+        if curve.is_some() {
+            anchor[..3].fill(0.0);
+        }
+        let side = |sigma: f64| {
+            let mut side =
+                Side { direction, bend: [0.0; 6], speed: 0.0, straight: curve.is_none() };
+            if let Some(curve) = &curve {
+                side.direction[..3].copy_from_slice(&curve.tangent_at(sigma).to_array());
+                side.bend[..3].copy_from_slice(&curve.curvature_at(sigma).to_array());
+            }
+            side.speed = holdable(&side.direction, motion.speed, limits);
+            side
+        };
+        Leg {
+            from,
+            length,
+            curve,
+            feed: motion.speed,
+            part: Part { from, length, start: anchor, direction, tag: motion.tag },
+            more: 0,
+            head: side(0.0),
+            tail: side(length),
+            nodes: (usize::MAX, 0),
+            jerk_share: [1.0; 2],
+        }
+    }
+
+    /// Whether another leg, smoothly joined, is the same line at the same speed.
+    pub fn goes_on_with(&self, next: &Leg) -> bool {
+        self.curve.is_none() && next.curve.is_none() && self.feed == next.feed
+    }
+
+    /// Where it ends, σ of the run.
+    pub fn end(&self) -> f64 {
+        self.from + self.length
+    }
+}
+
+/// The speed asked for, as far as the axes can hold it.
+fn holdable(direction: &Axes, feed: f64, limits: &AxisArrays) -> f64 {
+    (0..6)
+        .filter(|axis| direction[*axis] != 0.0)
+        .fold(feed, |speed, axis| speed.min(limits.velocity[axis] / direction[axis].abs()))
+}
+
+/// How a curve turns between two of its places, and how much of X, Y and Z is even on it.
+pub fn turning(curve: &Curve, from: f64, to: f64) -> (Turning, [f64; 3]) {
+    match curve {
+        Curve::Line(_) => (
+            Turning { share: [0.0; 3], curvature: 0.0, twist: 0.0 },
+            curve.tangent_at(from).to_array().map(f64::abs),
+        ),
+        Curve::Arc(arc) => {
+            let length = arc.length();
+            let (around, along) = (arc.radius * arc.sweep.abs() / length, arc.rise.abs() / length);
+            let axis = arc.w.to_array();
+            let share = axis.map(|w| around * (1.0 - w * w).max(0.0).sqrt());
+            let turning = Turning { share, curvature: arc.sweep.abs() / length, twist: 0.0 };
+            (turning, axis.map(|w| along * w.abs()))
+        }
+        Curve::Spiral(_) => {
+            // Both change evenly enough over a piece of a spiral to be met between its probes.
+            const MARGIN: f64 = 1.05;
+            let (mut curvature, mut twist) = (0.0_f64, 0.0_f64);
+            for probe in 0..=4 {
+                let jet = curve.jet_at(from + (to - from) * f64::from(probe) / 4.0);
+                let k = jet[2].length();
+                let along = jet[1] * jet[3].dot(jet[1]);
+                curvature = curvature.max(k);
+                twist = twist.max((jet[3] - along).length());
+            }
+            let turning =
+                Turning { share: [1.0; 3], curvature: curvature * MARGIN, twist: twist * MARGIN };
+            (turning, [0.0; 3])
+        }
+    }
+}
+
+/// Into how many pieces a curve is cut so that each has nearly one curvature.
+pub fn cuts(curve: &Curve) -> usize {
+    match curve {
+        Curve::Spiral(spiral) => ((spiral.sweep.abs() / 0.2).ceil() as usize).clamp(1, 512),
+        _ => 1,
+    }
+}

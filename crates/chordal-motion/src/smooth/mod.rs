@@ -1,0 +1,266 @@
+//! The path without steps: corrections within the tolerance take kinks and bends away, and what
+//! comes out is a row of pieces with the limits that hold on each.
+
+mod bump;
+mod corner;
+mod leg;
+mod pieces;
+
+pub use corner::{Overlap, Passing, overlap_time};
+
+use std::collections::VecDeque;
+
+use crate::Axes;
+use crate::cell::{AxisArrays, Cell};
+use crate::piece::Piece;
+use crate::segment::{Corner, Move};
+use bump::{BEND_DEVIATION, KINK_DEVIATION};
+use corner::Step;
+use leg::{Leg, Part};
+
+/// No correction is wider than this, mm or rad to either side: what comes later than twice as
+/// far cannot change the path any more.
+const WIDEST: f64 = 10.0;
+
+/// Steps of the search for the half width of a correction among others.
+const HALVINGS: usize = 4;
+
+/// Where two legs meet and something is eased.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    at: f64,
+    step: Step,
+    /// Number of the leg that begins here.
+    leg: usize,
+    kink_half: f64,
+    bend_half: f64,
+}
+
+impl Node {
+    fn half(&self) -> f64 {
+        self.kink_half.max(self.bend_half)
+    }
+
+    /// Beyond this half width nothing is gained.
+    fn need(&self) -> f64 {
+        self.step.kink_need.max(self.step.bend_need).min(WIDEST)
+    }
+}
+
+/// The half width at which corrections with these sums of shares meet the tolerance.
+fn half_within(kinks: f64, bends: f64) -> f64 {
+    let (b, c) = (KINK_DEVIATION * kinks, BEND_DEVIATION * bends);
+    if b + c <= 0.0 { f64::INFINITY } else { 2.0 / (b + (b * b + 4.0 * c).sqrt()) }
+}
+
+/// Smooths one run from rest to rest, as its moves arrive.
+#[derive(Debug, Default)]
+pub struct Smoother {
+    /// Legs that have not been handed on; the first has the number `legs_gone`.
+    legs: VecDeque<Leg>,
+    legs_gone: usize,
+    /// Parts of those legs beyond their first, in order.
+    parts: VecDeque<Part>,
+    /// Nodes that later legs or nodes may ask for; the first has the number `nodes_gone`.
+    nodes: VecDeque<Node>,
+    nodes_gone: usize,
+    /// Number of the first node whose widths are not settled.
+    unsettled: usize,
+    length: f64,
+    corner: Option<Corner>,
+    breaks: Vec<f64>,
+}
+
+/// A piece of path and what holds on it, as they are made.
+#[derive(Debug, Default)]
+pub struct Row {
+    /// The path.
+    pub pieces: VecDeque<Piece>,
+    /// The limits, each over one or more pieces.
+    pub cells: Vec<Cell>,
+}
+
+impl Smoother {
+    /// No move is in it.
+    pub fn is_empty(&self) -> bool {
+        self.corner.is_none()
+    }
+
+    /// How the joint of the last move and the next is passed; `None` at the start of a run.
+    pub fn passing(&self, motion: &Move, start: &Axes, limits: &AxisArrays) -> Option<Passing> {
+        let (last, corner) = (self.legs.back()?, self.corner?);
+        let next = Leg::new(motion, start, self.length, limits);
+        let size = start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
+        let shortest = self.last_part().map_or(last.length, |part| part.length).min(next.length);
+        let noise = 1e-9 + 4e-15 * size / shortest;
+        Some(corner::passing(&last.tail, &next.head, corner, noise, limits))
+    }
+
+    fn last_part(&self) -> Option<&Part> {
+        let last = self.legs.back()?;
+        if last.more > 0 { self.parts.back() } else { Some(&last.part) }
+    }
+
+    /// Adds a move that goes on from the last one, which it meets as `passing` says.
+    pub fn push(
+        &mut self,
+        motion: &Move,
+        start: &Axes,
+        passing: Option<Passing>,
+        limits: &AxisArrays,
+    ) {
+        let leg = Leg::new(motion, start, self.length, limits);
+        self.length += leg.length;
+        self.corner = Some(motion.corner);
+        match (passing, self.legs.back_mut()) {
+            (Some(Passing::Smooth), Some(last)) if last.goes_on_with(&leg) => {
+                last.length += leg.length;
+                last.more += 1;
+                self.parts.push_back(leg.part);
+                return;
+            }
+            (Some(Passing::Ease(step)), _) => {
+                let leg_number = self.legs_gone + self.legs.len();
+                let node =
+                    Node { at: leg.from, step, leg: leg_number, kink_half: 0.0, bend_half: 0.0 };
+                self.nodes.push_back(node);
+            }
+            _ => {}
+        }
+        self.legs.push_back(leg);
+    }
+
+    /// The run's first leg is left at an overlapped corner with this share of the jerk.
+    pub fn begin_with(&mut self, jerk_share: f64) {
+        if let Some(leg) = self.legs.front_mut() {
+            leg.jerk_share[0] = jerk_share;
+        }
+    }
+
+    /// The run's last leg ends at an overlapped corner with this share of the jerk.
+    pub fn end_with(&mut self, jerk_share: f64) {
+        if let Some(leg) = self.legs.back_mut() {
+            leg.jerk_share[1] = jerk_share;
+        }
+    }
+
+    /// Hands on what later moves cannot change; all of it when the run ends here.
+    pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
+        self.settle(ends);
+        loop {
+            let Some(leg) = self.legs.front() else { break };
+            let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
+            if !(ends || certain) {
+                break;
+            }
+            self.hand_on(limits, row);
+        }
+        if ends {
+            // Keeps the memory for the next run.
+            self.nodes.clear();
+            self.parts.clear();
+            (self.legs_gone, self.nodes_gone, self.unsettled) = (0, 0, 0);
+            self.length = 0.0;
+            self.corner = None;
+        }
+    }
+
+    /// Where the first correction of unknown width may be.
+    fn next_unsettled(&self) -> f64 {
+        self.nodes.get(self.unsettled - self.nodes_gone).map_or(self.length, |node| node.at)
+    }
+
+    fn settle(&mut self, ends: bool) {
+        while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
+            let need = node.need();
+            if !ends && self.length - node.at <= 2.0 * need {
+                break;
+            }
+            // No correction reaches over the ends of the run, where the axes stand still.
+            let room = node.at.min(self.length - node.at);
+            let half = self.half_among(self.unsettled - self.nodes_gone, need.min(room));
+            let number = self.unsettled;
+            let node = &mut self.nodes[number - self.nodes_gone];
+            node.kink_half = half.min(node.step.kink_need);
+            node.bend_half = half.min(node.step.bend_need);
+            let (first, at, half) = (node.leg, node.at, node.half());
+            self.reach(number, first, at, half);
+            self.unsettled += 1;
+        }
+    }
+
+    /// The largest half width up to `most` with which a node and all nodes in its reach, were
+    /// they as wide, keep the tolerance together. If the widest of the corrections over any
+    /// place is chosen so, their sum keeps it there.
+    fn half_among(&self, index: usize, most: f64) -> f64 {
+        let within = |half: f64| {
+            let (mut kinks, mut bends) = (0.0, 0.0);
+            let at = self.nodes[index].at;
+            let mut add = |node: &Node| {
+                let near = (node.at - at).abs() < 2.0 * half;
+                if near {
+                    kinks += node.step.kink_share;
+                    bends += node.step.bend_share;
+                }
+                near
+            };
+            self.nodes.range(..=index).rev().take_while(|node| add(node)).count();
+            self.nodes.range(index + 1..).take_while(|node| add(node)).count();
+            half_within(kinks, bends)
+        };
+        let own = &self.nodes[index].step;
+        let mut above = most.min(half_within(own.kink_share, own.bend_share));
+        let mut below = within(above);
+        if below >= above {
+            return above;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if within(middle) >= middle {
+                below = middle;
+            } else {
+                above = middle;
+            }
+        }
+        below
+    }
+
+    /// Tells the legs around a node that it reaches into them.
+    fn reach(&mut self, number: usize, first: usize, at: f64, half: f64) {
+        let first = first - self.legs_gone;
+        for leg in self.legs.range_mut(..first).rev().take_while(|leg| leg.end() > at - half) {
+            leg.nodes.0 = leg.nodes.0.min(number);
+            leg.nodes.1 = number + 1;
+        }
+        for leg in self.legs.range_mut(first..).take_while(|leg| leg.from < at + half) {
+            leg.nodes.0 = leg.nodes.0.min(number);
+            leg.nodes.1 = number + 1;
+        }
+    }
+
+    /// Hands the first leg on.
+    fn hand_on(&mut self, limits: &AxisArrays, row: &mut Row) {
+        let Some(leg) = self.legs.pop_front() else { return };
+        self.legs_gone += 1;
+        let (from, to) = leg.nodes;
+        let nodes = if from < to { from - self.nodes_gone..to - self.nodes_gone } else { 0..0 };
+        let mut breaks = std::mem::take(&mut self.breaks);
+        let more = leg.more as usize;
+        pieces::make(
+            &leg,
+            self.parts.range(..more),
+            self.nodes.range(nodes),
+            limits,
+            &mut breaks,
+            row,
+        );
+        self.breaks = breaks;
+        self.parts.drain(..more);
+        while self.nodes.front().is_some_and(|node| {
+            node.at + 2.0 * WIDEST < leg.end() && self.nodes_gone < self.unsettled
+        }) {
+            self.nodes.pop_front();
+            self.nodes_gone += 1;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Measures what a movement asks of the axes against what they can do.
+
+use crate::limits::Limits;
+use crate::trajectory::{State, Stretch, state_of};
+
+/// Largest use of the limits, as shares of them: 1 is a limit met.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Use {
+    /// Of an axis' velocity.
+    pub velocity: f64,
+    /// Of an axis' acceleration.
+    pub acceleration: f64,
+    /// Of an axis' jerk.
+    pub jerk: f64,
+}
+
+impl Use {
+    /// Takes the larger of both.
+    #[must_use]
+    pub fn or(self, other: Use) -> Use {
+        Use {
+            velocity: self.velocity.max(other.velocity),
+            acceleration: self.acceleration.max(other.acceleration),
+            jerk: self.jerk.max(other.jerk),
+        }
+    }
+
+    /// The use at an instant.
+    #[must_use]
+    pub fn of(state: &State, limits: &Limits) -> Use {
+        let mut used = Use::default();
+        for axis in 0..6 {
+            let Some(limit) = limits.axis(axis) else { continue };
+            used.velocity = used.velocity.max(state.velocity[axis].abs() / limit.velocity);
+            used.acceleration =
+                used.acceleration.max(state.acceleration[axis].abs() / limit.acceleration);
+            used.jerk = used.jerk.max(state.jerk[axis].abs() / limit.jerk);
+        }
+        used
+    }
+
+    /// By how much the movement must be stretched in time to hold every limit; at most 1 when
+    /// it holds them.
+    #[must_use]
+    pub fn stretch(&self) -> f64 {
+        self.velocity.max(self.acceleration.sqrt()).max(libm::cbrt(self.jerk))
+    }
+}
+
+/// Times below this are rounding, s.
+const ROUNDING_S: f64 = 1e-9;
+
+/// The largest use in a stretch: on every part that is one piece and one phase, at both its ends
+/// and `probes` places between.
+#[must_use]
+pub fn largest_use(stretch: &Stretch, limits: &Limits, probes: u32) -> Use {
+    let mut used = Use::default();
+    let mut pieces = stretch.pieces.iter();
+    let Some(mut piece) = pieces.next() else { return used };
+    let mut piece_from = 0.0;
+    for phase in &stretch.phases {
+        let mut t = 0.0;
+        loop {
+            let leaves = time_at(phase, piece_from + piece.length, t);
+            let until = leaves.unwrap_or(phase.duration_s);
+            // A phase and a piece that begin at one place may miss each other by rounding.
+            let probes = if until - t > ROUNDING_S { probes + 2 } else { 0 };
+            for probe in 0..probes {
+                let along = phase.at(t + (until - t) * f64::from(probe) / f64::from(probes - 1));
+                let sigma = (along.sigma - piece_from).clamp(0.0, piece.length);
+                used = used.or(Use::of(&state_of(piece, sigma, &along), limits));
+            }
+            t = until;
+            if leaves.is_none() {
+                break;
+            }
+            piece_from += piece.length;
+            match pieces.next() {
+                Some(next) => piece = next,
+                None => return used,
+            }
+        }
+    }
+    used
+}
+
+/// When a phase passes a place, after `from` s; `None` when it ends before.
+fn time_at(phase: &crate::Phase, sigma: f64, from: f64) -> Option<f64> {
+    if phase.at(phase.duration_s).sigma <= sigma {
+        return None;
+    }
+    let (mut low, mut high) = (from, phase.duration_s);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if phase.at(middle).sigma < sigma {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(high)
+}
