@@ -11,6 +11,7 @@
 
 mod beside;
 mod calc;
+mod calibrate;
 mod check;
 mod chords;
 mod commands;
@@ -77,6 +78,7 @@ struct Cli {
 enum Command {
     Run(run::Args),
     Time(time::Args),
+    Calibrate(calibrate::Args),
     Check(check::Args),
     Commands(commands::Args),
     Path(path::Args),
@@ -93,6 +95,7 @@ impl Command {
         match self {
             Command::Run(args) => run::run(args, terminal),
             Command::Time(args) => time::run(&args, terminal),
+            Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),

@@ -89,8 +89,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let options = MotionOptions { level: args.level.into(), ..MotionOptions::default() };
-    let (report, timed) = job.report_timed(&options, &mut Unwatched);
-    let timed = timed.map_err(|error| wrong_limit(&error))?;
+    let (report, timed) = job.report_timed(&options, u64::MAX, &mut Unwatched);
+    // No program has more moves than that.
+    let Some(timed) = timed.map_err(|error| wrong_limit(&error))? else {
+        return Ok(tell(&report, &loaded, &job, terminal));
+    };
     let what_if = what_if(&job, &options, &timed, args.what_if)?;
     let document =
         TimeDocument { timed: &timed, level: options.level, what_if: &what_if, bound: None };

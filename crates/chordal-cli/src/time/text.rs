@@ -49,9 +49,13 @@ pub fn text(
     }
     sheet.table("blocks that take the longest", blocks(&time.longest, job));
     let costliest = &time.costliest[..time.costliest.len().min(MOST_COSTLIEST)];
-    sheet
-        .table("blocks that lose the most to speeding up and slowing down", blocks(costliest, job));
-    sheet.table("what if", alternatives(document.what_if, time.total_s(), report.summary.inch));
+    // In a short program both lists hold the same blocks.
+    let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
+    if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
+        let title = "blocks that lose the most to speeding up and slowing down";
+        sheet.table(title, blocks(costliest, job));
+    }
+    sheet.table("what if", alternatives(document.what_if, time, report.summary.inch));
     let notes = notes(time, motion, report, job);
     if !notes.is_empty() {
         sheet.text.push('\n');
@@ -115,36 +119,41 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 /// Times of blocks are short: three decimals below ten seconds.
 fn fine(seconds: f64) -> String {
-    if seconds < 9.9995 { format!("{} s", fixed(seconds, 3)) } else { duration(seconds) }
+    if seconds < SAME_S {
+        "-".to_string()
+    } else if seconds < 9.9995 {
+        format!("{} s", fixed(seconds, 3))
+    } else {
+        duration(seconds)
+    }
 }
 
 fn totals(time: &TimeReport, level: Level) -> Vec<String> {
     let total = time.total_s();
+    if total == 0.0 {
+        return vec!["nothing moves".to_string()];
+    }
     let tried = match level {
         Level::Fast => "",
         Level::Best => " (level best)",
     };
     let times = &time.times;
-    let mut parts =
-        format!("cutting {}, rapids {}", duration(times.cutting_s), duration(times.rapid_s));
-    if times.other_s > 0.0 {
-        let waits: Vec<String> = time
-            .waits
-            .iter()
-            .map(|(kind, seconds)| format!("{} {}", kind.name(), duration(*seconds)))
-            .collect();
-        parts.push_str(&format!(", {}", waits.join(", ")));
-    }
+    let mut shares = vec![("cutting", times.cutting_s), ("rapids", times.rapid_s)];
+    shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));
+    let shares = shares.iter().filter(|(_, seconds)| *seconds > 0.0);
+    let parts: Vec<String> =
+        shares.map(|(what, seconds)| format!("{what} {}", fine(*seconds))).collect();
     let moving = times.cutting_s + times.rapid_s;
-    let lost = match moving > 0.0 {
-        true => format!(
+    let mut rows =
+        vec![format!("{}, acceleration and jerk held{tried}", fine(total)), parts.join(", ")];
+    if moving > 0.0 {
+        rows.push(format!(
             "speeding up and slowing down costs {}, {} % of the moves' time",
-            duration(times.lost_s),
+            fine(times.lost_s),
             short(times.lost_s / moving * 100.0, 1)
-        ),
-        false => "nothing moves".to_string(),
-    };
-    vec![format!("{}, acceleration and jerk held{tried}", duration(total)), parts, lost]
+        ));
+    }
+    rows
 }
 
 fn tools(tools: &[ToolTime], job: &Job) -> Table {
@@ -155,11 +164,11 @@ fn tools(tools: &[ToolTime], job: &Job) -> Table {
         table.add_row([
             tool_name(tool.number, job),
             tool.changes.to_string(),
-            duration(times.cutting_s),
-            duration(times.rapid_s),
-            duration(times.other_s),
-            duration(times.total_s()),
-            duration(times.lost_s),
+            fine(times.cutting_s),
+            fine(times.rapid_s),
+            fine(times.other_s),
+            fine(times.total_s()),
+            fine(times.lost_s),
         ]);
     }
     table
@@ -172,10 +181,10 @@ fn operations(time: &TimeReport, job: &Job) -> Table {
         table.add_row([
             tool_name(operation.tool, job),
             lines(operation),
-            duration(times.cutting_s),
-            duration(times.rapid_s),
-            duration(times.other_s),
-            duration(times.total_s()),
+            fine(times.cutting_s),
+            fine(times.rapid_s),
+            fine(times.other_s),
+            fine(times.total_s()),
         ]);
     }
     table
@@ -232,10 +241,16 @@ fn block_text(block: &BlockTime, job: &Job) -> String {
     text
 }
 
-fn alternatives(alternatives: &[Alternative], total_s: f64, inch: bool) -> Table {
+/// Other overrides where they change anything, and other path modes in any case.
+fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> Table {
     let mut table = plain_table(&["", "time", "difference"], 1);
     let units = if inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
-    for Alternative { change, total_s: other_s } in alternatives {
+    for Alternative { change, total_s } in alternatives {
+        let difference = total_s - time.total_s();
+        let same = difference.abs() < SAME_S;
+        if same && !matches!(change, Change::Corners(_)) {
+            continue;
+        }
         let what = match change {
             Change::Feed(part) => format!("feed override {} %", short(part * 100.0, 0)),
             Change::Rapid(part) => format!("rapid override {} %", short(part * 100.0, 0)),
@@ -248,16 +263,16 @@ fn alternatives(alternatives: &[Alternative], total_s: f64, inch: bool) -> Table
                 format!("corners within {}", units.length_text(*tolerance))
             }
         };
-        let difference = other_s - total_s;
         let sign = if difference < 0.0 { "-" } else { "+" };
-        let changes = match difference.abs() < 0.0005 {
-            true => "-".to_string(),
-            false => format!("{sign}{}", fine(difference.abs())),
-        };
-        table.add_row([what, fine(*other_s), changes]);
+        let changes =
+            if same { "-".to_string() } else { format!("{sign}{}", fine(difference.abs())) };
+        table.add_row([what, fine(*total_s), changes]);
     }
     table
 }
+
+/// Times that differ by less than this, s, are the same: less than is shown.
+const SAME_S: f64 = 0.0005;
 
 /// What the time rests on, beside the program.
 fn notes(time: &TimeReport, motion: &MotionReport, report: &Report, job: &Job) -> Vec<String> {

@@ -21,14 +21,20 @@ pub(super) struct BlockRun {
     pub reason: Reason,
 }
 
+/// A run of which more may come.
+#[derive(Clone, Copy, Debug)]
+struct Open {
+    run: BlockRun,
+    /// Its longest move, s.
+    longest_s: f64,
+}
+
 /// Adds up runs of blocks and ranks them.
 #[derive(Debug, Default)]
 pub(super) struct Blocks {
     held: HashMap<Key, BlockTime, BuildHasherDefault<KeyHasher>>,
     /// The run that goes on: several moves of one block, one after the other.
-    open: Option<BlockRun>,
-    /// Blocks were forgotten.
-    pub forgot: bool,
+    open: Option<Open>,
 }
 
 /// File and first byte of a block.
@@ -62,17 +68,19 @@ impl Blocks {
     /// run: a drilling cycle, or the legs of a rapid.
     pub fn push(&mut self, run: BlockRun) {
         match &mut self.open {
-            Some(open) if key(&open.origin) == key(&run.origin) => {
-                if run.time_s > open.time_s {
-                    open.reason = run.reason;
+            Some(open) if key(&open.run.origin) == key(&run.origin) => {
+                open.run.time_s += run.time_s;
+                open.run.lost_s += run.lost_s;
+                // The longest move gives the reason.
+                if run.time_s > open.longest_s {
+                    open.longest_s = run.time_s;
+                    open.run.reason = run.reason;
                 }
-                open.time_s += run.time_s;
-                open.lost_s += run.lost_s;
             }
             open => {
-                let done = open.replace(run);
-                if let Some(done) = done {
-                    self.add(done);
+                let next = Open { run, longest_s: run.time_s };
+                if let Some(done) = open.replace(next) {
+                    self.add(done.run);
                 }
             }
         }
@@ -102,7 +110,6 @@ impl Blocks {
 
     /// Keeps the upper halves of both rankings, or less.
     fn forget(&mut self) {
-        self.forgot = true;
         let middle = |value: fn(&BlockTime) -> f64| {
             let mut values: Vec<f64> = self.held.values().map(value).collect();
             let half = values.len() / 4 * 3;
@@ -126,7 +133,7 @@ impl Blocks {
     /// The blocks that take the longest, and those that lose the most.
     pub fn finish(&mut self, most: usize) -> (Vec<BlockTime>, Vec<BlockTime>) {
         if let Some(done) = self.open.take() {
-            self.add(done);
+            self.add(done.run);
         }
         (self.top(most, |block| block.time_s), self.top(most, |block| block.lost_s))
     }
@@ -175,6 +182,5 @@ mod tests {
         let lines: Vec<u32> = longest.iter().map(|block| block.origin.line).collect();
         let want: Vec<u32> = (0..10).rev().map(|at| at * 20_000 + 7).collect();
         assert_eq!(lines, want);
-        assert!(blocks.forgot);
     }
 }

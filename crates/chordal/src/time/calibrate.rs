@@ -4,6 +4,10 @@
 //! the time of a tool change. The sum of squares of the relative errors is made least by
 //! damped Gauss-Newton steps on the logarithms of the factors and on the seconds of the change.
 
+use chordal_machine::Machine;
+
+use crate::motion::{LimitError, MachineLimits};
+
 /// A number that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Parameter {
@@ -39,6 +43,27 @@ pub struct Factors {
     pub jerk: f64,
     /// Of a tool change, s.
     pub tool_change_s: f64,
+}
+
+impl Factors {
+    /// The machine with these factors on its limits; those that its file does not give count
+    /// as they are assumed.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn on(&self, machine: &Machine) -> Result<Machine, LimitError> {
+        let limits = MachineLimits::of(machine)?;
+        let mut machine = machine.clone();
+        for (index, axis) in machine.axes.iter_mut().enumerate() {
+            let (Some(axis), Some(cut)) = (axis, limits.cut.axis(index)) else { continue };
+            axis.max_acceleration = Some(cut.acceleration * self.acceleration);
+            axis.max_jerk = Some(cut.jerk * self.jerk);
+            axis.rapid_acceleration = axis.rapid_acceleration.map(|a| a * self.acceleration);
+            axis.rapid_jerk = axis.rapid_jerk.map(|j| j * self.jerk);
+        }
+        machine.times.tool_change_s = Some(self.tool_change_s);
+        Ok(machine)
+    }
 }
 
 /// The cycle time of a program with some factors.

@@ -50,6 +50,9 @@ pub(super) fn reason_of(ride: &Ride, asked: &Asked) -> Reason {
     if !asked.curved && asked.ideal_s < SHORT_S && !ride.rests {
         return Reason::ShortSegments;
     }
+    if asked.curved && !ride.rests && ride.at_feed_s == 0.0 {
+        return Reason::Curvature;
+    }
     if ride.even_s > (ride.time_s - ride.at_feed_s) / 2.0 {
         return if asked.curved { Reason::Curvature } else { Reason::AxisSpeed };
     }

@@ -34,12 +34,14 @@ impl Job<'_> {
     }
 
     /// Runs once with all checks, sums up and adds up the time. The report stands whether or
-    /// not the limits let anything be planned.
+    /// not the limits let anything be planned. There is no time where the program has more
+    /// than `most_moves` moves: planning takes several times as long as all the rest.
     pub fn report_timed(
         &self,
         options: &MotionOptions,
+        most_moves: u64,
         watch: &mut impl Watch,
-    ) -> (Report, Result<Timed, LimitError>) {
+    ) -> (Report, Result<Option<Timed>, LimitError>) {
         let limits = match MachineLimits::of(self.machine()) {
             Ok(limits) => limits,
             Err(error) => return (self.report_watched(watch), Err(error)),
@@ -47,11 +49,16 @@ impl Job<'_> {
         let mut timing = Timing::default();
         let planning = Planning::new(limits.clone(), options, &mut timing);
         let motion = MotionBuilder::new(self, limits, options, planning);
-        let both = Both { report: ReportSink::new(self, watch), motion };
-        let (outcomes, Both { report, motion }) = Compensated::judge(self, both);
-        let (motion, mut planning) = motion.finish(outcomes.clone());
-        planning.finish();
-        (report.finish(outcomes), Ok(Timed { time: timing.0.finish(), motion }))
+        let report = ReportSink::new(self, watch);
+        let both = Both { report, motion: Some(motion), left: most_moves };
+        let (outcomes, Both { report, motion, .. }) = Compensated::judge(self, both);
+        let planned = motion.map(|motion| {
+            let (motion, mut planning) = motion.finish(outcomes.clone());
+            planning.finish();
+            motion
+        });
+        let timed = planned.map(|motion| Timed { time: timing.0.finish(), motion });
+        (report.finish(outcomes), Ok(timed))
     }
 }
 
@@ -72,7 +79,10 @@ impl PlanSink for Timing {
 /// A run that is judged and planned at once.
 struct Both<'m, 'w, 's, W> {
     report: ReportSink<'m, 'w, W>,
-    motion: MotionBuilder<'m, Planning<'s, Timing>>,
+    /// Gone when there are too many moves.
+    motion: Option<MotionBuilder<'m, Planning<'s, Timing>>>,
+    /// Moves that may come yet.
+    left: u64,
 }
 
 impl<W: Watch> PathSink for Both<'_, '_, '_, W> {
@@ -82,7 +92,15 @@ impl<W: Watch> PathSink for Both<'_, '_, '_, W> {
 
     fn command(&mut self, path: PathCommand<'_>) {
         self.report.command(path);
-        self.motion.command(path);
+        let Some(motion) = &mut self.motion else { return };
+        if path.command.kind.motion().is_some() {
+            let Some(left) = self.left.checked_sub(1) else {
+                self.motion = None;
+                return;
+            };
+            self.left = left;
+        }
+        motion.command(path);
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin) {
