@@ -72,7 +72,9 @@ fn one(
 ) -> Result<(String, Verdict), Failure> {
     let job = loaded.job()?;
     let mut outputs = Outputs::open(targets, &job)?;
-    let (report, timed) = job.report_timed(&MotionOptions::default(), MOST_PLANNED, &mut outputs);
+    // A long text is not planned in vain.
+    let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
+    let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
     // Limits nothing can be planned with are told by `chordal time`.
     let timed = timed.ok().flatten();
     let options = PlotOptions {
