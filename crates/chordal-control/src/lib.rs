@@ -12,13 +12,13 @@ mod compensation;
 mod compensation_settings;
 mod control;
 mod controls;
-mod corners;
 mod cycle_rules;
 mod interpreter;
 mod library;
 pub mod macros;
 mod offsets;
 mod parameters;
+mod path_modes;
 mod pocket;
 mod recognize;
 mod settings;
@@ -31,11 +31,11 @@ pub use compensation::*;
 pub use compensation_settings::CompensationField;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
-pub use corners::CornerRules;
 pub use cycle_rules::*;
 pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;
+pub use path_modes::{PathField, PathRules, StartMode};
 pub use recognize::{Recognition, recognize};
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,

@@ -2,8 +2,8 @@
 
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::compensation::CompensationRules;
-use crate::corners::CornerRules;
 use crate::cycle_rules::CycleRules;
+use crate::path_modes::PathRules;
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -219,7 +219,7 @@ pub struct Parameters {
     /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
     pub macro_angles_full_circle: bool,
     /// How ends of moves are passed.
-    pub corners: CornerRules,
+    pub path: PathRules,
     /// Codes that call macros.
     pub aliases: Aliases,
 }
@@ -285,7 +285,7 @@ impl Parameters {
         bore_diameter_register: 1,
         cycles: CycleRules::COMMON,
         macro_angles_full_circle: false,
-        corners: CornerRules::COMMON,
+        path: PathRules::COMMON,
         aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
     };
 }

@@ -10,6 +10,7 @@ use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
     FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
 };
+use crate::path_modes::{self, PathField};
 
 /// How sure a default is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -62,6 +63,7 @@ pub enum Field {
     BoreDiameterRegister,
     Cycle(CycleField),
     Compensation(CompensationField),
+    Path(PathField),
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -91,11 +93,18 @@ pub struct Setting {
 
 /// The settings that every control has, under plain names.
 pub const COMMON: &[Setting] = &{
-    let more = compensation_settings::COMMON;
-    let mut all = [GENERAL[0]; GENERAL.len() + compensation_settings::COMMON.len()];
+    const COMPENSATION: usize = GENERAL.len();
+    const PATH: usize = COMPENSATION + compensation_settings::COMMON.len();
+    let mut all = [GENERAL[0]; PATH + path_modes::COMMON.len()];
     let mut at = 0;
     while at < all.len() {
-        all[at] = if at < GENERAL.len() { GENERAL[at] } else { more[at - GENERAL.len()] };
+        all[at] = if at < COMPENSATION {
+            GENERAL[at]
+        } else if at < PATH {
+            compensation_settings::COMMON[at - COMPENSATION]
+        } else {
+            path_modes::COMMON[at - PATH]
+        };
         at += 1;
     }
     all
@@ -361,6 +370,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
         Field::Cycle(rule) => cycle_rules::set(p, rule, word, value)?,
         Field::Compensation(rule) => compensation_settings::set(p, rule, word, value)?,
+        Field::Path(rule) => path_modes::set(p, rule, word, value)?,
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -430,6 +440,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
         Field::Cycle(rule) => cycle_rules::value_text(p, rule),
         Field::Compensation(rule) => compensation_settings::value_text(p, rule),
+        Field::Path(rule) => path_modes::value_text(p, rule),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),

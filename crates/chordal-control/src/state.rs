@@ -6,6 +6,7 @@ use chordal_syntax::Decimal;
 use crate::command::{AxisMask, Coolant, FeedMode, Position, Side, SpindleState, Units};
 use crate::offsets::Offsets;
 use crate::parameters::{ArcCenter, DecimalPoint, Parameters};
+use crate::path_modes::PathState;
 use crate::table::CycleKind;
 
 /// The motion that a block without a motion code makes.
@@ -146,6 +147,7 @@ pub(crate) struct State {
     pub cycle: Option<CycleState>,
     /// The last dwell that a cycle was given, s.
     pub cycle_dwell_s: Option<f64>,
+    pub path: PathState,
     pub registers: [Decimal; 10],
 }
 
@@ -182,6 +184,7 @@ impl State {
             return_to_r: false,
             cycle: None,
             cycle_dwell_s: None,
+            path: PathState::new(&parameters.path),
             registers: [Decimal::integer(0); 10],
         }
     }

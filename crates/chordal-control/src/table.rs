@@ -101,6 +101,15 @@ pub enum Action {
     PathExact,
     PathExactStop,
     PathContinuous,
+    /// Corners rounded within the distance of high-accuracy control (Mitsubishi G61.1).
+    PathHighAccuracy,
+    /// Look-ahead control: on with this value of the letter, off with 0.
+    LookAhead {
+        letter: u8,
+        on: u32,
+    },
+    /// How far corners are rounded, by level P or distance E (Haas G187).
+    Smoothness,
     ProgramStop,
     OptionalStop,
     ProgramEnd {

@@ -2,7 +2,8 @@
 //! waits.
 
 use chordal::motion::{
-    Corner, MotionOptions, MotionReport, MotionStep, Move, MoveKind, StepSource, Wait, WaitKind,
+    Corner, MotionOptions, MotionReport, MotionStep, Move, MoveError, MoveKind, StepSource, Wait,
+    WaitKind,
 };
 use chordal::{Job, Machine, Source, SourceMap};
 
@@ -225,4 +226,95 @@ fn the_default_mode_rounds_corners_between_cuts_within_the_tolerance_of_the_mach
         corners,
         [Corner::Stop, Corner::Within { linear_mm: 0.02, rotary_rad }, Corner::Stop, Corner::Stop]
     );
+}
+
+#[test]
+fn a_one_shot_stop_and_the_modes_end_where_they_should() {
+    let program = "%\nO1\nG90 G54 S600 M3\nG9 G1 X10. F600.\nX20.\nG61 X30.\nX40.\nM30\n\
+                   O2\nG90 G54 S600 M3\nG1 X50. F600.\nX60.\nX70.\nM30\n%\n";
+    let (steps, _) = run(program);
+    let stops: Vec<bool> =
+        cuts(&steps).iter().map(|motion| motion.corner == Corner::Stop).collect();
+    // The last one stands before M30.
+    assert_eq!(stops, [true, false, true, true, false, false, true]);
+}
+
+#[test]
+fn bends_of_dog_leg_rapids_are_not_stops() {
+    let (steps, _) = run_with(
+        "G90 G54\nG0 X100. Y50.\nX0\nM30\n",
+        &["rapid.shape = dog-leg", "motion.rapid_corner_tolerance = 4 mm"],
+        MotionOptions::default(),
+    );
+    let moves = moves(&steps);
+    assert_eq!(moves.len(), 3);
+    assert_eq!(moves[0].corner, Corner::Within { linear_mm: 4.0, rotary_rad: 0.04 });
+    assert_eq!(moves[1].corner, Corner::Stop);
+    assert!((moves[0].to()[0] - 50.0).abs() < 1e-9, "Y has arrived when X is half way");
+}
+
+#[test]
+fn the_bottom_of_a_drilled_hole_is_a_stop() {
+    let program = "G90 G54 S600 M3\nG0 X0 Y0 Z10.\nG98 G85 X0 Y0 Z-5. R2. F600.\nG80\nM30\n";
+    let (steps, _) = run(program);
+    let down = cuts(&steps)[0];
+    assert!((down.to()[2] + 5.0).abs() < 1e-9);
+    assert_eq!(down.corner, Corner::Stop);
+}
+
+#[test]
+fn linuxcnc_blends_rapids_and_eases_tangent_arcs_where_the_machine_allows_it() {
+    let program = "G21 G90 G64 P0.1 S600 M3\nG0 X10\nG1 X20 F600\nG61\nX30\n\
+                   G3 X40 Y10 R10\nG1 X50\nM2\n";
+    let run_on = |changes: &[&str]| {
+        let mut machine = Machine::from_builtin("linuxcnc-mill").expect("built in");
+        for change in changes {
+            machine.set(change).expect("a change");
+        }
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("t.ngc", program.as_bytes()));
+        let job = Job::new(sources, machine).expect("a job");
+        let mut corners = Vec::new();
+        let sink = |step: &MotionStep, _: &StepSource| {
+            if let MotionStep::Move(motion) = step {
+                corners.push(motion.corner);
+            }
+            Ok(())
+        };
+        let _ = job.motion(&MotionOptions::default(), sink).expect("limits");
+        corners
+    };
+    let within = |linear_mm: f64| Corner::Within { linear_mm, rotary_rad: 0.01_f64.to_radians() };
+    assert_eq!(run_on(&[]), [within(0.1), within(0.1), Corner::Exact, Corner::Exact, Corner::Stop]);
+    // The line meets the arc smoothly, and leaves it at a right angle.
+    assert_eq!(
+        run_on(&["motion.exact_path_tolerance = 0.002 mm"]),
+        [within(0.1), within(0.1), within(0.002), Corner::Exact, Corner::Stop]
+    );
+}
+
+#[test]
+fn after_a_refused_move_the_next_joins_on_to_the_last_that_was_taken() {
+    let mut sources = SourceMap::new();
+    let program = "G90 G54 S600 M3\nG1 X10. F600.\nX20.\nX30. Y10.\nM30\n";
+    sources.add(Source::new("t.nc", program.as_bytes()));
+    let job = Job::new(sources, machine(&[])).expect("a job");
+    let mut taken = Vec::new();
+    let mut shifts = Vec::new();
+    let sink = |step: &MotionStep, source: &StepSource| {
+        let MotionStep::Move(motion) = step else { return Ok(()) };
+        if source.origin.line == 3 {
+            return Err(MoveError::NotFinite);
+        }
+        taken.push(*motion);
+        shifts.push(source.shift[0]);
+        Ok(())
+    };
+    let (report, _) = job.motion(&MotionOptions::default(), sink).expect("limits");
+    assert_eq!((report.moves, report.refused_moves), (2, 1));
+    assert_eq!(report.refused[0].source.origin.line, 3);
+    assert_eq!(taken[0].to()[0], 10.0);
+    assert_eq!(taken[1].from()[0], 10.0);
+    assert_eq!(taken[1].to()[..2], [20.0, 10.0]);
+    assert_eq!(shifts, [0.0, -10.0]);
 }

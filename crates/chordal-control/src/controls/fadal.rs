@@ -11,6 +11,7 @@ use crate::cycle_rules::{
 };
 use crate::macros::rules::{Fix, MacroForm, MacroRules};
 use crate::parameters::{DecimalPoint, OffsetKind, OutsideCorner, Parameters, UnitCodes};
+use crate::path_modes::{PathField, PathRules, StartMode};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -75,6 +76,7 @@ const PARAMETERS: Parameters = Parameters {
     peck_clearance_mm: 1.27,
     cycles: CYCLES,
     compensation: compensation::FADAL,
+    path: PathRules { start: StartMode::ExactStop, ..PathRules::COMMON },
     outside_corner: OutsideCorner::Arc,
     ..Parameters::COMMON
 };
@@ -102,6 +104,22 @@ const CYCLES: CycleRules = CycleRules {
 };
 
 const SETTINGS: &[Setting] = &[
+    setting(
+        "feed ramps",
+        Field::Path(PathField::Start),
+        &[("G9", "exact-stop"), ("G8", "continuous")],
+        "at power-on: `G9` stops in position after every block, `G8` runs on without ramps",
+        Certainty::Unknown,
+        "G8 and G9",
+    ),
+    setting(
+        "G8 rounding",
+        Field::Path(PathField::Rounding),
+        &[],
+        "how far from a corner the tool passes in G8; `none`: `[motion] corner_tolerance`",
+        Certainty::Unknown,
+        "G8",
+    ),
     setting(
         "format",
         Field::Cycle(CycleField::Format),

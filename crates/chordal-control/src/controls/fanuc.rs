@@ -7,6 +7,7 @@ use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{CycleField, CycleRules, TapRules};
 use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm};
+use crate::path_modes::{PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -57,6 +58,7 @@ const PARAMETERS: Parameters = Parameters {
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
     compensation: compensation::FANUC,
+    path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
     ..Parameters::COMMON
 };
 
@@ -70,7 +72,28 @@ const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
     setting(name, field, &[], text, Certainty::Trade, "16i")
 }
 
+/// Look-ahead on with this value of a letter.
+const fn by(letter: u8, on: u32) -> Action {
+    Action::LookAhead { letter, on }
+}
+
 const SETTINGS: &[Setting] = &[
+    setting(
+        "look-ahead tolerance",
+        Field::Path(PathField::LookAhead),
+        &[],
+        "how far from a corner the tool may pass with G05.1 Q1, G05 P10000 and G08 P1: the control has speeds at corners instead (No. 1783), so this is a choice",
+        Certainty::Unknown,
+        "AI contour control",
+    ),
+    setting(
+        "corner rounding",
+        Field::Path(PathField::Rounding),
+        &[],
+        "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
+        Certainty::Unknown,
+        "G64",
+    ),
     compensation::FANUC_TYPE,
     compensation::FANUC_TYPE_C,
     compensation::FANUC_ANGLES_ONLY,
@@ -341,8 +364,8 @@ const G_CODES: &[CodeRow] = &[
     row(20, Group::Motion, Action::ArcCw, "IJKRQL", "arc or helix clockwise"),
     row(30, Group::Motion, Action::ArcCcw, "IJKRQL", "arc or helix counter-clockwise"),
     row(40, Group::OneShot, Action::Dwell, "PXU", "dwell"),
-    row(50, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "high-speed cycle"),
-    row(51, Group::Auxiliary, Action::NoEffect, "QRP", "look-ahead contour control"),
+    row(50, Group::Auxiliary, by(b'P', 10_000), "PQR", "high-precision contour control"),
+    row(51, Group::Auxiliary, by(b'Q', 1), "QRP", "look-ahead contour control"),
     row(
         71,
         Group::Auxiliary,
@@ -350,7 +373,7 @@ const G_CODES: &[CodeRow] = &[
         "XYZABCIJKPQRLDHE",
         "cylindrical interpolation",
     ),
-    row(80, Group::Auxiliary, Action::NoEffect, "PQ", "look-ahead control"),
+    row(80, Group::Auxiliary, by(b'P', 1), "PQ", "look-ahead control"),
     row(90, Group::OneShot, Action::ExactStopOnce, "", "exact stop in this block"),
     row(100, Group::OneShot, Action::SetData, "LPRXYZABCIJKHDQEST", "write offsets and data"),
     row(110, Group::Auxiliary, Action::NoEffect, "", "data writing off"),

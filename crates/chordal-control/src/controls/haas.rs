@@ -10,6 +10,7 @@ use crate::cycle_rules::{
     PeckRules, ShiftWords, TapRules, ZeroRepeats,
 };
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
+use crate::path_modes::{PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -62,7 +63,16 @@ const PARAMETERS: Parameters = Parameters {
     preset_clears_shift: true,
     cycles: CYCLES,
     compensation: compensation::HAAS,
+    path: PATH,
     ..Parameters::COMMON
+};
+
+// Setting 85 is 0.025 in; what the levels of smoothness make of it is a choice.
+const PATH: PathRules = PathRules {
+    rounding_mm: Some(0.635),
+    level_parts: [1.0, 0.5, 0.2],
+    level: 2,
+    ..PathRules::COMMON
 };
 
 const CYCLES: CycleRules = CycleRules {
@@ -82,6 +92,12 @@ const CYCLES: CycleRules = CycleRules {
     bore: BoreRules { shift: ShiftWords::QOrVector, ..CycleRules::COMMON.bore },
     ..CycleRules::COMMON
 };
+
+/// How much of the largest rounding a level of smoothness uses: no text gives figures.
+const fn part(name: &'static str, level: u8, text: &'static str) -> Setting {
+    setting(name, Field::Path(PathField::LevelPart(level)), &[], text, Certainty::Unknown, "G187")
+}
+
 /// A code that calls a program; 0 for none.
 const fn call(name: &'static str, field: Field, text: &'static str) -> Setting {
     setting(
@@ -144,6 +160,25 @@ const SETTINGS: &[Setting] = &[
         Certainty::Documented,
         "Setting 58, Cutter Compensation",
     ),
+    setting(
+        "Setting 85",
+        Field::Path(PathField::Rounding),
+        &[],
+        "how far from a corner the tool may pass: at level rough, where G187 names none",
+        Certainty::Trade,
+        "Setting 85, Maximum Corner Rounding",
+    ),
+    setting(
+        "Setting 191",
+        Field::Path(PathField::Level),
+        &[],
+        "smoothness where G187 names none: `rough`, `medium` or `finish`",
+        Certainty::Trade,
+        "Setting 191, Default Smoothness",
+    ),
+    part("G187 P1 part", 1, "part of Setting 85 that level rough uses"),
+    part("G187 P2 part", 2, "part of Setting 85 that level medium uses"),
+    part("G187 P3 part", 3, "part of Setting 85 that level finish uses"),
     setting(
         "Setting 162",
         Field::DecimalPoint,
@@ -498,7 +533,7 @@ const G_CODES: &[CodeRow] = &[
         "XYZABCIJKPQRLDHE",
         "rigid tapping, clockwise",
     ),
-    row(1870, Group::OneShot, Action::NoEffect, "PE", "smoothness and rounding"),
+    row(1870, Group::OneShot, Action::Smoothness, "PE", "smoothness and rounding"),
     row(
         1880,
         Group::Auxiliary,

@@ -15,6 +15,7 @@ use crate::macros::rules::{
 use crate::parameters::{
     CenterAndRadius, CompensationEntry, DecimalPoint, OffsetKind, OutsideCorner, Parameters,
 };
+use crate::path_modes::PathRules;
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -75,6 +76,13 @@ const PARAMETERS: Parameters = Parameters {
     bare_home_moves_all: true,
     cycles: CYCLES,
     compensation: compensation::LINUXCNC,
+    // Rapids are blended like cuts.
+    path: PathRules {
+        stop_before_cut: false,
+        stop_between_rapids: false,
+        stop_after_cut: false,
+        ..PathRules::COMMON
+    },
     compensation_entry: CompensationEntry::Contour,
     outside_corner: OutsideCorner::Arc,
     ..Parameters::COMMON

@@ -7,6 +7,7 @@ use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
 use crate::parameters::{OffsetKind, Parameters, SpiralForm};
+use crate::path_modes::{PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -57,6 +58,7 @@ const PARAMETERS: Parameters = Parameters {
     peck_clearance_mm: 1.0,
     cycles: CYCLES,
     compensation: compensation::MITSUBISHI,
+    path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
     ..Parameters::COMMON
 };
 
@@ -71,7 +73,28 @@ const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
+/// Look-ahead on with this value of a letter.
+const fn by(letter: u8, on: u32) -> Action {
+    Action::LookAhead { letter, on }
+}
+
 const SETTINGS: &[Setting] = &[
+    setting(
+        "high-accuracy tolerance",
+        Field::Path(PathField::LookAhead),
+        &[],
+        "how far from a corner the tool may pass with G61.1, G08 P1, G05.1 Q1 and G05 P10000: the control has a coefficient of corner accuracy instead, so this is a choice",
+        Certainty::Unknown,
+        "high-accuracy control",
+    ),
+    setting(
+        "corner rounding",
+        Field::Path(PathField::Rounding),
+        &[],
+        "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
+        Certainty::Unknown,
+        "G64",
+    ),
     compensation::MITSUBISHI_TYPE,
     compensation::MITSUBISHI_AVOIDANCE,
     compensation::MITSUBISHI_NO_CHECK,
@@ -203,8 +226,8 @@ const G_CODES: &[CodeRow] = &[
     row(30, Group::Motion, Action::ArcCcw, "IJKRPQL", "arc or helix counter-clockwise"),
     row(31, Group::Motion, Action::SpiralCcw, "IJKPR", "spiral or cone counter-clockwise (type 1)"),
     row(40, Group::OneShot, Action::Dwell, "PXU", "dwell"),
-    row(50, Group::Auxiliary, Action::NoEffect, "PQ", "high-speed machining"),
-    row(51, Group::Auxiliary, Action::NoEffect, "PQ", "high-speed high-accuracy control"),
+    row(50, Group::Auxiliary, by(b'P', 10_000), "PQ", "high-speed high-accuracy control II"),
+    row(51, Group::Auxiliary, by(b'Q', 1), "PQ", "high-speed high-accuracy control"),
     row(
         71,
         Group::Auxiliary,
@@ -212,7 +235,7 @@ const G_CODES: &[CodeRow] = &[
         "XYZABCIJKPQRLDHE",
         "cylindrical interpolation",
     ),
-    row(80, Group::Auxiliary, Action::NoEffect, "P", "high-accuracy control"),
+    row(80, Group::Auxiliary, by(b'P', 1), "P", "high-accuracy control"),
     row(90, Group::OneShot, Action::ExactStopOnce, "", "exact stop in this block"),
     row(100, Group::OneShot, Action::SetData, "LPRXYZABCIJKHDQEST", "write offsets and data"),
     row(110, Group::Auxiliary, Action::NoEffect, "", "data writing off"),
@@ -291,7 +314,7 @@ const G_CODES: &[CodeRow] = &[
         "positioning from one direction",
     ),
     row(610, Group::PathMode, Action::PathExactStop, "", "exact stop check mode"),
-    row(611, Group::PathMode, Action::PathContinuous, "", "high-accuracy control"),
+    row(611, Group::PathMode, Action::PathHighAccuracy, "", "high-accuracy control"),
     row(620, Group::PathMode, Action::PathContinuous, "", "corner override"),
     row(630, Group::PathMode, Action::PathContinuous, "", "tapping mode"),
     row(640, Group::PathMode, Action::PathContinuous, "", "cutting mode"),

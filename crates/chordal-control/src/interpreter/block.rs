@@ -6,9 +6,7 @@ use chordal_syntax::{Block, Letters};
 
 use super::report::code_number;
 use super::{EndReason, Flow, Interpreter};
-use crate::command::{
-    AxisMask, CommandKind, FeedMode, PathMode, Sink, SpindleState, Units, WorkName,
-};
+use crate::command::{AxisMask, CommandKind, FeedMode, Sink, SpindleState, Units, WorkName};
 use crate::offsets::LengthOffset;
 use crate::parameters::{ArcCenter, PlaneCodes, SpiralForm, UnitCodes};
 use crate::state::{Motion, Scale};
@@ -476,14 +474,13 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
             Action::WorkOffsetNumbered(number) => self.select_work(WorkName::Extended(number)),
             Action::WorkOffsetExtended => self.select_extended_work(block, at),
-            Action::PathExact => self.emit(CommandKind::PathMode(PathMode::ExactPath)),
-            Action::PathExactStop | Action::ExactStopOnce => {
-                self.emit(CommandKind::PathMode(PathMode::ExactStop));
-            }
-            Action::PathContinuous => {
-                let tolerance_mm = self.length_of(block, b'P');
-                self.emit(CommandKind::PathMode(PathMode::Continuous { tolerance_mm }));
-            }
+            Action::PathExact
+            | Action::PathExactStop
+            | Action::ExactStopOnce
+            | Action::PathContinuous
+            | Action::PathHighAccuracy
+            | Action::LookAhead { .. }
+            | Action::Smoothness => self.take_path_mode(block, row, at),
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
             Action::CancelCycle => self.cancel_cycle(),
@@ -565,6 +562,9 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// Spindle and coolant off, stops, ends, calls and returns.
     fn take_after_motion(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
+        if self.state.path.once {
+            self.end_exact_stop_once();
+        }
         for (row, at) in codes {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or

@@ -12,6 +12,7 @@ mod cycle;
 mod macros;
 mod motion;
 mod offsets;
+mod path_modes;
 mod pocket;
 mod reference;
 mod report;

@@ -1,6 +1,6 @@
 //! From the commands of the tool centre to moves that join on to each other, and waits.
 
-use chordal_control::{Command, CommandKind, CornerRules, Origin, Outcome, PathMode, SpindleState};
+use chordal_control::{Command, CommandKind, Origin, Outcome, PathMode, PathRules, SpindleState};
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::{FeedLimits, Machine, Times};
@@ -26,7 +26,7 @@ const SAME_POINT: f64 = 1e-7;
 pub(crate) struct MotionBuilder<'a, S> {
     path: PathBuilder<'a>,
     segments: Vec<Segment>,
-    rules: CornerRules,
+    rules: PathRules,
     times: Times,
     feed: FeedLimits,
     rapid_speeds: Axes,
@@ -49,7 +49,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
         let machine: &Machine = job.machine();
         let (offset, known) = job.initial_offset();
-        let rules = job.control().parameters.corners;
+        let rules = job.control().parameters.path;
         let report = MotionReport {
             limits,
             moves: 0,
@@ -63,7 +63,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         MotionBuilder {
             path: PathBuilder::new(machine, offset, known),
             segments: Vec::new(),
-            mode: options.path_mode.unwrap_or(rules.start),
+            mode: options.path_mode.unwrap_or(rules.start_mode()),
             rules,
             times: machine.times,
             feed: machine.feed,
@@ -111,7 +111,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
             CommandKind::End => {
                 self.wait(WaitKind::End, 0.0, origin);
-                self.mode = self.forced_mode.unwrap_or(self.rules.start);
+                self.mode = self.forced_mode.unwrap_or(self.rules.start_mode());
             }
             _ => {}
         }

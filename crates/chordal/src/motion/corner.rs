@@ -8,7 +8,7 @@
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
 //! | before a wait | at rest |
 
-use chordal_control::{CornerRules, PathMode};
+use chordal_control::{PathMode, PathRules};
 use chordal_geometry::{ParamCurve, Vec3};
 use chordal_motion::{Corner, Move, MoveKind};
 
@@ -33,7 +33,7 @@ const SMOOTH_COSINE: f64 = 0.999_998_476_913;
 pub(super) fn corner_of(
     ending: &Ending,
     next: &Move,
-    rules: &CornerRules,
+    rules: &PathRules,
     in_force: &InForce,
 ) -> Corner {
     use MoveKind::{Cut, Rapid};

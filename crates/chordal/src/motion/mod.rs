@@ -21,7 +21,7 @@
 //! # Corners
 //!
 //! What happens at the end of a move is decided by the path mode in force at its block and by the
-//! rules of the control ([`CornerRules`](crate::control::CornerRules)); see `corner.rs`.
+//! rules of the control ([`PathRules`](crate::control::PathRules)); see `corner.rs`.
 
 mod builder;
 mod corner;

@@ -37,6 +37,16 @@ impl Sources {
         self.held.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
     }
 
+    /// How many are held.
+    pub fn len(&self) -> usize {
+        self.held.len()
+    }
+
+    /// None is held.
+    pub fn is_empty(&self) -> bool {
+        self.held.is_empty()
+    }
+
     fn push(&mut self, source: StepSource) {
         self.held.push_back(source);
     }

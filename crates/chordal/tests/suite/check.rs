@@ -148,6 +148,13 @@ fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64)
         }
         None => {}
     }
+    if let Some((word, distance)) = &expected.corner {
+        let (is, mm) = made.corner();
+        let off = differs(distance.value, mm / unit, 1e-6);
+        if is != word || off {
+            found.push(format!("corner is {is} {}", short(mm / unit)));
+        }
+    }
     let kind_fits = match expected.kind.as_str() {
         "helix" => made.is_helix(),
         kind => kind == made.kind,

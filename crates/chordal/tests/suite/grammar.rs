@@ -7,6 +7,10 @@
 //! `> "X1.5000"` is a line that the program prints. A line with
 //! nothing but such a comment goes on with the expectations of the line above.
 //!
+//! `corner stop`, `corner exact`, `corner round .05` on a motion is the path mode that its control
+//! passes the end of the block in: at rest, exactly, or within a distance, which is not there
+//! where the control names none.
+//!
 //! Motions are those of the program; with `(show: path)` at the head they are those of the tool
 //! centre, after cutter compensation.
 //!
@@ -44,6 +48,8 @@ pub struct Motion {
     pub length: Option<Number>,
     pub feed: Option<Number>,
     pub tangent: Option<Number>,
+    /// How corners are passed in its path mode: the word, and the distance (0: none named).
+    pub corner: Option<(String, Number)>,
 }
 
 /// A diagnostic that must occur on the line.
@@ -213,6 +219,12 @@ fn read_motion(item: &str) -> Result<(Motion, usize), String> {
             "length" => motion.length = Some(tokens.number()?),
             "feed" => motion.feed = Some(tokens.number()?.exact()),
             "tangent" => motion.tangent = Some(tokens.number()?),
+            "corner" => {
+                let word = one_of(tokens.word()?, &["stop", "exact", "round"])?;
+                let digit = |w: &&str| w.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+                let distance = tokens.words.next_if(digit).unwrap_or("0");
+                motion.corner = Some((word, number(distance)?.exact()));
+            }
             _ => {
                 let count = key.strip_prefix('x').and_then(|count| count.parse().ok());
                 times = count.ok_or_else(|| format!("unknown word `{key}` in `{item}`"))?;

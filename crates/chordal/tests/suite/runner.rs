@@ -1,6 +1,6 @@
 //! Runs a program and notes what happens by line.
 
-use chordal::control::{ArcShape, FeedAlong, FeedMode, SpindleState, Units};
+use chordal::control::{ArcShape, FeedAlong, FeedMode, PathMode, SpindleState, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::curve_of;
 use chordal::{
@@ -25,6 +25,7 @@ pub struct Made {
     pub feed_has_length: bool,
     pub along: Option<&'static str>,
     pub tangents: (Vec3, Vec3),
+    pub mode: PathMode,
 }
 
 /// A diagnostic and the line it points at.
@@ -61,7 +62,8 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let mut seen = Seen { of_path: program.of_path, ..Seen::default() };
+    let mode = job.control().parameters.path.start_mode();
+    let mut seen = Seen::new(program.of_path, mode);
     let report = job.report_watched(&mut seen);
     let Seen { made, events, printed, .. } = seen;
     let inch = match program.units.as_deref() {
@@ -99,17 +101,30 @@ fn event_of(kind: &CommandKind) -> Option<String> {
 }
 
 /// Notes the motions asked for, what happens between them, and the printed lines.
-#[derive(Default)]
 struct Seen {
     of_path: bool,
+    mode: PathMode,
+    /// The mode in which every program begins.
+    start_mode: PathMode,
     made: Vec<Made>,
     events: Vec<(u32, usize, String)>,
     printed: Vec<(u32, String)>,
 }
 
 impl Seen {
+    fn new(of_path: bool, mode: PathMode) -> Seen {
+        let start_mode = mode;
+        let (made, events, printed) = (Vec::new(), Vec::new(), Vec::new());
+        Seen { of_path, mode, start_mode, made, events, printed }
+    }
+
     fn command(&mut self, command: &Command) {
-        self.made.extend(made_by(command));
+        match command.kind {
+            CommandKind::PathMode(mode) => self.mode = mode,
+            CommandKind::End => self.mode = self.start_mode,
+            _ => {}
+        }
+        self.made.extend(made_by(command, self.mode));
         if let Some(event) = event_of(&command.kind) {
             let line = command.origin.line;
             let before = self.made.iter().filter(|made| made.line == line).count();
@@ -146,7 +161,7 @@ fn words_of(diagnostic: &Diagnostic) -> String {
     text
 }
 
-fn made_by(command: &Command) -> Option<Made> {
+fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
     let motion = command.kind.motion()?;
     let shape = command.kind.shape().copied();
     let kind = match &command.kind {
@@ -175,10 +190,20 @@ fn made_by(command: &Command) -> Option<Made> {
         feed_has_length: linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
         along: feed.map(|feed| if feed.along == FeedAlong::Path { "path" } else { "plane" }),
         tangents: (curve.tangent_at(0.0), curve.tangent_at(length)),
+        mode,
     })
 }
 
 impl Made {
+    /// The path mode in the words of the grammar, and its distance in mm (0: none named).
+    pub fn corner(&self) -> (&'static str, f64) {
+        match self.mode {
+            PathMode::ExactStop => ("stop", 0.0),
+            PathMode::ExactPath => ("exact", 0.0),
+            PathMode::Continuous { tolerance_mm } => ("round", tolerance_mm.unwrap_or(0.0)),
+        }
+    }
+
     pub fn plane(&self) -> Option<&'static str> {
         self.shape.map(|shape| match shape.plane {
             Plane::Xy => "xy",

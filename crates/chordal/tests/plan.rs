@@ -1,0 +1,170 @@
+//! A run through the planner: time, limits, and where every piece comes from.
+
+use chordal::motion::{
+    MotionOptions, MotionReport, PlanSink, Sources, Step, StepKind, StepSource, WaitKind,
+};
+use chordal::{Job, Machine, Source, SourceMap};
+
+const MACHINE: &str = "
+control = \"linuxcnc\"
+[axes.X]
+max_velocity = \"200 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[axes.Y]
+max_velocity = \"200 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[axes.Z]
+max_velocity = \"200 mm/s\"
+max_acceleration = \"2000 mm/s^2\"
+max_jerk = \"100000 mm/s^3\"
+[times]
+tool_change = \"6 s\"
+[settings]
+units = \"mm\"
+";
+
+/// What came out of a planner.
+#[derive(Default)]
+struct Planned {
+    seconds: f64,
+    waits: Vec<(WaitKind, f64)>,
+    lines: Vec<u32>,
+    tags_without_source: usize,
+    most_sources: usize,
+    largest_gap: f64,
+    end: Option<[f64; 6]>,
+}
+
+impl PlanSink for Planned {
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        self.most_sources = self.most_sources.max(sources.len());
+        match step {
+            Step::Stretch(stretch) => {
+                self.seconds += stretch.duration_s() - stretch.overlap_s;
+                let from = stretch.from();
+                if let Some(end) = self.end {
+                    let gaps = from.iter().zip(end).map(|(a, b)| (a - b).abs());
+                    self.largest_gap = gaps.fold(self.largest_gap, f64::max);
+                }
+                self.end = Some(stretch.to());
+                for piece in &stretch.pieces {
+                    match sources.get(piece.tag) {
+                        Some(source) => {
+                            assert_eq!(source.tag, piece.tag);
+                            assert_eq!(source.origin.line, StepSource::line_of(piece.tag));
+                            if self.lines.last() != Some(&source.origin.line) {
+                                self.lines.push(source.origin.line);
+                            }
+                        }
+                        None => self.tags_without_source += 1,
+                    }
+                }
+            }
+            Step::Wait { seconds, tag } => {
+                self.seconds += seconds;
+                match sources.get(tag).map(|source| source.kind) {
+                    Some(StepKind::Wait(kind)) => self.waits.push((kind, seconds)),
+                    _ => self.tags_without_source += 1,
+                }
+            }
+        }
+    }
+}
+
+fn plan_with(program: &str, changes: &[&str], options: MotionOptions) -> (Planned, MotionReport) {
+    let mut machine =
+        Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("a machine");
+    for change in changes {
+        machine.set(change).expect("a change");
+    }
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.ngc", program.as_bytes()));
+    let job = Job::new(sources, machine).expect("a job");
+    let mut planned = Planned::default();
+    let report = job.plan(&options, &mut planned).expect("limits");
+    assert_eq!(planned.tags_without_source, 0);
+    (planned, report)
+}
+
+fn plan(program: &str) -> (Planned, MotionReport) {
+    plan_with(program, &[], MotionOptions::default())
+}
+
+#[test]
+fn a_line_takes_its_time_with_ramps() {
+    // 100 mm at 100 mm/s: each ramp of 100/2000 + 2000/1e5 s costs half of itself more.
+    let (planned, report) = plan("G21 G90 G61 S600 M3\nG1 X100 F6000\nM2\n");
+    assert_eq!(report.refused_moves, 0);
+    assert!((planned.seconds - 1.07).abs() < 1e-6, "{}", planned.seconds);
+}
+
+#[test]
+fn cutting_a_line_into_pieces_changes_no_time() {
+    let mut program = String::from("G21 G90 G64 P0.01 S600 M3\n");
+    for piece in 1..=100 {
+        program += &format!("G1 X{piece} F6000\n");
+    }
+    let (planned, _) = plan(&(program + "M2\n"));
+    assert!((planned.seconds - 1.07).abs() < 1e-6, "{}", planned.seconds);
+    assert_eq!(planned.lines.len(), 100);
+}
+
+#[test]
+fn waits_are_in_the_time_and_known() {
+    let (planned, _) = plan("G21 G90 G61 T1 M6\nS600 M3\nG1 X100 F6000\nG4 P2.5\nM2\n");
+    let timed: Vec<_> = planned.waits.iter().filter(|wait| wait.1 > 0.0).copied().collect();
+    assert_eq!(timed, [(WaitKind::ToolChange, 6.0), (WaitKind::Dwell, 2.5)]);
+    assert!((planned.seconds - 1.07 - 8.5).abs() < 1e-6, "{}", planned.seconds);
+}
+
+#[test]
+fn offsets_and_waits_leave_no_gap() {
+    let program = "G21 G90 G64 P0.05 S600 M3\nG0 X10 Y10\nG1 Z-1 F600\nG92 X0 Y0\nG1 X20\nY20\n\
+                   G4 P0.5\nG92.1\nG2 X40 Y30 I10 J0\nG43.1 Z5\nG1 Z3\nG0 X0 Y0\nM2\n";
+    let (planned, report) = plan(program);
+    assert_eq!(report.refused_moves, 0, "{:?}", report.refused);
+    assert!(planned.largest_gap < 1e-6, "{}", planned.largest_gap);
+}
+
+#[test]
+fn memory_stays_bounded() {
+    let mut program = String::from("G21 G90 G64 P0.01 S600 M3\nF3000\n");
+    for piece in 0..50_000 {
+        program += &format!("G1 X{}.{} Y{}\n", piece / 10, piece % 10, piece % 2);
+    }
+    let (planned, report) = plan(&(program + "M2\n"));
+    assert_eq!(report.refused_moves, 0);
+    assert!(report.moves >= 50_000 - 1);
+    assert!(planned.most_sources < 50_000, "{}", planned.most_sources);
+}
+
+#[test]
+fn half_the_feed_override_takes_longer_and_rapids_do_not() {
+    let program = "G21 G90 G61 S600 M3\nG0 X100\nG1 X0 F6000\nM2\n";
+    let full = plan(program).0.seconds;
+    let half =
+        plan_with(program, &[], MotionOptions { feed_override: Some(0.5), ..Default::default() });
+    // 100 mm at 50 mm/s in place of 100 mm/s: 1 s more, and the ramp of 25 + 20 ms in place of
+    // 50 + 20 ms.
+    assert!((half.0.seconds - full - 0.975).abs() < 1e-6, "{} {full}", half.0.seconds);
+}
+
+#[test]
+fn rapids_with_limits_of_their_own_take_their_own_time() {
+    let program = "G21 G90 G61 S600 M3\nG0 X100\nG1 X0 F6000\nM2\n";
+    let same = plan(program).0.seconds;
+    let (slow, _) =
+        plan_with(program, &["axes.X.rapid_acceleration = 1000 mm/s^2"], MotionOptions::default());
+    // 200 mm/s: a ramp is 200/1000 + 1000/1e5 = 0.21 s in place of 0.12 s, but 100 mm are too
+    // short for the first: with 1000 mm/s² the time is 2·(v/a + a/j) at v where (v/a + a/j)·v
+    // is 100 mm.
+    let (a, j) = (1000.0_f64, 100_000.0_f64);
+    let v = ((a * a / j).powi(2) / 4.0 + a * 100.0).sqrt() - a * a / j / 2.0;
+    let v = v.min(200.0);
+    let ramp = v / a + a / j;
+    let due = 2.0 * ramp + (100.0 - v * ramp) / v;
+    let was = 0.12 + 100.0 / 200.0;
+    assert!((slow.seconds - same - (due - was)).abs() < 1e-6, "{} {same} {due}", slow.seconds);
+}
