@@ -356,6 +356,11 @@ pub enum CommandKind {
         /// The tool tip in the new program coordinates.
         position: Position,
     },
+    /// The move before was a probe or skip move, and has ended.
+    Probed {
+        /// Something was touched.
+        hit: bool,
+    },
     /// Text for the operator.
     Message(TextRange),
     /// A line that the program prints (DPRNT), its values put in.

@@ -286,6 +286,10 @@ fn state(object: &mut Object, kind: &CommandKind) {
             object.word("kind", "stop");
             object.boolean("optional", *optional);
         }
+        CommandKind::Probed { hit } => {
+            object.word("kind", "probed");
+            object.boolean("hit", *hit);
+        }
         CommandKind::End => object.word("kind", "end"),
         other => mode(object, other),
     }

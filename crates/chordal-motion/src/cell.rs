@@ -31,6 +31,8 @@ pub struct Cell {
     pub cause: Cause,
     /// Over how many pieces of path it goes.
     pub pieces: u32,
+    /// The axes come to rest where it ends.
+    pub ends_at_rest: bool,
 }
 
 /// Limits of the axes as arrays.
@@ -73,9 +75,10 @@ pub struct Bounds {
     pub rate: f64,
 }
 
-/// Shares of the limits that holding the speed may take; the rest is for changing it.
-const ACCELERATION_SHARE: f64 = 0.96;
-const JERK_SHARE: f64 = 0.7;
+/// Share of the acceleration that holding the speed may take; the rest is for changing it.
+pub const ACCELERATION_SHARE: f64 = 0.96;
+/// The same of the jerk.
+pub const JERK_SHARE: f64 = 0.7;
 /// Below this share of the largest speed of a curve more is left for changing the speed.
 const KNEE: f64 = 0.8;
 /// Share of what is left of the jerk that may go into turning while the speed changes.
@@ -115,7 +118,7 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     } else {
         Ability { knee: f64::INFINITY, low: high, high }
     };
-    Cell { length, speed, ability, cause, pieces: 1 }
+    Cell { length, speed, ability, cause, pieces: 1, ends_at_rest: false }
 }
 
 /// What is left for changing the speed, at any speed up to `v`.

@@ -20,6 +20,11 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// Whether it is a straight line, evenly travelled.
+    pub fn is_straight(&self) -> bool {
+        self.base.is_none() && self.start[2] == [0.0; 6] && self.start[3] == [0.0; 6]
+    }
+
     /// The axes and their derivatives at `sigma` from the piece's start.
     #[inline]
     pub fn at(&self, sigma: f64) -> Jet {

@@ -1,6 +1,7 @@
 use crate::Axes;
 use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
+use crate::piece::Piece;
 use crate::profile::{Solver, phases};
 use crate::segment::{Move, MoveError};
 use crate::smooth::{Overlap, Passing, Row, Smoother, overlap_time};
@@ -50,7 +51,7 @@ pub struct Planner {
     position: Option<Axes>,
     /// The corner at which the run begins, and how the movement before it ends.
     overlap: Option<Overlap>,
-    last: Option<Phase>,
+    last: Option<End>,
 }
 
 impl Planner {
@@ -87,12 +88,12 @@ impl Planner {
         let passing = self.smoother.passing(motion, &start, &self.arrays);
         if let Some(Passing::Rest(overlap)) = passing {
             if let Some(overlap) = &overlap {
-                self.smoother.end_with(overlap.jerk_share);
+                self.smoother.end_with(overlap);
             }
             self.end_run(&mut take);
             self.smoother.push(motion, &start, None, &self.arrays);
             if let Some(overlap) = &overlap {
-                self.smoother.begin_with(overlap.jerk_share);
+                self.smoother.begin_with(overlap);
             }
             self.overlap = overlap;
             return Ok(());
@@ -165,18 +166,50 @@ impl Planner {
         let pieces = pieces_of(&self.row.cells[..node]);
         stretch.pieces.extend(self.row.pieces.drain(..pieces));
         self.row.cells.drain(..node);
-        stretch.overlap_s = match (self.overlap.take(), self.last, stretch.phases.first()) {
-            (Some(overlap), Some(last), Some(first)) => {
-                let time = overlap_time(overlap.reach, last.jerk.abs(), first.jerk.abs());
-                time.min(last.duration_s).min(first.duration_s)
-            }
+        let (first, last) = (End::first(stretch), End::last(stretch));
+        stretch.overlap_s = match (self.overlap.take(), self.last, first) {
+            (Some(overlap), Some(last), Some(first)) => overlap_of(&overlap, &last, &first),
             _ => 0.0,
         };
-        self.last = stretch.phases.last().copied();
+        self.last = last;
         take(Step::Stretch(stretch));
     }
 }
 
 fn pieces_of(cells: &[Cell]) -> usize {
     cells.iter().map(|cell| cell.pieces as usize).sum()
+}
+
+/// The end of a stretch that is at rest, with the corner.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    jerk: f64,
+    duration_s: f64,
+    /// Way from the corner in which the path is a straight line.
+    straight: f64,
+}
+
+impl End {
+    fn first(stretch: &Stretch) -> Option<End> {
+        End::new(stretch.phases.first()?, stretch.pieces.iter())
+    }
+
+    fn last(stretch: &Stretch) -> Option<End> {
+        End::new(stretch.phases.last()?, stretch.pieces.iter().rev())
+    }
+
+    fn new<'a>(phase: &Phase, pieces: impl Iterator<Item = &'a Piece>) -> Option<End> {
+        let straight =
+            pieces.take_while(|piece| piece.is_straight()).map(|piece| piece.length).sum();
+        Some(End { jerk: phase.jerk.abs(), duration_s: phase.duration_s, straight })
+    }
+}
+
+/// How long two movements overlap at a corner. Each stays in its first or last phase and on a
+/// straight line, so that what was computed for the corner holds.
+fn overlap_of(overlap: &Overlap, last: &End, first: &End) -> f64 {
+    let time = overlap_time(overlap.reach, last.jerk, first.jerk);
+    [last, first].into_iter().fold(time, |time, end| {
+        time.min(end.duration_s).min(libm::cbrt(6.0 * end.straight / end.jerk))
+    })
 }

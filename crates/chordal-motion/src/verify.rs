@@ -47,8 +47,8 @@ impl Use {
     }
 }
 
-/// Times below this are rounding, s.
-const ROUNDING_S: f64 = 1e-9;
+/// Ways below this are rounding, σ.
+const ROUNDING: f64 = 1e-11;
 
 /// The largest use in a stretch: on every part that is one piece and one phase, at both its ends
 /// and `probes` places between.
@@ -64,7 +64,8 @@ pub fn largest_use(stretch: &Stretch, limits: &Limits, probes: u32) -> Use {
             let leaves = time_at(phase, piece_from + piece.length, t);
             let until = leaves.unwrap_or(phase.duration_s);
             // A phase and a piece that begin at one place may miss each other by rounding.
-            let probes = if until - t > ROUNDING_S { probes + 2 } else { 0 };
+            let way = phase.at(until).sigma - phase.at(t).sigma;
+            let probes = if way > ROUNDING { probes + 2 } else { 0 };
             for probe in 0..probes {
                 let along = phase.at(t + (until - t) * f64::from(probe) / f64::from(probes - 1));
                 let sigma = (along.sigma - piece_from).clamp(0.0, piece.length);

@@ -244,7 +244,7 @@ fn bends_of_dog_leg_rapids_are_not_stops() {
     let (steps, _) = run_with(
         "G90 G54\nG0 X100. Y50.\nX0\nM30\n",
         &["rapid.shape = dog-leg", "motion.rapid_corner_tolerance = 4 mm"],
-        MotionOptions::default(),
+        MotionOptions { dog_leg_shape: true, ..MotionOptions::default() },
     );
     let moves = moves(&steps);
     assert_eq!(moves.len(), 3);

@@ -1,9 +1,15 @@
 //! A run through the planner: time, limits, and where every piece comes from.
 
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a test reads the programs of the repository"
+)]
+
 use chordal::motion::{
     MotionOptions, MotionReport, PlanSink, Sources, Step, StepKind, StepSource, WaitKind,
 };
-use chordal::{Job, Machine, Source, SourceMap};
+use chordal::{Job, Machine, SegmentKind, Source, SourceMap};
 
 const MACHINE: &str = "
 control = \"linuxcnc\"
@@ -167,4 +173,78 @@ fn rapids_with_limits_of_their_own_take_their_own_time() {
     let due = 2.0 * ramp + (100.0 - v * ramp) / v;
     let was = 0.12 + 100.0 / 200.0;
     assert!((slow.seconds - same - (due - was)).abs() < 1e-6, "{} {same} {due}", slow.seconds);
+}
+
+#[test]
+fn a_dog_leg_rapid_takes_the_time_of_its_slowest_axis() {
+    let program = "G21 G90 G61 S600 M3\nG0 X100 Y50\nM2\n";
+    let seconds = |dog_leg_shape: bool| {
+        let options = MotionOptions { dog_leg_shape, ..Default::default() };
+        plan_with(program, &["rapid.shape = dog-leg"], options).0.seconds
+    };
+    // X alone takes 100 mm at 200 mm/s and one ramp of 0.12 s, whatever Y does meanwhile.
+    assert!((seconds(false) - 0.62).abs() < 1e-6, "{}", seconds(false));
+    // The shape with its bend costs no more than a stop there, which is another ramp.
+    let shape = seconds(true);
+    assert!(shape > 0.62 - 1e-9 && shape < 0.74, "{shape}");
+}
+
+/// Time of a program by its feeds and rapids alone, and with the planner.
+#[derive(Default)]
+struct Compared {
+    planned: Planned,
+    cuts_s: f64,
+}
+
+impl PlanSink for Compared {
+    fn source(&mut self, source: &StepSource) {
+        match source.kind {
+            StepKind::Move(SegmentKind::Rapid) => {}
+            _ => self.cuts_s += source.nominal_s,
+        }
+    }
+
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        self.planned.step(step, sources);
+    }
+}
+
+#[test]
+fn every_program_of_the_repository_can_be_planned() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut folders = vec![root.join("examples"), root.join("tests/suite")];
+    let mut count = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let Ok(text) = std::fs::read_to_string(&path) else { continue };
+            let machine = text.split_once("(machine: ").and_then(|(_, rest)| rest.split_once(')'));
+            let Some(machine) = machine.and_then(|(name, _)| Machine::from_builtin(name).ok())
+            else {
+                continue;
+            };
+            let mut sources = SourceMap::new();
+            sources.add(Source::new("t.nc", text.as_bytes()));
+            let Ok(job) = Job::new(sources, machine) else { continue };
+            let mut compared = Compared::default();
+            let report = job.plan(&MotionOptions::default(), &mut compared).expect("limits");
+            let (planned, name) = (&compared.planned, path.display());
+            assert_eq!(report.refused_moves, 0, "{name}: {:?}", report.refused);
+            assert_eq!(planned.tags_without_source, 0, "{name}");
+            assert!(planned.largest_gap < 2e-6, "{name}: {}", planned.largest_gap);
+            assert!(planned.seconds.is_finite(), "{name}");
+            assert!(
+                planned.seconds > compared.cuts_s * (1.0 - 1e-3) - 1e-6,
+                "{name}: {} s planned, {} s at the feeds",
+                planned.seconds,
+                compared.cuts_s
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 150, "{count} programs");
 }

@@ -89,7 +89,7 @@ impl Solver {
             self.at.push(at);
             self.most.push(cell.speed.min(before));
             at += cell.length;
-            before = cell.speed;
+            before = if cell.ends_at_rest { 0.0 } else { cell.speed };
         }
         self.at.push(at);
         self.most.push(before);
@@ -113,7 +113,7 @@ impl Solver {
             let mut reached = most;
             if most > before {
                 reached = ability.climb(self.forward[source], self.at[node] - self.at[source]);
-                if source + 1 < node && reached < most {
+                if source + 1 < node {
                     let fresh = cell.ability.climb(before, cell.length);
                     if fresh > reached * (1.0 + 1e-12) {
                         (source, ability, reached) = (node - 1, cell.ability, fresh);
@@ -143,7 +143,7 @@ impl Solver {
             let mut reached = most;
             if most > after {
                 reached = ability.climb(self.backward[source], self.at[source] - self.at[node]);
-                if source > node + 1 && reached < most {
+                if source > node + 1 {
                     let fresh = cell.ability.climb(after, cell.length);
                     if fresh > reached * (1.0 + 1e-12) {
                         (source, ability, reached) = (node + 1, cell.ability, fresh);

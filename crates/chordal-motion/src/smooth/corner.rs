@@ -1,7 +1,7 @@
 //! How the joint of two moves is passed: at speed, eased within its tolerance, or at rest.
 
 use crate::Axes;
-use crate::cell::AxisArrays;
+use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE};
 use crate::profile::Effort;
 use crate::segment::Corner;
 use crate::smooth::bump::{BEND_DEVIATION, KINK_DEVIATION, SLOPE};
@@ -68,6 +68,57 @@ pub struct Step {
     pub kink_need: f64,
     /// The same for the bend.
     pub bend_need: f64,
+    /// Speeds before and after it, σ per s, and how they can change.
+    sides: [(f64, Effort); 2],
+}
+
+impl Step {
+    /// The largest speed through corrections of these half widths, σ per s.
+    fn speed_within(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> f64 {
+        let mut speed = f64::INFINITY;
+        for axis in 0..6 {
+            let (kink, bend) = (self.kink[axis].abs(), self.bend[axis].abs());
+            let a = ACCELERATION_SHARE * limits.acceleration[axis];
+            let j = JERK_SHARE * limits.jerk[axis];
+            if kink > 0.0 {
+                let by_square = (a * kink_half / kink).sqrt();
+                speed = speed.min(by_square).min(libm::cbrt(j * kink_half * kink_half / kink));
+            }
+            if bend > 0.0 {
+                speed = speed.min(libm::cbrt(j * bend_half / (SLOPE * bend)));
+            }
+        }
+        speed
+    }
+
+    /// Time lost at the joint against passing it at full speed, s.
+    fn loss(&self, speed: f64, width: f64) -> f64 {
+        let fastest = self.sides[0].0.max(self.sides[1].0);
+        let ramps: f64 = self
+            .sides
+            .iter()
+            .map(|(full, effort)| {
+                let change = (full - speed).max(0.0);
+                effort.time(change) * change / (2.0 * full)
+            })
+            .sum();
+        let slow = if width > 0.0 && speed < fastest {
+            width * (1.0 / speed - 1.0 / fastest)
+        } else {
+            0.0
+        };
+        ramps + slow
+    }
+
+    /// Whether passing at rest would be quicker than within corrections of these half widths.
+    pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> bool {
+        self.ease_loss(kink_half, bend_half, limits) > self.loss(0.0, 0.0)
+    }
+
+    fn ease_loss(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> f64 {
+        let speed = self.speed_within(kink_half, bend_half, limits);
+        self.loss(speed, 2.0 * kink_half.max(bend_half))
+    }
 }
 
 /// What the overlap of two movements at a corner has to keep.
@@ -77,10 +128,14 @@ pub struct Overlap {
     pub reach: f64,
     /// Share of the jerk with which the two ends may run, so that their sum keeps the limits.
     pub jerk_share: f64,
-    /// Direction before the corner.
-    pub before: Axes,
-    /// Direction after it.
-    pub after: Axes,
+}
+
+impl Overlap {
+    /// How far from the corner the movements are when one of them has just stopped, with like
+    /// jerks on both sides, σ.
+    pub fn clear(&self) -> f64 {
+        8.0 * self.reach
+    }
 }
 
 /// The half width that a kink may have by its tolerance alone.
@@ -119,6 +174,7 @@ pub fn passing(
     };
     let speed = before.speed.max(after.speed);
     let nothing = [0.0; 6];
+    let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
     let mut step = Step {
         kink: if kinked { kink } else { nothing },
         bend: if bent { bend } else { nothing },
@@ -126,6 +182,7 @@ pub fn passing(
         bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
         kink_need: 0.0,
         bend_need: 0.0,
+        sides: [(before.speed, one), (after.speed, two)],
     };
     for axis in 0..6 {
         let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
@@ -137,44 +194,20 @@ pub fn passing(
     }
     // Both corrections at once share the tolerance.
     let half = if kinked && bent { 0.5 } else { 1.0 };
-    let mut eased = f64::INFINITY;
-    let (kink_width, bend_width) = (half * kink_half(&step), half.sqrt() * bend_half(&step));
-    for axis in 0..6 {
-        let (kink, bend) = (step.kink[axis].abs(), step.bend[axis].abs());
-        let (a, j) = (limits.acceleration[axis], limits.jerk[axis]);
-        if kink > 0.0 {
-            let h = kink_width.min(step.kink_need);
-            eased = eased.min((a * h / kink).sqrt()).min(libm::cbrt(j * h * h / kink));
-        }
-        if bend > 0.0 {
-            let h = bend_width.min(step.bend_need);
-            eased = eased.min(libm::cbrt(j * h / (SLOPE * bend)));
-        }
-    }
-    let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
-    let loss = |one: Effort, two: Effort, eased: f64| {
-        let side = |effort: Effort, speed: f64| {
-            let change = (speed - eased).max(0.0);
-            effort.time(change) * change / (2.0 * speed)
-        };
-        side(one, before.speed) + side(two, after.speed)
-    };
-    let slow = if eased < speed {
-        let width = if kinked { 2.0 * kink_width.min(step.kink_need) } else { 2.0 * bend_width };
-        width * (1.0 / eased - 1.0 / speed)
-    } else {
-        0.0
-    };
-    let ease = loss(one, two, eased.min(speed)) + slow;
-    let mut rest = loss(one, two, 0.0);
+    let kink_half = (half * kink_half(&step)).min(step.kink_need);
+    let bend_half = (half.sqrt() * bend_half(&step)).min(step.bend_need);
+    let kink_half = if kinked { kink_half } else { 0.0 };
+    let bend_half = if bent { bend_half } else { 0.0 };
+    let ease = step.ease_loss(kink_half, bend_half, limits);
+    let mut rest = step.loss(0.0, 0.0);
     let mut wish = None;
     if overlaps && before.straight && after.straight {
         let overlap = overlap(before, after, &tolerance, &kink, limits, one, two);
         let share = overlap.jerk_share;
-        let eased_by = |effort: Effort| Effort { jerk: effort.jerk * share, ..effort };
-        let (one, two) = (eased_by(one), eased_by(two));
-        let gain = overlap_time(overlap.reach, one.jerk, two.jerk);
-        let overlapped = loss(one, two, 0.0) - gain;
+        let mut gentle = step;
+        gentle.sides.iter_mut().for_each(|(_, effort)| effort.jerk *= share);
+        let [(_, one), (_, two)] = gentle.sides;
+        let overlapped = gentle.loss(0.0, 0.0) - overlap_time(overlap.reach, one.jerk, two.jerk);
         if overlapped < rest {
             rest = overlapped;
             wish = Some(overlap);
@@ -206,12 +239,7 @@ fn overlap(
     }
     let most =
         tolerance.of(kink).max(tolerance.of(&before.direction)).max(tolerance.of(&after.direction));
-    Overlap {
-        reach: 1.0 / most,
-        jerk_share: share,
-        before: before.direction,
-        after: after.direction,
-    }
+    Overlap { reach: 1.0 / most, jerk_share: share }
 }
 
 /// What the axes can do along a direction.

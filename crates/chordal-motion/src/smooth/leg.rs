@@ -1,7 +1,7 @@
 use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
-use crate::cell::{AxisArrays, Turning};
+use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE, Turning};
 use crate::segment::Move;
 use crate::smooth::corner::Side;
 
@@ -41,6 +41,8 @@ pub struct Leg {
     pub tail: Side,
     /// Numbers of the first node that reaches into it and of the one after the last.
     pub nodes: (usize, usize),
+    /// The axes come to rest where it begins, in the middle of a run.
+    pub begins_at_rest: bool,
     /// Share of the jerk in its first and in its second half.
     pub jerk_share: [f64; 2],
 }
@@ -70,7 +72,7 @@ impl Leg {
                 side.direction[..3].copy_from_slice(&curve.tangent_at(sigma).to_array());
                 side.bend[..3].copy_from_slice(&curve.curvature_at(sigma).to_array());
             }
-            side.speed = holdable(&side.direction, motion.speed, limits);
+            side.speed = holdable(&side, motion.speed, limits);
             side
         };
         Leg {
@@ -83,6 +85,7 @@ impl Leg {
             head: side(0.0),
             tail: side(length),
             nodes: (usize::MAX, 0),
+            begins_at_rest: false,
             jerk_share: [1.0; 2],
         }
     }
@@ -99,10 +102,14 @@ impl Leg {
 }
 
 /// The speed asked for, as far as the axes can hold it.
-fn holdable(direction: &Axes, feed: f64, limits: &AxisArrays) -> f64 {
-    (0..6)
-        .filter(|axis| direction[*axis] != 0.0)
-        .fold(feed, |speed, axis| speed.min(limits.velocity[axis] / direction[axis].abs()))
+fn holdable(side: &Side, feed: f64, limits: &AxisArrays) -> f64 {
+    let k = side.bend.iter().map(|bend| bend * bend).sum::<f64>().sqrt();
+    (0..6).fold(feed, |speed, axis| {
+        let (direction, bend) = (side.direction[axis].abs(), side.bend[axis].abs());
+        let by_square = ACCELERATION_SHARE * limits.acceleration[axis] / bend;
+        let by_cube = JERK_SHARE * limits.jerk[axis] / (k * k * direction);
+        speed.min(limits.velocity[axis] / direction).min(by_square.sqrt()).min(libm::cbrt(by_cube))
+    })
 }
 
 /// How a curve turns between two of its places, and how much of X, Y and Z is even on it.

@@ -67,6 +67,9 @@ pub struct Smoother {
     /// Number of the first node whose widths are not settled.
     unsettled: usize,
     length: f64,
+    /// How much of the run's two ends is left straight where it can be, for movements that
+    /// overlap there.
+    clear: [f64; 2],
     corner: Option<Corner>,
     breaks: Vec<f64>,
 }
@@ -92,7 +95,7 @@ impl Smoother {
         let next = Leg::new(motion, start, self.length, limits);
         let size = start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
         let shortest = self.last_part().map_or(last.length, |part| part.length).min(next.length);
-        let noise = 1e-9 + 4e-15 * size / shortest;
+        let noise = 1e-11 + 4e-15 * size / shortest;
         Some(corner::passing(&last.tail, &next.head, corner, noise, limits))
     }
 
@@ -130,23 +133,25 @@ impl Smoother {
         self.legs.push_back(leg);
     }
 
-    /// The run's first leg is left at an overlapped corner with this share of the jerk.
-    pub fn begin_with(&mut self, jerk_share: f64) {
+    /// The run begins at a corner where the movements overlap.
+    pub fn begin_with(&mut self, overlap: &Overlap) {
+        self.clear[0] = overlap.clear();
         if let Some(leg) = self.legs.front_mut() {
-            leg.jerk_share[0] = jerk_share;
+            leg.jerk_share[0] = overlap.jerk_share;
         }
     }
 
-    /// The run's last leg ends at an overlapped corner with this share of the jerk.
-    pub fn end_with(&mut self, jerk_share: f64) {
+    /// The run ends at a corner where the movements overlap.
+    pub fn end_with(&mut self, overlap: &Overlap) {
+        self.clear[1] = overlap.clear();
         if let Some(leg) = self.legs.back_mut() {
-            leg.jerk_share[1] = jerk_share;
+            leg.jerk_share[1] = overlap.jerk_share;
         }
     }
 
     /// Hands on what later moves cannot change; all of it when the run ends here.
     pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
-        self.settle(ends);
+        self.settle(ends, limits);
         loop {
             let Some(leg) = self.legs.front() else { break };
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
@@ -160,7 +165,7 @@ impl Smoother {
             self.nodes.clear();
             self.parts.clear();
             (self.legs_gone, self.nodes_gone, self.unsettled) = (0, 0, 0);
-            self.length = 0.0;
+            (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;
         }
     }
@@ -170,19 +175,27 @@ impl Smoother {
         self.nodes.get(self.unsettled - self.nodes_gone).map_or(self.length, |node| node.at)
     }
 
-    fn settle(&mut self, ends: bool) {
+    fn settle(&mut self, ends: bool, limits: &AxisArrays) {
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
             let need = node.need();
             if !ends && self.length - node.at <= 2.0 * need {
                 break;
             }
             // No correction reaches over the ends of the run, where the axes stand still.
-            let room = node.at.min(self.length - node.at);
+            let room = |way: f64, clear: f64| (way - clear).max(way / 2.0);
+            let room = room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]));
             let half = self.half_among(self.unsettled - self.nodes_gone, need.min(room));
             let number = self.unsettled;
             let node = &mut self.nodes[number - self.nodes_gone];
             node.kink_half = half.min(node.step.kink_need);
             node.bend_half = half.min(node.step.bend_need);
+            if node.step.is_quicker_at_rest(node.kink_half, node.bend_half, limits) {
+                (node.kink_half, node.bend_half) = (0.0, 0.0);
+                let leg = node.leg - self.legs_gone;
+                self.legs[leg].begins_at_rest = true;
+                self.unsettled += 1;
+                continue;
+            }
             let (first, at, half) = (node.leg, node.at, node.half());
             self.reach(number, first, at, half);
             self.unsettled += 1;

@@ -19,6 +19,11 @@ pub fn make<'a>(
     breaks: &mut Vec<f64>,
     row: &mut Row,
 ) {
+    if leg.begins_at_rest
+        && let Some(last) = row.cells.last_mut()
+    {
+        last.ends_at_rest = true;
+    }
     find_breaks(leg, nodes.clone(), breaks);
     let mut parts = std::iter::once(&leg.part).chain(more).peekable();
     let mut from = leg.from;
@@ -164,6 +169,7 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
 /// Adds a cell to a row, or its length to the last one where the limits are the same.
 fn add(cell: Cell, cells: &mut Vec<Cell>) {
     if let Some(last) = cells.last_mut()
+        && !last.ends_at_rest
         && near(last.speed, cell.speed)
         && near(last.ability.knee, cell.ability.knee)
         && near(last.ability.low.acceleration, cell.ability.low.acceleration)

@@ -33,6 +33,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     optional_stop: bool,
     in_force: InForce,
     forced_mode: Option<PathMode>,
+    dog_leg_shape: bool,
     mode: PathMode,
     spindle_rpm: f64,
     tool: u32,
@@ -71,6 +72,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             optional_stop: machine.switches.optional_stop,
             in_force: InForce::new(machine, options),
             forced_mode: options.path_mode,
+            dog_leg_shape: options.dog_leg_shape,
             spindle_rpm: 0.0,
             tool: 0,
             at: None,
@@ -105,6 +107,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             CommandKind::Spindle { state, rpm } => self.spindle(state, rpm, origin),
             CommandKind::Coolant(_) => {
                 self.wait(WaitKind::Coolant, self.times.m_code_s.unwrap_or(0.0), origin);
+            }
+            CommandKind::Probed { .. } => {
+                self.wait(WaitKind::Probe, self.times.probe_s.unwrap_or(0.0), origin);
             }
             CommandKind::Stop { optional } if !optional || self.optional_stop => {
                 self.wait(WaitKind::Stop, 0.0, origin);
@@ -280,6 +285,18 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 }
 
+/// The straight move from the start to the end of a dog-leg rapid.
+fn chord(first: &Segment, bends: &[Segment], last: &Segment) -> Segment {
+    let line = Line { start: first.curve.start(), end: last.curve.end() };
+    Segment {
+        curve: Curve::Line(line),
+        length_mm: line.length(),
+        duration_s: bends.iter().map(|bend| bend.duration_s).sum::<f64>() + last.duration_s,
+        rotary_from: first.rotary_from,
+        ..*last
+    }
+}
+
 impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
     fn command(&mut self, path: PathCommand<'_>) {
         let command = path.command;
@@ -291,10 +308,17 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
             None => self.other_command(command),
             Some((last, bends)) => {
                 let cycle = command.origin.cycle;
-                for segment in bends {
-                    self.segment(segment, cycle, true);
+                match bends.first() {
+                    Some(first) if !self.dog_leg_shape => {
+                        self.segment(&chord(first, bends, last), cycle, false);
+                    }
+                    _ => {
+                        for segment in bends {
+                            self.segment(segment, cycle, true);
+                        }
+                        self.segment(last, cycle, false);
+                    }
                 }
-                self.segment(last, cycle, false);
             }
         }
         self.segments = segments;

@@ -2,7 +2,7 @@
 //!
 //! | from → to | how |
 //! |---|---|
-//! | bend of a dog-leg rapid | within the machine's `rapid_corner_tolerance`: no axis waits for another, and nothing is cut there |
+//! | bend of a dog-leg rapid, where its shape is kept | within the machine's `rapid_corner_tolerance`: no axis waits for another, and nothing is cut there |
 //! | rapid → rapid, rapid → cut, cut → rapid | at rest where the control checks the position, otherwise like a cut; between rapids within `rapid_corner_tolerance` |
 //! | cut → cut | by the path mode of the block that ends |
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |

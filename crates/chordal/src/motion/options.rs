@@ -15,6 +15,10 @@ pub struct MotionOptions {
     pub path_mode: Option<PathMode>,
     /// The tolerance of corners where the mode rounds them and names none, mm.
     pub corner_tolerance_mm: Option<f64>,
+    /// Dog-leg rapids keep their shape, as a chain of straight moves: for places, not for times,
+    /// since every bend costs a little. Otherwise such a rapid is planned along its chord, which
+    /// takes as long as its slowest axis does and is the time of the machine.
+    pub dog_leg_shape: bool,
 }
 
 impl Default for MotionOptions {
@@ -25,6 +29,7 @@ impl Default for MotionOptions {
             rapid_override: None,
             path_mode: None,
             corner_tolerance_mm: None,
+            dog_leg_shape: false,
         }
     }
 }

@@ -57,6 +57,7 @@ impl<S: Sink> Interpreter<'_, S> {
             self.report_probe(span, "a probe move before any feed was given");
         }
         self.emit(CommandKind::Line { motion, feed });
+        self.emit(CommandKind::Probed { hit: found });
         self.macros.used = true;
         self.macros.probe.found = found;
         self.macros.skip = end;
