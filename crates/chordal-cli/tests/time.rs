@@ -108,7 +108,7 @@ fn the_text_reads_in_80_columns() {
         assert!(widest <= Some(80), "{text}");
         assert!(!text.contains('\x1b'));
     }
-    inch.says(&["corners within 0.002 in", "acceleration and jerk are typical"]);
+    inch.says(&["smoothness P1 (rough), 0.025 in", "acceleration and jerk are typical"]);
 }
 
 #[test]

@@ -122,6 +122,9 @@ fn alternative(alternative: &Alternative) -> Value {
         Change::Corners(PathMode::Continuous { tolerance_mm }) => {
             json!({"path_mode": "continuous", "tolerance_mm": tolerance_mm})
         }
+        Change::Smoothness { level, tolerance_mm } => {
+            json!({"smoothness": level, "tolerance_mm": tolerance_mm})
+        }
     };
     row["total_s"] = json!(alternative.total_s);
     row

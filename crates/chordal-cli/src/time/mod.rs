@@ -3,7 +3,7 @@ mod text;
 use std::path::PathBuf;
 
 use chordal::motion::{Level, LimitError, MotionOptions};
-use chordal::time::{Alternative, CHANGES, Timed};
+use chordal::time::{Alternative, Timed};
 use chordal::{Job, Watch};
 use chordal_export::{TimeDocument, time_json};
 use clap::ValueEnum;
@@ -115,7 +115,7 @@ fn what_if(
     if timed.time.moves == 0 || !(asked || unasked) {
         return Ok(Vec::new());
     }
-    job.what_if(options, &CHANGES).map_err(|error| wrong_limit(&error))
+    job.what_if(options, &job.changes()).map_err(|error| wrong_limit(&error))
 }
 
 /// A limit nothing can be planned with.

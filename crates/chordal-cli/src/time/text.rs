@@ -248,7 +248,7 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
     for Alternative { change, total_s } in alternatives {
         let difference = total_s - time.total_s();
         let same = difference.abs() < SAME_S;
-        if same && !matches!(change, Change::Corners(_)) {
+        if same && matches!(change, Change::Feed(_) | Change::Rapid(_)) {
             continue;
         }
         let what = match change {
@@ -262,6 +262,10 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
             Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
                 format!("corners within {}", units.length_text(*tolerance))
             }
+            Change::Smoothness { level, tolerance_mm } => {
+                let word = ["rough", "medium", "finish"][usize::from(*level).clamp(1, 3) - 1];
+                format!("smoothness P{level} ({word}), {}", units.length_text(*tolerance_mm))
+            }
         };
         let sign = if difference < 0.0 { "-" } else { "+" };
         let changes =
@@ -269,6 +273,24 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
         table.add_row([what, fine(*total_s), changes]);
     }
     table
+}
+
+/// How far corners may be from the path when the program does not say.
+fn corners(job: &Job, units: ProgramUnits) -> String {
+    match job.control().parameters.path.start_mode() {
+        PathMode::ExactStop => "the program begins in exact stop mode".into(),
+        PathMode::ExactPath => "the program begins in exact path mode".into(),
+        PathMode::Continuous { tolerance_mm: Some(tolerance) } => format!(
+            "corners are passed within {} where the program names no other distance (a setting \
+             of the control)",
+            units.length_text(tolerance)
+        ),
+        PathMode::Continuous { tolerance_mm: None } => format!(
+            "corners are passed within {} where the path mode lets the control round them and \
+             names no tolerance (motion.corner_tolerance)",
+            units.length_text(job.machine().motion.corner_tolerance_mm())
+        ),
+    }
 }
 
 /// Times that differ by less than this, s, are the same: less than is shown.
@@ -288,13 +310,8 @@ fn notes(time: &TimeReport, motion: &MotionReport, report: &Report, job: &Job) -
             ));
         }
     }
-    let tolerance = machine.motion.corner_tolerance_mm();
     let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
-    notes.push(format!(
-        "corners are passed within {} where the path mode lets the control round them and names \
-         no tolerance (motion.corner_tolerance)",
-        units.length_text(tolerance)
-    ));
+    notes.push(corners(job, units));
     for (what, part) in
         [("feed", machine.motion.feed_override()), ("rapid", machine.motion.rapid_override())]
     {

@@ -23,4 +23,4 @@ pub use builder::TimeBuilder;
 pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
 pub use report::{BlockTime, OperationTime, Reason, TimeReport, Times, ToolTime};
 pub use run::Timed;
-pub use what_if::{Alternative, CHANGES, Change};
+pub use what_if::{Alternative, Change};

@@ -14,6 +14,14 @@ pub enum Change {
     Rapid(f64),
     /// The path mode of every cut.
     Corners(PathMode),
+    /// A level of smoothness of the control, which rounds corners within a distance, for every
+    /// cut.
+    Smoothness {
+        /// 1 rough, 2 medium, 3 finish.
+        level: u8,
+        /// The distance, mm.
+        tolerance_mm: f64,
+    },
 }
 
 /// The time that a change would make.
@@ -27,7 +35,7 @@ pub struct Alternative {
 
 /// Changes that are tried: the marks of an override switch, and the tolerances that are
 /// usual for finishing, general work and roughing.
-pub const CHANGES: [Change; 11] = [
+const CHANGES: [Change; 11] = [
     Change::Feed(0.5),
     Change::Feed(0.8),
     Change::Feed(1.0),
@@ -42,6 +50,18 @@ pub const CHANGES: [Change; 11] = [
 ];
 
 impl Job<'_> {
+    /// The changes that make sense on the control: the usual ones, and its levels of
+    /// smoothness where it has any.
+    pub fn changes(&self) -> Vec<Change> {
+        let rules = &self.control().parameters.path;
+        let has_levels = rules.level_parts.iter().any(|part| *part != rules.level_parts[0]);
+        let levels = (1..=3).filter(|_| has_levels).filter_map(|level| {
+            let tolerance_mm = rules.of_level(level)?;
+            Some(Change::Smoothness { level, tolerance_mm })
+        });
+        CHANGES.into_iter().chain(levels).collect()
+    }
+
     /// Plans the program again for each change.
     ///
     /// # Errors
@@ -59,6 +79,10 @@ impl Job<'_> {
                     Change::Feed(part) => changed.feed_override = Some(part),
                     Change::Rapid(part) => changed.rapid_override = Some(part),
                     Change::Corners(mode) => changed.path_mode = Some(mode),
+                    Change::Smoothness { tolerance_mm, .. } => {
+                        let tolerance_mm = Some(tolerance_mm);
+                        changed.path_mode = Some(PathMode::Continuous { tolerance_mm });
+                    }
                 }
                 let total_s = self.time(&changed)?.time.total_s();
                 Ok(Alternative { change: *change, total_s })
