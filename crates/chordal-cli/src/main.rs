@@ -27,6 +27,7 @@ mod options;
 mod output;
 mod path;
 mod run;
+mod sample;
 mod session;
 mod summary;
 mod terminal;
@@ -84,6 +85,7 @@ enum Command {
     Path(path::Args),
     CompRange(comp_range::Args),
     Chords(chords::Args),
+    Sample(sample::Args),
     Calc(Box<calc::Args>),
     Explain(explain::Args),
     Machines(machines::Args),
@@ -101,6 +103,7 @@ impl Command {
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),
             Command::Chords(args) => chords::run(&args, terminal),
+            Command::Sample(args) => sample::run(&args, terminal),
             Command::Calc(args) => calc::run(&args),
             Command::Explain(args) => explain::run(&args),
             Command::Machines(args) => machines::run(&args),

@@ -133,9 +133,9 @@ fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
 
 /// A file under a passing name in the same folder, so that renaming it puts the whole content
 /// in place at once. Dropped unfinished, it is gone.
-type Draft = BufWriter<NamedTempFile>;
+pub type Draft = BufWriter<NamedTempFile>;
 
-fn draft(path: &Path) -> io::Result<Draft> {
+pub fn draft(path: &Path) -> io::Result<Draft> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -148,7 +148,7 @@ fn draft(path: &Path) -> io::Result<Draft> {
     Ok(BufWriter::with_capacity(1 << 16, builder.tempfile_in(folder)?))
 }
 
-fn put(draft: Draft, path: &Path) -> io::Result<()> {
+pub fn put(draft: Draft, path: &Path) -> io::Result<()> {
     let file = draft.into_inner().map_err(io::IntoInnerError::into_error)?;
     file.persist(path)?;
     Ok(())

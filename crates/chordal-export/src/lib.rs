@@ -5,6 +5,8 @@
 //! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`Canon`] |
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
+//! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
+//! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
@@ -27,6 +29,7 @@ mod motion;
 mod number;
 mod plot;
 pub mod report;
+mod samples;
 mod time;
 mod worked;
 
@@ -37,6 +40,7 @@ pub use command_json::CommandJsonLines;
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
-pub use plot::{Plot, PlotError, PlotOptions, figure_png, figure_svg};
+pub use plot::{MotionPlot, Plot, PlotError, PlotOptions, figure_png, figure_svg};
+pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
 pub use time::{TimeDocument, level_word, time_json};
 pub use worked::{worked_json, worked_text};

@@ -179,6 +179,19 @@ impl ParamCurve for Arc {
         self.winding().intrinsic(self.fraction(s)).curvature_derivative
     }
 
+    fn jet_at(&self, s: f64) -> [Vec3; 4] {
+        let t = self.fraction(s);
+        let (point, derivatives) = self.winding().jet(t);
+        // The ends as they were given, like `point_at`.
+        derivatives.behind(if t <= 0.0 {
+            self.start
+        } else if t >= 1.0 {
+            self.end
+        } else {
+            point
+        })
+    }
+
     fn bounds(&self) -> Aabb {
         self.winding().interior_bounds().include(self.start).include(self.end)
     }

@@ -22,6 +22,7 @@
 //! | to | see |
 //! |---|---|
 //! | ask a curve for points, lengths, curvature, boxes, parts | [`ParamCurve`] |
+//! | ask it at many places | [`Tracer`] |
 //! | make a curve of an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
 //! | cut it into chords | [`ParamCurve::chords`], [`Chords`] |
 //! | intersect and offset | [`line_line`], [`line_circle`], [`circle_circle`], [`Line::offset`], [`Arc::offset`] |
@@ -41,6 +42,7 @@ mod offset;
 mod plane;
 mod solve;
 mod spiral;
+mod tracer;
 mod transform;
 mod vec2;
 mod vec3;
@@ -57,6 +59,7 @@ pub use intersect::{Circle2, Line2, LineCrossing, Meeting, circle_circle, line_c
 pub use line::Line;
 pub use plane::{Direction, Plane};
 pub use spiral::Spiral;
+pub use tracer::Tracer;
 pub use transform::Transform;
 pub use vec2::Vec2;
 pub use vec3::Vec3;

@@ -71,6 +71,10 @@ impl ParamCurve for Line {
         Vec3::ZERO
     }
 
+    fn jet_at(&self, s: f64) -> [Vec3; 4] {
+        [self.point_at(s), self.tangent_at(s), Vec3::ZERO, Vec3::ZERO]
+    }
+
     fn bounds(&self) -> Aabb {
         Aabb::of_points(self.start, self.end)
     }

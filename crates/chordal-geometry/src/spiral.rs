@@ -137,6 +137,20 @@ impl ParamCurve for Spiral {
         w.intrinsic(w.fraction_at(s)).curvature_derivative
     }
 
+    fn jet_at(&self, s: f64) -> [Vec3; 4] {
+        let winding = self.winding();
+        let t = winding.fraction_at(s);
+        let (point, derivatives) = winding.jet(t);
+        // The ends as they were given, like `point_at`.
+        derivatives.behind(if t <= 0.0 {
+            self.start
+        } else if t >= 1.0 {
+            self.end
+        } else {
+            point
+        })
+    }
+
     fn bounds(&self) -> Aabb {
         self.winding().interior_bounds().include(self.start).include(self.end)
     }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use chordal_geometry::{Arc, Curve, Line, ParamCurve, Plane, Spiral, Transform, Vec3};
+use chordal_geometry::{Arc, Curve, Line, ParamCurve, Plane, Spiral, Tracer, Transform, Vec3};
 use common::*;
 use proptest::prelude::*;
 
@@ -154,6 +154,17 @@ proptest! {
         close(c.curvature_at(s), numeric, 1e-8 * unit + rounding)?;
         let numeric = (c.curvature_at(s + h) - c.curvature_at(s - h)) / (2.0 * h);
         close(c.curvature_derivative_at(s), numeric, 1e-7 * unit * unit + rounding * unit)?;
+    }
+
+    #[test]
+    fn all_at_once_is_the_same_as_one_by_one(c in curve(), share in -0.1..1.1) {
+        let s = c.length() * share;
+        let [point, tangent, curvature, derivative] = c.jet_at(s);
+        prop_assert_eq!(Tracer::new(&c).jet_at(s), c.jet_at(s));
+        prop_assert_eq!(point, c.point_at(s));
+        prop_assert_eq!(tangent, c.tangent_at(s));
+        prop_assert_eq!(curvature, c.curvature_at(s));
+        prop_assert_eq!(derivative, c.curvature_derivative_at(s));
     }
 
     #[test]

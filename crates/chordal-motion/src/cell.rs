@@ -4,6 +4,7 @@
 use crate::Axes;
 use crate::limits::Limits;
 use crate::profile::{Ability, Effort};
+use crate::root::cbrt;
 
 /// What keeps a piece from being travelled faster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +76,18 @@ pub struct Bounds {
     pub rate: f64,
 }
 
+impl Bounds {
+    /// Bounds over both.
+    pub fn widen(&mut self, other: &Bounds) {
+        for (rows, more) in self.even.iter_mut().zip(&other.even) {
+            for (value, more) in rows.iter_mut().zip(more) {
+                *value = value.max(*more);
+            }
+        }
+        self.rate = self.rate.max(other.rate);
+    }
+}
+
 /// Share of the acceleration that holding the speed may take; the rest is for changing it.
 pub const ACCELERATION_SHARE: f64 = 0.96;
 /// The same of the jerk.
@@ -89,11 +102,6 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     let mut speed = feed / bounds.rate.max(f64::MIN_POSITIVE);
     let mut cause = Cause::Feed;
     let [x1, x2, x3] = &bounds.even;
-    let mut take = |limit: f64, by: Cause| {
-        if limit < speed {
-            (speed, cause) = (limit, by);
-        }
-    };
     let turn = |axis: usize| match &bounds.turning {
         Some(turning) if axis < 3 => turning.share[axis],
         _ => 0.0,
@@ -107,9 +115,15 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
         by_square = by_square.max((x2[axis] + c * k) / limits.acceleration[axis]);
         by_cube = by_cube.max((x3[axis] + c * (k * k + twist)) / limits.jerk[axis]);
     }
-    take(1.0 / by_speed, Cause::AxisSpeed);
-    take((ACCELERATION_SHARE / by_square).sqrt(), Cause::Acceleration);
-    take(libm::cbrt(JERK_SHARE / by_cube), Cause::Jerk);
+    if by_speed * speed > 1.0 {
+        (speed, cause) = (1.0 / by_speed, Cause::AxisSpeed);
+    }
+    if by_square * speed * speed > ACCELERATION_SHARE {
+        (speed, cause) = ((ACCELERATION_SHARE / by_square).sqrt(), Cause::Acceleration);
+    }
+    if by_cube * speed * speed * speed > JERK_SHARE {
+        (speed, cause) = (cbrt(JERK_SHARE / by_cube), Cause::Jerk);
+    }
 
     let high = effort_at(speed, bounds, limits);
     let ability = if matches!(cause, Cause::Acceleration | Cause::Jerk) {

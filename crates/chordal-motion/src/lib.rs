@@ -23,6 +23,7 @@ mod limits;
 mod piece;
 mod planner;
 mod profile;
+mod root;
 mod sampler;
 mod segment;
 mod smooth;

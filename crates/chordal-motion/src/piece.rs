@@ -1,4 +1,4 @@
-use chordal_geometry::{Curve, ParamCurve};
+use chordal_geometry::{Curve, ParamCurve, Tracer};
 
 use crate::Axes;
 
@@ -46,5 +46,30 @@ impl Piece {
             }
         }
         jet
+    }
+}
+
+/// What is worth knowing of a piece before it is asked at many places.
+#[derive(Clone, Copy, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for a cursor, which allocates nothing")]
+pub(crate) enum Shape {
+    /// Every axis moves evenly with σ.
+    Even,
+    /// Likewise, above a curve from a place on.
+    Over { base: Tracer, from: f64 },
+    /// Anything else.
+    Bent,
+}
+
+impl Shape {
+    /// The shape of a piece.
+    pub fn of(piece: &Piece) -> Shape {
+        if piece.start[2..].iter().flatten().any(|value| *value != 0.0) {
+            return Shape::Bent;
+        }
+        match &piece.base {
+            Some((curve, from)) => Shape::Over { base: Tracer::new(curve), from: *from },
+            None => Shape::Even,
+        }
     }
 }

@@ -3,6 +3,7 @@ use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Solver, phases};
+use crate::root::cbrt;
 use crate::segment::{Move, MoveError};
 use crate::smooth::{Overlap, Passing, Row, Smoother, overlap_time};
 use crate::trajectory::{Phase, Step, Stretch};
@@ -85,20 +86,22 @@ impl Planner {
             return Ok(());
         }
         self.position = Some(motion.to());
-        let passing = self.smoother.passing(motion, &start, &self.arrays);
+        let mut leg = self.smoother.leg(motion, &start, &self.arrays);
+        let passing = self.smoother.passing(&leg, &self.arrays);
         if let Some(Passing::Rest(overlap)) = passing {
             if let Some(overlap) = &overlap {
                 self.smoother.end_with(overlap);
             }
             self.end_run(&mut take);
-            self.smoother.push(motion, &start, None, &self.arrays);
+            leg.begin_run();
+            self.smoother.push(leg, motion.corner, None);
             if let Some(overlap) = &overlap {
                 self.smoother.begin_with(overlap);
             }
             self.overlap = overlap;
             return Ok(());
         }
-        self.smoother.push(motion, &start, passing, &self.arrays);
+        self.smoother.push(leg, motion.corner, passing);
         self.smoother.drain(false, &self.arrays, &mut self.row);
         if self.row.cells.len() >= self.patience {
             self.hand_on(&mut take);
@@ -209,7 +212,7 @@ impl End {
 /// straight line, so that what was computed for the corner holds.
 fn overlap_of(overlap: &Overlap, last: &End, first: &End) -> f64 {
     let time = overlap_time(overlap.reach, last.jerk, first.jerk);
-    [last, first].into_iter().fold(time, |time, end| {
-        time.min(end.duration_s).min(libm::cbrt(6.0 * end.straight / end.jerk))
-    })
+    [last, first]
+        .into_iter()
+        .fold(time, |time, end| time.min(end.duration_s).min(cbrt(6.0 * end.straight / end.jerk)))
 }

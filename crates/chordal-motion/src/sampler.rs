@@ -1,5 +1,5 @@
 use crate::Axes;
-use crate::trajectory::{Cursor, State, Step, Stretch};
+use crate::trajectory::{Cursor, Step, Stretch};
 
 /// A setpoint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,25 +37,51 @@ pub struct Sampler {
     period_s: f64,
     /// Number of the next setpoint.
     index: u64,
-    /// Where the step after the held stretch begins, s; without its overlap.
+    /// No setpoint of this number or above is made.
+    most: u64,
+    /// When what was pushed so far is over, s.
     now_s: f64,
-    /// The newest stretch and when it began: its tail may overlap the next.
-    held: Option<(Stretch, f64)>,
+    /// The newest stretch, which the next may overlap; its memory is used again and again.
+    held: Stretch,
+    /// When the held stretch began, s; `None` at rest.
+    held_s: Option<f64>,
     cursor: Cursor,
-    rest: State,
+    /// The setpoint that is made.
+    sample: Sample,
 }
 
+/// Where the multiple of a period counts as an instant, in periods: a sum of times is only so
+/// exact.
+const SAME: f64 = 1e-9;
+
 impl Sampler {
-    /// A sampler with a period in s, which must be above zero.
+    /// A sampler with a period in s.
+    ///
+    /// # Panics
+    /// When the period is not a positive finite number.
     pub fn new(period_s: f64) -> Sampler {
+        assert!(period_s > 0.0 && period_s.is_finite(), "a period of {period_s} s");
         Sampler {
             period_s,
             index: 0,
+            most: u64::MAX,
             now_s: 0.0,
-            held: None,
+            held: Stretch::default(),
+            held_s: None,
             cursor: Cursor::default(),
-            rest: State::default(),
+            sample: Sample::default(),
         }
+    }
+
+    /// Makes no more than so many setpoints: what a program waits for may be for ever.
+    pub fn at_most(mut self, most: u64) -> Sampler {
+        self.most = most;
+        self
+    }
+
+    /// Whether there would have been more setpoints than it may make.
+    pub fn is_exhausted(&self) -> bool {
+        self.index >= self.most && self.next_s() < self.now_s
     }
 
     /// When what was pushed so far is over, s.
@@ -68,84 +94,108 @@ impl Sampler {
         match step {
             Step::Stretch(stretch) if stretch.phases.is_empty() => {}
             Step::Stretch(stretch) => {
-                let begins_s = (self.now_s - stretch.overlap_s).max(0.0);
+                // Nothing overlaps a rest, nor what came before the stretch before.
+                let begins_s =
+                    self.held_s.map_or(self.now_s, |s| s.max(self.now_s - stretch.overlap_s));
                 self.held_until(begins_s, &mut take);
                 let mut cursor = Cursor::default();
-                self.both_until(stretch, &mut cursor, begins_s, &mut take);
-                self.now_s = begins_s + stretch.duration_s();
-                self.held = Some((stretch.clone(), begins_s));
+                self.both_until_end(stretch, &mut cursor, begins_s, &mut take);
+                self.now_s = self.now_s.max(begins_s + stretch.duration_s());
+                self.held.clone_from(stretch);
+                self.held_s = Some(begins_s);
                 self.cursor = cursor;
             }
             Step::Wait { seconds, tag } => {
                 self.held_until(self.now_s, &mut take);
                 self.settle();
                 self.now_s += seconds.max(0.0);
-                self.rest.tag = tag;
-                while self.next_s() < self.now_s {
-                    let state = self.rest;
-                    self.emit(&state, &mut take);
-                }
+                self.sample.tag = tag;
+                self.rest_until(self.now_s, &mut take);
             }
         }
     }
 
     /// Hands on what is left, the end included.
     pub fn finish(mut self, mut take: impl FnMut(&Sample)) {
-        self.held_until(self.now_s, &mut take);
+        let end_s = self.now_s - SAME * self.period_s;
+        self.held_until(end_s, &mut take);
         self.settle();
-        let state = self.rest;
-        self.emit(&state, &mut take);
+        if self.index < self.most {
+            self.emit(&mut take);
+        }
     }
 
+    #[inline(always)]
     fn next_s(&self) -> f64 {
         self.index as f64 * self.period_s
     }
 
-    fn emit(&mut self, state: &State, take: &mut impl FnMut(&Sample)) {
-        let State { position, velocity, acceleration, jerk, tag } = *state;
-        let time_s = self.next_s();
-        take(&Sample { time_s, position, velocity, acceleration, jerk, tag });
+    /// Whether a setpoint is due before an instant.
+    #[inline(always)]
+    fn is_due(&self, until_s: f64) -> bool {
+        self.next_s() < until_s && self.index < self.most
+    }
+
+    #[inline(always)]
+    fn emit(&mut self, take: &mut impl FnMut(&Sample)) {
+        self.sample.time_s = self.next_s();
+        take(&self.sample);
         self.index += 1;
     }
 
     /// Setpoints of the held stretch alone, before an instant.
     fn held_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
-        let Some((stretch, begins_s)) = self.held.take() else { return };
-        while self.next_s() < until_s {
-            let state = self.cursor.at(&stretch, self.next_s() - begins_s);
-            self.emit(&state, take);
+        let Some(held_s) = self.held_s else { return };
+        while self.is_due(until_s) {
+            let t = self.next_s() - held_s;
+            self.cursor.fill(&self.held, t, &mut self.sample);
+            self.emit(take);
         }
-        self.held = Some((stretch, begins_s));
+    }
+
+    /// Setpoints at rest, before an instant.
+    fn rest_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
+        while self.is_due(until_s) {
+            self.emit(take);
+        }
     }
 
     /// Setpoints while the held stretch ends and the next has begun.
-    fn both_until(
+    fn both_until_end(
         &mut self,
         next: &Stretch,
         cursor: &mut Cursor,
         begins_s: f64,
         take: &mut impl FnMut(&Sample),
     ) {
-        let Some((stretch, held_s)) = self.held.take() else { return };
+        let Some(held_s) = self.held_s else { return };
         let corner = next.from();
-        while self.next_s() < self.now_s {
-            let mut state = self.cursor.at(&stretch, self.next_s() - held_s);
-            let after = cursor.at(next, self.next_s() - begins_s);
-            for axis in 0..6 {
-                state.position[axis] += after.position[axis] - corner[axis];
-                state.velocity[axis] += after.velocity[axis];
-                state.acceleration[axis] += after.acceleration[axis];
-                state.jerk[axis] += after.jerk[axis];
+        while self.is_due(self.now_s) {
+            let t = self.next_s();
+            self.cursor.fill(&self.held, t - held_s, &mut self.sample);
+            let mut after = cursor.at(next, t - begins_s);
+            for (place, corner) in after.position.iter_mut().zip(&corner) {
+                *place -= corner;
             }
-            self.emit(&state, take);
+            add(&mut self.sample.position, &after.position);
+            add(&mut self.sample.velocity, &after.velocity);
+            add(&mut self.sample.acceleration, &after.acceleration);
+            add(&mut self.sample.jerk, &after.jerk);
+            self.emit(take);
         }
     }
 
     /// The held stretch is over: the axes stand at its end.
     fn settle(&mut self) {
-        if let Some((stretch, _)) = self.held.take() {
-            let tag = stretch.pieces.last().map_or(0, |piece| piece.tag);
-            self.rest = State { position: stretch.to(), tag, ..State::default() };
+        if self.held_s.take().is_some() {
+            let tag = self.held.pieces.last().map_or(0, |piece| piece.tag);
+            self.sample = Sample { position: self.held.to(), tag, ..Sample::default() };
         }
+    }
+}
+
+fn add(sum: &mut Axes, part: &Axes) {
+    for (sum, part) in sum.iter_mut().zip(part) {
+        *sum += part;
     }
 }

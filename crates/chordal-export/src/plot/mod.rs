@@ -4,6 +4,7 @@ mod figure;
 mod figure_labels;
 mod frame;
 mod layout;
+mod motion;
 mod palette;
 mod pen;
 mod sheet;
@@ -19,6 +20,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
 pub use figure::{figure_png, figure_svg};
+pub use motion::MotionPlot;
 use store::Store;
 
 /// What stands on the sheet beside the path, and how large it is.

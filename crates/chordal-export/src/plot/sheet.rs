@@ -388,12 +388,12 @@ fn sign(out: &mut String, sign: Sign, (x, y): (f64, f64), unit: f64, colors: &Pa
 }
 
 /// About how wide a text is: its font is not known to every viewer.
-fn text_width(text: &str, size: f64) -> f64 {
+pub(super) fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * size * 0.53
 }
 
 /// The text as far as it fits.
-fn shorten(text: &str, size: f64, room: f64) -> String {
+pub(super) fn shorten(text: &str, size: f64, room: f64) -> String {
     let most = (room / (size * 0.53)).max(8.0) as usize;
     if text.chars().count() <= most {
         return text.into();

@@ -256,7 +256,7 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
     let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
     let length = to.at - from.at;
     let top = peak(from.speed, to.speed, length, fastest, &ability)?;
-    let mut worst: Option<(f64, usize)> = None;
+    let mut worst: Option<(f64, f64, usize)> = None;
     let mut begin = 0.0;
     for (index, cell) in cells.iter().enumerate() {
         let end = begin + cell.length;
@@ -265,19 +265,23 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
             let rises = ability.way_until(from.speed, top, cell.speed);
             let falls = length - ability.way_until(to.speed, top, cell.speed);
             let slack = 1e-12 * length;
-            let lower = worst.is_none_or(|(speed, _)| cell.speed < speed);
+            // Of like ones the outermost, so that the way back is planned alike.
+            let out = (begin + end - length).abs();
+            let lower = worst.is_none_or(|(speed, far, _)| {
+                cell.speed < speed || (cell.speed == speed && out > far)
+            });
             let inside = end > rises + slack && begin < falls - slack;
             if inside && lower {
                 // On the way up the limit ends with the cell, on the way down it begins with it.
                 let up = begin + end < rises + falls;
                 let cut =
                     if (up && index + 1 < cells.len()) || index == 0 { index + 1 } else { index };
-                worst = Some((cell.speed, cut));
+                worst = Some((cell.speed, out, cut));
             }
         }
         begin = end;
     }
-    worst.map(|(_, cut)| cut)
+    worst.map(|(_, _, cut)| cut)
 }
 
 /// The phases from one station to the next, with σ counted from the start of the cells.

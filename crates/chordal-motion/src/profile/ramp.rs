@@ -1,5 +1,6 @@
 //! Changes of speed along a path, from and to even speed, under a largest acceleration and jerk.
 
+use crate::root::cbrt;
 use crate::trajectory::Phase;
 
 /// What holds along a piece of path: σ per s², σ per s³.
@@ -78,7 +79,7 @@ impl Effort {
         // Without a stage of even acceleration: q³ + 2·from·q = length·√jerk with q = √rise.
         if self.way(from, from + most) >= length {
             let c = length * j.sqrt();
-            let mut q = libm::cbrt(c);
+            let mut q = cbrt(c);
             if from > 0.0 {
                 q = q.min(c / (2.0 * from));
             }

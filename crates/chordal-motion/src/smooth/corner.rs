@@ -3,6 +3,7 @@
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE};
 use crate::profile::Effort;
+use crate::root::cbrt;
 use crate::segment::Corner;
 use crate::smooth::bump::{BEND_DEVIATION, KINK_DEVIATION, SLOPE};
 
@@ -82,10 +83,10 @@ impl Step {
             let j = JERK_SHARE * limits.jerk[axis];
             if kink > 0.0 {
                 let by_square = (a * kink_half / kink).sqrt();
-                speed = speed.min(by_square).min(libm::cbrt(j * kink_half * kink_half / kink));
+                speed = speed.min(by_square).min(cbrt(j * kink_half * kink_half / kink));
             }
             if bend > 0.0 {
-                speed = speed.min(libm::cbrt(j * bend_half / (SLOPE * bend)));
+                speed = speed.min(cbrt(j * bend_half / (SLOPE * bend)));
             }
         }
         speed
@@ -112,12 +113,11 @@ impl Step {
 
     /// Whether passing at rest would be quicker than within corrections of these half widths.
     pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> bool {
-        self.ease_loss(kink_half, bend_half, limits) > self.loss(0.0, 0.0)
-    }
-
-    fn ease_loss(&self, kink_half: f64, bend_half: f64, limits: &AxisArrays) -> f64 {
         let speed = self.speed_within(kink_half, bend_half, limits);
-        self.loss(speed, 2.0 * kink_half.max(bend_half))
+        if speed >= self.sides[0].0.max(self.sides[1].0) {
+            return false;
+        }
+        self.loss(speed, 2.0 * kink_half.max(bend_half)) > self.loss(0.0, 0.0)
     }
 }
 
@@ -198,7 +198,11 @@ pub fn passing(
     let bend_half = (half.sqrt() * bend_half(&step)).min(step.bend_need);
     let kink_half = if kinked { kink_half } else { 0.0 };
     let bend_half = if bent { bend_half } else { 0.0 };
-    let ease = step.ease_loss(kink_half, bend_half, limits);
+    let eased = step.speed_within(kink_half, bend_half, limits);
+    if eased >= speed {
+        return Passing::Ease(step);
+    }
+    let ease = step.loss(eased, 2.0 * kink_half.max(bend_half));
     let mut rest = step.loss(0.0, 0.0);
     let mut wish = None;
     if overlaps && before.straight && after.straight {
@@ -218,7 +222,7 @@ pub fn passing(
 
 /// How long two ends with these jerks overlap, so that both are `reach` from the corner at once.
 pub fn overlap_time(reach: f64, before: f64, after: f64) -> f64 {
-    libm::cbrt(6.0 * reach / before) + libm::cbrt(6.0 * reach / after)
+    cbrt(6.0 * reach / before) + cbrt(6.0 * reach / after)
 }
 
 fn overlap(

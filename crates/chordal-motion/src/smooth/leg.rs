@@ -1,3 +1,4 @@
+use crate::root::cbrt;
 use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
@@ -66,15 +67,18 @@ impl Leg {
             anchor[..3].fill(0.0);
         }
         let side = |sigma: f64| {
-            let mut side =
-                Side { direction, bend: [0.0; 6], speed: 0.0, straight: curve.is_none() };
+            let mut side = Side { direction, bend: [0.0; 6], speed: motion.speed, straight: true };
             if let Some(curve) = &curve {
+                side.straight = false;
                 side.direction[..3].copy_from_slice(&curve.tangent_at(sigma).to_array());
                 side.bend[..3].copy_from_slice(&curve.curvature_at(sigma).to_array());
+                side.speed = holdable_bent(&side, limits).min(side.speed);
             }
-            side.speed = holdable(&side, motion.speed, limits);
+            side.speed = holdable(&side.direction, limits).min(side.speed);
             side
         };
+        let head = side(0.0);
+        let tail = if curve.is_some() { side(length) } else { head };
         Leg {
             from,
             length,
@@ -82,8 +86,8 @@ impl Leg {
             feed: motion.speed,
             part: Part { from, length, start: anchor, direction, tag: motion.tag },
             more: 0,
-            head: side(0.0),
-            tail: side(length),
+            head,
+            tail,
             nodes: (usize::MAX, 0),
             begins_at_rest: false,
             jerk_share: [1.0; 2],
@@ -95,20 +99,40 @@ impl Leg {
         self.curve.is_none() && next.curve.is_none() && self.feed == next.feed
     }
 
+    /// Makes it the first of a run.
+    pub fn begin_run(&mut self) {
+        (self.from, self.part.from) = (0.0, 0.0);
+    }
+
+    /// It is so short that one limit may hold all along, which is little time lost.
+    pub fn is_brief(&self) -> bool {
+        const BRIEF_S: f64 = 0.004;
+        self.curve.is_none()
+            && self.jerk_share == [1.0; 2]
+            && self.length <= BRIEF_S * self.head.speed
+    }
+
     /// Where it ends, σ of the run.
     pub fn end(&self) -> f64 {
         self.from + self.length
     }
 }
 
-/// The speed asked for, as far as the axes can hold it.
-fn holdable(side: &Side, feed: f64, limits: &AxisArrays) -> f64 {
+/// The speed that the axes can hold along a direction.
+fn holdable(direction: &Axes, limits: &AxisArrays) -> f64 {
+    let share = (0..6)
+        .fold(0.0_f64, |share, axis| share.max(direction[axis].abs() / limits.velocity[axis]));
+    1.0 / share
+}
+
+/// The speed that the axes can hold around a bend.
+fn holdable_bent(side: &Side, limits: &AxisArrays) -> f64 {
     let k = side.bend.iter().map(|bend| bend * bend).sum::<f64>().sqrt();
-    (0..6).fold(feed, |speed, axis| {
+    (0..6).fold(f64::INFINITY, |speed, axis| {
         let (direction, bend) = (side.direction[axis].abs(), side.bend[axis].abs());
         let by_square = ACCELERATION_SHARE * limits.acceleration[axis] / bend;
         let by_cube = JERK_SHARE * limits.jerk[axis] / (k * k * direction);
-        speed.min(limits.velocity[axis] / direction).min(by_square.sqrt()).min(libm::cbrt(by_cube))
+        speed.min(by_square.sqrt()).min(cbrt(by_cube))
     })
 }
 

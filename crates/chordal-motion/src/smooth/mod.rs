@@ -7,6 +7,7 @@ mod leg;
 mod pieces;
 
 pub use corner::{Overlap, Passing, overlap_time};
+pub use leg::Leg;
 
 use std::collections::VecDeque;
 
@@ -16,11 +17,14 @@ use crate::piece::Piece;
 use crate::segment::{Corner, Move};
 use bump::{BEND_DEVIATION, KINK_DEVIATION};
 use corner::Step;
-use leg::{Leg, Part};
+use leg::Part;
 
 /// No correction is wider than this, mm or rad to either side: what comes later than twice as
 /// far cannot change the path any more.
 const WIDEST: f64 = 10.0;
+
+/// No more than this is left straight at an overlapped corner, mm or rad.
+const CLEAREST: f64 = 1.0;
 
 /// Steps of the search for the half width of a correction among others.
 const HALVINGS: usize = 4;
@@ -71,7 +75,7 @@ pub struct Smoother {
     /// overlap there.
     clear: [f64; 2],
     corner: Option<Corner>,
-    breaks: Vec<f64>,
+    breaks: Vec<pieces::Break>,
 }
 
 /// A piece of path and what holds on it, as they are made.
@@ -89,11 +93,15 @@ impl Smoother {
         self.corner.is_none()
     }
 
+    /// A leg that goes on from the last move.
+    pub fn leg(&self, motion: &Move, start: &Axes, limits: &AxisArrays) -> Leg {
+        Leg::new(motion, start, self.length, limits)
+    }
+
     /// How the joint of the last move and the next is passed; `None` at the start of a run.
-    pub fn passing(&self, motion: &Move, start: &Axes, limits: &AxisArrays) -> Option<Passing> {
+    pub fn passing(&self, next: &Leg, limits: &AxisArrays) -> Option<Passing> {
         let (last, corner) = (self.legs.back()?, self.corner?);
-        let next = Leg::new(motion, start, self.length, limits);
-        let size = start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
+        let size = next.part.start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
         let shortest = self.last_part().map_or(last.length, |part| part.length).min(next.length);
         let noise = 1e-11 + 4e-15 * size / shortest;
         Some(corner::passing(&last.tail, &next.head, corner, noise, limits))
@@ -104,17 +112,11 @@ impl Smoother {
         if last.more > 0 { self.parts.back() } else { Some(&last.part) }
     }
 
-    /// Adds a move that goes on from the last one, which it meets as `passing` says.
-    pub fn push(
-        &mut self,
-        motion: &Move,
-        start: &Axes,
-        passing: Option<Passing>,
-        limits: &AxisArrays,
-    ) {
-        let leg = Leg::new(motion, start, self.length, limits);
+    /// Adds a leg that goes on from the last one, which it meets as `passing` says; `corner`
+    /// is how its end is passed.
+    pub fn push(&mut self, leg: Leg, corner: Corner, passing: Option<Passing>) {
         self.length += leg.length;
-        self.corner = Some(motion.corner);
+        self.corner = Some(corner);
         match (passing, self.legs.back_mut()) {
             (Some(Passing::Smooth), Some(last)) if last.goes_on_with(&leg) => {
                 last.length += leg.length;
@@ -135,7 +137,7 @@ impl Smoother {
 
     /// The run begins at a corner where the movements overlap.
     pub fn begin_with(&mut self, overlap: &Overlap) {
-        self.clear[0] = overlap.clear();
+        self.clear[0] = overlap.clear().min(CLEAREST);
         if let Some(leg) = self.legs.front_mut() {
             leg.jerk_share[0] = overlap.jerk_share;
         }
@@ -143,7 +145,7 @@ impl Smoother {
 
     /// The run ends at a corner where the movements overlap.
     pub fn end_with(&mut self, overlap: &Overlap) {
-        self.clear[1] = overlap.clear();
+        self.clear[1] = overlap.clear().min(CLEAREST);
         if let Some(leg) = self.legs.back_mut() {
             leg.jerk_share[1] = overlap.jerk_share;
         }
@@ -178,7 +180,7 @@ impl Smoother {
     fn settle(&mut self, ends: bool, limits: &AxisArrays) {
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
             let need = node.need();
-            if !ends && self.length - node.at <= 2.0 * need {
+            if !ends && self.length - node.at <= 2.0 * need + CLEAREST {
                 break;
             }
             // No correction reaches over the ends of the run, where the axes stand still.

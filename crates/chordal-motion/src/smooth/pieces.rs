@@ -3,20 +3,33 @@
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
 use crate::piece::{Jet, Piece};
-use crate::smooth::bump::{Bump, TURN, bend, kink};
+use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
 use crate::smooth::leg::{Leg, Part, cuts, turning};
 use crate::smooth::{Node, Row};
 
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
 
+/// Places of a leg nearer to each other than this share of its length are one.
+const ROUNDING: f64 = 1e-12;
+
+/// Where corrections change their polynomial.
+#[derive(Clone, Copy, Debug)]
+pub struct Break {
+    at: f64,
+    /// Changes of the third derivative of the axes.
+    change: Axes,
+    /// How many corrections begin, less those that end.
+    begins: i32,
+}
+
 /// Adds a leg's pieces and cells to a row.
 pub fn make<'a>(
     leg: &'a Leg,
     more: impl Iterator<Item = &'a Part>,
-    nodes: impl Iterator<Item = &'a Node> + Clone,
+    nodes: impl Iterator<Item = &'a Node>,
     limits: &AxisArrays,
-    breaks: &mut Vec<f64>,
+    breaks: &mut Vec<Break>,
     row: &mut Row,
 ) {
     if leg.begins_at_rest
@@ -24,100 +37,176 @@ pub fn make<'a>(
     {
         last.ends_at_rest = true;
     }
-    find_breaks(leg, nodes.clone(), breaks);
+    breaks.clear();
+    let (mut correction, mut active) = corrections(leg, nodes, breaks);
+    cut(leg, breaks);
     let mut parts = std::iter::once(&leg.part).chain(more).peekable();
     let mut from = leg.from;
+    let (brief, mut whole) = (leg.is_brief(), None);
     for index in 0..=breaks.len() {
-        let to = breaks.get(index).copied().unwrap_or(leg.end());
-        if to <= from {
-            continue;
+        let to = breaks.get(index).map_or(leg.end(), |next| next.at);
+        // Breaks that miss each other by rounding are one.
+        let apart = to - from > ROUNDING * leg.length || index == breaks.len();
+        if apart {
+            let bounds = bounds(leg, &correction, from, to - from);
+            let count = add_pieces(leg, &mut parts, &correction, from, to, row);
+            if brief {
+                let (all, pieces) = whole.get_or_insert((bounds, 0));
+                all.widen(&bounds);
+                *pieces += count;
+            } else {
+                add_cell(leg, &bounds, from, to, count, limits, row);
+            }
+            correction = ahead(&correction, to - from);
+            from = to;
         }
+        let Some(next) = breaks.get(index) else { break };
+        active += next.begins;
+        for (third, change) in correction[3].iter_mut().zip(next.change) {
+            *third += change;
+        }
+        if active == 0 {
+            // What is left is rounding.
+            correction = [[0.0; 6]; 4];
+        }
+    }
+    if let Some((bounds, count)) = whole {
+        add_cell(leg, &bounds, leg.from, leg.end(), count, limits, row);
+    }
+}
+
+/// Adds the pieces between two places, which follow the moves as programmed. Says how many.
+fn add_pieces<'a>(
+    leg: &Leg,
+    parts: &mut std::iter::Peekable<impl Iterator<Item = &'a Part>>,
+    correction: &Jet,
+    from: f64,
+    to: f64,
+    row: &mut Row,
+) -> u32 {
+    let (mut count, mut at) = (0, from);
+    while at < to {
+        let Some(part) = parts.peek() else { break };
+        let end = part.from + part.length;
+        let last = ends_with(leg, end);
+        let until = if last { to } else { end.min(to) };
+        if until > at {
+            let jet = if at > from { ahead(correction, at - from) } else { *correction };
+            row.pieces.push_back(piece(leg, part, jet, at, until - at));
+            count += 1;
+        }
+        at = until;
+        if !last && end <= to {
+            parts.next();
+        }
+    }
+    count
+}
+
+fn add_cell(
+    leg: &Leg,
+    bounds: &Bounds,
+    from: f64,
+    to: f64,
+    pieces: u32,
+    limits: &AxisArrays,
+    row: &mut Row,
+) {
+    let mut cell = cell(to - from, bounds, leg.feed, limits);
+    if leg.jerk_share != [1.0; 2] {
         let middle = 0.5 * (from + to);
-        let correction = corrections(nodes.clone(), from, middle);
-        let mut count = 0;
-        let mut at = from;
-        // The pieces follow the moves as programmed, the cell does not care about them.
-        while at < to {
-            let Some(part) = parts.peek() else { break };
-            let end = part.from + part.length;
-            let last = parts_end(leg, end);
-            let until = if last { to } else { end.min(to) };
-            if until > at {
-                let jet =
-                    if at == from { correction } else { corrections(nodes.clone(), at, middle) };
-                row.pieces.push_back(piece(leg, part, jet, at, until - at));
-                count += 1;
-            }
-            at = until;
-            if !last && end <= to {
-                parts.next();
-            } else if until >= to {
-                break;
-            }
-        }
-        let mut cell =
-            cell(to - from, &bounds(leg, &correction, from, to - from), leg.feed, limits);
         let share = leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];
         cell.ability.low.jerk *= share;
         cell.ability.high.jerk *= share;
-        cell.pieces = count;
-        add(cell, &mut row.cells);
-        from = to;
     }
+    cell.pieces = pieces;
+    add(cell, &mut row.cells);
 }
 
-/// The part ends with its leg.
-fn parts_end(leg: &Leg, end: f64) -> bool {
+/// A part that ends here ends with its leg.
+fn ends_with(leg: &Leg, end: f64) -> bool {
     end >= leg.end() * (1.0 - 1e-15) - 1e-15
 }
 
-fn find_breaks<'a>(leg: &Leg, nodes: impl Iterator<Item = &'a Node>, breaks: &mut Vec<f64>) {
-    breaks.clear();
-    let (from, to) = (leg.from, leg.end());
-    let mut take = |at: f64| {
-        if at > from && at < to {
-            breaks.push(at);
-        }
-    };
-    for node in nodes {
-        for half in [node.kink_half, node.bend_half, TURN * node.bend_half] {
-            if half > 0.0 {
-                take(node.at - half);
-                take(node.at + half);
-            }
-        }
-    }
+/// Breaks of the leg's own: where its curvature or what it may use of the jerk changes.
+fn cut(leg: &Leg, breaks: &mut Vec<Break>) {
+    let mut take = |at: f64| breaks.push(Break { at, change: [0.0; 6], begins: 0 });
     if let Some(curve) = &leg.curve {
         let count = cuts(curve);
-        (1..count).for_each(|cut| take(from + leg.length * cut as f64 / count as f64));
+        (1..count).for_each(|cut| take(leg.from + leg.length * cut as f64 / count as f64));
     }
     if leg.jerk_share != [1.0; 2] {
-        take(from + leg.length / 2.0);
+        take(leg.from + leg.length / 2.0);
     }
-    breaks.sort_unstable_by(f64::total_cmp);
+    breaks.sort_unstable_by(|a, b| a.at.total_cmp(&b.at));
 }
 
-/// The sum of the corrections at a place and their derivatives there, as they are from there to
-/// beyond `middle`.
-fn corrections<'a>(nodes: impl Iterator<Item = &'a Node>, at: f64, middle: f64) -> Jet {
+/// The sum of the corrections at the start of a leg, how many there are, and the places in the
+/// leg at which they change.
+fn corrections<'a>(
+    leg: &Leg,
+    nodes: impl Iterator<Item = &'a Node>,
+    breaks: &mut Vec<Break>,
+) -> (Jet, i32) {
+    // Breaks that miss an end of the leg by rounding are at the end.
+    let rounding = ROUNDING * leg.length;
+    let (from, to) = (leg.from + rounding, leg.end() - rounding);
     let mut jet = [[0.0; 6]; 4];
-    let mut add = |step: &Axes, bump: Bump| {
-        for (row, factor) in jet.iter_mut().zip(bump) {
-            for (value, step) in row.iter_mut().zip(step) {
-                *value += step * factor;
-            }
-        }
-    };
+    let mut active = 0;
     for node in nodes {
-        let (w, side) = (at - node.at, middle - node.at);
-        if side.abs() < node.kink_half {
-            add(&node.step.kink, kink(w, side, node.kink_half));
-        }
-        if side.abs() < node.bend_half {
-            add(&node.step.bend, bend(w, side, node.bend_half));
-        }
+        let w = leg.from - node.at;
+        // A node is at one end of a leg or outside: it lies before the leg or after it.
+        let side = 0.5 * (from + to) - node.at;
+        let mut take =
+            |step: &Axes, h: f64, bump: fn(f64, f64, f64) -> Bump, turns: &[(f64, f64)]| {
+                if h <= 0.0 || node.at + h <= from {
+                    return;
+                }
+                // The breaks below are asked in the same words, so that none is lost by rounding.
+                let passed = |place: f64| node.at + place * h <= from;
+                if passed(-1.0) {
+                    active += 1;
+                    let inside = match (passed(-TURN), passed(TURN)) {
+                        (false, _) => -0.5 * (1.0 + TURN),
+                        (_, true) => 0.5 * (1.0 + TURN),
+                        _ => 0.5 * TURN.copysign(side),
+                    };
+                    for (row, factor) in jet.iter_mut().zip(bump(w, inside * h, h)) {
+                        for (value, step) in row.iter_mut().zip(step) {
+                            *value += step * factor;
+                        }
+                    }
+                }
+                for (place, jump) in turns {
+                    let at = node.at + place * h;
+                    if at > from && at < to {
+                        let change = step.map(|step| step * jump);
+                        let begins = if *place == -1.0 { 1 } else { -i32::from(*place == 1.0) };
+                        breaks.push(Break { at, change, begins });
+                    }
+                }
+            };
+        let h = node.kink_half;
+        let k = 1.0 / (h * h);
+        take(&node.step.kink, h, kink, &[(-1.0, k), (1.0, k)]);
+        let h = node.bend_half;
+        let m = SLOPE / h;
+        take(&node.step.bend, h, bend, &[(-1.0, -m), (-TURN, 2.0 * m), (TURN, -2.0 * m), (1.0, m)]);
     }
-    jet
+    (jet, active)
+}
+
+/// A jet of polynomials of the third degree, further on.
+fn ahead(jet: &Jet, way: f64) -> Jet {
+    let [x, d1, d2, d3] = jet;
+    let mut next = *jet;
+    for axis in 0..6 {
+        next[0][axis] =
+            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] / 6.0)));
+        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
+        next[2][axis] = d2[axis] + way * d3[axis];
+    }
+    next
 }
 
 fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {

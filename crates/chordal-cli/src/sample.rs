@@ -1,0 +1,418 @@
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use chordal::machine::{Dimension, parse_quantity};
+use chordal::motion::{
+    Level, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step, StepSource,
+};
+use chordal::{Job, Report, Severity};
+use chordal_export::{SampleFormat, SampleHead, SampleWriter, report};
+use clap::ValueEnum;
+
+use crate::commands::{Buffered, buffered, keep};
+use crate::failure::{Failure, Verdict};
+use crate::numbers::{Units, counted, duration, grouped, short};
+use crate::options::Common;
+use crate::output::{self, Draft};
+use crate::session::load_one;
+use crate::terminal::{BOLD, Terminal, style};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal sample part.nc --period 1ms -o part.csv
+  chordal sample part.nc --period 250us -o part.parquet
+  chordal sample part.nc --period 4ms --format jsonl | head
+  chordal sample part.nc -m haas-vf2 --level best -o part.arrow
+
+A row each period: time_s; x_mm, x_vel_mm_per_s, x_acc_mm_per_s2 and the same of Y and Z; a_deg,
+a_vel_deg_per_s, a_acc_deg_per_s2 and the same of B and C where the machine has them;
+speed_mm_per_s; line. Positions go on evenly where an offset or a tool length jumps. The first row
+is the start, the last one the end. Parquet and Arrow files say their units, their schema
+(chordal.samples/1) and the SHA-256 of the program.
+
+The summary on standard error tells the chord of the period: how far from the path the tool is
+when the axes go straight from one setpoint to the next.";
+
+/// Writes the setpoints of the axes at a period: place, velocity, acceleration
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// Time from one setpoint to the next, with its unit
+    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = period)]
+    period: f64,
+
+    /// Writes a file, its format by its ending; without it, standard output
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// How setpoints are written, where no ending says it
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+
+    /// How hard the planner tries
+    #[arg(long, value_enum, default_value = "fast")]
+    level: Effort,
+
+    /// Most setpoints that are made
+    #[arg(long, value_name = "N", default_value_t = 100_000_000)]
+    max_samples: u64,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// Comma-separated, one row a setpoint
+    Csv,
+    /// JSON lines: a header, then one object a setpoint
+    Jsonl,
+    /// Apache Parquet
+    Parquet,
+    /// Arrow IPC file (Feather)
+    Arrow,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Effort {
+    /// In one pass
+    Fast,
+    /// By optimization
+    Best,
+}
+
+impl Format {
+    const ENDINGS: [(&str, Format); 4] = [
+        ("csv", Format::Csv),
+        ("jsonl", Format::Jsonl),
+        ("parquet", Format::Parquet),
+        ("arrow", Format::Arrow),
+    ];
+
+    fn of(path: &Path) -> Result<Format, Failure> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        let found = Format::ENDINGS.iter().find(|(own, _)| Some(*own) == ending.as_deref());
+        found.map(|(_, format)| *format).ok_or_else(|| {
+            Failure::wrong(
+                format!("the ending of {} says no format of setpoints", path.display()),
+                "the endings are .csv, .jsonl, .parquet, .arrow; or give --format",
+            )
+        })
+    }
+
+    fn inside(self) -> SampleFormat {
+        match self {
+            Format::Csv => SampleFormat::Csv,
+            Format::Jsonl => SampleFormat::Jsonl,
+            Format::Parquet => SampleFormat::Parquet,
+            Format::Arrow => SampleFormat::Arrow,
+        }
+    }
+
+    fn is_binary(self) -> bool {
+        matches!(self, Format::Parquet | Format::Arrow)
+    }
+}
+
+/// Microseconds are a unit of control units only: machine files have none.
+fn period(text: &str) -> Result<f64, String> {
+    let micro =
+        ["us", "\u{b5}s", "\u{3bc}s"].iter().find_map(|unit| text.trim().strip_suffix(unit));
+    let read = match micro {
+        Some(number) => parse_quantity(&format!("{number} ms"), Dimension::Time).map(|s| s / 1e3),
+        None => parse_quantity(text, Dimension::Time),
+    };
+    match read {
+        Ok(seconds) if seconds > 0.0 => Ok(seconds),
+        Ok(_) => Err("a period is above zero".to_string()),
+        Err(error) => Err(match error.help() {
+            Some(help) => format!("{error}; {help}"),
+            None => error.to_string(),
+        }),
+    }
+}
+
+/// Where setpoints go.
+enum Out {
+    File(Draft),
+    Standard(Buffered),
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Out::File(out) => out.write(bytes),
+            Out::Standard(out) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Out::File(out) => out.flush(),
+            Out::Standard(out) => out.flush(),
+        }
+    }
+}
+
+/// Setpoints on their way from the planner to the output.
+struct Setpoints {
+    sampler: Sampler,
+    rows: Rows,
+}
+
+struct Rows {
+    writer: SampleWriter<Out>,
+    done: io::Result<()>,
+    period_s: f64,
+    count: u64,
+    /// The largest chord of the period, mm, and its line.
+    chord: (f64, u32),
+}
+
+impl Rows {
+    fn take(&mut self, sample: &Sample) {
+        let line = StepSource::line_of(sample.tag);
+        keep(&mut self.done, || self.writer.sample(sample, line));
+        self.count += 1;
+        let chord = normal_acceleration(sample) * self.period_s * self.period_s / 8.0;
+        if chord > self.chord.0 {
+            self.chord = (chord, line);
+        }
+    }
+}
+
+/// The part of the acceleration across the way of the tool, v²·κ, mm/s²: over a period T the
+/// chord from one setpoint to the next leaves the path by (vT)²·κ/8.
+fn normal_acceleration(sample: &Sample) -> f64 {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).take(3).map(|(a, b)| a * b).sum::<f64>();
+    let speed2 = dot(&sample.velocity, &sample.velocity);
+    if speed2 == 0.0 {
+        return 0.0;
+    }
+    let along = dot(&sample.velocity, &sample.acceleration);
+    let all = dot(&sample.acceleration, &sample.acceleration);
+    // On a straight way the two are equal but for rounding, which must not look like a curve.
+    let across2 = all - along * along / speed2;
+    if across2 > 1e-12 * all { across2.sqrt() } else { 0.0 }
+}
+
+impl PlanSink for Setpoints {
+    fn step(&mut self, step: Step<'_>, _: &Sources) {
+        self.sampler.push(step, |sample| self.rows.take(sample));
+    }
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let format = match (args.format, &args.output) {
+        (Some(format), _) => format,
+        (None, Some(path)) => Format::of(path)?,
+        (None, None) => Format::Csv,
+    };
+    let out = open(args.output.as_deref(), &args.file, format)?;
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let head = SampleHead::of(&job, args.period);
+    let told = |error: io::Error| trouble(args.output.as_deref(), error);
+    let rows = Rows {
+        writer: SampleWriter::new(out, format.inside(), &head).map_err(told)?,
+        done: Ok(()),
+        period_s: args.period,
+        count: 0,
+        chord: (0.0, 0),
+    };
+    let sampler = Sampler::new(args.period).at_most(args.max_samples);
+    let mut setpoints = Setpoints { sampler, rows };
+    let motion = plan(&job, args.level, &mut setpoints)?;
+    let Setpoints { sampler, mut rows } = setpoints;
+    let time_s = sampler.time_s();
+    if sampler.is_exhausted() {
+        return Err(too_many(args, time_s));
+    }
+    sampler.finish(|sample| rows.take(sample));
+    rows.done.map_err(told)?;
+    let out = rows.writer.finish().map_err(told)?;
+    if let (Out::File(draft), Some(path)) = (out, &args.output) {
+        output::put(draft, path).map_err(|error| Failure::write(path.to_string_lossy(), &error))?;
+    }
+
+    let report = job.report();
+    terminal
+        .tell(&loaded.chosen.told(loaded.name(), job.control().table.title).unwrap_or_default());
+    terminal.tell(&report::text(&report, job.sources(), terminal.err));
+    let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
+    let numbers = Numbers { count: rows.count, time_s, chord: rows.chord };
+    terminal.tell(&summary(&numbers, args.period, &motion, units, terminal.err));
+    Ok(verdict(&report))
+}
+
+fn verdict(report: &Report) -> Verdict {
+    if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
+}
+
+fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionReport, Failure> {
+    let level = match level {
+        Effort::Fast => Level::Fast,
+        Effort::Best => Level::Best,
+    };
+    let options = MotionOptions { level, ..MotionOptions::default() };
+    job.plan(&options, setpoints).map_err(|error| {
+        Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
+    })
+}
+
+/// The output, opened before a long run. Columns are nothing for a terminal.
+fn open(path: Option<&Path>, program: &Path, format: Format) -> Result<Out, Failure> {
+    let Some(path) = path else {
+        if format.is_binary() && io::stdout().is_terminal() {
+            return Err(Failure::wrong(
+                "a terminal cannot show this format",
+                "write a file with -o, or let another program read the output",
+            ));
+        }
+        return Ok(Out::Standard(buffered()));
+    };
+    if path.canonicalize().is_ok_and(|path| program.canonicalize().is_ok_and(|own| own == path)) {
+        return Err(Failure::wrong(
+            format!("{} is the program", path.display()),
+            "give the output another name",
+        ));
+    }
+    let draft = || {
+        if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+            std::fs::create_dir_all(parent)?;
+        }
+        output::draft(path)
+    };
+    draft().map(Out::File).map_err(|error| trouble(Some(path), error))
+}
+
+fn trouble(path: Option<&Path>, error: io::Error) -> Failure {
+    match path {
+        Some(path) => Failure::write(path.to_string_lossy(), &error),
+        None => Failure::Out(error),
+    }
+}
+
+fn too_many(args: &Args, seconds: f64) -> Failure {
+    Failure::wrong(
+        format!(
+            "more than {} setpoints: the run takes {} or longer, and a setpoint is due every {}",
+            grouped(args.max_samples),
+            duration(seconds),
+            time_text(args.period),
+        ),
+        "give a longer --period, or a larger --max-samples",
+    )
+}
+
+struct Numbers {
+    count: u64,
+    time_s: f64,
+    chord: (f64, u32),
+}
+
+fn summary(
+    numbers: &Numbers,
+    period_s: f64,
+    motion: &MotionReport,
+    units: Units,
+    colors: bool,
+) -> String {
+    let mut text = String::new();
+    let mut row = |name: &str, value: &str| {
+        let name = style(colors, BOLD, format!("{name:10}"));
+        text.push_str(&format!("  {name}{value}\n"));
+    };
+    let count = counted(numbers.count, "setpoint", "setpoints");
+    row("samples", &format!("{count}, one every {}", time_text(period_s)));
+    row("time", &format!("{} ({} s)", duration(numbers.time_s), short(numbers.time_s, 6)));
+    let (chord_mm, line) = numbers.chord;
+    row("chord", &chord_text(chord_mm, line, units));
+    if !motion.limits.assumed.is_empty() {
+        row("limits", "typical ones were taken where the machine file gives none");
+    }
+    if motion.cuts_without_feed > 0 {
+        let cuts = counted(motion.cuts_without_feed, "cut", "cuts");
+        row("left out", &format!("{cuts} without a feed"));
+    }
+    if let Some(first) = motion.refused.first() {
+        let moves = counted(motion.refused_moves, "move", "moves");
+        let line = first.source.origin.line;
+        row("left out", &format!("{moves}; the first on line {line}: {}", first.error));
+    }
+    text
+}
+
+/// How far the period cuts corners: with the digits that count.
+fn chord_text(mm: f64, line: u32, units: Units) -> String {
+    if mm == 0.0 {
+        return "none: nothing but straight moves".to_string();
+    }
+    let (value, unit) = match units {
+        Units::Inch => (mm / 25.4, "in"),
+        Units::Millimetre => (mm, "mm"),
+    };
+    let decimals = (2.0 - value.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{} {unit} at most, on line {line}", short(value, decimals))
+}
+
+/// `1 ms`, `250 us`, `2 s`.
+fn time_text(seconds: f64) -> String {
+    let (value, unit) = match seconds {
+        s if s >= 0.999_999 => (s, "s"),
+        s if s >= 0.999_999e-3 => (s * 1e3, "ms"),
+        s => (s * 1e6, "us"),
+    };
+    format!("{} {unit}", short(value, 6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn periods_have_units() {
+        for (text, seconds) in
+            [("1ms", 1e-3), ("250 us", 2.5e-4), ("62.5µs", 6.25e-5), ("2 s", 2.0)]
+        {
+            assert!((period(text).unwrap() - seconds).abs() <= 1e-15 * seconds, "{text}");
+        }
+        for (text, said) in [
+            ("0 ms", "above zero"),
+            ("-1ms", "above zero"),
+            ("NaN", "does not start with a number"),
+            ("1", "no unit"),
+            ("1 mm", "is a length"),
+            ("us", "does not start with a number"),
+        ] {
+            let error = period(text).unwrap_err();
+            assert!(error.contains(said), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_chord_of_a_period_on_a_circle() {
+        // 400 mm/s on R10 at 1 ms: 2 µm.
+        let sample = Sample {
+            velocity: [0.0, 400.0, 0.0, 0.0, 0.0, 0.0],
+            acceleration: [-16_000.0, 700.0, 0.0, 0.0, 0.0, 0.0],
+            ..Sample::default()
+        };
+        let chord = normal_acceleration(&sample) * 1e-6 / 8.0;
+        assert!((chord - 2e-3).abs() < 1e-12);
+        assert_eq!(chord_text(chord, 7, Units::Millimetre), "0.002 mm at most, on line 7");
+        let straight = Sample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
+        assert_eq!(normal_acceleration(&straight), 0.0);
+        assert_eq!(normal_acceleration(&Sample::default()), 0.0);
+    }
+
+    #[test]
+    fn times_read_well() {
+        assert_eq!(time_text(1e-3), "1 ms");
+        assert_eq!(time_text(2.5e-4), "250 us");
+        assert_eq!(time_text(2.0), "2 s");
+    }
+}

@@ -1,0 +1,89 @@
+//! `chordal sample`: setpoints as files and as a stream.
+
+mod common;
+
+use common::{BROKEN, Folder};
+use serde_json::Value;
+
+/// 100 mm along X, a quarter turn of R20, a dwell of half a second.
+const PART: &str =
+    "O1\nG21 G17 G90 G94\nS900 M3\nG1 X100. F6000\nG3 X120. Y20. J20.\nG4 P0.5\nM2\n";
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.write("part.ngc", PART);
+    folder
+}
+
+#[test]
+fn setpoints_are_a_table() {
+    let folder = folder();
+    let done =
+        folder.run(&["sample", "part.ngc", "-m", "linuxcnc-mill", "--period", "2 ms"]).ends(0);
+    let done = done.complains(&["setpoints, one every 2 ms", "mm at most, on line 5"]);
+    let rows: Vec<Vec<&str>> = done.out.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][..4], ["time_s", "x_mm", "x_vel_mm_per_s", "x_acc_mm_per_s2"]);
+    assert_eq!(rows[0].last(), Some(&"line"));
+    assert_eq!(rows[1][..3], ["0", "0", "0"]);
+    assert_eq!(rows[2][0], "0.002");
+    let last = rows.last().unwrap();
+    assert_eq!((last[1], last[4], last[2]), ("120", "20", "0"));
+    // The line, the arc and the dwell.
+    let of_line = |line: &str| rows.iter().filter(|row| row.last() == Some(&line)).count();
+    assert!(of_line("4") > 500 && of_line("5") > 100);
+    assert!(of_line("6").abs_diff(250) <= 1, "{}", of_line("6"));
+}
+
+#[test]
+fn the_ending_says_the_format() {
+    let folder = folder();
+    let base = ["sample", "part.ngc", "-m", "linuxcnc-mill", "-o"];
+    for (name, begins) in [
+        ("a.csv", &b"time_s,"[..]),
+        ("b.jsonl", b"{\"schema\""),
+        ("c.parquet", b"PAR1"),
+        ("x/d.arrow", b"ARROW1"),
+    ] {
+        let done = folder.run(&[&base[..], &[name]].concat()).ends(0);
+        assert_eq!(done.out, "");
+        let bytes = folder.bytes(name);
+        assert!(bytes.starts_with(begins), "{name}");
+    }
+    let same = folder.run(&["sample", "part.ngc", "-m", "linuxcnc-mill"]).ends(0).out;
+    assert_eq!(folder.read("a.csv"), same);
+    let stream =
+        folder.run(&["sample", "part.ngc", "-m", "linuxcnc-mill", "--format", "jsonl"]).ends(0);
+    let lines: Vec<Value> =
+        stream.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines[0]["schema"], "chordal.samples/1");
+    assert_eq!(lines.len() - 1, same.lines().count() - 1);
+}
+
+#[test]
+fn wrong_use_is_told_and_writes_nothing() {
+    let folder = folder();
+    for (arguments, said) in [
+        (&["--period", "0 ms"][..], "a period is above zero"),
+        (&["--period=-1ms"], "a period is above zero"),
+        (&["--period", "NaN"], "does not start with a number"),
+        (&["--period", "1"], "no unit"),
+        (&["--period", "1mm"], "is a length"),
+        (&["--max-samples", "100", "-o", "out.csv"], "more than 100 setpoints"),
+        (&["-o", "out.doc"], "says no format"),
+        (&["-o", "part.ngc", "--format", "csv"], "is the program"),
+    ] {
+        let base = ["sample", "part.ngc", "-m", "linuxcnc-mill"];
+        folder.run(&[&base[..], arguments].concat()).ends(2).complains(&[said]);
+    }
+    assert_eq!(folder.read("part.ngc"), PART);
+    assert!(!folder.path("out.csv").exists());
+}
+
+#[test]
+fn problems_of_the_program_are_told() {
+    let folder = Folder::new();
+    folder.write("bad.nc", BROKEN);
+    let done = folder.run(&["sample", "bad.nc", "-m", "haas-vf2"]).ends(1);
+    let done = done.complains(&["error[CH401]", "setpoints"]);
+    assert!(done.out.starts_with("time_s,"));
+}

@@ -1,0 +1,148 @@
+//! The motion as a drawing: speed, acceleration and jerk over time, and speed along the path.
+
+mod buckets;
+mod chart;
+mod sheet;
+
+use chordal::motion::{Limits, Sample, Sampler, Sources, Step, StepSource};
+
+use self::buckets::Buckets;
+use super::{PlotError, PlotOptions, render};
+
+/// Time between the setpoints that a picture is made of, s.
+const PERIOD_S: f64 = 0.0005;
+/// Setpoints beyond which a picture ends: more than four days.
+const MOST_SAMPLES: u64 = 1 << 30;
+/// Tool changes that are marked.
+const MOST_TOOLS: usize = 500;
+/// Slower than this there is no direction of travel, mm/s.
+const STANDING: f64 = 1e-6;
+
+/// Values of the path and of the axes, by their place in a [`Buckets`] cell.
+const SPEED: usize = 0;
+const ALONG_ACCELERATION: usize = 1;
+const ALONG_JERK: usize = 2;
+const ACCELERATION: usize = 3;
+const JERK: usize = 9;
+const VALUES: usize = 15;
+
+/// Collects setpoints, then draws them: speed, acceleration and jerk over time, each with the
+/// limits of the axes, and speed along the path.
+///
+/// It holds extremes only, in intervals that grow with the program, so that it takes the same
+/// room for any length and loses no peak.
+#[derive(Debug)]
+pub struct MotionPlot {
+    limits: Limits,
+    inch: bool,
+    time: Buckets<VALUES>,
+    way: Buckets<1>,
+    way_mm: f64,
+    last: Option<Sample>,
+    /// Unit vector of travel.
+    direction: [f64; 3],
+    tool: u32,
+    /// When each tool came, s.
+    tools: Vec<(f64, u32)>,
+    sampler: Option<Sampler>,
+}
+
+impl MotionPlot {
+    /// An empty drawing with the limits of the axes; numbered in inches or in millimetres.
+    pub fn new(limits: &Limits, inch: bool) -> MotionPlot {
+        MotionPlot {
+            limits: *limits,
+            inch,
+            time: Buckets::new(PERIOD_S),
+            way: Buckets::new(0.01),
+            way_mm: 0.0,
+            last: None,
+            direction: [0.0; 3],
+            tool: 0,
+            tools: Vec::new(),
+            sampler: Some(Sampler::new(PERIOD_S).at_most(MOST_SAMPLES)),
+        }
+    }
+
+    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` tells what
+    /// the program was in.
+    pub fn set_inch(&mut self, inch: bool) {
+        self.inch = inch;
+    }
+
+    /// Takes a step of a plan, as [`PlanSink::step`](chordal::motion::PlanSink::step) gets it.
+    pub fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        let Some(mut sampler) = self.sampler.take() else { return };
+        let tag = match step {
+            Step::Stretch(stretch) => stretch.pieces.first().map(|piece| piece.tag),
+            Step::Wait { tag, .. } => Some(tag),
+        };
+        if let Some(source) = tag.and_then(|tag| sources.get(tag)) {
+            self.tool(sampler.time_s(), source.tool);
+        }
+        sampler.push(step, |sample| self.sample(sample, StepSource::line_of(sample.tag)));
+        self.sampler = Some(sampler);
+    }
+
+    /// Takes the end of a plan. Steps after it are not drawn.
+    pub fn finish(&mut self) {
+        if let Some(sampler) = self.sampler.take() {
+            sampler.finish(|sample| self.sample(sample, StepSource::line_of(sample.tag)));
+        }
+    }
+
+    /// Marks that a tool is in the spindle from a time on, s.
+    pub fn tool(&mut self, time_s: f64, tool: u32) {
+        if tool != self.tool && self.tools.len() < MOST_TOOLS {
+            self.tools.push((time_s, tool));
+        }
+        self.tool = tool;
+    }
+
+    /// Takes a setpoint of a block on this line; the next is later.
+    pub fn sample(&mut self, sample: &Sample, line: u32) {
+        let [vx, vy, vz, ..] = sample.velocity;
+        let speed = (vx * vx + vy * vy + vz * vz).sqrt();
+        if speed > STANDING {
+            self.direction = [vx / speed, vy / speed, vz / speed];
+        } else if self.direction == [0.0; 3] {
+            self.direction = unit(&sample.jerk);
+        }
+        let along = |axes: &[f64; 6]| {
+            axes.iter().zip(&self.direction).map(|(value, part)| value * part).sum::<f64>()
+        };
+        let mut values = [0.0; VALUES];
+        values[SPEED] = speed;
+        values[ALONG_ACCELERATION] = along(&sample.acceleration);
+        values[ALONG_JERK] = along(&sample.jerk);
+        values[ACCELERATION..JERK].copy_from_slice(&sample.acceleration);
+        values[JERK..].copy_from_slice(&sample.jerk);
+        // A multiple of the width belongs to the interval it begins, whatever rounding says.
+        self.time.push(sample.time_s * (1.0 + 1e-12), &values, line);
+        if let Some(last) = &self.last {
+            let step = |axis: usize| sample.position[axis] - last.position[axis];
+            self.way_mm += (0..3).map(|axis| step(axis) * step(axis)).sum::<f64>().sqrt();
+        }
+        self.way.push(self.way_mm, &[speed], line);
+        self.last = Some(*sample);
+    }
+
+    /// The sheet as SVG. Sides below 200 px are drawn as 200.
+    pub fn svg(&self, options: &PlotOptions) -> String {
+        sheet::svg(self, options)
+    }
+
+    /// The sheet as PNG.
+    ///
+    /// # Errors
+    /// When the sheet has no reasonable size.
+    pub fn png(&self, options: &PlotOptions) -> Result<Vec<u8>, PlotError> {
+        render(options.width_px, options.height_px, || self.svg(options))
+    }
+}
+
+/// The direction of X, Y and Z; zero where there is none.
+fn unit(axes: &[f64; 6]) -> [f64; 3] {
+    let length = axes[..3].iter().map(|value| value * value).sum::<f64>().sqrt();
+    if length > 0.0 { [axes[0] / length, axes[1] / length, axes[2] / length] } else { [0.0; 3] }
+}

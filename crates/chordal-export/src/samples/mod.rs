@@ -1,0 +1,194 @@
+//! Setpoints: time, place, velocity and acceleration of the axes at a fixed period.
+//!
+//! | format | is | here |
+//! |---|---|---|
+//! | CSV, JSON lines | text, nine decimals | `text.rs` |
+//! | Parquet, Arrow | columns of doubles, for analysis | `columns.rs` |
+//!
+//! All formats have the same columns: `time_s`; `x_mm`, `x_vel_mm_per_s`, `x_acc_mm_per_s2` and the
+//! same of Y and Z; `a_deg`, `a_vel_deg_per_s`, `a_acc_deg_per_s2` and the same of B and C, of the
+//! rotary axes that the machine has; `speed_mm_per_s`, which is that of the tool along X, Y and Z;
+//! `line`. Which axes there are must be known before the first setpoint, because nothing is held
+//! back: the machine says, not the program.
+
+mod columns;
+mod digest;
+mod text;
+
+use std::io::{self, Write};
+
+use chordal::Job;
+use chordal::machine::Axis;
+use chordal::motion::Sample;
+
+use columns::{ArrowFile, ParquetFile};
+use text::TextRows;
+
+pub use digest::sha256_hex;
+
+/// The version of the columns and of what they mean.
+pub const SAMPLE_SCHEMA: &str = "chordal.samples/1";
+
+/// How setpoints are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SampleFormat {
+    /// Comma-separated, a row each.
+    Csv,
+    /// JSON lines: a header, then an object each.
+    Jsonl,
+    /// Apache Parquet.
+    Parquet,
+    /// The Arrow IPC file, also called Feather.
+    Arrow,
+}
+
+/// What is known of setpoints before the first one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SampleHead {
+    /// Which of A, B and C are columns.
+    pub rotary: [bool; 3],
+    /// Time from one setpoint to the next, s.
+    pub period_s: f64,
+    /// The name of the program's file.
+    pub program: String,
+    /// SHA-256 of the program's text, as `sha256sum` prints it.
+    pub program_sha256: String,
+    /// The machine.
+    pub machine: String,
+}
+
+impl SampleHead {
+    /// Of the program and the machine of a job.
+    pub fn of(job: &Job, period_s: f64) -> SampleHead {
+        let program = job.sources().get(chordal::diagnostics::FileId(0));
+        let text = program.map_or(&[][..], |source| source.text());
+        SampleHead {
+            rotary: [Axis::A, Axis::B, Axis::C].map(|axis| job.machine().axis(axis).is_some()),
+            period_s,
+            program: program.map_or_else(String::new, |source| source.name().to_string()),
+            program_sha256: sha256_hex(text),
+            machine: job.machine().name.clone(),
+        }
+    }
+
+    /// The columns between `time_s` and `line`.
+    fn columns(&self) -> Vec<Column> {
+        let axes = Axis::ALL.into_iter().filter(|axis| {
+            let index = *axis as usize;
+            index < 3 || self.rotary[index - 3]
+        });
+        let mut columns = vec![Column::new("time_s", "s", Value::Time)];
+        for axis in axes {
+            let letter = axis.letter().to_ascii_lowercase();
+            let unit = if axis.is_rotary() { "deg" } else { "mm" };
+            let names = [
+                (format!("{letter}_{unit}"), unit.to_string()),
+                (format!("{letter}_vel_{unit}_per_s"), format!("{unit}/s")),
+                (format!("{letter}_acc_{unit}_per_s2"), format!("{unit}/s^2")),
+            ];
+            for (order, (name, unit)) in names.into_iter().enumerate() {
+                let value = Value::Axis { axis: axis as usize, order };
+                columns.push(Column { name, unit, value });
+            }
+        }
+        columns.push(Column::new("speed_mm_per_s", "mm/s", Value::Speed));
+        columns
+    }
+}
+
+/// A column of doubles.
+#[derive(Clone, Debug)]
+struct Column {
+    name: String,
+    unit: String,
+    value: Value,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Value {
+    Time,
+    /// 0 is the place, 1 the velocity, 2 the acceleration.
+    Axis {
+        axis: usize,
+        order: usize,
+    },
+    Speed,
+}
+
+impl Column {
+    fn new(name: &str, unit: &str, value: Value) -> Column {
+        Column { name: name.into(), unit: unit.into(), value }
+    }
+
+    /// Its value, in its unit.
+    #[inline]
+    fn of(&self, sample: &Sample) -> f64 {
+        match self.value {
+            Value::Time => sample.time_s,
+            Value::Speed => {
+                let [x, y, z, ..] = sample.velocity;
+                (x * x + y * y + z * z).sqrt()
+            }
+            Value::Axis { axis, order } => {
+                let row = match order {
+                    0 => &sample.position,
+                    1 => &sample.velocity,
+                    _ => &sample.acceleration,
+                };
+                if axis < 3 { row[axis] } else { row[axis].to_degrees() }
+            }
+        }
+    }
+}
+
+/// Writes setpoints one after the other, and holds no more of them than a group of rows.
+#[derive(Debug)]
+pub struct SampleWriter<W: Write + Send>(Kind<W>);
+
+#[derive(Debug)]
+enum Kind<W: Write + Send> {
+    Text(TextRows<W>),
+    Parquet(Box<ParquetFile<W>>),
+    Arrow(Box<ArrowFile<W>>),
+}
+
+impl<W: Write + Send> SampleWriter<W> {
+    /// Writes what stands before the setpoints.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn new(out: W, format: SampleFormat, head: &SampleHead) -> io::Result<SampleWriter<W>> {
+        Ok(SampleWriter(match format {
+            SampleFormat::Csv => Kind::Text(TextRows::csv(out, head)?),
+            SampleFormat::Jsonl => Kind::Text(TextRows::jsonl(out, head)?),
+            SampleFormat::Parquet => Kind::Parquet(Box::new(ParquetFile::new(out, head)?)),
+            SampleFormat::Arrow => Kind::Arrow(Box::new(ArrowFile::new(out, head)?)),
+        }))
+    }
+
+    /// Writes a setpoint of a block on this line.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
+        match &mut self.0 {
+            Kind::Text(out) => out.sample(sample, line),
+            Kind::Parquet(out) => out.sample(sample, line),
+            Kind::Arrow(out) => out.sample(sample, line),
+        }
+    }
+
+    /// Writes what is left and gives the output back.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn finish(self) -> io::Result<W> {
+        let mut out = match self.0 {
+            Kind::Text(out) => out.finish(),
+            Kind::Parquet(out) => out.finish(),
+            Kind::Arrow(out) => out.finish(),
+        }?;
+        out.flush()?;
+        Ok(out)
+    }
+}

@@ -1,0 +1,178 @@
+//! Pictures of a motion made by hand.
+
+use chordal::motion::{
+    AxisLimit, Limits, MachineLimits, MotionOptions, Phase, Piece, PlanSink, Sampler, Sources,
+    Step, StepSource, Stretch,
+};
+use chordal::{Job, Machine, Source, SourceMap};
+use chordal_export::{MotionPlot, PlotOptions};
+
+/// From rest to rest over a length, with 100 mm/s, 2000 mm/s² and 1e5 mm/s³ along the path.
+fn phases(length: f64) -> Vec<Phase> {
+    let cruise = (length - 7.0) / 100.0;
+    let mut at = (0.0, 0.0, 0.0);
+    let durations = [0.02, 0.03, 0.02, cruise, 0.02, 0.03, 0.02];
+    let jerks = [1e5, 0.0, -1e5, 0.0, -1e5, 0.0, 1e5];
+    durations
+        .into_iter()
+        .zip(jerks)
+        .map(|(duration_s, jerk)| {
+            let phase = Phase { duration_s, from: at.0, speed: at.1, acceleration: at.2, jerk };
+            let along = phase.at(duration_s);
+            at = (along.sigma, along.speed, along.acceleration);
+            phase
+        })
+        .collect()
+}
+
+/// One side of a square, with a tag.
+fn side(from: [f64; 2], direction: [f64; 2], length: f64, tag: u64) -> Stretch {
+    let mut start = [[0.0; 6]; 4];
+    start[0][..2].copy_from_slice(&from);
+    start[1][..2].copy_from_slice(&direction);
+    let pieces = vec![Piece { length, base: None, start, tag }];
+    Stretch { pieces, phases: phases(length), overlap_s: 0.0 }
+}
+
+fn limits() -> Limits {
+    let limit = |jerk| Some(AxisLimit { velocity: 200.0, acceleration: 2500.0, jerk });
+    Limits::new([limit(1.2e5), limit(1.2e5), limit(9e4), None, None, None]).unwrap()
+}
+
+fn square() -> MotionPlot {
+    let mut plot = MotionPlot::new(&limits(), false);
+    let sources = Sources::default();
+    plot.tool(0.0, 3);
+    for (line, (from, direction)) in [
+        ([0.0, 0.0], [1.0, 0.0]),
+        ([50.0, 0.0], [0.6, 0.8]),
+        ([80.0, 40.0], [-1.0, 0.0]),
+        ([30.0, 40.0], [-0.6, -0.8]),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let tag = StepSource::tag_of(line as u32, 10 + line as u32);
+        plot.step(Step::Stretch(&side(from, direction, 50.0, tag)), &sources);
+        if line == 1 {
+            plot.step(Step::Wait { seconds: 0.4, tag }, &sources);
+            plot.tool(1.54, 12);
+        }
+    }
+    plot.finish();
+    plot
+}
+
+fn options() -> PlotOptions {
+    PlotOptions {
+        title: "square.nc".into(),
+        subtitle: "by hand · 2.7 s".into(),
+        ..PlotOptions::default()
+    }
+}
+
+#[test]
+fn the_sheet_says_what_it_shows() {
+    let svg = square().svg(&options());
+    for text in [
+        "square.nc",
+        "Speed over time, mm/min",
+        "Acceleration over time, mm/s²; limits X Y 2,500",
+        "Jerk over time, m/s³; limits X Y 120",
+        "Speed along the path, mm/min",
+        ">6,000<",
+        ">0.5 s<",
+        ">T12<",
+        ">line 11<",
+        "limit of an axis",
+    ] {
+        assert!(svg.contains(text), "{text} is missing");
+    }
+    // Z does not move: neither its curve nor its limit is there.
+    assert!(!svg.contains(">Z<") && !svg.contains("Z 2,500"));
+}
+
+#[test]
+fn a_sheet_in_inches() {
+    let mut plot = square();
+    plot.set_inch(true);
+    let svg = plot.svg(&options());
+    for text in ["Speed over time, in/min", "in/s²", "in/s³", "0 in<"] {
+        assert!(svg.contains(text), "{text} is missing");
+    }
+    assert!(!svg.contains("mm/min"));
+}
+
+#[test]
+fn an_hour_takes_no_more_room_than_a_second() {
+    let side = side([0.0, 0.0], [1.0, 0.0], 360_000.0, 7);
+    let mut plot = MotionPlot::new(&limits(), false);
+    let mut sampler = Sampler::new(0.01);
+    sampler.push(Step::Stretch(&side), |sample| plot.sample(sample, 7));
+    sampler.finish(|sample| plot.sample(sample, 7));
+    let svg = plot.svg(&options());
+    assert!(svg.len() < 500_000, "{} bytes", svg.len());
+    // 0.07 s of acceleration in an hour are still there.
+    assert!(svg.contains(">6,000<") && svg.contains("0 min<") && svg.contains("0 m<"));
+}
+
+#[test]
+fn nothing_and_any_size_can_be_drawn() {
+    let mut empty = MotionPlot::new(&limits(), true);
+    empty.finish();
+    for (width_px, height_px) in [(0, 0), (200, 200), (5000, 300)] {
+        let options = PlotOptions { width_px, height_px, ..options() };
+        for plot in [&empty, &square()] {
+            let svg = plot.svg(&options);
+            assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
+        }
+    }
+    assert!(square().png(&PlotOptions { width_px: 0, ..options() }).is_err());
+    assert_eq!(square().png(&options()).unwrap()[1..4], *b"PNG");
+}
+
+struct Drawn(MotionPlot);
+
+impl PlanSink for Drawn {
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        self.0.step(step, sources);
+    }
+}
+
+fn planned(name: &str, program: &[u8], machine: &str) -> MotionPlot {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new(name, program));
+    let job = Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap();
+    let limits = MachineLimits::of(job.machine()).unwrap();
+    let mut drawn = Drawn(MotionPlot::new(&limits.cut, job.report().summary.inch));
+    job.plan(&MotionOptions::default(), &mut drawn).unwrap();
+    drawn.0.finish();
+    drawn.0
+}
+
+#[test]
+fn a_program_with_two_tools() {
+    let program = b"O1\nT1 M6\nG20 G90 G0 X0 Y0\nS900 M3\nG1 X4. F60.\nM5\nT7 M6\nM3\n\
+                    G3 X4. Y2. R1.\nM30\n";
+    let svg = planned("O1.nc", program, "haas-vf2").svg(&options());
+    for text in ["in/min", ">T1<", ">T7<", ">X<", ">Y<", ">line 5<", ">line 9<"] {
+        assert!(svg.contains(text), "{text} is missing");
+    }
+}
+
+/// Writes a picture for somebody to look at, with what the environment says:
+/// `MOTION_PLOT=a.png MOTION_PROGRAM=a.nc MOTION_MACHINE=haas-vf2 cargo test … -- --ignored`.
+#[test]
+#[ignore = "for looking at"]
+#[allow(clippy::disallowed_methods, reason = "reads and writes what it is told")]
+fn the_picture() {
+    let plot = match std::env::var("MOTION_PROGRAM") {
+        Ok(path) => {
+            let machine = std::env::var("MOTION_MACHINE").unwrap();
+            planned(&path, &std::fs::read(&path).unwrap(), &machine)
+        }
+        Err(_) => square(),
+    };
+    let path = std::env::var("MOTION_PLOT").unwrap();
+    std::fs::write(path, plot.png(&options()).unwrap()).unwrap();
+}

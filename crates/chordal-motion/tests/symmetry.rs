@@ -1,0 +1,165 @@
+//! What must not change a time: cuts, direction, units.
+
+mod support;
+
+use chordal_geometry::{Curve, Line, ParamCurve, Transform};
+use chordal_motion::{AxisLimit, Corner, Level, Limits, Move};
+use support::{Dice, Mix, plan, random_limits, random_path, time_of};
+
+const MIX: Mix =
+    Mix { moves: 80, curves: false, rotary: false, shortest: 0.05, longest: 40.0, turn: 0.6 };
+
+fn same(name: &str, seed: u64, a: f64, b: f64) {
+    assert!(
+        (a - b).abs() <= 1e-9 * a,
+        "{name}, seed {seed}: {a} s and {b} s, {:e} apart",
+        (a - b) / a
+    );
+}
+
+fn one_mode(dice: &mut Dice, moves: &mut [Move]) {
+    let mode = match dice.below(3) {
+        0 => Corner::Exact,
+        1 => Corner::Stop,
+        _ => Corner::Within { linear_mm: dice.decades(1e-3, 0.1), rotary_rad: 1e-3 },
+    };
+    moves.iter_mut().for_each(|motion| motion.corner = mode);
+}
+
+/// Each line in `parts` equal parts, none shorter than 0.02 mm.
+fn cut(moves: &[Move], dice: &mut Dice) -> Vec<Move> {
+    let mut all = Vec::new();
+    for motion in moves {
+        let Curve::Line(line) = motion.curve else {
+            all.push(*motion);
+            continue;
+        };
+        let most = (line.length() / 0.02).floor().clamp(1.0, 40.0) as u64;
+        let parts = 1 + dice.below(most);
+        let mut from = *motion;
+        for part in 1..=parts {
+            let share = part as f64 / parts as f64;
+            let end =
+                if part == parts { line.end } else { line.start + (line.end - line.start) * share };
+            let start = from.curve.start();
+            let turn: [f64; 3] = std::array::from_fn(|i| {
+                let (a, b) = (motion.rotary_from[i], motion.rotary_to[i]);
+                if part == parts { b } else { a + (b - a) * share }
+            });
+            let corner = if part == parts { motion.corner } else { Corner::Exact };
+            let piece = Move { curve: Line { start, end }.into(), rotary_to: turn, corner, ..from };
+            all.push(piece);
+            from.curve = Line { start: end, end }.into();
+            from.rotary_from = turn;
+        }
+    }
+    all
+}
+
+#[test]
+fn cutting_lines_changes_no_time() {
+    for seed in 0..20 {
+        let mut dice = Dice(seed);
+        let limits = random_limits(&mut dice);
+        let mut moves = random_path(&mut dice, &Mix { rotary: seed % 2 == 1, ..MIX });
+        one_mode(&mut dice, &mut moves);
+        let whole = time_of(&plan(&moves, limits, Level::Fast));
+        let pieces = cut(&moves, &mut dice);
+        assert!(pieces.len() > 3 * moves.len());
+        same("cut", seed, whole, time_of(&plan(&pieces, limits, Level::Fast)));
+    }
+}
+
+#[test]
+fn the_published_line_takes_its_time_however_it_is_cut() {
+    let limit = Some(AxisLimit { velocity: 500.0, acceleration: 5000.0, jerk: 1e5 });
+    let limits = Limits::new([limit, limit, limit, None, None, None]).unwrap();
+    for parts in [1, 10, 100, 1000, 5000, 100_000] {
+        let at =
+            |i: i32| chordal_geometry::Vec3::new(100.0 * f64::from(i) / f64::from(parts), 0.0, 0.0);
+        let moves: Vec<Move> = (0..parts)
+            .map(|i| Move {
+                curve: Line { start: at(i), end: at(i + 1) }.into(),
+                rotary_from: [0.0; 3],
+                rotary_to: [0.0; 3],
+                speed: 1e9,
+                corner: Corner::Exact,
+                kind: chordal_motion::MoveKind::Cut,
+                tag: 0,
+            })
+            .collect();
+        let time = time_of(&plan(&moves, limits, Level::Fast));
+        assert!((time - 0.35).abs() < 1e-9, "{parts} parts: {time} s");
+    }
+}
+
+#[test]
+fn backwards_takes_as_long() {
+    for seed in 0..20 {
+        let mut dice = Dice(seed + 500);
+        let limits = random_limits(&mut dice);
+        let mut moves = random_path(&mut dice, &Mix { curves: seed % 2 == 1, ..MIX });
+        one_mode(&mut dice, &mut moves);
+        let back: Vec<Move> = moves
+            .iter()
+            .rev()
+            .map(|motion| Move {
+                curve: motion.curve.reversed(),
+                rotary_from: motion.rotary_to,
+                rotary_to: motion.rotary_from,
+                ..*motion
+            })
+            .collect();
+        same(
+            "backwards",
+            seed,
+            time_of(&plan(&moves, limits, Level::Fast)),
+            time_of(&plan(&back, limits, Level::Fast)),
+        );
+    }
+}
+
+#[test]
+fn units_change_no_time() {
+    for seed in 0..20 {
+        let mut dice = Dice(seed + 900);
+        let limits = random_limits(&mut dice);
+        let mut moves = random_path(&mut dice, &Mix { curves: seed % 2 == 1, ..MIX });
+        one_mode(&mut dice, &mut moves);
+        moves.iter_mut().for_each(|motion| {
+            if motion.corner == Corner::Exact {
+                motion.corner = Corner::Within { linear_mm: 1e-3, rotary_rad: 1e-3 };
+            }
+        });
+        let scale = 1.0 / 25.4;
+        let transform = Transform::scale(scale).unwrap();
+        let scaled: Vec<Move> = moves
+            .iter()
+            .map(|motion| Move {
+                curve: motion.curve.transformed(&transform),
+                speed: motion.speed * scale,
+                corner: match motion.corner {
+                    Corner::Within { linear_mm, rotary_rad } => {
+                        Corner::Within { linear_mm: linear_mm * scale, rotary_rad }
+                    }
+                    other => other,
+                },
+                ..*motion
+            })
+            .collect();
+        let axes = std::array::from_fn(|axis| {
+            limits.axis(axis).map(|limit| AxisLimit {
+                velocity: limit.velocity * scale,
+                acceleration: limit.acceleration * scale,
+                jerk: limit.jerk * scale,
+            })
+        });
+        let small = Limits::new(axes).unwrap();
+        same(
+            "units",
+            seed,
+            time_of(&plan(&moves, limits, Level::Fast)),
+            time_of(&plan(&scaled, small, Level::Fast)),
+        );
+    }
+}
