@@ -126,6 +126,21 @@ fn a_block_that_runs_often_is_told_once() {
 }
 
 #[test]
+fn the_picture_is_written() {
+    let folder = Folder::new();
+    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    for name in ["a.svg", "a.png"] {
+        folder.run(&["time", "cut.nc", "-m", "m.toml", "-o", name]).ends(0);
+    }
+    let drawing = folder.read("a.svg");
+    assert!(drawing.starts_with("<svg") && drawing.contains("cut.nc"), "{drawing}");
+    assert!(folder.bytes("a.png").starts_with(b"\x89PNG"));
+    let done = folder.run(&["time", "cut.nc", "-o", "a.doc"]).ends(2);
+    assert_eq!(done.out, "");
+    done.complains(&["a.doc", ".svg, .png"]);
+}
+
+#[test]
 fn problems_and_wrong_use() {
     let folder = Folder::new();
     folder.write("bad.nc", BROKEN).write("cut.nc", CUT).write("empty.nc", "O1\nM30\n");

@@ -1,3 +1,4 @@
+mod picture;
 mod text;
 
 use std::path::PathBuf;
@@ -5,13 +6,15 @@ use std::path::PathBuf;
 use chordal::motion::{Level, LimitError, MotionOptions};
 use chordal::time::{Alternative, Timed};
 use chordal::{Job, Watch};
-use chordal_export::{TimeDocument, time_json};
+use chordal_export::{PlotOptions, TimeDocument, time_json};
 use clap::ValueEnum;
 
+use self::picture::Picture;
 use crate::commands::tell;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::session::load_one;
+use crate::summary::subtitle;
 use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
@@ -20,6 +23,7 @@ Examples:
   chordal time part.nc --machine vf2.toml
   chordal time part.nc --set motion.feed_override=0.8
   chordal time part.nc --format json | jq .total_s
+  chordal time part.nc -o part-speed.svg       speed, acceleration, jerk as a picture
 
 The time holds the velocity, acceleration and jerk of every axis, and passes corners as the
 control's path mode says. `lost` is what moves take beyond their length at feed or rapid speed.
@@ -39,6 +43,10 @@ pub struct Args {
     /// How the time is told
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
+
+    /// Draws speed, acceleration and jerk over time and speed along the path: .svg or .png
+    #[arg(long, short, value_name = "PICTURE")]
+    output: Option<PathBuf>,
 
     /// Plans again with other overrides and path modes, however long the program is
     ///
@@ -86,6 +94,7 @@ struct Unwatched;
 impl Watch for Unwatched {}
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let picture = args.output.as_deref().map(|path| Picture::new(path, &args.file)).transpose()?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let options = MotionOptions { level: args.level.into(), ..MotionOptions::default() };
@@ -101,6 +110,14 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Format::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
         Format::Json => time_json(&document, &report, &job),
     };
+    if let Some(picture) = &picture {
+        let plot = PlotOptions {
+            title: loaded.name().to_string(),
+            subtitle: subtitle(&job, &report, Some(&timed)),
+            ..PlotOptions::default()
+        };
+        picture.draw(&job, &options, &timed, report.summary.inch, &plot)?;
+    }
     say(&text)?;
     Ok(tell(&report, &loaded, &job, terminal))
 }
