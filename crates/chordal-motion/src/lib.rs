@@ -15,6 +15,7 @@
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
+//! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
 
 #![forbid(unsafe_code)]
 
@@ -27,6 +28,7 @@ mod root;
 mod sampler;
 mod segment;
 mod smooth;
+mod stream;
 mod trajectory;
 mod verify;
 
@@ -35,6 +37,7 @@ pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
 pub use sampler::{Sample, Sampler};
 pub use segment::{Corner, Move, MoveError, MoveKind};
+pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
 pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
 pub use verify::{Use, largest_use};
 

@@ -1,0 +1,148 @@
+//! The cost of a setpoint on the pull side: on lines, arcs, eased corners, short segments, with
+//! and without a change of the rate under way.
+
+#![allow(missing_docs, clippy::disallowed_methods, reason = "a benchmark is a shell")]
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use chordal_geometry::{Arc, Curve, Line, ParamCurve, Plane, Vec3};
+use chordal_motion::{
+    AxisLimit, Corner, Feeder, Limits, Move, MoveKind, Pushed, Servo, StreamOptions, stream,
+};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+/// A move of a program that goes on for ever.
+type Program = fn(u64) -> Move;
+
+fn motion(curve: Curve, corner: Corner, tag: u64) -> Move {
+    Move {
+        curve,
+        rotary_from: [0.0; 3],
+        rotary_to: [0.0; 3],
+        speed: 100.0,
+        corner,
+        kind: MoveKind::Cut,
+        tag,
+    }
+}
+
+fn line(from: [f64; 2], to: [f64; 2], corner: Corner, tag: u64) -> Move {
+    let at = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
+    motion(Line::new(at(from), at(to)).into(), corner, tag)
+}
+
+/// To and fro.
+fn lines(index: u64) -> Move {
+    let (from, to) = if index.is_multiple_of(2) { (0.0, 500.0) } else { (500.0, 0.0) };
+    line([from, 0.0], [to, 0.0], Corner::Stop, index)
+}
+
+/// Circles of radius 20.
+fn arcs(index: u64) -> Move {
+    let turn = std::f64::consts::TAU;
+    motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), Corner::Exact, index)
+}
+
+/// A polygon of 500 lines around radius 20, eased within a hundredth of a millimetre.
+fn eased(index: u64) -> Move {
+    let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
+    let at = |index: u64| {
+        let p = circle.point_at(circle.length() * (index % 500) as f64 / 500.0);
+        [p.x, p.y]
+    };
+    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    line(at(index), at(index + 1), corner, index)
+}
+
+/// Lines of a micrometre along a circle.
+fn short(index: u64) -> Move {
+    let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
+    let at = |index: u64| {
+        let p = circle.point_at((index % 125_663) as f64 * 0.001);
+        [p.x, p.y]
+    };
+    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    line(at(index), at(index + 1), corner, index)
+}
+
+struct Source {
+    feeder: Feeder,
+    servo: Servo,
+    program: Program,
+    next: u64,
+}
+
+impl Source {
+    fn new(program: Program) -> Source {
+        let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
+        let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])
+            .expect("positive limits");
+        let (feeder, servo) = stream(limits, StreamOptions::default(), program(0).from());
+        let mut source = Source { feeder, servo, program, next: 0 };
+        source.fill();
+        for _ in 0..2000 {
+            source.servo.next();
+            source.fill();
+        }
+        source
+    }
+
+    fn fill(&mut self) {
+        while self.feeder.push(&(self.program)(self.next)) == Ok(Pushed::Taken) {
+            self.next += 1;
+        }
+    }
+
+    /// Time that setpoints take, without the push side.
+    fn pull(&mut self, count: u64, steer: impl Fn(u64, &mut Servo)) -> Duration {
+        let mut spent = Duration::ZERO;
+        let mut left = count;
+        while left > 0 {
+            self.fill();
+            let batch = left.min(100);
+            let start = Instant::now();
+            for index in 0..batch {
+                steer(index, &mut self.servo);
+                black_box(self.servo.next());
+            }
+            spent += start.elapsed();
+            left -= batch;
+        }
+        spent
+    }
+}
+
+fn pull(c: &mut Criterion) {
+    let mut group = c.benchmark_group("setpoint");
+    let programs: [(&str, Program); 4] =
+        [("lines", lines), ("arcs", arcs), ("eased", eased), ("short", short)];
+    for (name, program) in programs {
+        group.bench_function(name, |bencher| {
+            let mut source = Source::new(program);
+            bencher.iter_custom(|count| source.pull(count, |_, _| {}));
+        });
+    }
+    for (name, program) in programs {
+        group.bench_function(format!("{name}, override changing"), |bencher| {
+            let mut source = Source::new(program);
+            bencher.iter_custom(|count| {
+                source.pull(count, |index, servo| {
+                    if index % 50 == 0 {
+                        servo.set_override(if index == 0 { 0.7 } else { 1.0 });
+                    }
+                })
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1));
+    targets = pull
+}
+criterion_main!(benches);

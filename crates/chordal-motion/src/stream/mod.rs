@@ -1,0 +1,55 @@
+//! Streaming for a servo loop: moves are pushed on one thread, setpoints pulled on another.
+//!
+//! ```text
+//! moves → Feeder: plan, cut into windows, verify a stop in each ─┐ ring of windows
+//!                                          ┌─ used windows ring ←┼─────────────┐
+//!                                          └→ Feeder             └→ Servo: rate, setpoint
+//! ```
+//!
+//! - Memory is bounded: windows are made once and go round. [`Feeder::push`] says
+//!   [`Pushed::Full`] while all of them are under way.
+//! - Every window ends at rest, or carries a stop: a fall of the rate of time to zero before
+//!   the window ends, verified on all axes. When no further window has come by then, the servo
+//!   takes it; a window that comes later is spliced in where the axes are at that instant, in
+//!   the middle of the stop, too.
+//! - The axes never leave the planned path: hold, resume, override, underrun change when, not
+//!   where.
+//!
+//! ```
+//! use chordal_motion::{AxisLimit, Limits, StreamOptions, stream};
+//!
+//! let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
+//! let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])?;
+//! let (mut feeder, mut servo) = stream(limits, StreamOptions::default(), [0.0; 6]);
+//! feeder.finish();
+//! assert_eq!(servo.next().position, [0.0; 6]);
+//! # Ok::<(), chordal_motion::LimitError>(())
+//! ```
+
+mod bounds;
+mod cut;
+mod feeder;
+mod rate;
+mod servo;
+mod timeline;
+mod window;
+
+pub use feeder::{FeedError, Feeder, Pushed, StreamOptions};
+pub use servo::{Servo, Setpoint};
+
+use crate::{Axes, Limits};
+
+/// A feeder and the servo it feeds, with the axes at rest at `start`.
+pub fn stream(limits: Limits, options: StreamOptions, start: Axes) -> (Feeder, Servo) {
+    let options = options.sane();
+    let room = bounds::Room::new(&limits);
+    let (arrive, arriving) = rtrb::RingBuffer::new(options.windows);
+    let (mut leaving, leave) = rtrb::RingBuffer::new(options.windows);
+    for _ in 0..options.windows {
+        // The rings hold every window there is.
+        let _ = leaving.push(Box::new(window::Window::new()));
+    }
+    let feeder = Feeder::new(limits, options, room, (arrive, leave));
+    let times = (options.period_s, options.scale_waits);
+    (feeder, Servo::new((arriving, leaving), options.windows, times, room, start))
+}

@@ -1,0 +1,199 @@
+//! A window: some tenths of a second of planned motion with everything that the pull side needs
+//! to walk through it and to stop in it.
+
+use crate::trajectory::{Along, Phase, State, state_of};
+use crate::{Axes, Piece};
+
+use super::bounds::Block;
+
+/// A phase and when it begins, s from the start of the window (below zero: before it).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Timed {
+    pub from_s: f64,
+    pub phase: Phase,
+}
+
+/// A piece and where it begins, σ from the start of its stretch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    pub from: f64,
+    pub piece: Piece,
+}
+
+/// The part of a stretch that lies in a window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    /// When the stretch begins and ends, s from the start of the window.
+    pub from_s: f64,
+    pub to_s: f64,
+    /// Its phases and pieces among those of the window.
+    pub phases: (usize, usize),
+    pub pieces: (usize, usize),
+    /// Where the stretch begins; taken off while it is added to the stretch before.
+    pub corner: Axes,
+    /// Whether it begins while the stretch before still ends.
+    pub overlaps: bool,
+}
+
+/// How the motion ends when no further window comes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Stop {
+    /// None was found: the stop of a window before stays in force.
+    Unknown,
+    /// The plan itself rests at the end of the window.
+    Rest,
+    /// From `at_s` on, the rate of time falls to zero before the window ends: with at most
+    /// `rate` per s and `bend` per s², when it was 1. This was verified for every rate up to
+    /// `level` at `at_s`.
+    Tail { at_s: f64, level: f64, rate: f64, bend: f64 },
+}
+
+/// Planned motion between two instants, handed from the push to the pull side and back.
+#[derive(Debug)]
+pub(super) struct Window {
+    pub duration_s: f64,
+    pub legs: Vec<Leg>,
+    pub phases: Vec<Timed>,
+    pub pieces: Vec<Placed>,
+    /// What the axes do, by blocks of time without gaps.
+    pub blocks: Vec<Block>,
+    /// Largest speed of each axis.
+    pub fastest: Axes,
+    pub stop: Stop,
+    /// The axes stand for this time at the end of the window, s, with a tag.
+    pub wait: Option<(f64, u64)>,
+    /// Nothing follows.
+    pub last: bool,
+}
+
+impl Window {
+    /// An empty window. It grows on the push side to what its options bound.
+    pub fn new() -> Window {
+        Window {
+            duration_s: 0.0,
+            legs: Vec::new(),
+            phases: Vec::new(),
+            pieces: Vec::new(),
+            blocks: Vec::new(),
+            fastest: [0.0; 6],
+            stop: Stop::Unknown,
+            wait: None,
+            last: false,
+        }
+    }
+
+    pub fn clear(&mut self) {
+        self.duration_s = 0.0;
+        self.legs.clear();
+        self.phases.clear();
+        self.pieces.clear();
+        self.blocks.clear();
+        self.fastest = [0.0; 6];
+        self.stop = Stop::Unknown;
+        self.wait = None;
+        self.last = false;
+    }
+
+    /// The law of time of a leg at `t`, with its phase from `hint` on.
+    #[inline]
+    pub fn along(&self, leg: &Leg, hint: &mut usize, t: f64) -> Along {
+        let (first, end) = leg.phases;
+        *hint = last_not_after(&self.phases[..end], (*hint).max(first), |phase| phase.from_s <= t);
+        let Timed { from_s, phase } = &self.phases[*hint];
+        phase.at((t - from_s).clamp(0.0, phase.duration_s))
+    }
+
+    /// The axes on a leg, with its piece from `hint` on.
+    #[inline]
+    pub fn on_path(&self, leg: &Leg, hint: &mut usize, along: &Along) -> State {
+        let (first, end) = leg.pieces;
+        *hint = last_not_after(&self.pieces[..end], (*hint).max(first), |placed| {
+            placed.from <= along.sigma
+        });
+        let Placed { from, piece } = &self.pieces[*hint];
+        state_of(piece, (along.sigma - from).clamp(0.0, piece.length), along)
+    }
+
+    /// Where the axes stand when the window ends at rest.
+    pub fn end(&self) -> Option<State> {
+        let piece = &self.pieces.last()?.piece;
+        let position = piece.at(piece.length)[0];
+        Some(State { position, tag: piece.tag, ..State::default() })
+    }
+}
+
+/// Index of the last entry for which `before` holds, at `hint` or after it; `before` holds for
+/// a first part of the entries. A few steps ahead one by one, then by halves: the cost grows
+/// with the logarithm of what a window may hold, however short the entries are.
+#[inline]
+fn last_not_after<T>(entries: &[T], hint: usize, before: impl Fn(&T) -> bool) -> usize {
+    let mut at = hint;
+    for _ in 0..4 {
+        match entries.get(at + 1) {
+            Some(next) if before(next) => at += 1,
+            _ => return at,
+        }
+    }
+    at + entries[at + 1..].partition_point(before)
+}
+
+/// A place in a window that only moves forward.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Place {
+    leg: usize,
+    /// Phase and piece on the leg and on the one that begins while it ends.
+    hints: [(usize, usize); 2],
+}
+
+impl Place {
+    /// The axes at `t` s from the start of the window.
+    #[inline]
+    pub fn at(&mut self, window: &Window, t: f64) -> State {
+        if window.legs.is_empty() {
+            return State::default();
+        }
+        let leg = last_not_after(&window.legs, self.leg, |leg| leg.from_s <= t);
+        // The leg that began before is still under way when the newest overlaps it.
+        let newest = &window.legs[leg];
+        let main =
+            if leg > 0 && newest.overlaps && window.legs[leg - 1].to_s > t { leg - 1 } else { leg };
+        if main != self.leg {
+            self.hints = if main == self.leg + 1 { [self.hints[1], (0, 0)] } else { [(0, 0); 2] };
+            self.leg = main;
+        }
+        let mut state = self.on(window, 0, t);
+        if main < leg {
+            let after = self.on(window, 1, t);
+            for axis in 0..6 {
+                state.position[axis] += after.position[axis] - newest.corner[axis];
+                state.velocity[axis] += after.velocity[axis];
+                state.acceleration[axis] += after.acceleration[axis];
+                state.jerk[axis] += after.jerk[axis];
+            }
+        }
+        state
+    }
+
+    #[inline]
+    fn on(&mut self, window: &Window, which: usize, t: f64) -> State {
+        let leg = &window.legs[self.leg + which];
+        let (phase, piece) = &mut self.hints[which];
+        let along = window.along(leg, phase, t);
+        window.on_path(leg, piece, &along)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_search_finds_near_and_far_entries() {
+        let entries: Vec<usize> = (0..1000).collect();
+        for hint in [0, 3, 10] {
+            for wanted in [10, 11, 13, 14, 15, 16, 500, 999] {
+                assert_eq!(last_not_after(&entries, hint, |entry| *entry <= wanted), wanted);
+            }
+        }
+    }
+}
