@@ -76,7 +76,7 @@ fn wrong_use_is_told_and_writes_nothing() {
         folder.run(&[&base[..], arguments].concat()).ends(2).complains(&[said]);
     }
     assert_eq!(folder.read("part.ngc"), PART);
-    assert!(!folder.path("out.csv").exists());
+    assert_eq!(folder.names(), ["part.ngc"]);
 }
 
 #[test]

@@ -38,10 +38,11 @@ fn lines(index: u64) -> Move {
     line([from, 0.0], [to, 0.0], Corner::Stop, index)
 }
 
-/// Circles of radius 20.
+/// Circles of radius 20, with a stop after twenty.
 fn arcs(index: u64) -> Move {
     let turn = std::f64::consts::TAU;
-    motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), Corner::Exact, index)
+    let corner = if index % 20 == 19 { Corner::Stop } else { Corner::Exact };
+    motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), corner, index)
 }
 
 /// A polygon of 500 lines around radius 20, eased within a hundredth of a millimetre.

@@ -182,6 +182,18 @@ fn fill_over(piece: &Piece, sigma: f64, base: [Vec3; 4], along: &Along, out: &mu
     }
 }
 
+/// The same by the piece's shape.
+#[inline(always)]
+pub(crate) fn fill_by(shape: &Shape, piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
+    match shape {
+        Shape::Even => fill_even(piece, sigma, along, out),
+        Shape::Over { base, from } => {
+            fill_over(piece, sigma, base.jet_at(*from + sigma), along, out);
+        }
+        Shape::Bent => fill_bent(piece, sigma, along, out),
+    }
+}
+
 /// Walks along a stretch in time.
 #[derive(Clone, Debug, Default)]
 pub struct Cursor {
@@ -209,13 +221,8 @@ impl Cursor {
         let piece = &stretch.pieces[self.piece];
         let sigma = (along.sigma - self.piece_from).clamp(0.0, piece.length);
         out.tag = piece.tag;
-        match self.shape.get_or_insert_with(|| Shape::of(piece)) {
-            Shape::Even => fill_even(piece, sigma, &along, out),
-            Shape::Over { base, from } => {
-                fill_over(piece, sigma, base.jet_at(*from + sigma), &along, out);
-            }
-            Shape::Bent => fill_bent(piece, sigma, &along, out),
-        }
+        let shape = self.shape.get_or_insert_with(|| Shape::of(piece));
+        fill_by(shape, piece, sigma, &along, out);
     }
 
     /// Goes to the phase and the piece at `t`; `None` where there is nothing.

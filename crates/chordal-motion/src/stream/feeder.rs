@@ -85,11 +85,17 @@ pub enum FeedError {
     Finished,
 }
 
+/// So many moves may be with the planner before it hands on a step; then the axes stop after
+/// the last of them, which bounds memory whatever the program is.
+const MOST_WITHIN: usize = 1 << 17;
+
 /// The push side of a stream, for any thread.
 #[derive(Debug)]
 pub struct Feeder {
     planner: Planner,
     line: Line,
+    /// Moves that the planner took since its last step.
+    within: usize,
 }
 
 /// The line of time and what becomes of it.
@@ -133,7 +139,7 @@ impl Feeder {
             finished: false,
             published_last: false,
         };
-        Feeder { planner, line }
+        Feeder { planner, line, within: 0 }
     }
 
     /// Plans a move and publishes what is certain.
@@ -144,8 +150,17 @@ impl Feeder {
         if !self.line.accepts()? {
             return Ok(Pushed::Full);
         }
-        let Feeder { planner, line } = self;
-        planner.push(motion, |step| line.timeline.push(step))?;
+        let Feeder { planner, line, within } = self;
+        *within += 1;
+        let mut take = |step: Step<'_>| {
+            *within = 0;
+            line.timeline.push(step);
+        };
+        planner.push(motion, &mut take)?;
+        if self.within >= MOST_WITHIN {
+            planner.finish(|step| line.timeline.push(step));
+            self.within = 0;
+        }
         line.publish();
         Ok(Pushed::Taken)
     }
@@ -158,7 +173,7 @@ impl Feeder {
         if !self.line.accepts()? {
             return Ok(Pushed::Full);
         }
-        let Feeder { planner, line } = self;
+        let Feeder { planner, line, .. } = self;
         planner.wait(seconds, tag, |step| line.timeline.push(step));
         line.publish();
         Ok(Pushed::Taken)
@@ -181,7 +196,7 @@ impl Feeder {
     /// No further move is known for now: plans to rest and publishes everything. What does not
     /// find a window at once goes out with later calls of this or any other function.
     pub fn flush(&mut self) {
-        let Feeder { planner, line } = self;
+        let Feeder { planner, line, .. } = self;
         if !line.finished {
             planner.finish(|step| line.timeline.push(step));
         }
@@ -192,7 +207,7 @@ impl Feeder {
     /// The end of the program. Returns whether all of it is published; call it again until
     /// then.
     pub fn finish(&mut self) -> bool {
-        let Feeder { planner, line } = self;
+        let Feeder { planner, line, .. } = self;
         if !line.finished {
             planner.finish(|step| line.timeline.push(step));
             line.flushing = true;

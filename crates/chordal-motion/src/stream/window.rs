@@ -1,8 +1,9 @@
 //! A window: some tenths of a second of planned motion with everything that the pull side needs
 //! to walk through it and to stop in it.
 
-use crate::trajectory::{Along, Phase, State, state_of};
-use crate::{Axes, Piece};
+use crate::piece::Shape;
+use crate::trajectory::{Along, Phase, State, fill_by};
+use crate::{Axes, Piece, Sample};
 
 use super::bounds::Block;
 
@@ -103,15 +104,14 @@ impl Window {
         phase.at((t - from_s).clamp(0.0, phase.duration_s))
     }
 
-    /// The axes on a leg, with its piece from `hint` on.
+    /// The piece of a leg that the law of time is on, from `hint` on.
     #[inline]
-    pub fn on_path(&self, leg: &Leg, hint: &mut usize, along: &Along) -> State {
+    pub fn piece(&self, leg: &Leg, hint: &mut usize, along: &Along) -> &Placed {
         let (first, end) = leg.pieces;
         *hint = last_not_after(&self.pieces[..end], (*hint).max(first), |placed| {
             placed.from <= along.sigma
         });
-        let Placed { from, piece } = &self.pieces[*hint];
-        state_of(piece, (along.sigma - from).clamp(0.0, piece.length), along)
+        &self.pieces[*hint]
     }
 
     /// Where the axes stand when the window ends at rest.
@@ -143,6 +143,8 @@ pub(super) struct Place {
     leg: usize,
     /// Phase and piece on the leg and on the one that begins while it ends.
     hints: [(usize, usize); 2],
+    /// The pieces that were last met, made ready.
+    shapes: [Option<(usize, Shape)>; 2],
 }
 
 impl Place {
@@ -177,9 +179,17 @@ impl Place {
     #[inline]
     fn on(&mut self, window: &Window, which: usize, t: f64) -> State {
         let leg = &window.legs[self.leg + which];
-        let (phase, piece) = &mut self.hints[which];
+        let (phase, index) = &mut self.hints[which];
         let along = window.along(leg, phase, t);
-        window.on_path(leg, piece, &along)
+        let Placed { from, piece } = window.piece(leg, index, &along);
+        let shape = match &mut self.shapes[which] {
+            Some((at, shape)) if at == index => shape,
+            other => &mut other.insert((*index, Shape::of(piece))).1,
+        };
+        let mut sample = Sample { tag: piece.tag, ..Sample::default() };
+        let sigma = (along.sigma - from).clamp(0.0, piece.length);
+        fill_by(shape, piece, sigma, &along, &mut sample);
+        sample.into()
     }
 }
 

@@ -7,6 +7,7 @@ use super::MachineLimits;
 
 /// What the machine does next.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "handed on by reference, never kept in numbers")]
 pub enum MotionStep {
     /// It moves.
     Move(Move),
