@@ -11,6 +11,7 @@
 
 mod beside;
 mod calc;
+mod calibrate;
 mod check;
 mod chords;
 mod commands;
@@ -30,6 +31,7 @@ mod sample;
 mod session;
 mod summary;
 mod terminal;
+mod time;
 
 use std::process::ExitCode;
 
@@ -51,6 +53,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal run part.nc                        what it does, how long, where it would stop
   chordal run part.nc -o part.svg            the same, and a picture
+  chordal time part.nc                       how long it takes, where and why
   chordal check archive/                     problems of every program in a folder
   chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
   chordal explain CH401                      what a message means
@@ -75,6 +78,8 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Args),
+    Time(time::Args),
+    Calibrate(calibrate::Args),
     Check(check::Args),
     Commands(commands::Args),
     Path(path::Args),
@@ -91,6 +96,8 @@ impl Command {
     fn run(self, terminal: Terminal) -> Result<Verdict, Failure> {
         match self {
             Command::Run(args) => run::run(args, terminal),
+            Command::Time(args) => time::run(&args, terminal),
+            Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),

@@ -1,6 +1,7 @@
 use std::path::PathBuf;
 
 use chordal::Severity;
+use chordal::motion::MotionOptions;
 use chordal_export::{PlotOptions, report};
 
 use crate::failure::{Failure, Verdict};
@@ -27,6 +28,13 @@ Outputs by ending:
 
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
 the number in the file. The exit code is 1 when there is an error: the control would stop.";
+
+/// Most moves of a program whose cycle time is planned: longer ones are for `chordal time`, so
+/// that the summary of a million lines is there at once.
+const MOST_PLANNED: u64 = 300_000;
+
+/// Bytes of a line of a program of many short moves.
+const LINE: u64 = 20;
 
 /// Carries a program out and sums up what it does
 #[derive(clap::Args)]
@@ -64,15 +72,19 @@ fn one(
 ) -> Result<(String, Verdict), Failure> {
     let job = loaded.job()?;
     let mut outputs = Outputs::open(targets, &job)?;
-    let report = job.report_watched(&mut outputs);
+    // A long text is not planned in vain.
+    let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
+    let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
+    // Limits nothing can be planned with are told by `chordal time`.
+    let timed = timed.ok().flatten();
     let options = PlotOptions {
         title: loaded.name().to_string(),
-        subtitle: summary::subtitle(&job, &report),
+        subtitle: summary::subtitle(&job, &report, timed.as_ref()),
         ..PlotOptions::default()
     };
     let written = outputs.finish(&report, &options)?;
 
-    let mut text = summary::text(loaded, &job, &report, terminal.out);
+    let mut text = summary::text(loaded, &job, &report, timed.as_ref(), terminal.out);
     for path in written {
         text.push_str(&format!(
             "  {:10}{}\n",

@@ -37,12 +37,27 @@ impl Loaded {
 
     /// The job, which borrows the texts.
     pub fn job(&self) -> Result<Job<'_>, Failure> {
+        self.job_on(self.machine.clone())
+    }
+
+    /// Bytes of the program's text.
+    pub fn size(&self) -> usize {
+        self.texts[0].bytes().len()
+    }
+
+    /// Its machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The job on another machine.
+    pub fn job_on(&self, machine: Machine) -> Result<Job<'_>, Failure> {
         let mut sources = SourceMap::new();
         for text in &self.texts {
             sources.add(Source::new(text.name(), text.bytes()));
         }
         // The settings were checked with their places when the machine was chosen.
-        let job = Job::new(sources, self.machine.clone())
+        let job = Job::new(sources, machine)
             .map_err(|error| Failure::Use { message: error.to_string(), help: None })?;
         Ok(job.program(self.program).options(self.options.clone()))
     }

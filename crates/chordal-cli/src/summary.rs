@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use chordal::control::{EndReason, Library};
 use chordal::diagnostics::FileId;
+use chordal::time::Timed;
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
 use comfy_table::{CellAlignment, Table};
 
@@ -25,7 +26,13 @@ const MOST_SPEEDS: usize = 4;
 const LABEL: usize = 10;
 
 /// The summary as text.
-pub fn text(loaded: &Loaded, job: &Job, report: &Report, color: bool) -> String {
+pub fn text(
+    loaded: &Loaded,
+    job: &Job,
+    report: &Report,
+    timed: Option<&Timed>,
+    color: bool,
+) -> String {
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
     let mut sheet = Sheet { text: String::new(), color };
     sheet.text.push_str(&format!("{}\n", style(color, BOLD, loaded.name())));
@@ -46,17 +53,26 @@ pub fn text(loaded: &Loaded, job: &Job, report: &Report, color: bool) -> String 
     let lengths =
         format!("{} {unit} of cuts, {} {unit} of rapids", units.length(cuts), units.length(rapids));
     sheet.row("lengths", &lengths);
-    sheet.row("time", &time(summary));
+    match timed.filter(|timed| timed.time.moves > 0) {
+        Some(timed) => {
+            sheet.row("time", &planned_time(timed));
+            sheet.more(&at_feed(summary));
+        }
+        None => sheet.row("time", &time(summary)),
+    }
     sheet.printed(report);
     sheet.end(job, report);
     sheet.text
 }
 
 /// The second line under a picture: machine, units, time.
-pub fn subtitle(job: &Job, report: &Report) -> String {
+pub fn subtitle(job: &Job, report: &Report, timed: Option<&Timed>) -> String {
     let units = if report.summary.inch { "inch" } else { "mm" };
-    let time = duration(report.summary.total_time_s());
-    format!("{}, {units}, {time} without acceleration", job.machine().title)
+    let time = match timed {
+        Some(timed) => duration(timed.time.total_s()),
+        None => format!("{} without acceleration", duration(report.summary.total_time_s())),
+    };
+    format!("{}, {units}, {time}", job.machine().title)
 }
 
 struct Sheet {
@@ -233,15 +249,8 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
         (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
     for tool in tools {
-        let known = job.machine().tools.get(&tool.number);
-        let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
-        let name = match (tool.number, known) {
-            (0, _) => "none yet".to_string(),
-            (number, Some(known)) => format!("T{number} {known}"),
-            (number, None) => format!("T{number}"),
-        };
         table.add_row([
-            name,
+            tool_name(tool.number, job),
             ranges(&tool.lines),
             tool.feeds_mm_per_s.map_or_else(
                 || "-".into(),
@@ -256,6 +265,17 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
         ]);
     }
     table
+}
+
+/// `T5 end mill`, as the machine file calls it.
+pub fn tool_name(number: u32, job: &Job) -> String {
+    let known = job.machine().tools.get(&number);
+    let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
+    match (number, known) {
+        (0, _) => "none yet".to_string(),
+        (number, Some(known)) => format!("T{number} {known}"),
+        (number, None) => format!("T{number}"),
+    }
 }
 
 fn ranges(lines: &[(u32, u32)]) -> String {
@@ -328,23 +348,46 @@ fn moves(summary: &Summary, blocks: u64) -> String {
     format!("{moves}, in {} blocks", grouped(blocks))
 }
 
+/// The time of a program too long to be planned here.
 fn time(summary: &Summary) -> String {
-    let mut parts = Vec::new();
-    for (what, seconds) in [
+    let total = duration(summary.total_time_s());
+    let about = if total.starts_with("under") { "" } else { "about " };
+    let parts = parts(&[
         ("cuts", summary.feed_time_s),
         ("rapids", summary.rapid_time_s),
         ("dwells", summary.dwell_time_s),
-    ] {
-        if seconds > 0.0 {
-            parts.push(format!("{what} {}", duration(seconds)));
-        }
-    }
-    let parts = if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) };
-    let missing = match summary.cuts_without_time {
+    ]);
+    let missing = missing(summary);
+    format!("{about}{total} without acceleration and tool changes{parts}{missing}")
+}
+
+/// The time as the machine's axes can do it.
+fn planned_time(timed: &Timed) -> String {
+    let (time, times) = (&timed.time, &timed.time.times);
+    let mut shares = vec![("cuts", times.cutting_s), ("rapids", times.rapid_s)];
+    shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));
+    let total = duration(time.total_s());
+    format!("{total}, acceleration and jerk held{}", parts(&shares))
+}
+
+/// What the moves would take without speeding up and slowing down.
+fn at_feed(summary: &Summary) -> String {
+    let moving = duration(summary.feed_time_s + summary.rapid_time_s);
+    format!("the moves without acceleration: {moving}{}", missing(summary))
+}
+
+fn parts(shares: &[(&str, f64)]) -> String {
+    let parts: Vec<String> = shares
+        .iter()
+        .filter(|(_, seconds)| *seconds > 0.0)
+        .map(|(what, seconds)| format!("{what} {}", duration(*seconds)))
+        .collect();
+    if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) }
+}
+
+fn missing(summary: &Summary) -> String {
+    match summary.cuts_without_time {
         0 => String::new(),
         some => format!("; {} without a feed not counted", counted(some, "cut", "cuts")),
-    };
-    let total = duration(summary.total_time_s());
-    let about = if total.starts_with("under") { "" } else { "about " };
-    format!("{about}{total} without acceleration and tool changes{parts}{missing}")
+    }
 }

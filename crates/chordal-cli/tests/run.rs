@@ -19,7 +19,8 @@ fn the_summary_is_in_the_programs_units() {
         "X      0.0000  1.0000     0.0000  1.0000  in",
         "4 lines, 1 arc, 3 rapids",
         "in of cuts",
-        "without acceleration",
+        "acceleration and jerk held: cuts ",
+        "the moves without acceleration: ",
     ]);
     folder.write("mm.nc", CLEAN.replace("G20", "G21"));
     folder.run(&["run", "mm.nc", "-m", "haas-vf2"]).says(&["millimetres", "feed mm/min"]);

@@ -8,6 +8,7 @@
 //! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
 //! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
+//! | time | JSON | [`time_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -29,6 +30,7 @@ mod number;
 mod plot;
 pub mod report;
 mod samples;
+mod time;
 mod worked;
 
 pub use canon::Canon;
@@ -40,4 +42,5 @@ pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use plot::{MotionPlot, Plot, PlotError, PlotOptions, figure_png, figure_svg};
 pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
+pub use time::{TimeDocument, level_word, time_json};
 pub use worked::{worked_json, worked_text};

@@ -205,16 +205,7 @@ impl<'a> Job<'a> {
 
     /// Runs with all checks and sums up, watched.
     pub fn report_watched(&self, watch: &mut impl Watch) -> Report {
-        let (offset, known) = self.initial_offset();
-        let sink = ReportSink {
-            builder: PathBuilder::new(&self.machine, offset, known),
-            checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
-            summary: SummaryBuilder::new(&self.control),
-            collector: Collector::new(KEPT_PER_CODE),
-            output: Vec::new(),
-            segments: Vec::new(),
-            watch,
-        };
+        let sink = ReportSink::new(self, watch);
         let (outcomes, sink) = Compensated::judge(self, sink);
         sink.finish(outcomes)
     }
@@ -352,7 +343,8 @@ impl chordal_path::PathSink for CheckSink<'_> {
     }
 }
 
-struct ReportSink<'m, 'w, W> {
+/// Checks, sums up and lets a run be watched.
+pub(crate) struct ReportSink<'m, 'w, W> {
     builder: PathBuilder<'m>,
     checks: Checks<'m>,
     summary: SummaryBuilder,
@@ -384,8 +376,22 @@ impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
     }
 }
 
-impl<W> ReportSink<'_, '_, W> {
-    fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
+impl<'m, 'w, W> ReportSink<'m, 'w, W> {
+    pub fn new(job: &'m Job<'_>, watch: &'w mut W) -> ReportSink<'m, 'w, W> {
+        let (offset, known) = job.initial_offset();
+        let units = job.control.parameters.units;
+        ReportSink {
+            builder: PathBuilder::new(&job.machine, offset, known),
+            checks: Checks::new(&job.machine, offset, known, units),
+            summary: SummaryBuilder::new(&job.control),
+            collector: Collector::new(KEPT_PER_CODE),
+            output: Vec::new(),
+            segments: Vec::new(),
+            watch,
+        }
+    }
+
+    pub fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
         let collector = &mut self.collector;
         self.checks.finish(|diagnostic| collector.push(diagnostic));
         Report::new(self.summary.finish(), self.collector, self.output, outcomes)

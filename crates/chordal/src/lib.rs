@@ -23,6 +23,7 @@ mod compensated;
 mod job;
 pub mod motion;
 mod summary;
+pub mod time;
 
 pub use chordal_control as control;
 pub use chordal_diagnostics as diagnostics;

@@ -14,6 +14,9 @@ pub trait PlanSink {
     /// A step goes into the planner; what comes out of it bears its tag.
     fn source(&mut self, _source: &StepSource) {}
 
+    /// The same, with the move or the wait itself.
+    fn asked(&mut self, _step: &MotionStep, _source: &StepSource) {}
+
     /// A planned step; `sources` knows every tag in it.
     fn step(&mut self, step: Step<'_>, sources: &Sources);
 
@@ -128,6 +131,7 @@ impl<S: PlanSink> MotionSink for Planning<'_, S> {
         }
         self.sources.push(*source);
         self.sink.source(source);
+        self.sink.asked(step, source);
         let Planning { planner, sources, sink, .. } = self;
         match step {
             MotionStep::Move(motion) => planner.push(motion, |step| hand_on(step, sources, *sink)),

@@ -1,0 +1,141 @@
+mod picture;
+mod text;
+
+use std::path::PathBuf;
+
+use chordal::motion::{Level, LimitError, MotionOptions};
+use chordal::time::{Alternative, Timed};
+use chordal::{Job, Watch};
+use chordal_export::{PlotOptions, TimeDocument, time_json};
+use clap::ValueEnum;
+
+use self::picture::Picture;
+use crate::commands::tell;
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::session::load_one;
+use crate::summary::subtitle;
+use crate::terminal::{Terminal, say};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal time part.nc                         by tool, the costliest blocks, what if
+  chordal time part.nc --machine vf2.toml
+  chordal time part.nc --set motion.feed_override=0.8
+  chordal time part.nc --format json | jq .total_s
+  chordal time part.nc -o part-speed.svg       speed, acceleration, jerk as a picture
+
+The time holds the velocity, acceleration and jerk of every axis, and passes corners as the
+control's path mode says. `lost` is what moves take beyond their length at feed or rapid speed.
+Problems of the program go to standard error; the exit code is 1 when there are errors.";
+
+/// Tells how long a program takes, where the time goes and why
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// How hard the planner tries
+    #[arg(long, value_enum, default_value = "fast")]
+    level: LevelName,
+
+    /// How the time is told
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+
+    /// Draws speed, acceleration and jerk over time and speed along the path: .svg or .png
+    #[arg(long, short, value_name = "PICTURE")]
+    output: Option<PathBuf>,
+
+    /// Plans again with other overrides and path modes, however long the program is
+    ///
+    /// Without it, that is done for programs of up to 20,000 moves.
+    #[arg(long)]
+    what_if: bool,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+/// How hard the planner tries.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum LevelName {
+    /// In one pass, for programs of any length
+    Fast,
+    /// By optimization, for short programs
+    Best,
+}
+
+impl From<LevelName> for Level {
+    fn from(name: LevelName) -> Level {
+        match name {
+            LevelName::Fast => Level::Fast,
+            LevelName::Best => Level::Best,
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// For people
+    Text,
+    /// One object
+    Json,
+}
+
+/// Most moves of a program that is planned again unasked: all changes together then take less
+/// than a second.
+const MOST_UNASKED: u64 = 20_000;
+
+/// Sees nothing of a run.
+struct Unwatched;
+
+impl Watch for Unwatched {}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let picture = args.output.as_deref().map(|path| Picture::new(path, &args.file)).transpose()?;
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let options = MotionOptions { level: args.level.into(), ..MotionOptions::default() };
+    let (report, timed) = job.report_timed(&options, u64::MAX, &mut Unwatched);
+    // No program has more moves than that.
+    let Some(timed) = timed.map_err(|error| wrong_limit(&error))? else {
+        return Ok(tell(&report, &loaded, &job, terminal));
+    };
+    let what_if = what_if(&job, &options, &timed, args.what_if)?;
+    let document =
+        TimeDocument { timed: &timed, level: options.level, what_if: &what_if, bound: None };
+    let text = match args.format {
+        Format::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
+        Format::Json => time_json(&document, &report, &job),
+    };
+    if let Some(picture) = &picture {
+        let plot = PlotOptions {
+            title: loaded.name().to_string(),
+            subtitle: subtitle(&job, &report, Some(&timed)),
+            ..PlotOptions::default()
+        };
+        picture.draw(&job, &options, &timed, report.summary.inch, &plot)?;
+    }
+    say(&text)?;
+    Ok(tell(&report, &loaded, &job, terminal))
+}
+
+fn what_if(
+    job: &Job,
+    options: &MotionOptions,
+    timed: &Timed,
+    asked: bool,
+) -> Result<Vec<Alternative>, Failure> {
+    let unasked = options.level == Level::Fast && timed.time.moves <= MOST_UNASKED;
+    if timed.time.moves == 0 || !(asked || unasked) {
+        return Ok(Vec::new());
+    }
+    job.what_if(options, &job.changes()).map_err(|error| wrong_limit(&error))
+}
+
+/// A limit nothing can be planned with.
+pub fn wrong_limit(error: &LimitError) -> Failure {
+    Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
+}

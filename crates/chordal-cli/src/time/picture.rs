@@ -1,0 +1,71 @@
+//! The picture of a planned program.
+
+use std::path::{Path, PathBuf};
+
+use chordal::Job;
+use chordal::motion::{MotionOptions, PlanSink, Sources, Step};
+use chordal::time::Timed;
+use chordal_export::{MotionPlot, PlotOptions};
+
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::time::wrong_limit;
+
+/// Where a picture goes, and in which format.
+pub struct Picture {
+    path: PathBuf,
+    png: bool,
+}
+
+impl Picture {
+    /// A picture whose format its ending says; it does not take the place of the program.
+    pub fn new(path: &Path, program: &Path) -> Result<Picture, Failure> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        let png = match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("svg") => false,
+            Some("png") => true,
+            _ => {
+                return Err(Failure::wrong(
+                    format!("the ending of {} says no format of pictures", path.display()),
+                    "the endings are .svg, .png",
+                ));
+            }
+        };
+        if path.canonicalize().is_ok_and(|own| program.canonicalize().is_ok_and(|p| p == own)) {
+            return Err(Failure::wrong(
+                format!("{} is the program", path.display()),
+                "give the picture another name",
+            ));
+        }
+        Ok(Picture { path: path.to_path_buf(), png })
+    }
+
+    /// Plans once more, draws and writes.
+    pub fn draw(
+        &self,
+        job: &Job,
+        options: &MotionOptions,
+        timed: &Timed,
+        inch: bool,
+        plot: &PlotOptions,
+    ) -> Result<(), Failure> {
+        let mut drawing = Drawing(MotionPlot::new(&timed.motion.limits.cut, inch));
+        job.plan(options, &mut drawing).map_err(|error| wrong_limit(&error))?;
+        drawing.0.finish();
+        let picture = if self.png {
+            let drawn = drawing.0.png(plot);
+            drawn.map_err(|error| Failure::Use { message: error.to_string(), help: None })?
+        } else {
+            drawing.0.svg(plot).into_bytes()
+        };
+        write_whole(&self.path, &picture)
+    }
+}
+
+struct Drawing(MotionPlot);
+
+impl PlanSink for Drawing {
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        self.0.step(step, sources);
+    }
+}

@@ -1,0 +1,355 @@
+//! The time of a program for people, in 80 columns.
+
+use chordal::control::{PathMode, Units as ProgramUnits};
+use chordal::diagnostics::FileId;
+use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
+use chordal::time::{Alternative, BlockTime, Change, OperationTime, TimeReport, ToolTime};
+use chordal::{Job, Report};
+use chordal_export::TimeDocument;
+use comfy_table::Table;
+
+use crate::numbers::{counted, duration, fixed, short};
+use crate::summary::{plain_table, tool_name};
+use crate::terminal::{BOLD, style};
+
+/// Columns of the text.
+const WIDTH: usize = 80;
+
+/// Width of the labels on the left.
+const LABEL: usize = 10;
+
+/// Most operations that are listed.
+const MOST_OPERATIONS: usize = 30;
+
+/// Blocks of the second list, those that lose the most.
+const MOST_COSTLIEST: usize = 5;
+
+/// The time of a program.
+pub fn text(
+    name: &str,
+    document: &TimeDocument,
+    report: &Report,
+    job: &Job,
+    color: bool,
+) -> String {
+    let mut sheet = Sheet { text: String::new(), color };
+    let (time, motion) = (&document.timed.time, &document.timed.motion);
+    let machine = job.machine();
+    sheet.text.push_str(&format!("{}\n", style(color, BOLD, name)));
+    sheet.row("machine", &format!("{} ({})", machine.title, machine.name));
+    sheet.rows("time", &totals(time, document.level));
+    sheet.table("", tools(&time.tools, job));
+    if time.operations.len() > time.tools.len() {
+        sheet.table("operations, from tool change to tool change", operations(time, job));
+        let more = time.operations.len().saturating_sub(MOST_OPERATIONS) as u64;
+        if more + time.operations_left_out > 0 {
+            let more = counted(more + time.operations_left_out, "operation", "operations");
+            sheet.text.push_str(&format!("  and {more} more\n"));
+        }
+    }
+    sheet.table("blocks that take the longest", blocks(&time.longest, job));
+    let costliest = &time.costliest[..time.costliest.len().min(MOST_COSTLIEST)];
+    // In a short program both lists hold the same blocks.
+    let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
+    if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
+        let title = "blocks that lose the most to speeding up and slowing down";
+        sheet.table(title, blocks(costliest, job));
+    }
+    sheet.table("what if", alternatives(document.what_if, time, report.summary.inch));
+    let notes = notes(time, motion, report, job);
+    if !notes.is_empty() {
+        sheet.text.push('\n');
+        sheet.rows("assumed", &notes);
+    }
+    sheet.text
+}
+
+struct Sheet {
+    text: String,
+    color: bool,
+}
+
+impl Sheet {
+    fn row(&mut self, label: &str, text: &str) {
+        let label = style(self.color, BOLD, format_args!("{label:LABEL$}"));
+        let mut lines = wrapped(text, WIDTH - LABEL - 2).into_iter();
+        self.text.push_str(&format!("  {label}{}\n", lines.next().unwrap_or_default()));
+        for line in lines {
+            self.text.push_str(&format!("  {:LABEL$}{line}\n", ""));
+        }
+    }
+
+    fn rows(&mut self, label: &str, rows: &[String]) {
+        for (index, row) in rows.iter().enumerate() {
+            self.row(if index == 0 { label } else { "" }, row);
+        }
+    }
+
+    fn table(&mut self, title: &str, table: Table) {
+        if table.is_empty() {
+            return;
+        }
+        self.text.push('\n');
+        if !title.is_empty() {
+            self.text.push_str(&format!("  {}\n", style(self.color, BOLD, title)));
+        }
+        for line in table.lines() {
+            self.text.push_str(&format!("  {}\n", line.trim_end()));
+        }
+    }
+}
+
+/// Breaks a text at spaces.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.len() - 1;
+        let line = &mut lines[last];
+        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
+            lines.push(word.to_string());
+        } else {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines
+}
+
+/// Times of blocks are short: three decimals below ten seconds.
+fn fine(seconds: f64) -> String {
+    if seconds < SAME_S {
+        "-".to_string()
+    } else if seconds < 9.9995 {
+        format!("{} s", fixed(seconds, 3))
+    } else {
+        duration(seconds)
+    }
+}
+
+fn totals(time: &TimeReport, level: Level) -> Vec<String> {
+    let total = time.total_s();
+    if total == 0.0 {
+        return vec!["nothing moves".to_string()];
+    }
+    let tried = match level {
+        Level::Fast => "",
+        Level::Best => " (level best)",
+    };
+    let times = &time.times;
+    let mut shares = vec![("cutting", times.cutting_s), ("rapids", times.rapid_s)];
+    shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));
+    let shares = shares.iter().filter(|(_, seconds)| *seconds > 0.0);
+    let parts: Vec<String> =
+        shares.map(|(what, seconds)| format!("{what} {}", fine(*seconds))).collect();
+    let moving = times.cutting_s + times.rapid_s;
+    let mut rows =
+        vec![format!("{}, acceleration and jerk held{tried}", fine(total)), parts.join(", ")];
+    if moving > 0.0 {
+        rows.push(format!(
+            "speeding up and slowing down costs {}, {} % of the moves' time",
+            fine(times.lost_s),
+            short(times.lost_s / moving * 100.0, 1)
+        ));
+    }
+    rows
+}
+
+fn tools(tools: &[ToolTime], job: &Job) -> Table {
+    let header = ["tool", "changes", "cutting", "rapids", "other", "all", "lost"];
+    let mut table = plain_table(&header, 1);
+    for tool in tools {
+        let times = &tool.times;
+        table.add_row([
+            tool_name(tool.number, job),
+            tool.changes.to_string(),
+            fine(times.cutting_s),
+            fine(times.rapid_s),
+            fine(times.other_s),
+            fine(times.total_s()),
+            fine(times.lost_s),
+        ]);
+    }
+    table
+}
+
+fn operations(time: &TimeReport, job: &Job) -> Table {
+    let mut table = plain_table(&["tool", "lines", "cutting", "rapids", "other", "all"], 2);
+    for operation in time.operations.iter().take(MOST_OPERATIONS) {
+        let times = &operation.times;
+        table.add_row([
+            tool_name(operation.tool, job),
+            lines(operation),
+            fine(times.cutting_s),
+            fine(times.rapid_s),
+            fine(times.other_s),
+            fine(times.total_s()),
+        ]);
+    }
+    table
+}
+
+/// The lines of the program between which an operation lies; those of other files say nothing.
+fn lines(operation: &OperationTime) -> String {
+    let line = |origin: &chordal::control::Origin| match origin.span.file {
+        FileId(0) => origin.line.to_string(),
+        _ => "-".to_string(),
+    };
+    format!("{} to {}", line(&operation.first), line(&operation.last))
+}
+
+fn blocks(blocks: &[BlockTime], job: &Job) -> Table {
+    let mut table = plain_table(&["line", "runs", "time", "lost", "why", "block"], 0);
+    for index in 4..6 {
+        if let Some(column) = table.column_mut(index) {
+            column.set_cell_alignment(comfy_table::CellAlignment::Left);
+        }
+    }
+    for block in blocks {
+        let waits = matches!(block.reason, chordal::time::Reason::Wait(_));
+        table.add_row([
+            block.origin.line.to_string(),
+            block.runs.to_string(),
+            fine(block.time_s),
+            if waits { "-".to_string() } else { fine(block.lost_s) },
+            block.reason.word().to_string(),
+            block_text(block, job),
+        ]);
+    }
+    table
+}
+
+/// Longest text of a block, so that the table fits.
+const BLOCK_TEXT: usize = 26;
+
+/// The block as written, with single spaces, and its file where that is not the program's.
+fn block_text(block: &BlockTime, job: &Job) -> String {
+    let span = block.origin.span;
+    let words = job.sources().words(span);
+    let mut text: String = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    text.retain(|character| !character.is_control());
+    if span.file != FileId(0)
+        && let Some(source) = job.sources().get(span.file)
+    {
+        text = format!("{}: {text}", source.name());
+    }
+    if text.chars().count() > BLOCK_TEXT {
+        text = text.chars().take(BLOCK_TEXT - 1).collect();
+        text.push('…');
+    }
+    text
+}
+
+/// Other overrides where they change anything, and other path modes in any case.
+fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> Table {
+    let mut table = plain_table(&["", "time", "difference"], 1);
+    let units = if inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
+    for Alternative { change, total_s } in alternatives {
+        let difference = total_s - time.total_s();
+        let same = difference.abs() < SAME_S;
+        if same && matches!(change, Change::Feed(_) | Change::Rapid(_)) {
+            continue;
+        }
+        let what = match change {
+            Change::Feed(part) => format!("feed override {} %", short(part * 100.0, 0)),
+            Change::Rapid(part) => format!("rapid override {} %", short(part * 100.0, 0)),
+            Change::Corners(PathMode::ExactStop) => "exact stop at every corner".to_string(),
+            Change::Corners(PathMode::ExactPath) => "exact path".to_string(),
+            Change::Corners(PathMode::Continuous { tolerance_mm: None }) => {
+                "corners as the machine file lets them".to_string()
+            }
+            Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
+                format!("corners within {}", units.length_text(*tolerance))
+            }
+            Change::Smoothness { level, tolerance_mm } => {
+                let word = ["rough", "medium", "finish"][usize::from(*level).clamp(1, 3) - 1];
+                format!("smoothness P{level} ({word}), {}", units.length_text(*tolerance_mm))
+            }
+        };
+        let sign = if difference < 0.0 { "-" } else { "+" };
+        let changes =
+            if same { "-".to_string() } else { format!("{sign}{}", fine(difference.abs())) };
+        table.add_row([what, fine(*total_s), changes]);
+    }
+    table
+}
+
+/// How far corners may be from the path when the program does not say.
+fn corners(job: &Job, units: ProgramUnits) -> String {
+    match job.control().parameters.path.start_mode() {
+        PathMode::ExactStop => "the program begins in exact stop mode".into(),
+        PathMode::ExactPath => "the program begins in exact path mode".into(),
+        PathMode::Continuous { tolerance_mm: Some(tolerance) } => format!(
+            "corners are passed within {} where the program names no other distance (a setting \
+             of the control)",
+            units.length_text(tolerance)
+        ),
+        PathMode::Continuous { tolerance_mm: None } => format!(
+            "corners are passed within {} where the path mode lets the control round them and \
+             names no tolerance (motion.corner_tolerance)",
+            units.length_text(job.machine().motion.corner_tolerance_mm())
+        ),
+    }
+}
+
+/// Times that differ by less than this, s, are the same: less than is shown.
+const SAME_S: f64 = 0.0005;
+
+/// What the time rests on, beside the program.
+fn notes(time: &TimeReport, motion: &MotionReport, report: &Report, job: &Job) -> Vec<String> {
+    let machine = job.machine();
+    let mut notes: Vec<String> = machine.notes.clone();
+    for quantity in [Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
+        let of = motion.limits.assumed.iter().filter(|limit| limit.quantity == quantity);
+        let axes: Vec<String> = of.map(|limit| limit.axis.to_string()).collect();
+        if !axes.is_empty() {
+            notes.push(format!(
+                "the machine file gives no {quantity} of {}: typical ones are taken",
+                axes.join(" ")
+            ));
+        }
+    }
+    let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
+    notes.push(corners(job, units));
+    for (what, part) in
+        [("feed", machine.motion.feed_override()), ("rapid", machine.motion.rapid_override())]
+    {
+        if part != 1.0 {
+            notes.push(format!("the {what} override stands at {} %", short(part * 100.0, 1)));
+        }
+    }
+    if time.tangent_stops > 0 {
+        notes.push(format!(
+            "{} of line and arc {}: exact path mode eases nothing (motion.exact_path_tolerance)",
+            counted(time.tangent_stops, "tangent joint", "tangent joints"),
+            if time.tangent_stops == 1 { "stops" } else { "stop" }
+        ));
+    }
+    if time.tool_changes > 0 && machine.times.tool_change_s.is_none() {
+        notes.push("the machine file gives no time for a tool change (times.tool_change)".into());
+    }
+    if motion.cuts_without_feed > 0 {
+        let cuts = counted(motion.cuts_without_feed, "cut", "cuts");
+        notes.push(format!("{cuts} without a feed not counted"));
+    }
+    if motion.unknown_moves > 0 {
+        notes.push(format!(
+            "{} between places that are not all known: work offsets or tool lengths that are \
+             not given count as zero",
+            counted(motion.unknown_moves, "move", "moves")
+        ));
+    }
+    if let Some(first) = motion.refused.first() {
+        notes.push(format!(
+            "{} could not be planned; line {}: {}",
+            counted(motion.refused_moves, "move", "moves"),
+            first.source.origin.line,
+            first.error
+        ));
+    }
+    if time.waits.iter().any(|(kind, _)| *kind == WaitKind::Stop) {
+        notes.push("the operator's time at program stops is not counted".into());
+    }
+    notes
+}

@@ -1,0 +1,146 @@
+//! The time of a program as JSON.
+
+use chordal::control::{Origin, PathMode};
+use chordal::diagnostics::FileId;
+use chordal::motion::{Level, MotionReport};
+use chordal::time::{Alternative, BlockTime, Change, Timed, Times};
+use chordal::{Job, Report};
+use serde_json::{Map, Value, json};
+
+/// What stands beside the time of a program.
+#[derive(Clone, Copy, Debug)]
+pub struct TimeDocument<'a> {
+    /// The time.
+    pub timed: &'a Timed,
+    /// How hard the planner tried.
+    pub level: Level,
+    /// The same program with changes, where it was asked.
+    pub what_if: &'a [Alternative],
+    /// The least time without jerk limits and with them, s, where it was asked.
+    pub bound: Option<(f64, f64)>,
+}
+
+/// One JSON object, schema `chordal.time/1`: times in s, lengths in mm.
+pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String {
+    let (time, motion) = (&document.timed.time, &document.timed.motion);
+    let mut whole = Map::new();
+    let mut put = |name: &str, value: Value| {
+        whole.insert(name.to_string(), value);
+    };
+    put("schema", json!("chordal.time/1"));
+    put("machine", json!(job.machine().name));
+    put("total_s", json!(time.total_s()));
+    put("cutting_s", json!(time.times.cutting_s));
+    put("rapid_s", json!(time.times.rapid_s));
+    put("other_s", json!(time.times.other_s));
+    put("lost_s", json!(time.times.lost_s));
+    put("at_feed_s", json!(time.at_feed_s));
+    put("level", json!(level_word(document.level)));
+    if let Some((bound_s, reference_s)) = document.bound {
+        put("bound_s", json!(bound_s));
+        put("reference_s", json!(reference_s));
+    }
+    put("moves", json!(time.moves));
+    put("tool_changes", json!(time.tool_changes));
+    put("tangent_stops", json!(time.tangent_stops));
+    put("errors", json!(report.counts.errors));
+    let waits = time.waits.iter().map(|(kind, seconds)| (kind.name().to_string(), json!(seconds)));
+    put("waits", Value::Object(waits.collect()));
+    let tools = time
+        .tools
+        .iter()
+        .map(|tool| with_times(json!({"tool": tool.number, "changes": tool.changes}), &tool.times));
+    put("tools", tools.collect());
+    let operations = time.operations.iter().map(|operation| {
+        let (first, last) = (place(&operation.first, job), place(&operation.last, job));
+        let head = json!({"tool": operation.tool, "first": first, "last": last});
+        with_times(head, &operation.times)
+    });
+    put("operations", operations.collect());
+    put("operations_left_out", json!(time.operations_left_out));
+    put("longest_blocks", blocks(&time.longest, job));
+    put("costliest_blocks", blocks(&time.costliest, job));
+    if !document.what_if.is_empty() {
+        put("what_if", document.what_if.iter().map(alternative).collect());
+    }
+    put("assumed", assumed(motion));
+    put("cuts_without_feed", json!(motion.cuts_without_feed));
+    put("unknown_moves", json!(motion.unknown_moves));
+    put("refused_moves", json!(motion.refused_moves));
+    format!("{:#}\n", Value::Object(whole))
+}
+
+/// `fast` or `best`.
+pub fn level_word(level: Level) -> &'static str {
+    match level {
+        Level::Fast => "fast",
+        Level::Best => "best",
+    }
+}
+
+fn with_times(mut head: Value, times: &Times) -> Value {
+    for (name, seconds) in [
+        ("total_s", times.total_s()),
+        ("cutting_s", times.cutting_s),
+        ("rapid_s", times.rapid_s),
+        ("other_s", times.other_s),
+        ("lost_s", times.lost_s),
+    ] {
+        head[name] = json!(seconds);
+    }
+    head
+}
+
+/// The line; with its file where that is not the program's.
+fn place(origin: &Origin, job: &Job) -> Value {
+    let name = job.sources().get(origin.span.file).map_or("", |source| source.name());
+    match origin.span.file {
+        FileId(0) => json!({"line": origin.line}),
+        _ => json!({"line": origin.line, "file": name}),
+    }
+}
+
+fn blocks(blocks: &[BlockTime], job: &Job) -> Value {
+    let row = |block: &BlockTime| {
+        let mut row = place(&block.origin, job);
+        row["text"] = json!(job.sources().words(block.origin.span).trim());
+        row["runs"] = json!(block.runs);
+        row["time_s"] = json!(block.time_s);
+        row["lost_s"] = json!(block.lost_s);
+        row["reason"] = json!(block.reason.word());
+        row
+    };
+    blocks.iter().map(row).collect()
+}
+
+fn alternative(alternative: &Alternative) -> Value {
+    let mut row = match alternative.change {
+        Change::Feed(part) => json!({"feed_override": part}),
+        Change::Rapid(part) => json!({"rapid_override": part}),
+        Change::Corners(PathMode::ExactStop) => json!({"path_mode": "exact stop"}),
+        Change::Corners(PathMode::ExactPath) => json!({"path_mode": "exact path"}),
+        Change::Corners(PathMode::Continuous { tolerance_mm }) => {
+            json!({"path_mode": "continuous", "tolerance_mm": tolerance_mm})
+        }
+        Change::Smoothness { level, tolerance_mm } => {
+            json!({"smoothness": level, "tolerance_mm": tolerance_mm})
+        }
+    };
+    row["total_s"] = json!(alternative.total_s);
+    row
+}
+
+/// Limits that the machine file does not give, in mm or degrees and s.
+fn assumed(motion: &MotionReport) -> Value {
+    let row = |limit: &chordal::motion::AssumedLimit| {
+        let rotary = limit.axis.is_rotary();
+        let value = if rotary { limit.value.to_degrees() } else { limit.value };
+        json!({
+            "axis": limit.axis.to_string(),
+            "limit": limit.quantity.to_string(),
+            "value": value,
+            "unit": if rotary { "deg" } else { "mm" },
+        })
+    };
+    motion.limits.assumed.iter().map(row).collect()
+}

@@ -1,0 +1,450 @@
+use std::collections::{BTreeMap, VecDeque};
+
+use chordal_control::Origin;
+use chordal_geometry::{Curve, ParamCurve, Vec3};
+use chordal_motion::{Corner, Move, MoveKind, Step, Stretch};
+
+use super::blocks::{BlockRun, Blocks};
+use super::reason::{Asked, Ride, reason_of};
+use super::report::{OperationTime, Reason, TimeReport, Times, ToolTime};
+use super::walk::walk;
+use crate::motion::{MotionStep, StepSource, WaitKind};
+
+/// Most operations that are kept.
+const MOST_OPERATIONS: usize = 1000;
+
+/// Blocks in each ranking.
+const RANKED: usize = 10;
+
+/// A speed this close to the asked one is the asked one.
+const SAME_SPEED: f64 = 1e-6;
+
+/// Directions whose sine is below this go on in each other.
+const TANGENT: f64 = 1e-4;
+
+/// What was asked for, until its time is known.
+#[derive(Clone, Copy, Debug)]
+enum Pending {
+    Move { asked: Asked, speed: f64, exact: bool, tangent_next: bool },
+    Wait(WaitKind),
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Item {
+    tag: u64,
+    tool: u32,
+    /// Its place in the list of operations, where that one is kept.
+    operation: usize,
+    origin: Origin,
+    what: Pending,
+    ride: Ride,
+    ends_at_rest: bool,
+}
+
+/// Adds up the time of a program from the steps of a planner, as they come.
+///
+/// Moves and waits are announced with rising tags before they are pushed into the planner; the
+/// steps come when the planner is sure of them. What is announced waits here until the steps
+/// have passed it: as much as the planner looks ahead.
+#[derive(Debug, Default)]
+pub struct TimeBuilder {
+    pending: VecDeque<Item>,
+    /// How many have begun.
+    operations: usize,
+    report: TimeReport,
+    waits: BTreeMap<WaitKind, f64>,
+    tools: Vec<ToolTime>,
+    blocks: Blocks,
+    /// Direction in which the newest move ends.
+    direction: Vec3,
+}
+
+impl TimeBuilder {
+    /// Announces a move or a wait that goes into the planner now.
+    pub fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+        let StepSource { tag, tool, origin, .. } = *source;
+        let what = match step {
+            MotionStep::Move(motion) => self.asked_move(motion, source.nominal_s),
+            MotionStep::Wait(wait) => {
+                if wait.kind == WaitKind::ToolChange {
+                    self.operation(tool, origin);
+                    self.report.tool_changes += 1;
+                    tool_entry(&mut self.tools, tool).changes += 1;
+                }
+                Pending::Wait(wait.kind)
+            }
+        };
+        if self.operations == 0 {
+            self.operation(tool, origin);
+        }
+        let (operation, ride) = (self.operations - 1, Ride::default());
+        self.pending.push_back(Item {
+            tag,
+            tool,
+            operation,
+            origin,
+            what,
+            ride,
+            ends_at_rest: false,
+        });
+    }
+
+    fn asked_move(&mut self, motion: &Move, ideal_s: f64) -> Pending {
+        if let Some(Item { what: Pending::Move { exact: true, tangent_next, .. }, .. }) =
+            self.pending.back_mut()
+        {
+            let starts = motion.curve.tangent_at(0.0);
+            let (cross, dot) = (self.direction.cross(starts), self.direction.dot(starts));
+            *tangent_next = dot > 0.0 && cross.length() < TANGENT;
+        }
+        let exact = motion.corner == Corner::Exact && motion.kind == MoveKind::Cut;
+        if exact {
+            self.direction = motion.curve.tangent_at(motion.length());
+        }
+        let asked = Asked {
+            rapid: motion.kind == MoveKind::Rapid,
+            curved: !matches!(motion.curve, Curve::Line(_)),
+            ideal_s,
+        };
+        Pending::Move { asked, speed: motion.speed, exact, tangent_next: false }
+    }
+
+    /// The next operation begins.
+    fn operation(&mut self, tool: u32, first: Origin) {
+        self.operations += 1;
+        tool_entry(&mut self.tools, tool);
+        if self.report.operations.len() < MOST_OPERATIONS {
+            let times = Times::default();
+            self.report.operations.push(OperationTime { tool, first, last: first, times });
+        } else {
+            self.report.operations_left_out += 1;
+        }
+    }
+
+    /// Takes a step of the planner.
+    pub fn step(&mut self, step: Step<'_>) {
+        match step {
+            Step::Stretch(stretch) => self.stretch(stretch),
+            Step::Wait { seconds, tag } => {
+                self.pass(tag);
+                if let Some(item) = self.pending.front_mut() {
+                    item.ride.time_s += seconds;
+                }
+            }
+        }
+    }
+
+    /// While a stretch overlaps the one before it, time counts for the earlier move.
+    fn stretch(&mut self, stretch: &Stretch) {
+        let overlap_s = stretch.overlap_s;
+        let starts_at_rest = stretch.phases.first().is_some_and(|phase| phase.speed == 0.0);
+        let ends_at_rest = stretch.phases.last().is_some_and(|last| {
+            let top = stretch.phases.iter().map(|phase| phase.speed).fold(0.0, f64::max);
+            last.at(last.duration_s).speed <= SAME_SPEED * top
+        });
+        if overlap_s > 0.0
+            && let Some(item) = self.pending.front_mut()
+        {
+            item.ride.overlaps = true;
+        }
+        let mut first = true;
+        walk(stretch, |part| {
+            self.pass(part.tag);
+            let Some(item) = self.pending.front_mut() else { return };
+            let Pending::Move { speed, .. } = item.what else { return };
+            if first {
+                first = false;
+                item.ride.rests |= starts_at_rest;
+                item.ride.overlaps |= overlap_s > 0.0;
+            }
+            let seconds = part.to_s - part.from_s.max(overlap_s);
+            if seconds > 0.0 {
+                ride_on(&mut item.ride, seconds, &part, speed);
+            }
+        });
+        if ends_at_rest && let Some(item) = self.pending.front_mut() {
+            item.ride.rests = true;
+            item.ends_at_rest = true;
+        }
+    }
+
+    /// Everything before this tag is done.
+    fn pass(&mut self, tag: u64) {
+        while self.pending.front().is_some_and(|item| item.tag < tag) {
+            if let Some(item) = self.pending.pop_front() {
+                self.done(&item);
+            }
+        }
+    }
+
+    fn done(&mut self, item: &Item) {
+        let time_s = item.ride.time_s;
+        let mut times = Times::default();
+        let reason = match item.what {
+            // The end of the program, or a move that the planner could not take.
+            _ if time_s <= 0.0 => return,
+            Pending::Wait(kind) => {
+                times.other_s = time_s;
+                *self.waits.entry(kind).or_default() += time_s;
+                Reason::Wait(kind)
+            }
+            Pending::Move { asked, exact, tangent_next, .. } => {
+                let share = if asked.rapid { &mut times.rapid_s } else { &mut times.cutting_s };
+                *share = time_s;
+                times.lost_s = (time_s - asked.ideal_s).max(0.0);
+                self.report.moves += 1;
+                self.report.at_feed_s += asked.ideal_s;
+                let stops = item.ends_at_rest && exact && tangent_next;
+                self.report.tangent_stops += u64::from(stops);
+                reason_of(&item.ride, &asked)
+            }
+        };
+        self.report.times.add(&times);
+        tool_entry(&mut self.tools, item.tool).times.add(&times);
+        if let Some(operation) = self.report.operations.get_mut(item.operation) {
+            operation.last = item.origin;
+            operation.times.add(&times);
+        }
+        self.blocks.push(BlockRun { origin: item.origin, time_s, lost_s: times.lost_s, reason });
+    }
+
+    /// The planner has finished.
+    pub fn finish(mut self) -> TimeReport {
+        self.pass(u64::MAX);
+        let (longest, costliest) = self.blocks.finish(RANKED);
+        self.tools.retain(|tool| tool.changes > 0 || tool.times != Times::default());
+        TimeReport {
+            waits: self.waits.into_iter().collect(),
+            tools: self.tools,
+            longest,
+            costliest,
+            ..self.report
+        }
+    }
+}
+
+impl Times {
+    fn add(&mut self, other: &Times) {
+        self.cutting_s += other.cutting_s;
+        self.rapid_s += other.rapid_s;
+        self.other_s += other.other_s;
+        self.lost_s += other.lost_s;
+    }
+}
+
+fn tool_entry(tools: &mut Vec<ToolTime>, number: u32) -> &mut ToolTime {
+    // The newest entry is the likely one.
+    let found = tools.iter().rposition(|tool| tool.number == number);
+    let at = found.unwrap_or_else(|| {
+        tools.push(ToolTime { number, changes: 0, times: Times::default() });
+        tools.len() - 1
+    });
+    &mut tools[at]
+}
+
+fn ride_on(ride: &mut Ride, seconds: f64, part: &super::walk::Part, speed: f64) {
+    ride.time_s += seconds;
+    let share = if part.jerks {
+        &mut ride.jerk_s
+    } else if part.changes {
+        &mut ride.even_acceleration_s
+    } else if part.speeds.1 >= speed * (1.0 - SAME_SPEED) {
+        &mut ride.at_feed_s
+    } else {
+        &mut ride.even_s
+    };
+    *share += seconds;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use chordal_diagnostics::{FileId, Span, TextRange};
+    use chordal_geometry::{Direction, Line, Plane, arc_from_center};
+    use chordal_motion::{Phase, Piece};
+    use chordal_path::SegmentKind;
+
+    use crate::motion::{StepKind, Wait};
+
+    fn origin(line: u32) -> Origin {
+        let span = Span { file: FileId(0), range: TextRange::new(line * 10, line * 10 + 9) };
+        Origin { span, line, ..Origin::default() }
+    }
+
+    fn line(from: f64, to: f64, speed: f64, kind: MoveKind) -> Move {
+        let (start, end) = (Vec3::new(from, 0.0, 0.0), Vec3::new(to, 0.0, 0.0));
+        Move {
+            curve: Curve::Line(Line { start, end }),
+            rotary_from: [0.0; 3],
+            rotary_to: [0.0; 3],
+            speed,
+            corner: Corner::Exact,
+            kind,
+            tag: 0,
+        }
+    }
+
+    /// Announces moves and waits under numbers of its own.
+    struct Asking {
+        time: TimeBuilder,
+        number: u32,
+        tool: u32,
+    }
+
+    impl Asking {
+        fn new() -> Asking {
+            Asking { time: TimeBuilder::default(), number: 0, tool: 0 }
+        }
+
+        fn ask(&mut self, line: u32, kind: StepKind, nominal_s: f64, step: &MotionStep) -> u64 {
+            self.number += 1;
+            let tag = StepSource::tag_of(self.number, line);
+            self.time.asked(
+                step,
+                &StepSource {
+                    tag,
+                    origin: origin(line),
+                    tool: self.tool,
+                    kind,
+                    known: true,
+                    length: 0.0,
+                    nominal_s,
+                    shift: [0.0; 6],
+                },
+            );
+            tag
+        }
+
+        fn motion(&mut self, line: u32, motion: Move, nominal_s: f64) -> u64 {
+            let kind = StepKind::Move(SegmentKind::Line);
+            self.ask(line, kind, nominal_s, &MotionStep::Move(motion))
+        }
+
+        fn wait(&mut self, line: u32, kind: WaitKind, seconds: f64) -> u64 {
+            let wait = Wait { seconds, kind, tag: 0 };
+            self.ask(line, StepKind::Wait(kind), seconds, &MotionStep::Wait(wait))
+        }
+    }
+
+    fn piece(length: f64, tag: u64) -> Piece {
+        Piece { length, base: None, start: [[0.0; 6]; 4], tag }
+    }
+
+    /// From rest over a cruise at a speed to rest, all ramps without jerk: enough for a sum.
+    fn trapezoid(length: f64, speed: f64, acceleration: f64) -> Vec<Phase> {
+        let ramp = speed / acceleration;
+        let way = speed * ramp / 2.0;
+        let phase = |duration_s, from, speed, acceleration| Phase {
+            duration_s,
+            from,
+            speed,
+            acceleration,
+            jerk: 0.0,
+        };
+        vec![
+            phase(ramp, 0.0, 0.0, acceleration),
+            phase((length - 2.0 * way) / speed, way, speed, 0.0),
+            phase(ramp, length - way, speed, -acceleration),
+        ]
+    }
+
+    fn stretch(pieces: Vec<Piece>, speed: f64, overlap_s: f64) -> Stretch {
+        let length = pieces.iter().map(|piece| piece.length).sum();
+        Stretch { pieces, phases: trapezoid(length, speed, 1000.0), overlap_s }
+    }
+
+    /// 100 mm at 100 mm/s with 1000 mm/s²: 0.1 s up, 0.9 s at feed, 0.1 s down.
+    #[test]
+    fn a_program_by_hand() {
+        let mut asking = Asking::new();
+        let rapid = asking.motion(1, line(0.0, 40.0, f64::INFINITY, MoveKind::Rapid), 0.2);
+        asking.time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
+        asking.tool = 3;
+        let change = asking.wait(2, WaitKind::ToolChange, 5.0);
+        asking.time.step(Step::Wait { seconds: 5.0, tag: change });
+        let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
+        let cuts: Vec<u64> = (0..2).map(|_| asking.motion(3, cut, 1.0)).collect();
+        let dwell = asking.wait(4, WaitKind::Dwell, 0.5);
+        for tag in cuts {
+            asking.time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
+        }
+        asking.time.step(Step::Wait { seconds: 0.5, tag: dwell });
+        let report = asking.time.finish();
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
+        near(report.times.rapid_s, 0.4);
+        near(report.times.cutting_s, 2.2);
+        near(report.times.other_s, 5.5);
+        near(report.total_s(), 8.1);
+        // The rapid: 40 mm at 200 mm/s are 0.2 s.
+        near(report.at_feed_s, 2.2);
+        near(report.times.lost_s, 0.4);
+        assert_eq!(report.waits, [(WaitKind::Dwell, 0.5), (WaitKind::ToolChange, 5.0)]);
+        let tools: Vec<_> =
+            report.tools.iter().map(|t| (t.number, t.changes, t.times.total_s())).collect();
+        assert_eq!(tools.len(), 2);
+        assert_eq!((tools[0].0, tools[0].1), (0, 0));
+        assert_eq!((tools[1].0, tools[1].1), (3, 1));
+        near(tools[0].2, 0.4);
+        near(tools[1].2, 7.7);
+        let spans: Vec<_> = report.operations.iter().map(|o| (o.first.line, o.last.line)).collect();
+        assert_eq!(spans, [(1, 1), (2, 4)]);
+        let longest: Vec<_> =
+            report.longest.iter().map(|b| (b.origin.line, b.runs, b.reason)).collect();
+        assert_eq!(
+            longest,
+            [
+                (2, 1, Reason::Wait(WaitKind::ToolChange)),
+                (3, 1, Reason::Stop),
+                (4, 1, Reason::Wait(WaitKind::Dwell)),
+                (1, 1, Reason::Rapid),
+            ]
+        );
+        assert_eq!(report.costliest.len(), 2, "waits lose nothing: {:?}", report.costliest);
+        assert_eq!(report.tangent_stops, 1, "the two cuts lie in one line");
+    }
+
+    #[test]
+    fn an_overlap_counts_once() {
+        let mut asking = Asking::new();
+        let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
+        let (a, b) = (asking.motion(1, cut, 1.0), asking.motion(2, cut, 1.0));
+        let mut time = asking.time;
+        time.step(Step::Stretch(&stretch(vec![piece(100.0, a)], 100.0, 0.0)));
+        time.step(Step::Stretch(&stretch(vec![piece(100.0, b)], 100.0, 0.08)));
+        let report = time.finish();
+        assert!((report.total_s() - 2.12).abs() < 1e-12, "{}", report.total_s());
+        let blocks: Vec<_> =
+            report.longest.iter().map(|b| (b.origin.line, b.time_s, b.reason)).collect();
+        assert_eq!((blocks[0].0, blocks[0].2), (1, Reason::Corner));
+        assert!((blocks[1].1 - 1.02).abs() < 1e-12, "{blocks:?}");
+    }
+
+    #[test]
+    fn an_arc_below_its_feed_is_slowed_by_curvature() {
+        let arc = arc_from_center(
+            Plane::Xy,
+            Vec3::new(10.0, 0.0, 0.0),
+            Vec3::new(10.0, 0.0, 0.0),
+            (0.0, 0.0),
+            Direction::Ccw,
+            0,
+            1e-9,
+        );
+        let circle = Move {
+            curve: arc.curve,
+            rotary_from: [0.0; 3],
+            rotary_to: [0.0; 3],
+            speed: 200.0,
+            corner: Corner::Exact,
+            kind: MoveKind::Cut,
+            tag: 0,
+        };
+        let length = circle.length();
+        let mut asking = Asking::new();
+        let tag = asking.motion(1, circle, length / 200.0);
+        let mut time = asking.time;
+        time.step(Step::Stretch(&stretch(vec![piece(length, tag)], 100.0, 0.0)));
+        let report = time.finish();
+        assert_eq!(report.longest[0].reason, Reason::Curvature);
+    }
+}

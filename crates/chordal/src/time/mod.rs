@@ -1,0 +1,26 @@
+//! Time for people: how long a program takes, where the time goes and why.
+//!
+//! | what | file |
+//! |---|---|
+//! | which move is under way when | `walk.rs` |
+//! | moves and steps to a report | `builder.rs`, `report.rs` |
+//! | why a move is not faster | `reason.rs` |
+//! | the blocks that cost the most | `blocks.rs` |
+//! | a job that is timed | `run.rs` |
+//! | the same with other overrides and path modes | `what_if.rs` |
+//! | limits from measured times | `calibrate.rs` |
+
+mod blocks;
+mod builder;
+mod calibrate;
+mod reason;
+mod report;
+mod run;
+mod walk;
+mod what_if;
+
+pub use builder::TimeBuilder;
+pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
+pub use report::{BlockTime, OperationTime, Reason, TimeReport, Times, ToolTime};
+pub use run::Timed;
+pub use what_if::{Alternative, Change};

@@ -1,0 +1,66 @@
+//! Why a move takes its time, told from how it went.
+
+use super::report::Reason;
+
+/// How one move went.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ride {
+    /// All of it, s.
+    pub time_s: f64,
+    /// At an even speed that is the asked one, s.
+    pub at_feed_s: f64,
+    /// At an even speed below it, s.
+    pub even_s: f64,
+    /// At an even acceleration, s.
+    pub even_acceleration_s: f64,
+    /// At a changing acceleration, s.
+    pub jerk_s: f64,
+    /// It begins or ends at rest.
+    pub rests: bool,
+    /// It ends, or begins, while another movement goes on: a corner passed by overlapping.
+    pub overlaps: bool,
+}
+
+/// What the reason depends on beside the ride.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    /// A rapid.
+    pub rapid: bool,
+    /// The path of X, Y and Z is no line.
+    pub curved: bool,
+    /// Its length over its speed, s.
+    pub ideal_s: f64,
+}
+
+/// Lost time below this part of the whole is none: the block runs at its feed.
+const AT_FEED: f64 = 0.02;
+
+/// A straight move that would take less than this at its feed, s, is short: controls have
+/// servo periods of 1 to 8 ms and plan blocks ahead by tens of them.
+const SHORT_S: f64 = 0.02;
+
+/// The one place that judges why a move is not faster.
+pub(super) fn reason_of(ride: &Ride, asked: &Asked) -> Reason {
+    if asked.rapid {
+        return Reason::Rapid;
+    }
+    if ride.time_s - asked.ideal_s <= AT_FEED * ride.time_s {
+        return Reason::Feed;
+    }
+    if !asked.curved && asked.ideal_s < SHORT_S && !ride.rests {
+        return Reason::ShortSegments;
+    }
+    if asked.curved && !ride.rests && ride.at_feed_s == 0.0 {
+        return Reason::Curvature;
+    }
+    if ride.even_s > (ride.time_s - ride.at_feed_s) / 2.0 {
+        return if asked.curved { Reason::Curvature } else { Reason::AxisSpeed };
+    }
+    if ride.overlaps {
+        return Reason::Corner;
+    }
+    if ride.rests {
+        return Reason::Stop;
+    }
+    if ride.jerk_s > ride.even_acceleration_s { Reason::Jerk } else { Reason::Acceleration }
+}

@@ -1,0 +1,151 @@
+use std::fmt;
+
+use chordal_control::Origin;
+
+use crate::motion::WaitKind;
+
+/// Why a block takes the time that it takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reason {
+    /// It runs at the programmed feed.
+    Feed,
+    /// An arc or another curve: the speed on it is limited by what the axes can accelerate.
+    Curvature,
+    /// Speeding up and slowing down at the axes' acceleration.
+    Acceleration,
+    /// Speeding up and slowing down, most of the time at the axes' jerk.
+    Jerk,
+    /// It begins or ends at rest: exact stop, or a corner that may not be rounded.
+    Stop,
+    /// It ends at a corner that is passed within its tolerance.
+    Corner,
+    /// It is too short to reach its feed.
+    ShortSegments,
+    /// An axis turns or moves as fast as it can.
+    AxisSpeed,
+    /// A rapid.
+    Rapid,
+    /// The axes stand.
+    Wait(WaitKind),
+}
+
+impl Reason {
+    /// The word for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Reason::Feed => "feed",
+            Reason::Curvature => "curvature",
+            Reason::Acceleration => "acceleration",
+            Reason::Jerk => "jerk",
+            Reason::Stop => "exact stop",
+            Reason::Corner => "corner",
+            Reason::ShortSegments => "short segments",
+            Reason::AxisSpeed => "axis speed",
+            Reason::Rapid => "rapid",
+            Reason::Wait(kind) => kind.name(),
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
+
+/// Times of a part of a program, s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Times {
+    /// Cuts.
+    pub cutting_s: f64,
+    /// Rapids.
+    pub rapid_s: f64,
+    /// Everything else: dwells, tool changes, spindle.
+    pub other_s: f64,
+    /// What the moves take beyond their length at feed or rapid speed.
+    pub lost_s: f64,
+}
+
+impl Times {
+    /// All of it, s.
+    pub fn total_s(&self) -> f64 {
+        self.cutting_s + self.rapid_s + self.other_s
+    }
+}
+
+/// The time of one tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolTime {
+    /// Its number; 0 before any tool was changed.
+    pub number: u32,
+    /// How often it went into the spindle.
+    pub changes: u32,
+    /// Its times; its own changes count as other.
+    pub times: Times,
+}
+
+/// The time of one operation: what a tool does from one tool change to the next, or to the
+/// end of the program. A tool that comes again is another operation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OperationTime {
+    /// Number of the tool.
+    pub tool: u32,
+    /// The first block.
+    pub first: Origin,
+    /// The last block.
+    pub last: Origin,
+    /// Its times.
+    pub times: Times,
+}
+
+/// The time of one block, all its runs together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlockTime {
+    /// The block.
+    pub origin: Origin,
+    /// How often it ran.
+    pub runs: u64,
+    /// All runs, s.
+    pub time_s: f64,
+    /// What the moves take beyond their length at feed or rapid speed, s.
+    pub lost_s: f64,
+    /// Why; of the longest run.
+    pub reason: Reason,
+    /// The longest run, s.
+    pub longest_s: f64,
+}
+
+/// The time that a program takes on a machine, acceleration and jerk held.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TimeReport {
+    /// All of it.
+    pub times: Times,
+    /// The times of waiting by their reason, s, where there are any.
+    pub waits: Vec<(WaitKind, f64)>,
+    /// Length of the cuts over their feed, and of the rapids over rapid speed, s.
+    pub at_feed_s: f64,
+    /// Moves that were planned.
+    pub moves: u64,
+    /// Moves that end at rest, though the next goes on in the same direction: a line and a
+    /// tangent arc, where the path mode lets nothing be eased.
+    pub tangent_stops: u64,
+    /// Tool changes.
+    pub tool_changes: u64,
+    /// Tools in the order of their first use.
+    pub tools: Vec<ToolTime>,
+    /// Operations in the order of the run.
+    pub operations: Vec<OperationTime>,
+    /// Operations beyond those that are kept; their times are in the tools'.
+    pub operations_left_out: u64,
+    /// The blocks that take the most time, most first.
+    pub longest: Vec<BlockTime>,
+    /// The blocks that lose the most time beyond feed, most first.
+    pub costliest: Vec<BlockTime>,
+}
+
+impl TimeReport {
+    /// All of it, s.
+    pub fn total_s(&self) -> f64 {
+        self.times.total_s()
+    }
+}

@@ -1,0 +1,92 @@
+//! The same program with other overrides and path modes.
+
+use chordal_control::PathMode;
+
+use crate::job::Job;
+use crate::motion::{LimitError, MotionOptions};
+
+/// What is other than in the program and on the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// The feed override; 1 is as programmed.
+    Feed(f64),
+    /// The rapid override; 1 is full speed.
+    Rapid(f64),
+    /// The path mode of every cut.
+    Corners(PathMode),
+    /// A level of smoothness of the control, which rounds corners within a distance, for every
+    /// cut.
+    Smoothness {
+        /// 1 rough, 2 medium, 3 finish.
+        level: u8,
+        /// The distance, mm.
+        tolerance_mm: f64,
+    },
+}
+
+/// The time that a change would make.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alternative {
+    /// The change.
+    pub change: Change,
+    /// All of the program, s.
+    pub total_s: f64,
+}
+
+/// Changes that are tried: the marks of an override switch, and the tolerances that are
+/// usual for finishing, general work and roughing.
+const CHANGES: [Change; 11] = [
+    Change::Feed(0.5),
+    Change::Feed(0.8),
+    Change::Feed(1.0),
+    Change::Feed(1.2),
+    Change::Feed(1.5),
+    Change::Rapid(0.25),
+    Change::Rapid(0.5),
+    Change::Corners(PathMode::ExactStop),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.01) }),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.05) }),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.1) }),
+];
+
+impl Job<'_> {
+    /// The changes that make sense on the control: the usual ones, and its levels of
+    /// smoothness where it has any.
+    pub fn changes(&self) -> Vec<Change> {
+        let rules = &self.control().parameters.path;
+        let has_levels = rules.level_parts.iter().any(|part| *part != rules.level_parts[0]);
+        let levels = (1..=3).filter(|_| has_levels).filter_map(|level| {
+            let tolerance_mm = rules.of_level(level)?;
+            Some(Change::Smoothness { level, tolerance_mm })
+        });
+        CHANGES.into_iter().chain(levels).collect()
+    }
+
+    /// Plans the program again for each change.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn what_if(
+        &self,
+        options: &MotionOptions,
+        changes: &[Change],
+    ) -> Result<Vec<Alternative>, LimitError> {
+        changes
+            .iter()
+            .map(|change| {
+                let mut changed = *options;
+                match *change {
+                    Change::Feed(part) => changed.feed_override = Some(part),
+                    Change::Rapid(part) => changed.rapid_override = Some(part),
+                    Change::Corners(mode) => changed.path_mode = Some(mode),
+                    Change::Smoothness { tolerance_mm, .. } => {
+                        let tolerance_mm = Some(tolerance_mm);
+                        changed.path_mode = Some(PathMode::Continuous { tolerance_mm });
+                    }
+                }
+                let total_s = self.time(&changed)?.time.total_s();
+                Ok(Alternative { change: *change, total_s })
+            })
+            .collect()
+    }
+}
