@@ -81,7 +81,7 @@ fn main() {
         planner.finish(&mut take);
         let mut gauge = Gauge::new(limits, Effort::default());
         for s in &all {
-            gauge.push(Step::Stretch(s), |t| f, |_| {});
+            gauge.push(Step::Stretch(s), |_| f, |_| {});
         }
         let least = gauge.finish(|_| {});
         println!(

@@ -95,4 +95,10 @@ impl Limits {
     pub fn jerk(&self) -> Axes {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.jerk))
     }
+
+    /// The same with a share of the jerks, which must be above zero.
+    pub(crate) fn with_jerk(&self, share: f64) -> Limits {
+        let axes = self.axes.map(|axis| axis.map(|l| AxisLimit { jerk: l.jerk * share, ..l }));
+        Limits { axes }
+    }
 }

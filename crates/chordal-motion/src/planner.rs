@@ -1,8 +1,10 @@
 use crate::Axes;
+use crate::bound::{Run, bound};
 use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Solver, phases};
+use crate::reference::{self, best, reference};
 use crate::root::cbrt;
 use crate::segment::{Move, MoveError};
 use crate::smooth::{Overlap, Passing, Row, Smoother, overlap_time};
@@ -64,6 +66,8 @@ pub struct Planner {
     position: Option<Axes>,
     /// The corner at which the run begins, and how the movement before it ends.
     overlap: Option<Overlap>,
+    /// The same for the corner at which the run ends, where that is known.
+    next_overlap: Option<Overlap>,
     last: Option<End>,
 }
 
@@ -82,6 +86,7 @@ impl Planner {
             patience: 1,
             position: None,
             overlap: None,
+            next_overlap: None,
             last: None,
         }
     }
@@ -105,7 +110,9 @@ impl Planner {
             if let Some(overlap) = &overlap {
                 self.smoother.end_with(overlap);
             }
+            self.next_overlap = overlap;
             self.end_run(&mut take);
+            self.next_overlap = None;
             leg.begin_run();
             self.smoother.push(leg, motion.corner, None);
             if let Some(overlap) = &overlap {
@@ -117,6 +124,8 @@ impl Planner {
         self.smoother.push(leg, motion.corner, passing);
         self.smoother.drain(false, &self.arrays, &mut self.row);
         let long = self.row.time_s >= self.options.row_s * self.patience as f64;
+        // The best law is found from rest to rest.
+        let long = long && self.options.level == Level::Fast;
         if long || self.row.pieces.len() >= ROW * self.patience {
             self.hand_on(&mut take);
         }
@@ -206,6 +215,12 @@ impl Planner {
         } else {
             stretch.pieces.extend(self.row.pieces.drain(..pieces));
         }
+        let from_rest = stations.get(first).is_none_or(|station| station.speed <= 0.0);
+        if self.options.level == Level::Best && from_rest {
+            let shares = [self.overlap, self.next_overlap].map(|o| o.map_or(1.0, |o| o.jerk_share));
+            improve(stretch, &self.row.speeds[..pieces], &self.limits, shares);
+        }
+        self.row.speeds.drain(..pieces);
         let (first, last) = (End::first(stretch), End::last(stretch));
         stretch.overlap_s = match (self.overlap.take(), self.last, first) {
             (Some(overlap), Some(last), Some(first)) => overlap_of(&overlap, &last, &first),
@@ -231,18 +246,40 @@ struct End {
 
 impl End {
     fn first(stretch: &Stretch) -> Option<End> {
-        End::new(stretch.phases.first()?, stretch.pieces.iter())
+        End::new(stretch.phases.iter(), stretch.pieces.iter())
     }
 
     fn last(stretch: &Stretch) -> Option<End> {
-        End::new(stretch.phases.last()?, stretch.pieces.iter().rev())
+        End::new(stretch.phases.iter().rev(), stretch.pieces.iter().rev())
     }
 
-    fn new<'a>(phase: &Phase, pieces: impl Iterator<Item = &'a Piece>) -> Option<End> {
+    /// The phases and pieces as seen from the corner. Both when a movement begins and when it
+    /// ends, the jerk at rest is positive.
+    fn new<'a>(
+        phases: impl Iterator<Item = &'a Phase>,
+        pieces: impl Iterator<Item = &'a Piece>,
+    ) -> Option<End> {
+        let (mut jerk, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for phase in phases.take_while(|phase| phase.jerk > 0.0) {
+            jerk = jerk.max(phase.jerk);
+            acceleration += phase.jerk * phase.duration_s;
+            time += phase.duration_s;
+        }
         let straight =
             pieces.take_while(|piece| piece.is_straight()).map(|piece| piece.length).sum();
-        Some(End { jerk: phase.jerk.abs(), duration_s: phase.duration_s, straight })
+        let duration_s = time.min(acceleration / jerk);
+        (jerk > 0.0).then_some(End { jerk, duration_s, straight })
     }
+}
+
+/// A quicker law of time for a stretch from rest to rest, where there is one. The speeds are the
+/// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
+fn improve(stretch: &mut Stretch, speeds: &[f64], limits: &Limits, shares: [f64; 2]) {
+    let limits = limits.with_jerk(shares[0].min(shares[1]));
+    let Ok(run) = Run::new(&stretch.pieces, speeds, 0.0, &limits) else { return };
+    let Ok(law) = reference(&run, &bound(&run), &reference::Effort::default()) else { return };
+    let Some(better) = best(&run, &law) else { return };
+    stretch.phases = better.or(&stretch.phases).phases;
 }
 
 /// How long two movements overlap at a corner. Each stays in its first or last phase and on a

@@ -250,8 +250,7 @@ fn overlap(
 /// What the axes can do along a direction.
 pub fn effort(direction: &Axes, limits: &AxisArrays) -> Effort {
     let mut effort = Effort::FREE;
-    for axis in 0..6 {
-        let share = direction[axis].abs();
+    for (axis, share) in direction.iter().map(|share| share.abs()).enumerate() {
         if share > 0.0 {
             effort.acceleration = effort.acceleration.min(limits.acceleration[axis] / share);
             effort.jerk = effort.jerk.min(limits.jerk[axis] / share);

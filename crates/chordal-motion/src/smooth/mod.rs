@@ -83,6 +83,8 @@ pub struct Smoother {
 pub struct Row {
     /// The path.
     pub pieces: Vec<Piece>,
+    /// The largest speed that is asked for on each, σ per s.
+    pub speeds: Vec<f64>,
     /// The limits, each over one or more pieces.
     pub cells: Vec<Cell>,
     /// What the cells take at their largest speeds, s.
@@ -156,8 +158,7 @@ impl Smoother {
     /// Hands on what later moves cannot change; all of it when the run ends here.
     pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
         self.settle(ends);
-        loop {
-            let Some(leg) = self.legs.front() else { break };
+        while let Some(leg) = self.legs.front() {
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
             if !(ends || certain) {
                 break;

@@ -55,6 +55,8 @@ pub fn make<'a>(
         if apart {
             let bounds = bounds(leg, &correction, from, to - from);
             let count = add_pieces(leg, &mut parts, &correction, from, to, row);
+            let speed = leg.feed / bounds.rate;
+            row.speeds.extend(std::iter::repeat_n(speed, count as usize));
             if brief {
                 let (all, pieces) = whole.get_or_insert((bounds, 0));
                 all.widen(&bounds);
@@ -217,9 +219,10 @@ fn ahead(jet: &Jet, way: f64) -> Jet {
 
 fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
     let done = at - part.from;
-    for axis in 0..6 {
-        start[0][axis] += part.start[axis] + part.direction[axis] * done;
-        start[1][axis] += part.direction[axis];
+    let [position, first, ..] = &mut start;
+    for (axis, direction) in part.direction.iter().enumerate() {
+        position[axis] += part.start[axis] + direction * done;
+        first[axis] += direction;
     }
     Piece {
         length,
