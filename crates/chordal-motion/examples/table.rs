@@ -4,7 +4,11 @@
 use chordal_geometry::*;
 use chordal_motion::*;
 fn main() {
-    let limit = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
+    let limit = AxisLimit {
+        velocity: 200.0,
+        acceleration: 2000.0,
+        jerk: std::env::var("J").map_or(1e5, |j| j.parse().unwrap()),
+    };
     let limits = Limits::new([Some(limit), Some(limit), Some(limit), None, None, None]).unwrap();
     for file in std::env::args().skip(1) {
         let text = std::fs::read_to_string(&file).unwrap();

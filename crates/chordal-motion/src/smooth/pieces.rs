@@ -1,5 +1,7 @@
 //! One leg with the corrections that reach into it, cut into pieces and cells.
 
+use chordal_geometry::{Curve, ParamCurve};
+
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
 use crate::piece::{Jet, Piece};
@@ -256,6 +258,10 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
     let mut turns = None;
     if let Some(curve) = leg.curve.as_deref() {
         let at = from - leg.from;
+        let eased = d3.iter().any(|third| *third != 0.0);
+        if eased && let Some(near) = near_bounds(curve, at, length, correction, direction) {
+            return near;
+        }
         let (turning, along) = turning(curve, at, at + length);
         for (value, along) in even[0].iter_mut().zip(along) {
             *value += along;
@@ -267,6 +273,52 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
         rate = largest(rates[1]);
     }
     Bounds { even, turning: turns, rate }
+}
+
+/// Bounds on a short eased piece of a curve, met by looking at it: the curvature of the curve and
+/// its correction mostly cancel there.
+fn near_bounds(
+    curve: &Curve,
+    at: f64,
+    length: f64,
+    correction: &Jet,
+    direction: &Axes,
+) -> Option<Bounds> {
+    const PROBES: u32 = 4;
+    // Between two probes a sine exceeds both by its size times this.
+    const MOST_TURN: f64 = 0.8;
+    let step = length / f64::from(PROBES);
+    let curvature = curve.jet_at(at)[2].length().max(curve.jet_at(at + length)[2].length());
+    if curvature * length > MOST_TURN {
+        return None;
+    }
+    let between = 1.1 * (curvature * step / 2.0).powi(2) / 2.0;
+    let mut even = [[0.0_f64; 6]; 3];
+    let mut rate = 0.0_f64;
+    for probe in 0..=PROBES {
+        let way = step * f64::from(probe);
+        let bent = curve.jet_at(at + way);
+        let eased = ahead(correction, way);
+        let mut first = [0.0; 3];
+        for order in 0..3 {
+            let vector = bent[order + 1].to_array();
+            for axis in 0..6 {
+                let mut value = eased[order + 1][axis];
+                if axis < 3 {
+                    value += vector[axis];
+                } else if order == 0 {
+                    value += direction[axis];
+                }
+                let margin = between * curvature.powi(order as i32);
+                even[order][axis] = even[order][axis].max(value.abs() + margin);
+                if order == 0 && axis < 3 {
+                    first[axis] = value;
+                }
+            }
+        }
+        rate = rate.max(first.iter().map(|value| value * value).sum::<f64>().sqrt());
+    }
+    Some(Bounds { even, turning: None, rate: rate + between })
 }
 
 /// Adds a cell to a row, or its length to the last one where the limits are the same.
