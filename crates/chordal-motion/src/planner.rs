@@ -272,12 +272,21 @@ impl End {
     }
 }
 
+/// Work that a stretch is worth: a second or two.
+const EFFORT: reference::Effort = reference::Effort {
+    step_s: 0.002,
+    least_nodes: 100,
+    most_nodes: 1500,
+    total_nodes: 1500,
+    programs: 4,
+};
+
 /// A quicker law of time for a stretch from rest to rest, where there is one. The speeds are the
 /// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
 fn improve(stretch: &mut Stretch, speeds: &[f64], limits: &Limits, shares: [f64; 2]) {
     let limits = limits.with_jerk(shares[0].min(shares[1]));
     let Ok(run) = Run::new(&stretch.pieces, speeds, 0.0, &limits) else { return };
-    let Ok(law) = reference(&run, &bound(&run), &reference::Effort::default()) else { return };
+    let Ok(law) = reference(&run, &bound(&run), &EFFORT) else { return };
     let Some(better) = best(&run, &law) else { return };
     stretch.phases = better.or(&stretch.phases).phases;
 }

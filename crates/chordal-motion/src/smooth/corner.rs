@@ -7,7 +7,7 @@ use crate::root::cbrt;
 use crate::segment::Corner;
 use crate::smooth::bump::{BEND_DEVIATION, KINK_DEVIATION, SLOPE};
 
-/// How far an exact joint may be left: a millionth of a millimetre, and as many radians. It lets
+/// How far an exact joint may be left: a millionth of a millimetre, a hundred-millionth of a radian. It lets
 /// the rounding of coordinates pass at speed, and is less than any scale resolves.
 pub const EXACT: Tolerance = Tolerance { linear_mm: 1e-6, rotary_rad: 1e-8 };
 

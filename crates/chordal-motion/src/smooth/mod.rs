@@ -26,8 +26,9 @@ const WIDEST: f64 = 10.0;
 /// No more than this is left straight at an overlapped corner, mm or rad.
 const CLEAREST: f64 = 1.0;
 
-/// Steps of the search for the half width of a correction among others.
-const HALVINGS: usize = 4;
+/// The search for the half width of a correction among others ends when it is known to this
+/// factor.
+const NEAR: f64 = 1.1;
 
 /// Where two legs meet and something is eased.
 #[derive(Clone, Copy, Debug)]
@@ -230,17 +231,34 @@ impl Smoother {
         let mut above = most.min(half_within(own.kink_share, own.bend_share));
         let mut below = within(above);
         if below >= above {
-            return above;
+            below = above;
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (below + above);
-            if within(middle) >= middle {
+        while above > NEAR * below {
+            let middle = (below * above).sqrt();
+            let most = within(middle);
+            if most >= middle {
                 below = middle;
             } else {
                 above = middle;
+                // Among fewer nodes there is at least as much room.
+                below = below.max(most);
             }
         }
-        below
+        self.snapped(index, below)
+    }
+
+    /// A little less than a half width, so that the correction ends at another node where one is
+    /// near: in a row of even lines the changes of all corrections then cancel.
+    fn snapped(&self, index: usize, half: f64) -> f64 {
+        const LEAST: f64 = 0.75;
+        const ROUNDING: f64 = 1e-9;
+        let at = self.nodes[index].at;
+        let distance = |node: &Node| (node.at - at).abs();
+        let reach = |node: &&Node| distance(node) <= half * (1.0 + ROUNDING);
+        let left = self.nodes.range(..index).rev().take_while(reach).last().map_or(0.0, distance);
+        let right = self.nodes.range(index + 1..).take_while(reach).last().map_or(0.0, distance);
+        let far = left.max(right);
+        if far >= LEAST * half { far.min(half) } else { half }
     }
 
     /// Tells the legs around a node that it reaches into them.
