@@ -104,8 +104,7 @@ fn same(a: [f64; 6], b: [f64; 6], far: f64) {
 fuzz_target!(|bytes: &[u8]| {
     let mut bytes = Bytes(bytes);
     let limits = limits(&mut bytes);
-    let level = if bytes.byte() == 255 { Level::Best } else { Level::Fast };
-    let mut options = PlannerOptions::new(level);
+    let mut options = PlannerOptions::new(Level::Fast);
     if bytes.byte() % 2 == 0 {
         options.row_s = bytes.decades(0.01, 10.0);
     }
@@ -114,8 +113,7 @@ fuzz_target!(|bytes: &[u8]| {
     let (mut rotary, mut tag) = ([0.0; 3], 0);
     let mut passing = Corner::Stop;
     let (mut at, mut time_s) = (None, 0.0);
-    let most = if level == Level::Best { 12 } else { 200 };
-    while !bytes.0.is_empty() && tag < most {
+    while !bytes.0.is_empty() && tag < 200 {
         let curve = curve(&mut bytes, position, heading);
         let kind = bytes.byte();
         let rotary_from = rotary;
