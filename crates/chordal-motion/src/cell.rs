@@ -39,6 +39,8 @@ pub struct Cell {
 /// Limits of the axes as arrays.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisArrays {
+    /// Axes up to the last that the machine has; those beyond do not move.
+    pub count: usize,
     pub velocity: Axes,
     pub acceleration: Axes,
     pub jerk: Axes,
@@ -46,7 +48,10 @@ pub struct AxisArrays {
 
 impl AxisArrays {
     pub fn new(limits: &Limits) -> AxisArrays {
+        let count =
+            (0..6).rev().find(|axis| limits.axis(*axis).is_some()).map_or(0, |last| last + 1);
         AxisArrays {
+            count,
             velocity: limits.velocity(),
             acceleration: limits.acceleration(),
             jerk: limits.jerk(),
@@ -111,7 +116,7 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     let (k, twist) =
         bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
     let (mut by_speed, mut by_square, mut by_cube) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for axis in 0..6 {
+    for axis in 0..limits.count {
         let c = turn(axis);
         by_speed = by_speed.max((x1[axis] + c) / limits.velocity[axis]);
         by_square = by_square.max((x2[axis] + c * k) / limits.acceleration[axis]);
@@ -149,7 +154,7 @@ fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
     let q = k * v * v;
     let along = k * k * v * v * v;
     let mut acceleration = f64::INFINITY;
-    for axis in 0..6 {
+    for axis in 0..limits.count {
         let c = turn(axis);
         let left = limits.acceleration[axis] - x2[axis] * v * v;
         acceleration = acceleration.min(largest(c, q, x1[axis], left));
@@ -169,7 +174,7 @@ fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
     }
     let mut jerk = f64::INFINITY;
     let normal = 3.0 * k * v * acceleration + twist * v * v * v;
-    for axis in 0..6 {
+    for axis in 0..limits.count {
         let c = turn(axis);
         let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
         let left = limits.jerk[axis] - used + x1[axis] * along;

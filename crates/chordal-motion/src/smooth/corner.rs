@@ -188,7 +188,7 @@ pub fn passing(
         kink_share: if kinked { tolerance.of(&kink) } else { 0.0 },
         bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
         kink_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration[0]),
-        bend_need: 2.0 * SLOPE * cube * by_jerk[1],
+        bend_need: 3.0 * SLOPE * cube * by_jerk[1],
         kink_effort: [by_acceleration[0], by_jerk[0]],
         bend_effort: by_jerk[1],
         sides: [(before.speed, one), (after.speed, two)],

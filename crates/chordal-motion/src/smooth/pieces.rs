@@ -1,5 +1,7 @@
 //! One leg with the corrections that reach into it, cut into pieces and cells.
 
+use chordal_geometry::{Curve, ParamCurve};
+
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
 use crate::piece::{Jet, Piece};
@@ -43,7 +45,8 @@ pub fn make<'a>(
         last.ends_at_rest = true;
     }
     breaks.clear();
-    let (mut correction, mut active) = corrections(leg, nodes, breaks);
+    let count = limits.count;
+    let (mut correction, mut active) = corrections(leg, nodes, breaks, count);
     cut(leg, breaks);
     let mut parts = std::iter::once(&leg.part).chain(more).peekable();
     let mut from = leg.from;
@@ -53,18 +56,18 @@ pub fn make<'a>(
         // Breaks that miss each other by rounding are one.
         let apart = to - from > ROUNDING * leg.length || index == breaks.len();
         if apart {
-            let bounds = bounds(leg, &correction, from, to - from);
-            let count = add_pieces(leg, &mut parts, &correction, from, to, row);
+            let bounds = bounds(leg, &correction, from, to - from, count);
+            let pieces = add_pieces(leg, &mut parts, &correction, from, to, row);
             let speed = leg.feed / bounds.rate;
-            row.speeds.extend(std::iter::repeat_n(speed, count as usize));
+            row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
             if brief {
-                let (all, pieces) = whole.get_or_insert((bounds, 0));
+                let (all, sum) = whole.get_or_insert((bounds, 0));
                 all.widen(&bounds);
-                *pieces += count;
+                *sum += pieces;
             } else {
-                add_cell(leg, &bounds, from, to, count, limits, row);
+                add_cell(leg, &bounds, from, to, pieces, limits, row);
             }
-            correction = ahead(&correction, to - from);
+            correction = ahead(&correction, to - from, count);
             from = to;
         }
         let Some(next) = breaks.get(index) else { break };
@@ -77,8 +80,8 @@ pub fn make<'a>(
             correction = [[0.0; 6]; 4];
         }
     }
-    if let Some((bounds, count)) = whole {
-        add_cell(leg, &bounds, leg.from, leg.end(), count, limits, row);
+    if let Some((bounds, pieces)) = whole {
+        add_cell(leg, &bounds, leg.from, leg.end(), pieces, limits, row);
     }
 }
 
@@ -98,7 +101,7 @@ fn add_pieces<'a>(
         let last = ends_with(leg, end);
         let until = if last { to } else { end.min(to) };
         if until > at {
-            let jet = if at > from { ahead(correction, at - from) } else { *correction };
+            let jet = if at > from { ahead(correction, at - from, 6) } else { *correction };
             row.pieces.push(piece(leg, part, jet, at, until - at));
             count += 1;
         }
@@ -155,6 +158,7 @@ fn corrections<'a>(
     leg: &Leg,
     nodes: impl Iterator<Item = &'a Node>,
     breaks: &mut Vec<Break>,
+    count: usize,
 ) -> (Jet, i32) {
     // Breaks that miss an end of the leg by rounding are at the end.
     let rounding = ROUNDING * leg.length;
@@ -180,7 +184,7 @@ fn corrections<'a>(
                         _ => 0.5 * TURN.copysign(side),
                     };
                     for (row, factor) in jet.iter_mut().zip(bump(w, inside * h, h)) {
-                        for (value, step) in row.iter_mut().zip(step) {
+                        for (value, step) in row.iter_mut().zip(step).take(count) {
                             *value += step * factor;
                         }
                     }
@@ -205,10 +209,10 @@ fn corrections<'a>(
 }
 
 /// A jet of polynomials of the third degree, further on.
-fn ahead(jet: &Jet, way: f64) -> Jet {
+fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
     let [x, d1, d2, d3] = jet;
     let mut next = *jet;
-    for axis in 0..6 {
+    for axis in 0..count {
         next[0][axis] =
             x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] / 6.0)));
         next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
@@ -233,12 +237,12 @@ fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece 
 }
 
 /// Bounds of the derivatives on a piece of a leg.
-fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
+fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64, count: usize) -> Bounds {
     let direction = &leg.part.direction;
     let [_, d1, d2, d3] = correction;
     let mut even = [[0.0; 6]; 3];
     let mut rates = [[0.0_f64; 3]; 2];
-    for axis in 0..6 {
+    for axis in 0..count {
         // The first derivative is a parabola, within the triangle of these three.
         let first = direction[axis] + d1[axis];
         let control = first + d2[axis] * length / 2.0;
@@ -256,6 +260,10 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
     let mut turns = None;
     if let Some(curve) = leg.curve.as_deref() {
         let at = from - leg.from;
+        let eased = d3.iter().any(|third| *third != 0.0);
+        if eased && let Some(near) = near_bounds(curve, at, length, correction, direction) {
+            return near;
+        }
         let (turning, along) = turning(curve, at, at + length);
         for (value, along) in even[0].iter_mut().zip(along) {
             *value += along;
@@ -267,6 +275,52 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64) -> Bounds {
         rate = largest(rates[1]);
     }
     Bounds { even, turning: turns, rate }
+}
+
+/// Bounds on a short eased piece of a curve, met by looking at it: the curvature of the curve and
+/// its correction mostly cancel there.
+fn near_bounds(
+    curve: &Curve,
+    at: f64,
+    length: f64,
+    correction: &Jet,
+    direction: &Axes,
+) -> Option<Bounds> {
+    const PROBES: u32 = 4;
+    // Between two probes a sine exceeds both by its size times this.
+    const MOST_TURN: f64 = 0.8;
+    let step = length / f64::from(PROBES);
+    let curvature = curve.jet_at(at)[2].length().max(curve.jet_at(at + length)[2].length());
+    if curvature * length > MOST_TURN {
+        return None;
+    }
+    let between = 1.1 * (curvature * step / 2.0).powi(2) / 2.0;
+    let mut even = [[0.0_f64; 6]; 3];
+    let mut rate = 0.0_f64;
+    for probe in 0..=PROBES {
+        let way = step * f64::from(probe);
+        let bent = curve.jet_at(at + way);
+        let eased = ahead(correction, way, 6);
+        let mut first = [0.0; 3];
+        for order in 0..3 {
+            let vector = bent[order + 1].to_array();
+            for axis in 0..6 {
+                let mut value = eased[order + 1][axis];
+                if axis < 3 {
+                    value += vector[axis];
+                } else if order == 0 {
+                    value += direction[axis];
+                }
+                let margin = between * curvature.powi(order as i32);
+                even[order][axis] = even[order][axis].max(value.abs() + margin);
+                if order == 0 && axis < 3 {
+                    first[axis] = value;
+                }
+            }
+        }
+        rate = rate.max(first.iter().map(|value| value * value).sum::<f64>().sqrt());
+    }
+    Some(Bounds { even, turning: None, rate: rate + between })
 }
 
 /// Adds a cell to a row, or its length to the last one where the limits are the same.
