@@ -1,0 +1,380 @@
+//! Moves at the edge of sense: a clear error, or a plan that holds every limit and ends exactly
+//! where the program does.
+
+mod support;
+
+use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_motion::{
+    AxisLimit, Corner, Level, Limits, Move, MoveError, MoveKind, Planner, PlannerOptions, Quantity,
+    Step, Stretch, Use, largest_use,
+};
+use support::{Dice, distance, limits_of, plan, samples, time_of};
+
+/// What rounding may add to a limit.
+const ABOVE: f64 = 1.0 + 1e-6;
+
+const WITHIN: Corner = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+
+fn machine() -> Limits {
+    limits_of(200.0, 2000.0, 1e5)
+}
+
+fn vec(p: [f64; 3]) -> Vec3 {
+    Vec3::new(p[0], p[1], p[2])
+}
+
+fn motion(curve: impl Into<Curve>, corner: Corner) -> Move {
+    Move {
+        curve: curve.into(),
+        rotary_from: [0.0; 3],
+        rotary_to: [0.0; 3],
+        speed: 50.0,
+        corner,
+        kind: MoveKind::Cut,
+        tag: 0,
+    }
+}
+
+fn line(from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
+    motion(Line::new(vec(from), vec(to)), corner)
+}
+
+/// Lines from place to place, tagged in order.
+fn lines(places: &[[f64; 3]], corner: Corner) -> Vec<Move> {
+    let legs = places.windows(2).enumerate();
+    legs.map(|(tag, ends)| Move { tag: tag as u64, ..line(ends[0], ends[1], corner) }).collect()
+}
+
+/// From the origin, tangent to X, in the plane XY.
+fn arc(radius: f64, sweep: f64, corner: Corner) -> Move {
+    let out = vec([0.0, -1.0, 0.0]);
+    let centre = vec([0.0, radius, 0.0]);
+    let frame = Frame::from_normal(centre, vec([0.0, 0.0, 1.0]), out).unwrap();
+    motion(Arc::new(frame, radius, sweep, 0.0), corner)
+}
+
+/// Plans and checks limits, path and ends; hands back the time. Positions may be wrong by
+/// `rounding_mm`, which far from the origin is more than near it.
+#[track_caller]
+fn held(moves: &[Move], limits: Limits, rounding_mm: f64) -> f64 {
+    let stretches = plan(moves, limits, Level::Fast);
+    let used = stretches.iter().map(|s| largest_use(s, &limits, 6)).fold(Use::default(), Use::or);
+    let worst = used.velocity.max(used.acceleration).max(used.jerk);
+    assert!(worst <= ABOVE, "{used:?}");
+    ends(moves, &stretches, rounding_mm);
+    let time_s = time_of(&stretches);
+    assert!(time_s.is_finite() && time_s >= 0.0, "{time_s} s");
+    if stretches.is_empty() {
+        return time_s;
+    }
+    let tolerance = moves.iter().fold(1e-6_f64, |most, motion| match motion.corner {
+        Corner::Within { linear_mm, .. } => most.max(linear_mm),
+        _ => most,
+    });
+    // A few thousand places of the path, however long it takes.
+    for sample in samples(&stretches, (time_s / 3000.0).max(1e-4)) {
+        let off = distance(moves, sample.tag as usize, 40, &sample.position);
+        assert!(off <= tolerance * ABOVE + rounding_mm, "{off} mm off at {} s", sample.time_s);
+    }
+    time_s
+}
+
+#[track_caller]
+fn ends(moves: &[Move], stretches: &[Stretch], rounding_mm: f64) {
+    let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
+        let (from, to) = (moves[0].from(), moves[moves.len() - 1].to());
+        let way = from.iter().zip(to).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(way <= 1e-6, "nothing was planned for {way} mm");
+        return;
+    };
+    for (is, due) in [(first.from(), moves[0].from()), (last.to(), moves[moves.len() - 1].to())] {
+        let off = is.iter().zip(due).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(off <= 1e-9 + rounding_mm, "{is:?} in place of {due:?}");
+    }
+}
+
+/// What a planner says to moves of which the last is wrong.
+fn refusal(moves: &[Move], limits: Limits) -> MoveError {
+    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
+    let (last, good) = moves.split_last().unwrap();
+    for motion in good {
+        planner.push(motion, |_| {}).unwrap();
+    }
+    planner.push(last, |_| {}).unwrap_err()
+}
+
+#[test]
+fn moves_of_no_length_take_no_time() {
+    let here = [3.0, 4.0, 5.0];
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        assert_eq!(held(&[line(here, here, corner)], machine(), 0.0), 0.0);
+        let (a, b, c) = ([0.0; 3], [10.0, 0.0, 0.0], [20.0, 0.0, 0.0]);
+        let without = held(&lines(&[a, b, c], corner), machine(), 0.0);
+        let with = held(&lines(&[a, a, b, b, b, c, c], corner), machine(), 0.0);
+        assert!((with - without).abs() < 1e-9, "{corner:?}: {with} s, {without} s");
+    }
+}
+
+#[test]
+fn steps_below_rounding_end_where_they_should() {
+    let tiny = 1e-12;
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        let chain: Vec<_> = (0..=10_000).map(|k| [tiny * f64::from(k), 0.0, 0.0]).collect();
+        held(&lines(&chain, corner), machine(), 1e-8);
+        // Between ordinary moves, in all directions.
+        let mut dice = Dice(3);
+        let mut places = vec![[0.0; 3]];
+        for k in 0..300 {
+            let [x, y, z] = *places.last().unwrap();
+            let step = if k % 10 == 0 { dice.even(0.1, 5.0) } else { dice.decades(1e-13, 1e-7) };
+            let way = dice.direction() * step;
+            places.push([x + way.x, y + way.y, z + way.z]);
+        }
+        held(&lines(&places, corner), machine(), 1e-7);
+    }
+}
+
+#[test]
+fn arcs_as_wide_and_as_long_as_a_country() {
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        // A sweep that is hardly a bend, and a whole kilometre of 5 mm turns.
+        held(&[arc(1e6, 1e-4, corner)], machine(), 1e-8);
+        let turns = arc(5.0, 1e6 / 5.0, corner);
+        let time_s = held(&[turns], machine(), 1e-8);
+        assert!(time_s >= 1e6 / 50.0, "{time_s}");
+        let fast = Move { speed: 1e9, ..arc(1e6, 1.0, corner) };
+        let time_s = held(&[fast], machine(), 1e-6);
+        // 479 m to the side and 841 m ahead: X alone takes this long.
+        assert!(time_s >= 841_470.0 / 200.0, "{time_s}");
+    }
+}
+
+#[test]
+fn a_line_joins_the_widest_arc() {
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        let bend = Move { tag: 1, ..arc(1e6, 1e-5, corner) };
+        let time_s = held(&[line([-10.0, 0.0, 0.0], [0.0; 3], corner), bend], machine(), 1e-8);
+        assert!(time_s < 0.4 + 2.0 * 0.2, "{time_s}");
+    }
+}
+
+#[test]
+fn a_spiral_from_its_very_centre() {
+    for (radii, turns) in [((0.0, 10.0), 3.0), ((10.0, 0.0), 3.0), ((0.0, 0.5), 0.4)] {
+        let frame = Frame::from_normal(Vec3::ZERO, vec([0.0, 0.0, 1.0]), vec([1.0, 0.0, 0.0]));
+        let sweep = turns * std::f64::consts::TAU;
+        for rise in [0.0, 2.0] {
+            let spiral = Spiral::new(frame.unwrap(), radii, sweep, rise);
+            for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+                let time_s = held(&[motion(spiral, corner)], machine(), 1e-9);
+                assert!(time_s >= spiral.length() / 50.0, "{time_s}");
+            }
+        }
+    }
+}
+
+#[test]
+fn feeds_from_a_nanometre_a_second_to_beyond_light() {
+    let corner = WITHIN;
+    let places = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
+    for speed in [1e-6, 1e9, f64::INFINITY] {
+        let moves: Vec<Move> =
+            lines(&places, corner).into_iter().map(|m| Move { speed, ..m }).collect();
+        let time_s = held(&moves, machine(), 1e-9);
+        let length: f64 = moves.iter().map(Move::length).sum();
+        assert!(time_s >= (length - 0.1) / speed, "{time_s}");
+    }
+    // From one to the other and back.
+    let mut moves = lines(&[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]], corner);
+    for (motion, speed) in moves.iter_mut().zip([1e9, 1e-6, 1e9]) {
+        motion.speed = speed;
+    }
+    let time_s = held(&moves, machine(), 1e-9);
+    assert!((time_s / 1e6 - 1.0).abs() < 1e-3, "{time_s}");
+}
+
+/// A move on the spot in which rotary axes turn.
+fn turn(at: [f64; 3], from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
+    Move { rotary_from: from, rotary_to: to, speed: 1.0, ..line(at, at, corner) }
+}
+
+#[test]
+fn rotary_axes_alone() {
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        // One radian at 1 rad/s, with ramps of 20 rad/s² and 500 rad/s³.
+        let time_s = held(&[turn([0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], corner)], machine(), 0.0);
+        assert!((time_s - 1.09).abs() < 1e-9, "{time_s}");
+        let places = [[0.0; 3], [0.5, 0.2, 0.0], [0.5, 0.2, -1.0], [0.0, 0.2, -1.0], [0.0; 3]];
+        let moves: Vec<Move> = places
+            .windows(2)
+            .enumerate()
+            .map(|(tag, ends)| Move {
+                tag: tag as u64,
+                ..turn([1.0, 2.0, 3.0], ends[0], ends[1], corner)
+            })
+            .collect();
+        held(&moves, machine(), 1e-9);
+    }
+}
+
+#[test]
+fn rotary_and_linear_axes_in_turns() {
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        let mut moves = Vec::new();
+        for k in 0..20_u64 {
+            let (at, angle) = (5.0 * (k / 2) as f64, 0.1 * k.div_ceil(2) as f64);
+            let motion = if k % 2 == 0 {
+                let to = [at + 5.0, 0.0, 0.0];
+                let rotary = [angle, 0.0, 0.0];
+                let motion = line([at, 0.0, 0.0], to, corner);
+                Move { rotary_from: rotary, rotary_to: rotary, ..motion }
+            } else {
+                let from = [angle - 0.1, 0.0, 0.0];
+                turn([at + 5.0, 0.0, 0.0], from, [angle, 0.0, 0.0], corner)
+            };
+            moves.push(Move { tag: k, ..motion });
+        }
+        held(&moves, machine(), 1e-9);
+    }
+}
+
+#[test]
+fn no_tolerance_is_the_exact_path() {
+    let none = Corner::Within { linear_mm: 0.0, rotary_rad: 0.0 };
+    let places = [[0.0; 3], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [15.0, 15.0, 1.0]];
+    let time_s = held(&lines(&places, none), machine(), 0.0);
+    // A millionth of a millimetre is exact: it leaves room for half a thousandth of a second.
+    let stops = held(&lines(&places, Corner::Stop), machine(), 0.0);
+    assert!(time_s <= stops && time_s > stops - 2.0 * 5e-4, "{time_s} s, {stops} s");
+}
+
+#[test]
+fn a_tolerance_wider_than_the_legs() {
+    let wide = Corner::Within { linear_mm: 10.0, rotary_rad: 1.0 };
+    let mut dice = Dice(5);
+    for step in [0.01, 0.1, 1.0] {
+        let mut places = vec![[0.0; 3]];
+        for _ in 0..100 {
+            let [x, y, z] = *places.last().unwrap();
+            let way = dice.direction() * step;
+            places.push([x + way.x, y + way.y, z + way.z]);
+        }
+        held(&lines(&places, wide), machine(), 1e-9);
+    }
+}
+
+#[test]
+fn there_and_back_on_one_line() {
+    let (a, b) = ([0.0; 3], [10.0, 0.0, 0.0]);
+    let once = held(&lines(&[a, b], Corner::Stop), machine(), 0.0);
+    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+        let time_s = held(&lines(&[a, b, a, b, a], corner), machine(), 1e-9);
+        assert!(time_s <= 4.0 * once * (1.0 + 1e-9), "{corner:?}: {time_s} s");
+        // A reversal within the tolerance need not go all the way, but nearly.
+        assert!(time_s > 4.0 * once * 0.8, "{corner:?}: {time_s} s");
+    }
+}
+
+#[test]
+fn what_is_no_move_is_refused() {
+    let good = line([0.0; 3], [1.0, 0.0, 0.0], WITHIN);
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            let mut to = [2.0, 0.0, 0.0];
+            to[axis] = wrong;
+            let bad = line([1.0, 0.0, 0.0], to, WITHIN);
+            assert_eq!(refusal(&[good, bad], machine()), MoveError::NotFinite);
+            let mut bad = line([1.0, 0.0, 0.0], [2.0, 0.0, 0.0], WITHIN);
+            bad.rotary_to[axis] = wrong;
+            assert_eq!(refusal(&[good, bad], machine()), MoveError::NotFinite);
+        }
+    }
+    // Coordinates that are finite, and a length that is not.
+    let bad = line([-1e308, 0.0, 0.0], [1e308, 1e308, 0.0], WITHIN);
+    assert_eq!(refusal(&[bad], machine()), MoveError::NotFinite);
+    for speed in [0.0, -1.0, f64::NAN] {
+        let error = refusal(&[Move { speed, ..good }], machine());
+        assert!(matches!(error, MoveError::Speed(_)), "{error}");
+    }
+    for tolerance in [-1e-9, f64::NAN] {
+        let linear = Corner::Within { linear_mm: tolerance, rotary_rad: 0.0 };
+        let rotary = Corner::Within { linear_mm: 0.0, rotary_rad: tolerance };
+        for corner in [linear, rotary] {
+            let error = refusal(&[Move { corner, ..good }], machine());
+            assert!(matches!(error, MoveError::Tolerance(_)), "{error}");
+        }
+    }
+    let far = line([1.5, 0.0, 0.0], [2.0, 0.0, 0.0], WITHIN);
+    assert_eq!(refusal(&[good, far], machine()), MoveError::Gap(0.5));
+}
+
+#[test]
+fn an_axis_that_is_not_there_must_not_move() {
+    let limit = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
+    let two = Limits::new([Some(limit), Some(limit), None, None, None, None]).unwrap();
+    held(&[line([0.0; 3], [10.0, 5.0, 0.0], WITHIN)], two, 0.0);
+    held(&[arc(5.0, 6.0, WITHIN)], two, 1e-9);
+    let down = line([0.0; 3], [10.0, 5.0, -1e-9], WITHIN);
+    assert_eq!(refusal(&[down], two), MoveError::NoAxis(2));
+    let turned = Move { rotary_to: [0.0, 0.1, 0.0], ..line([0.0; 3], [1.0, 0.0, 0.0], WITHIN) };
+    assert_eq!(refusal(&[turned], two), MoveError::NoAxis(4));
+}
+
+#[test]
+fn limits_are_positive_numbers() {
+    let good = AxisLimit { velocity: 1.0, acceleration: 1.0, jerk: 1.0 };
+    for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        for (quantity, wrong) in [
+            (Quantity::Velocity, AxisLimit { velocity: value, ..good }),
+            (Quantity::Acceleration, AxisLimit { acceleration: value, ..good }),
+            (Quantity::Jerk, AxisLimit { jerk: value, ..good }),
+        ] {
+            let error = Limits::new([Some(good), Some(wrong), None, None, None, None]).unwrap_err();
+            assert_eq!((error.axis, error.quantity), (1, quantity));
+        }
+    }
+}
+
+#[test]
+fn a_refused_move_leaves_the_planner_as_it_was() {
+    let moves = lines(&[[0.0; 3], [10.0, 0.0, 0.0], [20.0, 1.0, 0.0]], WITHIN);
+    let without = time_of(&plan(&moves, machine(), Level::Fast));
+    let mut planner = Planner::new(machine(), PlannerOptions::new(Level::Fast));
+    let mut time_s = 0.0;
+    let mut take = |step: Step<'_>| {
+        if let Step::Stretch(stretch) = step {
+            time_s += stretch.duration_s() - stretch.overlap_s;
+        }
+    };
+    planner.push(&moves[0], &mut take).unwrap();
+    let bad = line([10.0, 0.0, 0.0], [f64::NAN, 0.0, 0.0], WITHIN);
+    planner.push(&bad, &mut take).unwrap_err();
+    planner.push(&line([99.0; 3], [1.0; 3], WITHIN), &mut take).unwrap_err();
+    planner.push(&moves[1], &mut take).unwrap();
+    planner.finish(&mut take);
+    assert!((time_s - without).abs() < 1e-12, "{time_s} s, {without} s");
+}
+
+#[test]
+fn circle_after_circle_in_bounded_memory() {
+    // Whole circles tangent to each other, without a tolerance and with one.
+    for corner in [Corner::Exact, WITHIN] {
+        let circle = arc(3.0, std::f64::consts::TAU, corner);
+        let mut planner = Planner::new(machine(), PlannerOptions::new(Level::Fast));
+        let (mut pushed, mut planned, mut waiting) = (0.0, 0.0, 0.0_f64);
+        for _ in 0..200_000 {
+            pushed += circle.length();
+            let take = |step: Step<'_>| {
+                if let Step::Stretch(stretch) = step {
+                    planned += stretch.length();
+                }
+            };
+            planner.push(&circle, take).unwrap();
+            waiting = waiting.max(pushed - planned);
+        }
+        // As many as a row has pieces, and the one that is under way.
+        let most = 8_193.0 * circle.length();
+        assert!(waiting < most, "{corner:?}: {} circles wait", waiting / circle.length());
+        planner.finish(|_| {});
+    }
+}

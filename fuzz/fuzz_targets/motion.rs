@@ -1,0 +1,166 @@
+//! Moves of any kind for machines of any kind: the planner refuses what is no move, and of
+//! everything else it makes a plan that ends, holds every limit and arrives.
+
+#![no_main]
+
+use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_motion::{
+    AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Step, Stretch,
+    largest_use,
+};
+use libfuzzer_sys::fuzz_target;
+
+/// Numbers out of bytes; zeros when they are used up.
+struct Bytes<'a>(&'a [u8]);
+
+impl Bytes<'_> {
+    fn byte(&mut self) -> u8 {
+        let Some((first, rest)) = self.0.split_first() else { return 0 };
+        self.0 = rest;
+        *first
+    }
+
+    /// From -1 to 1.
+    fn share(&mut self) -> f64 {
+        f64::from(i16::from_le_bytes([self.byte(), self.byte()])) / 32768.0
+    }
+
+    /// From `low` to `high`, evenly in the logarithm.
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(f64::from(self.byte()) / 255.0)
+    }
+}
+
+fn limits(bytes: &mut Bytes<'_>) -> Limits {
+    let mut axes = [None; 6];
+    for axis in &mut axes {
+        *axis = Some(AxisLimit {
+            velocity: bytes.decades(1.0, 2000.0),
+            acceleration: bytes.decades(10.0, 20_000.0),
+            jerk: bytes.decades(100.0, 1e6),
+        });
+    }
+    Limits::new(axes).expect("positive numbers")
+}
+
+fn corner(bytes: &mut Bytes<'_>) -> Corner {
+    match bytes.byte() % 8 {
+        0 => Corner::Stop,
+        1 => Corner::Exact,
+        2 => Corner::Within { linear_mm: 0.0, rotary_rad: 0.0 },
+        _ => Corner::Within {
+            linear_mm: bytes.decades(1e-6, 10.0),
+            rotary_rad: bytes.decades(1e-6, 1.0),
+        },
+    }
+}
+
+/// A curve from a place on; in the direction of the one before, or in any.
+fn curve(bytes: &mut Bytes<'_>, at: Vec3, heading: Vec3) -> Curve {
+    let choice = bytes.byte();
+    let way = Vec3::new(bytes.share(), bytes.share(), bytes.share());
+    let direction = match choice & 12 {
+        0 => heading,
+        4 => -heading,
+        8 => heading + way * 0.05,
+        _ => way,
+    };
+    let direction = direction.normalized().unwrap_or(heading);
+    let length = bytes.decades(1e-6, 300.0);
+    let line = Line::new(at, at + direction * length).into();
+    let Some(out) = direction.cross(way).normalized() else { return line };
+    let radius = bytes.decades(1e-3, 1e4);
+    let frame = Frame::from_normal(at - out * radius, out.cross(direction), out);
+    let (Some(frame), sweep) = (frame, (length / radius).min(100.0)) else { return line };
+    let rise = bytes.share() * length;
+    match choice & 3 {
+        0 | 1 => line,
+        2 => Arc::new(frame, radius, sweep, rise).into(),
+        _ => Spiral::new(frame, (radius, radius * (1.0 + bytes.share())), sweep, rise).into(),
+    }
+}
+
+/// Every limit is held, and it begins where the one before ended.
+fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<[f64; 6]>) {
+    let used = largest_use(stretch, limits, 2);
+    let worst = used.velocity.max(used.acceleration).max(used.jerk);
+    assert!(worst <= 1.0 + 1e-6, "{used:?} of {limits:?}");
+    for phase in &stretch.phases {
+        assert!(phase.duration_s >= 0.0 && phase.speed >= 0.0, "{phase:?}");
+    }
+    assert!(stretch.overlap_s >= 0.0 && stretch.duration_s().is_finite());
+    let far: f64 = stretch.from().iter().map(|value| value.abs()).fold(1.0, f64::max);
+    if let Some(before) = at.replace(stretch.to()) {
+        same(before, stretch.from(), far);
+    }
+}
+
+fn same(a: [f64; 6], b: [f64; 6], far: f64) {
+    for axis in 0..6 {
+        assert!((a[axis] - b[axis]).abs() <= 1e-8 + 1e-11 * far, "{a:?} {b:?}");
+    }
+}
+
+fuzz_target!(|bytes: &[u8]| {
+    let mut bytes = Bytes(bytes);
+    let limits = limits(&mut bytes);
+    let mut options = PlannerOptions::new(Level::Fast);
+    if bytes.byte() % 2 == 0 {
+        options.row_s = bytes.decades(0.01, 10.0);
+    }
+    let mut planner = Planner::new(limits, options);
+    let (mut position, mut heading) = (Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0));
+    let (mut rotary, mut tag) = ([0.0; 3], 0);
+    let mut passing = Corner::Stop;
+    let (mut at, mut time_s) = (None, 0.0);
+    while !bytes.0.is_empty() && tag < 200 {
+        let curve = curve(&mut bytes, position, heading);
+        let kind = bytes.byte();
+        let rotary_from = rotary;
+        if kind & 3 == 0 {
+            rotary = rotary.map(|angle| angle + bytes.share() * 3.0);
+        }
+        // Where rotary axes turn on the spot.
+        let spot = kind & 15 == 0;
+        let curve = if spot { Line::new(position, position).into() } else { curve };
+        if curve.start().distance(position) > 1e-9 {
+            continue;
+        }
+        if kind & 32 == 0 {
+            passing = corner(&mut bytes);
+        }
+        let motion = Move {
+            curve,
+            rotary_from,
+            rotary_to: rotary,
+            speed: if kind & 64 == 0 { bytes.decades(1e-3, 1e4) } else { f64::INFINITY },
+            corner: passing,
+            kind: MoveKind::Cut,
+            tag,
+        };
+        let take = |step: Step<'_>| {
+            if let Step::Stretch(stretch) = step {
+                check(stretch, &limits, &mut at);
+                time_s += stretch.duration_s() - stretch.overlap_s;
+            }
+        };
+        planner.push(&motion, take).expect("a good move");
+        if !spot {
+            heading = curve.tangent_at(curve.length());
+        }
+        position = curve.end();
+        tag += 1;
+    }
+    planner.finish(|step| {
+        if let Step::Stretch(stretch) = step {
+            check(stretch, &limits, &mut at);
+            time_s += stretch.duration_s() - stretch.overlap_s;
+        }
+    });
+    assert!(time_s >= 0.0);
+    if let Some(at) = at {
+        let [x, y, z] = position.to_array();
+        let far = x.abs().max(y.abs()).max(z.abs());
+        same(at, [x, y, z, rotary[0], rotary[1], rotary[2]], far);
+    }
+});
