@@ -194,7 +194,7 @@ fn text(measurements: &[Measurement], machine: &Machine, start: Factors, fitted:
         ),
     ] {
         let told = fitted.untold.iter().all(|(untold, _)| *untold != parameter);
-        let after = if told { after } else { "not told".to_string() };
+        let after = if told { after } else { "kept".to_string() };
         numbers.add_row([parameter.word().to_string(), before, after]);
     }
     push_lines(&mut text, &numbers);
@@ -224,8 +224,20 @@ fn text(measurements: &[Measurement], machine: &Machine, start: Factors, fitted:
     for (parameter, why) in &fitted.untold {
         text.push_str(&format!("  {}\n", untold_text(*parameter, *why)));
     }
+    for (program, times) in measurements.iter().zip(&fitted.programs) {
+        if (times.after_s / times.measured_s - 1.0).abs() > FAR {
+            text.push_str(&format!(
+                "  {}: no such machine explains its time; was it this very program, with the \
+                 overrides\n    at 100 %, without a wait for the operator?\n",
+                program.loaded.name()
+            ));
+        }
+    }
     text
 }
+
+/// A relative error that no limits of axes make.
+const FAR: f64 = 0.25;
 
 fn push_lines(text: &mut String, table: &comfy_table::Table) {
     for line in table.lines() {

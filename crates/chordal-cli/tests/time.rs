@@ -208,7 +208,7 @@ fn too_few_programs_say_what_they_cannot_tell() {
     let folder = shop();
     folder.write("one.csv", "cuts.nc,2:10\n");
     folder.run(&["calibrate", "one.csv", "-m", "base.toml"]).ends(0).says(&[
-        "not told",
+        "kept",
         "as many numbers as programs",
         "cannot be told apart with so few programs",
     ]);
@@ -222,4 +222,23 @@ fn too_few_programs_say_what_they_cannot_tell() {
         .run(&["calibrate", "one.csv", "-m", "base.toml", "-o", "base.toml"])
         .ends(2)
         .complains(&["is the machine that is fitted"]);
+}
+
+#[test]
+fn the_least_time_is_told() {
+    let folder = Folder::new();
+    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    // Without jerk the ramps take 100/2000 s together, with it 0.07 s.
+    let time = json(&folder, &["time", "cut.nc", "-m", "m.toml", "--bound"]);
+    near(&time["bound_s"], 9.05);
+    near(&time["reference_s"], 9.07);
+    assert_eq!(time["reference_unknown_s"], 0.0);
+    near(&time["operations"][0]["bound_s"], 9.05);
+    near(&time["operations"][0]["reference_s"], 9.07);
+    let done = folder.run(&["time", "cut.nc", "-m", "m.toml", "--bound"]).ends(0).says(&[
+        "above the physical limit",
+        "without jerk",
+        "9.070 s       9.050 s    9.070 s    0 %",
+    ]);
+    assert!(done.out.lines().all(|line| line.chars().count() <= 80), "{}", done.out);
 }

@@ -3,7 +3,7 @@
 use chordal::control::{Origin, PathMode};
 use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport};
-use chordal::time::{Alternative, BlockTime, Change, Timed, Times};
+use chordal::time::{Alternative, BlockTime, Change, CutEnds, Least, LeastReport, Timed, Times};
 use chordal::{Job, Report};
 use serde_json::{Map, Value, json};
 
@@ -16,8 +16,8 @@ pub struct TimeDocument<'a> {
     pub level: Level,
     /// The same program with changes, where it was asked.
     pub what_if: &'a [Alternative],
-    /// The least time without jerk limits and with them, s, where it was asked.
-    pub bound: Option<(f64, f64)>,
+    /// The least times, where they were asked.
+    pub least: Option<&'a LeastReport>,
 }
 
 /// One JSON object, schema `chordal.time/1`: times in s, lengths in mm.
@@ -36,13 +36,13 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     put("lost_s", json!(time.times.lost_s));
     put("at_feed_s", json!(time.at_feed_s));
     put("level", json!(level_word(document.level)));
-    if let Some((bound_s, reference_s)) = document.bound {
-        put("bound_s", json!(bound_s));
-        put("reference_s", json!(reference_s));
+    if let Some(least) = document.least {
+        least_values(&least.whole).into_iter().for_each(|(name, value)| put(name, value));
     }
     put("moves", json!(time.moves));
     put("tool_changes", json!(time.tool_changes));
     put("tangent_stops", json!(time.tangent_stops));
+    put("cut_ends", cut_ends(&time.cut_ends));
     put("errors", json!(report.counts.errors));
     let waits = time.waits.iter().map(|(kind, seconds)| (kind.name().to_string(), json!(seconds)));
     put("waits", Value::Object(waits.collect()));
@@ -51,10 +51,14 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
         .iter()
         .map(|tool| with_times(json!({"tool": tool.number, "changes": tool.changes}), &tool.times));
     put("tools", tools.collect());
-    let operations = time.operations.iter().map(|operation| {
+    let operations = time.operations.iter().enumerate().map(|(index, operation)| {
         let (first, last) = (place(&operation.first, job), place(&operation.last, job));
         let head = json!({"tool": operation.tool, "first": first, "last": last});
-        with_times(head, &operation.times)
+        let mut row = with_times(head, &operation.times);
+        if let Some(least) = document.least.and_then(|least| least.operations.get(index)) {
+            least_values(least).into_iter().for_each(|(name, value)| row[name] = value);
+        }
+        row
     });
     put("operations", operations.collect());
     put("operations_left_out", json!(time.operations_left_out));
@@ -91,6 +95,27 @@ fn with_times(mut head: Value, times: &Times) -> Value {
     head
 }
 
+/// How the ends of cuts are passed, with the least and the largest tolerance.
+fn cut_ends(ends: &CutEnds) -> Value {
+    let mut row = json!({"at_rest": ends.at_rest, "exact": ends.exact, "within": ends.within});
+    if let Some((least, most)) = ends.tolerance_mm {
+        row["least_tolerance_mm"] = json!(least);
+        row["largest_tolerance_mm"] = json!(most);
+    }
+    row
+}
+
+/// Where a part was too much work for the reference, there is none, and the share of the time
+/// that the part takes is told.
+fn least_values(least: &Least) -> [(&'static str, Value); 3] {
+    let reference = (least.unknown_s <= 0.0).then_some(least.reference_s);
+    [
+        ("bound_s", json!(least.bound_s)),
+        ("reference_s", json!(reference)),
+        ("reference_unknown_s", json!(least.unknown_s)),
+    ]
+}
+
 /// The line; with its file where that is not the program's.
 fn place(origin: &Origin, job: &Job) -> Value {
     let name = job.sources().get(origin.span.file).map_or("", |source| source.name());
@@ -108,6 +133,9 @@ fn blocks(blocks: &[BlockTime], job: &Job) -> Value {
         row["time_s"] = json!(block.time_s);
         row["lost_s"] = json!(block.lost_s);
         row["reason"] = json!(block.reason.word());
+        if block.lost_s > 0.0 {
+            row["loses_by"] = json!(block.loses.word());
+        }
         row
     };
     blocks.iter().map(row).collect()

@@ -1,10 +1,12 @@
+mod corners;
+mod least;
 mod picture;
 mod text;
 
 use std::path::PathBuf;
 
 use chordal::motion::{Level, LimitError, MotionOptions};
-use chordal::time::{Alternative, Timed};
+use chordal::time::{Alternative, Effort, Timed};
 use chordal::{Job, Watch};
 use chordal_export::{PlotOptions, TimeDocument, time_json};
 use clap::ValueEnum;
@@ -24,6 +26,7 @@ Examples:
   chordal time part.nc --set motion.feed_override=0.8
   chordal time part.nc --format json | jq .total_s
   chordal time part.nc -o part-speed.svg       speed, acceleration, jerk as a picture
+  chordal time part.nc --bound                 how far above the physical limit it runs
 
 The time holds the velocity, acceleration and jerk of every axis, and passes corners as the
 control's path mode says. `lost` is what moves take beyond their length at feed or rapid speed.
@@ -53,6 +56,14 @@ pub struct Args {
     /// Without it, that is done for programs of up to 20,000 moves.
     #[arg(long)]
     what_if: bool,
+
+    /// Tells how far above the physical limit the program and each operation run
+    ///
+    /// The bound is the least time while velocity and acceleration of every axis are held, the
+    /// reference the least with jerk as well. Takes up to a minute; what is too much work goes
+    /// without a reference.
+    #[arg(long)]
+    bound: bool,
 
     #[command(flatten)]
     common: Common,
@@ -88,6 +99,11 @@ enum Format {
 /// than a second.
 const MOST_UNASKED: u64 = 20_000;
 
+/// How much work the reference may be: some ten seconds, whatever the program.
+fn effort() -> Effort {
+    Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
+}
+
 /// Sees nothing of a run.
 struct Unwatched;
 
@@ -104,8 +120,14 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         return Ok(tell(&report, &loaded, &job, terminal));
     };
     let what_if = what_if(&job, &options, &timed, args.what_if)?;
-    let document =
-        TimeDocument { timed: &timed, level: options.level, what_if: &what_if, bound: None };
+    let least = args.bound.then(|| job.least(&options, effort())).transpose();
+    let least = least.map_err(|error| wrong_limit(&error))?;
+    let document = TimeDocument {
+        timed: &timed,
+        level: options.level,
+        what_if: &what_if,
+        least: least.as_ref(),
+    };
     let text = match args.format {
         Format::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
         Format::Json => time_json(&document, &report, &job),

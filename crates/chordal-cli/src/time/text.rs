@@ -3,11 +3,12 @@
 use chordal::control::{PathMode, Units as ProgramUnits};
 use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
-use chordal::time::{Alternative, BlockTime, Change, OperationTime, TimeReport, ToolTime};
+use chordal::time::{Alternative, BlockTime, Change, OperationTime, Reason, TimeReport, ToolTime};
 use chordal::{Job, Report};
 use chordal_export::TimeDocument;
 use comfy_table::Table;
 
+use super::{corners, least};
 use crate::numbers::{counted, duration, fixed, short};
 use crate::summary::{plain_table, tool_name};
 use crate::terminal::{BOLD, style};
@@ -19,7 +20,7 @@ const WIDTH: usize = 80;
 const LABEL: usize = 10;
 
 /// Most operations that are listed.
-const MOST_OPERATIONS: usize = 30;
+pub(super) const MOST_OPERATIONS: usize = 30;
 
 /// Blocks of the second list, those that lose the most.
 const MOST_COSTLIEST: usize = 5;
@@ -47,19 +48,27 @@ pub fn text(
             sheet.text.push_str(&format!("  and {more} more\n"));
         }
     }
-    sheet.table("blocks that take the longest", blocks(&time.longest, job));
+    sheet.table("blocks that take the longest", blocks(&time.longest, |block| block.reason, job));
     let costliest = &time.costliest[..time.costliest.len().min(MOST_COSTLIEST)];
     // In a short program both lists hold the same blocks.
     let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
     if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
         let title = "blocks that lose the most to speeding up and slowing down";
-        sheet.table(title, blocks(costliest, job));
+        sheet.table(title, blocks(costliest, |block| block.loses, job));
+    }
+    if let Some(limits) = document.least {
+        sheet.table(least::TITLE, least::table(limits, time, job));
     }
     sheet.table("what if", alternatives(document.what_if, time, report.summary.inch));
-    let notes = notes(time, motion, report, job);
-    if !notes.is_empty() {
+    let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
+    let parts = [
+        ("limit", document.least.map(least::notes).unwrap_or_default()),
+        ("corners", corners::notes(time, job, units)),
+        ("assumed", notes(time, motion, job)),
+    ];
+    for (label, notes) in parts.iter().filter(|(_, notes)| !notes.is_empty()) {
         sheet.text.push('\n');
-        sheet.rows("assumed", &notes);
+        sheet.rows(label, notes);
     }
     sheet.text
 }
@@ -118,11 +127,13 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 }
 
 /// Times of blocks are short: three decimals below ten seconds.
-fn fine(seconds: f64) -> String {
+pub(super) fn fine(seconds: f64) -> String {
     if seconds < SAME_S {
         "-".to_string()
     } else if seconds < 9.9995 {
         format!("{} s", fixed(seconds, 3))
+    } else if seconds < 59.95 {
+        format!("{} s", fixed(seconds, 1))
     } else {
         duration(seconds)
     }
@@ -191,7 +202,7 @@ fn operations(time: &TimeReport, job: &Job) -> Table {
 }
 
 /// The lines of the program between which an operation lies; those of other files say nothing.
-fn lines(operation: &OperationTime) -> String {
+pub(super) fn lines(operation: &OperationTime) -> String {
     let line = |origin: &chordal::control::Origin| match origin.span.file {
         FileId(0) => origin.line.to_string(),
         _ => "-".to_string(),
@@ -199,7 +210,7 @@ fn lines(operation: &OperationTime) -> String {
     format!("{} to {}", line(&operation.first), line(&operation.last))
 }
 
-fn blocks(blocks: &[BlockTime], job: &Job) -> Table {
+fn blocks(blocks: &[BlockTime], why: fn(&BlockTime) -> Reason, job: &Job) -> Table {
     let mut table = plain_table(&["line", "runs", "time", "lost", "why", "block"], 0);
     for index in 4..6 {
         if let Some(column) = table.column_mut(index) {
@@ -207,13 +218,12 @@ fn blocks(blocks: &[BlockTime], job: &Job) -> Table {
         }
     }
     for block in blocks {
-        let waits = matches!(block.reason, chordal::time::Reason::Wait(_));
         table.add_row([
             block.origin.line.to_string(),
             block.runs.to_string(),
             fine(block.time_s),
-            if waits { "-".to_string() } else { fine(block.lost_s) },
-            block.reason.word().to_string(),
+            fine(block.lost_s),
+            why(block).word().to_string(),
             block_text(block, job),
         ]);
     }
@@ -275,56 +285,54 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
     table
 }
 
-/// How far corners may be from the path when the program does not say.
-fn corners(job: &Job, units: ProgramUnits) -> String {
-    match job.control().parameters.path.start_mode() {
-        PathMode::ExactStop => "the program begins in exact stop mode".into(),
-        PathMode::ExactPath => "the program begins in exact path mode".into(),
-        PathMode::Continuous { tolerance_mm: Some(tolerance) } => format!(
-            "corners are passed within {} where the program names no other distance (a setting \
-             of the control)",
-            units.length_text(tolerance)
-        ),
-        PathMode::Continuous { tolerance_mm: None } => format!(
-            "corners are passed within {} where the path mode lets the control round them and \
-             names no tolerance (motion.corner_tolerance)",
-            units.length_text(job.machine().motion.corner_tolerance_mm())
-        ),
-    }
+/// `the machine file gives no max_jerk of X Y Z: 100000 mm/s³ is taken`.
+fn assumed(quantity: Quantity, motion: &MotionReport) -> Option<String> {
+    let (key, unit) = match quantity {
+        Quantity::Velocity => ("max_velocity", "s"),
+        Quantity::Acceleration => ("max_acceleration", "s²"),
+        Quantity::Jerk => ("max_jerk", "s³"),
+    };
+    let of_kind = |rotary: bool| {
+        let limits = motion.limits.assumed.iter();
+        let mut limits = limits
+            .filter(move |limit| limit.quantity == quantity && limit.axis.is_rotary() == rotary)
+            .peekable();
+        let first = limits.peek()?.value;
+        let value = if rotary {
+            format!("{} deg/{unit}", short(first.to_degrees(), 0))
+        } else {
+            format!("{} mm/{unit}", short(first, 0))
+        };
+        Some((limits.map(|limit| limit.axis.to_string()).collect::<Vec<_>>(), value))
+    };
+    let kinds: Vec<_> = [false, true].into_iter().filter_map(of_kind).collect();
+    let axes: Vec<String> = kinds.iter().flat_map(|(axes, _)| axes.clone()).collect();
+    let values: Vec<&str> = kinds.iter().map(|(_, value)| value.as_str()).collect();
+    (!axes.is_empty()).then(|| {
+        format!(
+            "the machine file gives no {key} of {}: {}, typical of such axes, are taken",
+            axes.join(" "),
+            values.join(" and ")
+        )
+    })
 }
 
 /// Times that differ by less than this, s, are the same: less than is shown.
 const SAME_S: f64 = 0.0005;
 
 /// What the time rests on, beside the program.
-fn notes(time: &TimeReport, motion: &MotionReport, report: &Report, job: &Job) -> Vec<String> {
+fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {
     let machine = job.machine();
     let mut notes: Vec<String> = machine.notes.clone();
     for quantity in [Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
-        let of = motion.limits.assumed.iter().filter(|limit| limit.quantity == quantity);
-        let axes: Vec<String> = of.map(|limit| limit.axis.to_string()).collect();
-        if !axes.is_empty() {
-            notes.push(format!(
-                "the machine file gives no {quantity} of {}: typical ones are taken",
-                axes.join(" ")
-            ));
-        }
+        notes.extend(assumed(quantity, motion));
     }
-    let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
-    notes.push(corners(job, units));
     for (what, part) in
         [("feed", machine.motion.feed_override()), ("rapid", machine.motion.rapid_override())]
     {
         if part != 1.0 {
             notes.push(format!("the {what} override stands at {} %", short(part * 100.0, 1)));
         }
-    }
-    if time.tangent_stops > 0 {
-        notes.push(format!(
-            "{} of line and arc {}: exact path mode eases nothing (motion.exact_path_tolerance)",
-            counted(time.tangent_stops, "tangent joint", "tangent joints"),
-            if time.tangent_stops == 1 { "stops" } else { "stop" }
-        ));
     }
     if time.tool_changes > 0 && machine.times.tool_change_s.is_none() {
         notes.push("the machine file gives no time for a tool change (times.tool_change)".into());

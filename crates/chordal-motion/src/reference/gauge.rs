@@ -37,13 +37,20 @@ pub struct Least {
 
 impl Least {
     /// Adds a run, of which the overlap counts once.
-    fn add(&mut self, run: &RunTimes) {
+    pub fn add(&mut self, run: &RunTimes) {
         self.time_s += run.time_s - run.overlap_s;
         self.bound_s += (run.bound_s - run.overlap_s).max(0.0);
         self.reference_s += run.reference_s.unwrap_or(run.time_s) - run.overlap_s;
         if run.reference_s.is_none() {
             self.unknown_s += run.time_s - run.overlap_s;
         }
+    }
+
+    /// Adds a time in which nothing moves, s: no machine is quicker.
+    pub fn add_wait(&mut self, seconds: f64) {
+        self.time_s += seconds;
+        self.bound_s += seconds;
+        self.reference_s += seconds;
     }
 }
 
@@ -90,11 +97,7 @@ impl Gauge {
         mut take: impl FnMut(&RunTimes),
     ) {
         match step {
-            Step::Wait { seconds, .. } => {
-                self.sum.time_s += seconds;
-                self.sum.bound_s += seconds;
-                self.sum.reference_s += seconds;
-            }
+            Step::Wait { seconds, .. } => self.sum.add_wait(seconds),
             Step::Stretch(stretch) => {
                 if self.pieces.is_empty() {
                     self.run.overlap_s = stretch.overlap_s;

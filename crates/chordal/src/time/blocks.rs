@@ -27,6 +27,8 @@ struct Open {
     run: BlockRun,
     /// Its longest move, s.
     longest_s: f64,
+    /// What its costliest move loses, s, and why.
+    worst: (f64, Reason),
 }
 
 /// Adds up runs of blocks and ranks them.
@@ -76,17 +78,22 @@ impl Blocks {
                     open.longest_s = run.time_s;
                     open.run.reason = run.reason;
                 }
+                if run.lost_s > open.worst.0 {
+                    open.worst = (run.lost_s, run.reason);
+                }
             }
             open => {
-                let next = Open { run, longest_s: run.time_s };
+                let worst = (run.lost_s, run.reason);
+                let next = Open { run, longest_s: run.time_s, worst };
                 if let Some(done) = open.replace(next) {
-                    self.add(done.run);
+                    self.add(&done);
                 }
             }
         }
     }
 
-    fn add(&mut self, run: BlockRun) {
+    fn add(&mut self, done: &Open) {
+        let Open { run, worst, .. } = done;
         if self.held.len() >= HELD && !self.held.contains_key(&key(&run.origin)) {
             self.forget();
         }
@@ -97,6 +104,8 @@ impl Blocks {
             lost_s: 0.0,
             reason: run.reason,
             longest_s: 0.0,
+            loses: worst.1,
+            largest_loss_s: 0.0,
         });
         block.runs += 1;
         block.time_s += run.time_s;
@@ -105,6 +114,9 @@ impl Blocks {
         if run.time_s > block.longest_s {
             block.longest_s = run.time_s;
             block.reason = run.reason;
+        }
+        if worst.0 > block.largest_loss_s {
+            (block.largest_loss_s, block.loses) = *worst;
         }
     }
 
@@ -133,7 +145,7 @@ impl Blocks {
     /// The blocks that take the longest, and those that lose the most.
     pub fn finish(&mut self, most: usize) -> (Vec<BlockTime>, Vec<BlockTime>) {
         if let Some(done) = self.open.take() {
-            self.add(done.run);
+            self.add(&done);
         }
         (self.top(most, |block| block.time_s), self.top(most, |block| block.lost_s))
     }
@@ -165,6 +177,19 @@ mod tests {
         };
         assert_eq!(lines(&longest), [(2, 3, 12.0, 0.0), (1, 3, 6.0, 2.25)]);
         assert_eq!(lines(&costliest), [(1, 3, 6.0, 2.25)]);
+    }
+
+    #[test]
+    fn the_loss_of_a_block_has_its_own_reason() {
+        let mut blocks = Blocks::default();
+        blocks.push(BlockRun { reason: Reason::Rapid, ..run(1, 1.0, 0.5) });
+        blocks.push(BlockRun {
+            reason: Reason::Wait(crate::motion::WaitKind::Coolant),
+            ..run(1, 2.0, 0.0)
+        });
+        let (longest, _) = blocks.finish(1);
+        assert_eq!(longest[0].reason.word(), "coolant");
+        assert_eq!(longest[0].loses, Reason::Rapid);
     }
 
     #[test]

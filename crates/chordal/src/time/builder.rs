@@ -6,12 +6,12 @@ use chordal_motion::{Corner, Move, MoveKind, Step, Stretch};
 
 use super::blocks::{BlockRun, Blocks};
 use super::reason::{Asked, Ride, reason_of};
-use super::report::{OperationTime, Reason, TimeReport, Times, ToolTime};
+use super::report::{CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
 use super::walk::walk;
 use crate::motion::{MotionStep, StepSource, WaitKind};
 
 /// Most operations that are kept.
-const MOST_OPERATIONS: usize = 1000;
+pub(super) const MOST_OPERATIONS: usize = 1000;
 
 /// Blocks in each ranking.
 const RANKED: usize = 10;
@@ -96,6 +96,9 @@ impl TimeBuilder {
             let starts = motion.curve.tangent_at(0.0);
             let (cross, dot) = (self.direction.cross(starts), self.direction.dot(starts));
             *tangent_next = dot > 0.0 && cross.length() < TANGENT;
+        }
+        if motion.kind == MoveKind::Cut {
+            self.report.cut_ends.add(motion.corner);
         }
         let exact = motion.corner == Corner::Exact && motion.kind == MoveKind::Cut;
         if exact {
@@ -229,6 +232,20 @@ impl Times {
         self.rapid_s += other.rapid_s;
         self.other_s += other.other_s;
         self.lost_s += other.lost_s;
+    }
+}
+
+impl CutEnds {
+    fn add(&mut self, corner: Corner) {
+        match corner {
+            Corner::Stop => self.at_rest += 1,
+            Corner::Exact => self.exact += 1,
+            Corner::Within { linear_mm, .. } => {
+                self.within += 1;
+                let (least, most) = self.tolerance_mm.unwrap_or((linear_mm, linear_mm));
+                self.tolerance_mm = Some((least.min(linear_mm), most.max(linear_mm)));
+            }
+        }
     }
 }
 

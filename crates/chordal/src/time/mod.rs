@@ -7,12 +7,14 @@
 //! | why a move is not faster | `reason.rs` |
 //! | the blocks that cost the most | `blocks.rs` |
 //! | a job that is timed | `run.rs` |
+//! | the least time it could take | `least.rs` |
 //! | the same with other overrides and path modes | `what_if.rs` |
 //! | limits from measured times | `calibrate.rs` |
 
 mod blocks;
 mod builder;
 mod calibrate;
+mod least;
 mod reason;
 mod report;
 mod run;
@@ -21,6 +23,8 @@ mod what_if;
 
 pub use builder::TimeBuilder;
 pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
-pub use report::{BlockTime, OperationTime, Reason, TimeReport, Times, ToolTime};
+pub use chordal_motion::{Effort, Least};
+pub use least::LeastReport;
+pub use report::{BlockTime, CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
 pub use run::Timed;
 pub use what_if::{Alternative, Change};

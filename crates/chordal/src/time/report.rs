@@ -113,6 +113,23 @@ pub struct BlockTime {
     pub reason: Reason,
     /// The longest run, s.
     pub longest_s: f64,
+    /// Why it loses time; of the move that loses the most in one run.
+    pub loses: Reason,
+    /// What a run's costliest move loses at most, s.
+    pub largest_loss_s: f64,
+}
+
+/// How the ends of cuts are passed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CutEnds {
+    /// At rest: exact stop, next to a rapid, before a wait.
+    pub at_rest: u64,
+    /// Exactly: at rest where the path has a kink.
+    pub exact: u64,
+    /// Within a tolerance.
+    pub within: u64,
+    /// The least and the largest tolerance of them, mm.
+    pub tolerance_mm: Option<(f64, f64)>,
 }
 
 /// The time that a program takes on a machine, acceleration and jerk held.
@@ -129,6 +146,8 @@ pub struct TimeReport {
     /// Moves that end at rest, though the next goes on in the same direction: a line and a
     /// tangent arc, where the path mode lets nothing be eased.
     pub tangent_stops: u64,
+    /// How the ends of cuts are passed.
+    pub cut_ends: CutEnds,
     /// Tool changes.
     pub tool_changes: u64,
     /// Tools in the order of their first use.

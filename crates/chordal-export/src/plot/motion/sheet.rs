@@ -16,9 +16,9 @@ const HEADER: f64 = 98.0;
 /// Room to the left of the charts for numbers, and to their right for units.
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 26.0;
-/// Room above a chart for its title, and below it for numbers and lines.
+/// Room above a chart for its title, and below each for numbers, and lines under two of them.
 const ABOVE: f64 = 26.0;
-const BELOW: f64 = 36.0;
+const BELOW: [f64; 4] = [50.0, 30.0, 30.0, 38.0];
 /// Heights of the charts, as shares.
 const SHARES: [f64; 4] = [1.15, 1.0, 1.0, 1.0];
 /// A limit that is farther above all values than this is told, but not drawn.
@@ -136,7 +136,7 @@ impl Sheet<'_> {
         let unit = self.unit;
         let y = (MARGIN + 76.0) * unit;
         let mut x = MARGIN * unit;
-        let mut entries = vec![("path".to_string(), self.colors.faint, 3.0, "")];
+        let mut entries = vec![("along the path".to_string(), self.colors.faint, 3.0, "")];
         for axis in (0..6).filter(|axis| self.moves(*axis)) {
             let name = LETTERS[axis];
             let name = if axis < 3 { name.into() } else { format!("{name} in degrees") };
@@ -194,10 +194,13 @@ impl Sheet<'_> {
 
     fn rects(&self) -> [Rect; 4] {
         let unit = self.unit;
-        let room = self.height / unit - 2.0 * MARGIN - HEADER - 4.0 * (ABOVE + BELOW) + 12.0;
+        let room =
+            self.height / unit - 2.0 * MARGIN - HEADER - 4.0 * ABOVE - BELOW.iter().sum::<f64>()
+                + 12.0;
         let whole: f64 = SHARES.iter().sum();
         let mut top = MARGIN + HEADER;
-        SHARES.map(|share| {
+        std::array::from_fn(|chart| {
+            let (share, below) = (SHARES[chart], BELOW[chart]);
             let height = (room * share / whole).max(20.0);
             let rect = Rect {
                 x: (MARGIN + LEFT) * unit,
@@ -205,7 +208,7 @@ impl Sheet<'_> {
                 width: self.width - (2.0 * MARGIN + LEFT + RIGHT) * unit,
                 height: height * unit,
             };
-            top += ABOVE + height + BELOW;
+            top += ABOVE + height + below;
             rect
         })
     }
@@ -217,8 +220,8 @@ impl Sheet<'_> {
         let chart = Chart { rect, x: time.clone(), y, unit: self.unit };
         chart.frame(out, &format!("Speed over time, {unit}"), word, self.colors);
         self.tools(out, &chart, factor, true);
-        let color = self.colors.tool(0);
-        let series = Series { value: SPEED, factor: scale, color, stroke: 1.4 };
+        let color = self.colors.faint;
+        let series = Series { value: SPEED, factor: scale, color, stroke: 1.8 };
         chart.curve(out, &self.plot.time, factor, &series);
         self.lines(out, &chart, |x| self.plot.time.line_at(x / factor));
     }
@@ -282,12 +285,12 @@ impl Sheet<'_> {
         let y = Scale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
         let chart = Chart { rect, x, y, unit: self.unit };
         chart.frame(out, &format!("Speed along the path, {unit}"), way, self.colors);
-        let color = self.colors.tool(0);
+        let color = self.colors.faint;
         chart.curve(
             out,
             &self.plot.way,
             factor,
-            &Series { value: 0, factor: scale, color, stroke: 1.4 },
+            &Series { value: 0, factor: scale, color, stroke: 1.8 },
         );
         self.lines(out, &chart, |x| self.plot.way.line_at(x / factor));
     }

@@ -1,0 +1,73 @@
+//! How the program's corners were passed, and what changes that.
+
+use chordal::Job;
+use chordal::control::{
+    COMMON_SETTINGS, Field, PathField, Setting, StartMode, Units as ProgramUnits,
+};
+use chordal::time::TimeReport;
+
+use crate::numbers::counted;
+
+/// What was counted, and the settings and machine data behind it.
+pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
+    let mut notes = Vec::new();
+    let ends = &time.cut_ends;
+    if let Some((least, most)) = ends.tolerance_mm {
+        let (least, most) = (units.length_text(least), units.length_text(most));
+        let tolerance = if least == most { most } else { format!("{least} to {most}") };
+        let cuts = counted(ends.within, "cut runs", "cuts run");
+        notes.push(format!("{cuts} into the next one, within {tolerance} of the corner"));
+    }
+    let other = [
+        (ends.exact, "in exact path mode: a kink is a stop"),
+        (ends.at_rest, "at rest: exact stop, or a rapid or a wait comes next"),
+    ];
+    for (count, how) in other.into_iter().filter(|(count, _)| *count > 0) {
+        notes.push(format!("{} {how}", counted(count, "cut ends", "cuts end")));
+    }
+    if notes.is_empty() {
+        return notes;
+    }
+    notes.push(default(job, units));
+    if time.tangent_stops > 0 {
+        let joints = counted(time.tangent_stops, "joint", "joints");
+        let stop = if time.tangent_stops == 1 { "is a stop" } else { "are stops" };
+        notes.push(format!(
+            "{joints} of a line and its tangent arc {stop}: exact path mode keeps the path, whose \
+             curvature jumps there; --set motion.exact_path_tolerance=\"0.002 mm\" eases them"
+        ));
+    }
+    notes
+}
+
+/// The mode and the tolerance where the program says nothing, with the way to change them.
+fn default(job: &Job, units: ProgramUnits) -> String {
+    let rules = &job.control().parameters.path;
+    let named = |field| setting(job, field).map_or("", |setting| setting.name);
+    match (rules.start, rules.of_level(rules.level)) {
+        (StartMode::ExactStop, _) => format!(
+            "this control begins in exact stop mode (setting `{}`): every block stops until the \
+             program says otherwise",
+            named(PathField::Start)
+        ),
+        (StartMode::ExactPath, _) => format!(
+            "this control begins in exact path mode (setting `{}`)",
+            named(PathField::Start)
+        ),
+        (StartMode::Continuous, Some(tolerance)) => format!(
+            "where the program names no tolerance it is {} (setting `{}`)",
+            units.length_text(tolerance),
+            named(PathField::Rounding)
+        ),
+        (StartMode::Continuous, None) => format!(
+            "where the program names no tolerance it is {} (--set motion.corner_tolerance=…)",
+            units.length_text(job.machine().motion.corner_tolerance_mm())
+        ),
+    }
+}
+
+/// The setting of a rule: the control's own name before the common one.
+fn setting(job: &Job, field: PathField) -> Option<&'static Setting> {
+    let of = |setting: &&Setting| setting.field == Field::Path(field);
+    job.control().table.settings.iter().find(of).or_else(|| COMMON_SETTINGS.iter().find(of))
+}

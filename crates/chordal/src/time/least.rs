@@ -1,0 +1,147 @@
+//! How far a program is from the least time that its machine could take.
+
+use std::collections::VecDeque;
+
+use chordal_motion::{Effort, Gauge, Least, RunTimes};
+
+use super::builder::MOST_OPERATIONS;
+use crate::job::Job;
+use crate::motion::{
+    LimitError, MachineLimits, MotionOptions, MotionStep, MoveKind, PlanSink, Sources, Step,
+    StepKind, StepSource, WaitKind,
+};
+
+/// The least times of a program, waits included.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LeastReport {
+    /// Of all of it.
+    pub whole: Least,
+    /// Of each operation, as in [`TimeReport::operations`](super::TimeReport::operations).
+    pub operations: Vec<Least>,
+}
+
+impl Job<'_> {
+    /// Plans once more and holds every run from rest to rest against its bound without jerk and
+    /// its reference with jerk. The reference is convex programming: about half a millisecond
+    /// per 2 ms of movement that is not a straight line, up to the limits of `effort`. A whole
+    /// run is held in memory.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn least(
+        &self,
+        options: &MotionOptions,
+        effort: Effort,
+    ) -> Result<LeastReport, LimitError> {
+        let limits = MachineLimits::of(self.machine())?;
+        let mut measuring = Measuring {
+            cuts: Gauge::new(limits.cut, effort),
+            rapids: (limits.rapid != limits.cut).then(|| Gauge::new(limits.rapid, effort)),
+            asked: VecDeque::new(),
+            operations: Operations::default(),
+        };
+        self.plan(options, &mut measuring)?;
+        Ok(measuring.finish())
+    }
+}
+
+/// What was asked for by the moves that the planner still holds.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    tag: u64,
+    speed: f64,
+    rapid: bool,
+}
+
+/// Where operations begin, and their sums.
+#[derive(Debug, Default)]
+struct Operations {
+    /// The first tag of each.
+    starts: Vec<u64>,
+    report: LeastReport,
+}
+
+impl Operations {
+    fn begin(&mut self, tag: u64) {
+        self.starts.push(tag);
+        if self.report.operations.len() < MOST_OPERATIONS {
+            self.report.operations.push(Least::default());
+        }
+    }
+
+    /// The sums into which a step with this tag goes.
+    fn sums(&mut self, tag: u64) -> impl Iterator<Item = &mut Least> {
+        let index = self.starts.partition_point(|start| *start <= tag).saturating_sub(1);
+        let LeastReport { whole, operations } = &mut self.report;
+        std::iter::once(whole).chain(operations.get_mut(index))
+    }
+
+    /// A run lies in one operation, since the axes rest at a tool change.
+    fn add(&mut self, run: &RunTimes) {
+        self.sums(run.tags.0).for_each(|sum| sum.add(run));
+    }
+}
+
+struct Measuring {
+    cuts: Gauge,
+    /// Where rapids have limits of their own.
+    rapids: Option<Gauge>,
+    asked: VecDeque<Asked>,
+    operations: Operations,
+}
+
+impl Measuring {
+    fn finish(mut self) -> LeastReport {
+        let operations = &mut self.operations;
+        self.cuts.finish(|run| operations.add(run));
+        if let Some(rapids) = self.rapids {
+            rapids.finish(|run| operations.add(run));
+        }
+        self.operations.report
+    }
+}
+
+/// The move or wait with a tag: they are numbered one by one.
+fn find(asked: &VecDeque<Asked>, tag: u64) -> Option<&Asked> {
+    let first = StepSource::number_of(asked.front()?.tag);
+    asked.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
+}
+
+impl PlanSink for Measuring {
+    fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+        let tag = source.tag;
+        let changes = source.kind == StepKind::Wait(WaitKind::ToolChange);
+        if changes || self.operations.starts.is_empty() {
+            self.operations.begin(tag);
+        }
+        let (speed, rapid) = match step {
+            MotionStep::Move(motion) => (motion.speed, motion.kind == MoveKind::Rapid),
+            MotionStep::Wait(_) => (f64::INFINITY, false),
+        };
+        self.asked.push_back(Asked { tag, speed, rapid });
+    }
+
+    fn step(&mut self, step: Step<'_>, _: &Sources) {
+        let Measuring { cuts, rapids, asked, operations } = self;
+        let last = match step {
+            Step::Wait { seconds, tag } => {
+                operations.sums(tag).for_each(|sum| sum.add_wait(seconds));
+                tag
+            }
+            Step::Stretch(stretch) => {
+                let Some(last) = stretch.pieces.last() else { return };
+                let rapid = find(asked, last.tag).is_some_and(|asked| asked.rapid);
+                let gauge = match rapids {
+                    Some(rapids) if rapid => rapids,
+                    _ => cuts,
+                };
+                let speed = |tag| find(asked, tag).map_or(f64::INFINITY, |asked| asked.speed);
+                gauge.push(step, speed, |run| operations.add(run));
+                last.tag
+            }
+        };
+        while asked.front().is_some_and(|first| first.tag < last) {
+            asked.pop_front();
+        }
+    }
+}
