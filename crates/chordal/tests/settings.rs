@@ -15,8 +15,8 @@ fn every_listed_value_can_be_written_back() {
                 continue;
             }
             let mut changed = machine.clone();
-            let assignment = match value.parse::<u32>() {
-                Ok(number) => format!("settings.\"{}\"={number}", setting.name),
+            let assignment = match value.parse::<f64>() {
+                Ok(_) => format!("settings.\"{}\"={value}", setting.name),
                 Err(_) => format!("settings.\"{}\"=\"{value}\"", setting.name),
             };
             changed.set(&assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
