@@ -97,8 +97,8 @@ impl Bounds {
 pub const ACCELERATION_SHARE: f64 = 0.96;
 /// The same of the jerk.
 pub const JERK_SHARE: f64 = 0.7;
-/// Below this share of the largest speed of a curve more is left for changing the speed.
-const KNEE: f64 = 0.8;
+/// Below these shares of the largest speed of a curve more is left for changing the speed.
+const KNEES: [f64; 2] = [0.4, 0.8];
 /// Share of what is left of the jerk that may go into turning while the speed changes.
 const TURNING_SHARE: f64 = 0.6;
 /// Share of what is left of the jerk along the path that stays for changing the speed.
@@ -133,11 +133,13 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     }
 
     let high = effort_at(speed, bounds, limits);
-    let ability = if matches!(cause, Cause::Acceleration | Cause::Jerk) {
-        let knee = KNEE * speed;
-        Ability { knee, low: effort_at(knee, bounds, limits), high }
+    let bends = bounds.turning.is_some() || bounds.even[1] != [0.0; 6];
+    let ability = if bends {
+        let knees = KNEES.map(|knee| knee * speed);
+        let [low, middle] = knees.map(|knee| effort_at(knee, bounds, limits));
+        Ability { knees, efforts: [low, middle, high] }
     } else {
-        Ability { knee: f64::INFINITY, low: high, high }
+        Ability::even(high)
     };
     Cell { length, speed, ability, cause, pieces: 1, ends_at_rest: false }
 }

@@ -186,3 +186,28 @@ fn rows_of_any_length_give_one_time() {
         }
     }
 }
+
+#[test]
+fn a_short_corner_is_no_slower_with_more_room() {
+    let limit = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
+    let limits = Limits::new([limit, limit, limit, None, None, None]).unwrap();
+    // Two legs of 1 mm that turn by 30 degrees.
+    let corner = chordal_geometry::Vec3::new(1.0, 0.0, 0.0);
+    let end = chordal_geometry::Vec3::new(1.0 + 0.75_f64.sqrt(), 0.5, 0.0);
+    let time = |mode: Corner| {
+        let leg = |start, end| Move {
+            curve: Line { start, end }.into(),
+            rotary_from: [0.0; 3],
+            rotary_to: [0.0; 3],
+            speed: 50.0,
+            corner: mode,
+            kind: chordal_motion::MoveKind::Cut,
+            tag: 0,
+        };
+        let moves = [leg(chordal_geometry::Vec3::ZERO, corner), leg(corner, end)];
+        time_of(&plan(&moves, limits, Level::Fast))
+    };
+    let within = |linear_mm: f64| time(Corner::Within { linear_mm, rotary_rad: 1e-3 });
+    let times = [time(Corner::Stop), within(0.01), within(0.1)];
+    assert!(times.windows(2).all(|pair| pair[1] < pair[0]), "{times:?}");
+}

@@ -252,24 +252,96 @@ fn ability_of(cells: &[Cell]) -> Ability {
     cells.iter().fold(Ability::FREE, |all, cell| all.and(cell.ability))
 }
 
+/// The ramps between two stations: up, along at even speed, down.
+#[derive(Clone, Copy, Debug)]
+struct Ramps {
+    top: f64,
+    up: Ability,
+    down: Ability,
+    aim: Aim,
+    up_way: f64,
+    down_way: f64,
+    /// How long it all takes, s.
+    time_s: f64,
+}
+
+impl Ramps {
+    fn new(
+        speeds: (f64, f64),
+        length: f64,
+        fastest: f64,
+        up: Ability,
+        down: Ability,
+    ) -> Option<Ramps> {
+        let (top, aim) = peak(speeds, length, fastest, &up, &down)?;
+        let (up_way, down_way) = (up.way(speeds.0, top, aim), down.way(top, speeds.1, aim));
+        let even_s = if top > 0.0 { (length - up_way - down_way).max(0.0) / top } else { 0.0 };
+        let time_s = up.time(speeds.0, top, aim) + even_s + down.time(top, speeds.1, aim);
+        Some(Ramps { top, up, down, aim, up_way, down_way, time_s })
+    }
+
+    /// The ramps over some cells. Each obeys the cells that it goes over, and no others.
+    fn over(cells: &[Cell], from: &Station, to: &Station) -> Option<Ramps> {
+        let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
+        let (speeds, length) = ((from.speed, to.speed), to.at - from.at);
+        let all = ability_of(cells);
+        let careful = Ramps::new(speeds, length, fastest, all, all)?;
+        if cells.len() < 2 {
+            return Some(careful);
+        }
+        let slack = 1e-12 * length;
+        let (mut end, mut first) = (0.0, 0);
+        for (index, cell) in cells.iter().enumerate() {
+            end += cell.length;
+            first = index;
+            if end >= careful.up_way - slack {
+                break;
+            }
+        }
+        let (mut begin, mut last) = (length, cells.len() - 1);
+        for (index, cell) in cells.iter().enumerate().rev() {
+            begin -= cell.length;
+            last = index;
+            if begin <= length - careful.down_way + slack {
+                break;
+            }
+        }
+        let (up, down) = (ability_of(&cells[..=first]), ability_of(&cells[last..]));
+        let fits = |ramps: &Ramps| {
+            (ramps.up == all || ramps.up_way <= end + slack)
+                && (ramps.down == all || ramps.down_way <= length - begin + slack)
+        };
+        let bold = [(up, down), (up, all), (all, down)]
+            .into_iter()
+            .filter(|(up, down)| *up != all || *down != all)
+            .filter_map(|(up, down)| Ramps::new(speeds, length, fastest, up, down))
+            .filter(fits);
+        Some(
+            bold.fold(careful, |best, ramps| if ramps.time_s < best.time_s { ramps } else { best }),
+        )
+    }
+}
+
 /// The boundary, counted from the first of the cells, at which the ramps between two stations
 /// must have a station of their own, because they are faster than a cell allows.
 fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
     if cells.len() < 2 {
         return None;
     }
-    let ability = ability_of(cells);
-    let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
     let length = to.at - from.at;
-    let (top, aim) = peak(from.speed, to.speed, length, fastest, &ability)?;
+    let ramps = Ramps::over(cells, from, to)?;
+    let Ramps { top, aim, .. } = ramps;
     let mut worst: Option<(f64, f64, usize)> = None;
     let mut begin = 0.0;
     for (index, cell) in cells.iter().enumerate() {
         let end = begin + cell.length;
         if cell.speed < top * (1.0 - 1e-12) {
             // The law is below the cell's speed in a part at its start and a part at its end.
-            let rises = ability.way_until(from.speed, top, cell.speed, aim);
-            let falls = length - ability.way_until(to.speed, top, cell.speed, aim);
+            let until = |ability: &Ability, rest: f64| {
+                if rest >= cell.speed { 0.0 } else { ability.way_until(rest, top, cell.speed, aim) }
+            };
+            let rises = until(&ramps.up, from.speed);
+            let falls = length - until(&ramps.down, to.speed);
             let slack = 1e-12 * length;
             // Of like ones the outermost, so that the way back is planned alike.
             let out = (begin + end - length).abs();
@@ -298,14 +370,17 @@ pub fn phases(cells: &[Cell], from: &Station, to: &Station, out: &mut Vec<Phase>
     if from.speed == to.speed && from.speed >= slowest {
         return even(from.at, from.speed, length, out);
     }
-    let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
-    let ability = ability_of(cells);
-    let (top, aim) = peak(from.speed, to.speed, length, fastest, &ability)
-        .unwrap_or((from.speed.max(to.speed), Aim::Short));
-    let (up, down) = (ability.way(from.speed, top, aim), ability.way(top, to.speed, aim));
-    ability.phases(from.at, (from.speed, top), aim, |phase| out.push(phase));
-    even(from.at + up, top, length - up - down, out);
-    ability.phases(to.at - down, (top, to.speed), aim, |phase| out.push(phase));
+    let ramps = Ramps::over(cells, from, to).unwrap_or_else(|| {
+        // The stations are as far apart as the change of speed, but for rounding.
+        let (up, top) = (ability_of(cells), from.speed.max(to.speed));
+        let aim = Aim::Short;
+        let (up_way, down_way) = (up.way(from.speed, top, aim), up.way(top, to.speed, aim));
+        Ramps { top, up, down: up, aim, up_way, down_way, time_s: 0.0 }
+    });
+    let Ramps { top, up, down, aim, up_way, down_way, .. } = ramps;
+    up.phases(from.at, (from.speed, top), aim, |phase| out.push(phase));
+    even(from.at + up_way, top, length - up_way - down_way, out);
+    down.phases(to.at - down_way, (top, to.speed), aim, |phase| out.push(phase));
 }
 
 /// Travels at even speed, in one phase with what was even before.

@@ -126,20 +126,21 @@ impl Effort {
     }
 }
 
-/// What holds along a piece of path, at low and at high speed: near the largest speed of a curve
-/// most of the acceleration goes into turning. A ramp that goes through `knee` rests there at
-/// even speed for an instant, or obeys the high effort all along, whichever is shorter.
+/// How many ranges of speed have an effort of their own.
+const LEVELS: usize = 3;
+
+/// What holds along a piece of path in ranges of speed: near the largest speed of a curve most of
+/// the acceleration goes into turning. A ramp over several ranges rests at even speed for an
+/// instant between two of them, or obeys the effort of a higher one all along.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ability {
-    /// Up to this speed `low` holds, σ per s.
-    pub knee: f64,
-    /// At low speed.
-    pub low: Effort,
-    /// At any speed.
-    pub high: Effort,
+    /// Up to these speeds the first efforts hold, σ per s.
+    pub knees: [f64; LEVELS - 1],
+    /// From low speed to high; the last holds at any speed.
+    pub efforts: [Effort; LEVELS],
 }
 
-/// What a ramp through the knee is made for.
+/// What a ramp over several ranges of speed is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
     /// Little way.
@@ -148,101 +149,156 @@ pub enum Aim {
     Quick,
 }
 
-/// How a ramp is made.
-enum Plan {
-    One(Effort),
-    /// Two ramps that meet at the knee.
-    Two,
+/// A rise of speed in parts, each from even speed to even speed.
+#[derive(Clone, Copy, Debug)]
+struct Rise {
+    parts: [(f64, f64, Effort); LEVELS],
+    count: usize,
+    way: f64,
+    time: f64,
+}
+
+impl Rise {
+    fn new(low: f64, high: f64, effort: Effort) -> Rise {
+        let change = high - low;
+        let time = effort.time(change);
+        Rise { parts: [(low, high, effort); LEVELS], count: 1, way: effort.way(low, high), time }
+    }
+
+    fn then(mut self, next: &Rise) -> Rise {
+        self.parts[self.count] = next.parts[0];
+        self.count += 1;
+        self.way += next.way;
+        self.time += next.time;
+        self
+    }
+
+    /// What is kept small.
+    fn cost(&self, high: f64, aim: Aim) -> f64 {
+        match aim {
+            Aim::Short => self.way,
+            // Time lost against travelling at the higher speed.
+            Aim::Quick => self.time * high - self.way,
+        }
+    }
+
+    fn parts(&self) -> &[(f64, f64, Effort)] {
+        &self.parts[..self.count]
+    }
 }
 
 impl Ability {
     /// Nothing limits.
-    pub const FREE: Ability =
-        Ability { knee: f64::INFINITY, low: Effort::FREE, high: Effort::FREE };
+    pub const FREE: Ability = Ability::even(Effort::FREE);
+
+    /// One effort at any speed.
+    pub const fn even(effort: Effort) -> Ability {
+        Ability { knees: [f64::INFINITY; LEVELS - 1], efforts: [effort; LEVELS] }
+    }
 
     /// What holds where both hold.
     #[inline]
     pub fn and(self, other: Ability) -> Ability {
         Ability {
-            knee: self.knee.min(other.knee),
-            low: self.low.and(other.low),
-            high: self.high.and(other.high),
+            knees: std::array::from_fn(|level| self.knees[level].min(other.knees[level])),
+            efforts: std::array::from_fn(|level| self.efforts[level].and(other.efforts[level])),
         }
     }
 
-    fn plan(&self, low: f64, high: f64, aim: Aim) -> Plan {
-        if high <= self.knee {
-            return Plan::One(self.low);
+    fn rise(&self, low: f64, high: f64, aim: Aim) -> Rise {
+        let level = self.knees.iter().take_while(|knee| high > **knee).count();
+        let direct = Rise::new(low, high, self.efforts[level]);
+        if level == 0 || low >= self.knees[level - 1] {
+            return direct;
         }
-        if low >= self.knee {
-            return Plan::One(self.high);
-        }
-        let one = self.high.way(low, high);
-        let two = self.low.way(low, self.knee) + self.high.way(self.knee, high);
-        let cost = match aim {
-            Aim::Short => one - two,
-            // Time lost against travelling at the higher speed.
-            Aim::Quick => {
-                let one_s = self.high.time(high - low);
-                let two_s = self.low.time(self.knee - low) + self.high.time(high - self.knee);
-                (one_s - two_s) * high - (one - two)
-            }
-        };
-        if cost <= 0.0 { Plan::One(self.high) } else { Plan::Two }
+        let knee = self.knees[level - 1];
+        let stepped = self.rise(low, knee, aim).then(&Rise::new(knee, high, self.efforts[level]));
+        if direct.cost(high, aim) <= stepped.cost(high, aim) { direct } else { stepped }
     }
 
     /// How far a change of speed goes.
     pub fn way(&self, from: f64, to: f64, aim: Aim) -> f64 {
         let (low, high) = (from.min(to), from.max(to));
-        match self.plan(low, high, aim) {
-            Plan::One(effort) => effort.way(low, high),
-            Plan::Two => self.low.way(low, self.knee) + self.high.way(self.knee, high),
+        if high <= self.knees[0] {
+            return self.efforts[0].way(low, high);
         }
+        self.rise(low, high, aim).way
+    }
+
+    /// How long a change of speed takes, s.
+    pub fn time(&self, from: f64, to: f64, aim: Aim) -> f64 {
+        self.rise(from.min(to), from.max(to), aim).time
     }
 
     /// How far a rise of speed has gone when it passes a speed between its ends.
     pub fn way_until(&self, from: f64, to: f64, speed: f64, aim: Aim) -> f64 {
-        match self.plan(from, to, aim) {
-            Plan::One(effort) => effort.way_until(from, to, speed),
-            Plan::Two if speed <= self.knee => self.low.way_until(from, self.knee, speed),
-            Plan::Two => self.low.way(from, self.knee) + self.high.way_until(self.knee, to, speed),
+        let mut way = 0.0;
+        for (low, high, effort) in self.rise(from, to, aim).parts() {
+            if speed <= *high {
+                return way + effort.way_until(*low, *high, speed);
+            }
+            way += effort.way(*low, *high);
         }
+        way
     }
 
     /// The speed that can be reached over a length.
     pub fn climb(&self, from: f64, length: f64) -> f64 {
-        if from >= self.knee {
-            return from + self.high.rise(from, length);
+        let level = self.knees.iter().take_while(|knee| from >= **knee).count();
+        let mut most = 0.0_f64;
+        for first in level..LEVELS {
+            let (mut speed, mut rest) = (from, length);
+            for (effort, knee) in
+                self.efforts[first..].iter().zip(self.knees[first..].iter().chain(&[f64::INFINITY]))
+            {
+                let reached = speed + effort.rise(speed, rest);
+                if reached <= *knee {
+                    speed = reached;
+                    break;
+                }
+                rest -= effort.way(speed, *knee);
+                speed = *knee;
+            }
+            most = most.max(speed);
+            if self.knees.get(first).is_none_or(|knee| most <= *knee) {
+                // Higher efforts are no better.
+                break;
+            }
         }
-        let low = from + self.low.rise(from, length);
-        if low <= self.knee {
-            return low;
-        }
-        let rest = length - self.low.way(from, self.knee);
-        let two = self.knee + self.high.rise(self.knee, rest);
-        two.max(from + self.high.rise(from, length))
+        most
     }
 
     /// The phases of a change of speed, handed on in order.
     pub fn phases(&self, at: f64, (from, to): (f64, f64), aim: Aim, mut take: impl FnMut(Phase)) {
-        match self.plan(from.min(to), from.max(to), aim) {
-            Plan::One(effort) => effort.phases(at, from, to, take),
-            Plan::Two => {
-                let (first, second) =
-                    if from < to { (self.low, self.high) } else { (self.high, self.low) };
-                first.phases(at, from, self.knee, &mut take);
-                second.phases(at + first.way(from, self.knee), self.knee, to, take);
+        let rise = self.rise(from.min(to), from.max(to), aim);
+        let mut place = at;
+        if from <= to {
+            for (low, high, effort) in rise.parts() {
+                effort.phases(place, *low, *high, &mut take);
+                place += effort.way(*low, *high);
+            }
+        } else {
+            for (low, high, effort) in rise.parts().iter().rev() {
+                effort.phases(place, *high, *low, &mut take);
+                place += effort.way(*low, *high);
             }
         }
     }
 }
 
-/// The highest speed up to `top` between two speeds over a length, and how the ramps to it and
-/// from it are made. `None` when even the direct change is longer than the length.
-pub fn peak(from: f64, to: f64, length: f64, top: f64, ability: &Ability) -> Option<(f64, Aim)> {
+/// The highest speed up to `top` between two speeds over a length, up with one ability and down
+/// with another, and how the ramps are made. `None` when even the direct change is longer than
+/// the length.
+pub fn peak(
+    (from, to): (f64, f64),
+    length: f64,
+    top: f64,
+    up: &Ability,
+    down: &Ability,
+) -> Option<(f64, Aim)> {
     let low = from.max(to);
     let top = top.max(low);
-    let ways = |speed: f64, aim: Aim| ability.way(from, speed, aim) + ability.way(speed, to, aim);
+    let ways = |speed: f64, aim: Aim| up.way(from, speed, aim) + down.way(speed, to, aim);
     if ways(top, Aim::Quick) <= length {
         return Some((top, Aim::Quick));
     }
@@ -284,8 +340,8 @@ mod tests {
 
     #[test]
     fn a_hundred_millimetres_take_the_published_time() {
-        let ability = Ability { knee: f64::INFINITY, low: EFFORT, high: EFFORT };
-        let (top, _) = peak(0.0, 0.0, 100.0, 500.0, &ability).unwrap();
+        let ability = Ability::even(EFFORT);
+        let (top, _) = peak((0.0, 0.0), 100.0, 500.0, &ability, &ability).unwrap();
         let time = 2.0 * EFFORT.time(top) + (100.0 - 2.0 * EFFORT.way(0.0, top)) / top;
         // Up to 500 mm/s in 500/5000 + 5000/1e5 s, twice, and 25 mm at that speed.
         assert!((top - 500.0).abs() < 1e-12, "{top}");

@@ -126,8 +126,7 @@ fn add_cell(
     if leg.jerk_share != [1.0; 2] {
         let middle = 0.5 * (from + to);
         let share = leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];
-        cell.ability.low.jerk *= share;
-        cell.ability.high.jerk *= share;
+        cell.ability.efforts.iter_mut().for_each(|effort| effort.jerk *= share);
     }
     cell.pieces = pieces;
     row.time_s += cell.length / cell.speed;
@@ -330,11 +329,13 @@ fn add(cell: Cell, cells: &mut Vec<Cell>) {
         && last.pieces < MOST_PIECES
         && last.length < MOST_S * last.speed
         && near(last.speed, cell.speed)
-        && near(last.ability.knee, cell.ability.knee)
-        && near(last.ability.low.acceleration, cell.ability.low.acceleration)
-        && near(last.ability.low.jerk, cell.ability.low.jerk)
-        && near(last.ability.high.acceleration, cell.ability.high.acceleration)
-        && near(last.ability.high.jerk, cell.ability.high.jerk)
+        && last.ability.knees.iter().zip(&cell.ability.knees).all(|(a, b)| near(*a, *b))
+        && last
+            .ability
+            .efforts
+            .iter()
+            .zip(&cell.ability.efforts)
+            .all(|(a, b)| near(a.acceleration, b.acceleration) && near(a.jerk, b.jerk))
     {
         last.length += cell.length;
         last.pieces += cell.pieces;
