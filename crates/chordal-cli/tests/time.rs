@@ -99,7 +99,8 @@ fn the_text_reads_in_80_columns() {
         "feed override 50 %",
         "+0.975 s",
         "corners within 0.05 mm",
-        "assumed",
+        "corners   1 cut ends at rest",
+        "--set",
     ]);
     let folder = Folder::with_part();
     let inch = folder.run(&["time", "part.nc", "-m", "haas-vf2"]).ends(0);
