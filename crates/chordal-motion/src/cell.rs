@@ -106,7 +106,9 @@ const ALONG_SHARE: f64 = 0.6;
 
 /// The cell of a piece.
 pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cell {
-    let mut speed = feed / bounds.rate.max(f64::MIN_POSITIVE);
+    // Where easing shortens the path the tool goes a little below its feed: to run faster by as
+    // much would be a change of speed at every piece.
+    let mut speed = feed / bounds.rate.max(1.0);
     let mut cause = Cause::Feed;
     let [x1, x2, x3] = &bounds.even;
     let turn = |axis: usize| match &bounds.turning {

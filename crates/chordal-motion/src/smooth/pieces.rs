@@ -58,7 +58,7 @@ pub fn make<'a>(
         if apart {
             let bounds = bounds(leg, &correction, from, to - from, count);
             let pieces = add_pieces(leg, &mut parts, &correction, from, to, row);
-            let speed = leg.feed / bounds.rate;
+            let speed = leg.feed / bounds.rate.max(1.0);
             row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
             if brief {
                 let (all, sum) = whole.get_or_insert((bounds, 0));
