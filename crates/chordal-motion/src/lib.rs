@@ -24,6 +24,7 @@
 mod bound;
 mod cell;
 mod limits;
+mod overlap;
 mod piece;
 mod planner;
 mod profile;

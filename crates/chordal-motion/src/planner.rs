@@ -2,13 +2,12 @@ use crate::Axes;
 use crate::bound::{Run, bound};
 use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
-use crate::piece::Piece;
+use crate::overlap::{End, overlap_of};
 use crate::profile::{Solver, phases};
 use crate::reference::{self, best, reference};
-use crate::root::cbrt;
 use crate::segment::{Move, MoveError};
-use crate::smooth::{Overlap, Passing, Row, Smoother, overlap_time};
-use crate::trajectory::{Phase, Step, Stretch};
+use crate::smooth::{Joint, Leg, Overlap, Passing, Row, Smoother};
+use crate::trajectory::{Step, Stretch};
 
 /// How hard a planner tries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,32 +103,75 @@ impl Planner {
             return Ok(());
         }
         self.position = Some(motion.to());
-        let mut leg = self.smoother.leg(motion, &start, &self.arrays);
-        let passing = self.smoother.passing(&leg, &self.arrays);
-        if let Some(Passing::Rest(overlap)) = passing {
-            if let Some(overlap) = &overlap {
-                self.smoother.end_with(overlap);
+        let leg = Leg::new(motion, &start, &self.arrays);
+        let joint = self.smoother.joint(&leg, &self.arrays);
+        let leg = match self.smoother.lengthen(leg, motion.corner, joint) {
+            Ok(known) => {
+                if known {
+                    self.release(&mut take);
+                }
+                return Ok(());
             }
-            self.next_overlap = overlap;
-            self.end_run(&mut take);
-            self.next_overlap = None;
-            leg.begin_run();
-            self.smoother.push(leg, motion.corner, None);
-            if let Some(overlap) = &overlap {
-                self.smoother.begin_with(overlap);
+            Err(leg) => leg,
+        };
+        self.release(&mut take);
+        let passing = match joint {
+            Some(Joint::Slow(slow)) => {
+                if self.smoother.hold(leg, motion.corner, slow) {
+                    self.release(&mut take);
+                }
+                return Ok(());
             }
-            self.overlap = overlap;
-            return Ok(());
-        }
+            Some(Joint::Ease(step)) => Some(Passing::Ease(step, 0.0)),
+            Some(Joint::Smooth) => Some(Passing::Smooth),
+            Some(Joint::Stop) => {
+                self.rest(None, &mut take);
+                None
+            }
+            None => None,
+        };
         self.smoother.push(leg, motion.corner, passing);
+        self.advance(&mut take);
+        Ok(())
+    }
+
+    /// Goes on with a leg whose length has become known.
+    fn release(&mut self, take: &mut impl FnMut(Step<'_>)) {
+        let Some(released) = self.smoother.release(&self.arrays) else { return };
+        let passing = match released.passing {
+            Passing::Rest(overlap) => {
+                self.rest(overlap, take);
+                None
+            }
+            passing => Some(passing),
+        };
+        self.smoother.push_released(released, passing);
+        if let (Some(overlap), None) = (&self.overlap, passing) {
+            self.smoother.begin_with(overlap);
+        }
+        self.advance(take);
+    }
+
+    /// The axes come to rest where the last leg ends.
+    fn rest(&mut self, overlap: Option<Overlap>, take: &mut impl FnMut(Step<'_>)) {
+        if let Some(overlap) = &overlap {
+            self.smoother.end_with(overlap);
+        }
+        self.next_overlap = overlap;
+        self.end_run(take);
+        self.next_overlap = None;
+        self.overlap = overlap;
+    }
+
+    /// Hands on what is certain, if it is much.
+    fn advance(&mut self, take: &mut impl FnMut(Step<'_>)) {
         self.smoother.drain(false, &self.arrays, &mut self.row);
         let long = self.row.time_s >= self.options.row_s * self.patience as f64;
         // The best law is found from rest to rest.
         let long = long && self.options.level == Level::Fast;
         if long || self.row.pieces.len() >= ROW * self.patience {
-            self.hand_on(&mut take);
+            self.hand_on(take);
         }
-        Ok(())
     }
 
     /// The axes come to rest and stand for a time, s.
@@ -140,6 +182,7 @@ impl Planner {
 
     /// The axes come to rest: hands on the rest of the steps. The next move may begin anywhere.
     pub fn finish(&mut self, mut take: impl FnMut(Step<'_>)) {
+        self.release(&mut take);
         self.end_run(&mut take);
         self.position = None;
         self.overlap = None;
@@ -221,7 +264,8 @@ impl Planner {
             improve(stretch, &self.row.speeds[..pieces], &self.limits, shares);
         }
         self.row.speeds.drain(..pieces);
-        let (first, last) = (End::first(stretch), End::last(stretch));
+        let (phases, pieces) = (&stretch.phases, &stretch.pieces);
+        let (first, last) = (End::first(phases, pieces), End::last(phases, pieces));
         stretch.overlap_s = match (self.overlap.take(), self.last, first) {
             (Some(overlap), Some(last), Some(first)) => overlap_of(&overlap, &last, &first),
             _ => 0.0,
@@ -233,43 +277,6 @@ impl Planner {
 
 fn pieces_of(cells: &[Cell]) -> usize {
     cells.iter().map(|cell| cell.pieces as usize).sum()
-}
-
-/// The end of a stretch that is at rest, with the corner.
-#[derive(Clone, Copy, Debug)]
-struct End {
-    jerk: f64,
-    duration_s: f64,
-    /// Way from the corner in which the path is a straight line.
-    straight: f64,
-}
-
-impl End {
-    fn first(stretch: &Stretch) -> Option<End> {
-        End::new(stretch.phases.iter(), stretch.pieces.iter())
-    }
-
-    fn last(stretch: &Stretch) -> Option<End> {
-        End::new(stretch.phases.iter().rev(), stretch.pieces.iter().rev())
-    }
-
-    /// The phases and pieces as seen from the corner. Both when a movement begins and when it
-    /// ends, the jerk at rest is positive.
-    fn new<'a>(
-        phases: impl Iterator<Item = &'a Phase>,
-        pieces: impl Iterator<Item = &'a Piece>,
-    ) -> Option<End> {
-        let (mut jerk, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0_f64);
-        for phase in phases.take_while(|phase| phase.jerk > 0.0) {
-            jerk = jerk.max(phase.jerk);
-            acceleration += phase.jerk * phase.duration_s;
-            time += phase.duration_s;
-        }
-        let straight =
-            pieces.take_while(|piece| piece.is_straight()).map(|piece| piece.length).sum();
-        let duration_s = time.min(acceleration / jerk);
-        (jerk > 0.0).then_some(End { jerk, duration_s, straight })
-    }
 }
 
 /// Work that a stretch is worth: a second or two.
@@ -289,13 +296,4 @@ fn improve(stretch: &mut Stretch, speeds: &[f64], limits: &Limits, shares: [f64;
     let Ok(law) = reference(&run, &bound(&run), &EFFORT) else { return };
     let Some(better) = best(&run, &law) else { return };
     stretch.phases = better.or(&stretch.phases).phases;
-}
-
-/// How long two movements overlap at a corner. Each stays in its first or last phase and on a
-/// straight line, so that what was computed for the corner holds.
-fn overlap_of(overlap: &Overlap, last: &End, first: &End) -> f64 {
-    let time = overlap_time(overlap.reach, last.jerk, first.jerk);
-    [last, first]
-        .into_iter()
-        .fold(time, |time, end| time.min(end.duration_s).min(cbrt(6.0 * end.straight / end.jerk)))
 }

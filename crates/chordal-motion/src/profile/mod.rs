@@ -116,15 +116,18 @@ impl Solver {
             let cell = &cells[node - 1];
             ability = ability.and(cell.ability);
             let (before, most) = (self.forward[node - 1], self.most[node]);
+            let long = source + 1 < node;
             let mut reached = most;
-            if most > before {
+            if most > before || long {
                 reached = ability.climb(self.forward[source], self.at[node] - self.at[source]);
-                if source + 1 < node {
-                    let fresh = cell.ability.climb(before, cell.length);
-                    if fresh > reached * (1.0 + 1e-12) {
-                        (source, ability, reached) = (node - 1, cell.ability, fresh);
-                        self.starts[source] |= FORWARD;
-                    }
+            }
+            if long {
+                // Also where the law has to be slower at this boundary: it may rise and fall
+                // within the cell, and then has more of its ability for itself.
+                let fresh = cell.ability.climb(before, cell.length);
+                if fresh > reached * (1.0 + 1e-12) {
+                    (source, ability, reached) = (node - 1, cell.ability, fresh);
+                    self.starts[source] |= FORWARD;
                 }
             }
             self.forward[node] = reached.min(most);
@@ -146,15 +149,16 @@ impl Solver {
             let cell = &cells[node];
             ability = ability.and(cell.ability);
             let (after, most) = (self.backward[node + 1], self.most[node]);
+            let long = source > node + 1;
             let mut reached = most;
-            if most > after {
+            if most > after || long {
                 reached = ability.climb(self.backward[source], self.at[source] - self.at[node]);
-                if source > node + 1 {
-                    let fresh = cell.ability.climb(after, cell.length);
-                    if fresh > reached * (1.0 + 1e-12) {
-                        (source, ability, reached) = (node + 1, cell.ability, fresh);
-                        self.starts[source] |= BACKWARD;
-                    }
+            }
+            if long {
+                let fresh = cell.ability.climb(after, cell.length);
+                if fresh > reached * (1.0 + 1e-12) {
+                    (source, ability, reached) = (node + 1, cell.ability, fresh);
+                    self.starts[source] |= BACKWARD;
                 }
             }
             self.backward[node] = reached.min(most);

@@ -43,13 +43,38 @@ pub struct Side {
     pub straight: bool,
 }
 
+/// What two legs make where they meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Joint {
+    /// There is nothing to ease.
+    Smooth,
+    /// The axes rest.
+    Stop,
+    /// Corrections take the steps away without loss of time.
+    Ease(Step),
+    /// Easing takes time, and the lengths of the legs tell whether a rest takes less.
+    Slow(Slow),
+}
+
+/// A joint that cannot be passed at full speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slow {
+    /// What easing would take away.
+    pub step: Step,
+    /// Half widths of the corrections of the kink and of the bend, were there no others near.
+    pub halves: (f64, f64),
+    /// How the two movements may overlap if the axes rest.
+    pub overlap: Option<Overlap>,
+}
+
 /// How a joint is passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Passing {
     /// There is nothing to ease.
     Smooth,
-    /// Corrections take the steps away.
-    Ease(Step),
+    /// Corrections take the steps away. The half width for which it is known that a rest would
+    /// take longer, or zero.
+    Ease(Step, f64),
     /// At rest. The ends of the two movements may overlap in time, if there is a wish.
     Rest(Option<Overlap>),
 }
@@ -79,7 +104,7 @@ pub struct Step {
 
 impl Step {
     /// The largest speed through corrections of these half widths, σ per s.
-    fn speed_within(&self, kink_half: f64, bend_half: f64) -> f64 {
+    pub fn speed_within(&self, kink_half: f64, bend_half: f64) -> f64 {
         let [a, j] = self.kink_effort;
         let mut speed = f64::INFINITY;
         if j > 0.0 {
@@ -111,13 +136,53 @@ impl Step {
         ramps + slow
     }
 
-    /// Whether passing at rest would be quicker than within corrections of these half widths.
+    /// The larger of the speeds before and after it, σ per s.
+    pub fn fastest(&self) -> f64 {
+        self.sides[0].0.max(self.sides[1].0)
+    }
+
+    /// Whether passing at rest would be quicker than within corrections of these half widths,
+    /// between legs on which the full speed is reached.
     pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64) -> bool {
         let speed = self.speed_within(kink_half, bend_half);
-        if speed >= self.sides[0].0.max(self.sides[1].0) {
-            return false;
-        }
         self.loss(speed, 2.0 * kink_half.max(bend_half)) > self.loss(0.0, 0.0)
+    }
+
+    /// Ways beyond which the lengths of the legs change nothing: from rest to full speed and
+    /// back with half the jerk, σ.
+    pub fn ways(&self) -> [f64; 2] {
+        self.sides.map(|(speed, effort)| {
+            let gentle = Effort { jerk: effort.jerk / 2.0, ..effort };
+            2.0 * gentle.way(0.0, speed)
+        })
+    }
+}
+
+impl Slow {
+    /// The quickest way to pass it between legs on which the full speed is reached.
+    pub fn between_long(&self) -> Passing {
+        let Slow { step, halves, overlap } = self;
+        let width = 2.0 * halves.0.max(halves.1);
+        let ease = step.loss(step.speed_within(halves.0, halves.1), width);
+        let rest = step.loss(0.0, 0.0);
+        let overlapped = overlap.map_or(f64::INFINITY, |overlap| {
+            let mut gentle = *step;
+            gentle.sides.iter_mut().for_each(|(_, effort)| effort.jerk *= overlap.jerk_share);
+            let [(_, one), (_, two)] = gentle.sides;
+            gentle.loss(0.0, 0.0) - overlap_time(overlap.reach, one.jerk, two.jerk)
+        });
+        self.quickest(ease, rest, overlapped)
+    }
+
+    /// The quickest, given what each takes, s.
+    pub fn quickest(&self, ease: f64, rest: f64, overlapped: f64) -> Passing {
+        if ease <= rest.min(overlapped) {
+            Passing::Ease(self.step, self.halves.0.max(self.halves.1))
+        } else if overlapped < rest {
+            Passing::Rest(self.overlap)
+        } else {
+            Passing::Rest(None)
+        }
     }
 }
 
@@ -147,22 +212,22 @@ fn bend_half(step: &Step) -> f64 {
     (1.0 / (BEND_DEVIATION * step.bend_share)).sqrt()
 }
 
-/// Decides how a joint is passed.
-pub fn passing(
+/// What two legs make where they meet.
+pub fn joint(
     before: &Side,
     after: &Side,
     corner: Corner,
     noise: f64,
     limits: &AxisArrays,
-) -> Passing {
+) -> Joint {
     let kink = difference(&after.direction, &before.direction);
     let bend = difference(&after.bend, &before.bend);
     let size = |axes: &Axes| axes.iter().fold(0.0_f64, |all, value| all.max(value.abs()));
     let bent = size(&bend) > 1e-9 * size(&before.bend).max(size(&after.bend)) + 1e-12;
     let kinked = size(&kink) > noise;
     let (tolerance, overlaps) = match corner {
-        Corner::Stop => return Passing::Rest(None),
-        _ if !bent && !kinked => return Passing::Smooth,
+        Corner::Stop => return Joint::Stop,
+        _ if !bent && !kinked => return Joint::Smooth,
         Corner::Exact => (EXACT, false),
         Corner::Within { linear_mm, rotary_rad } => (
             Tolerance {
@@ -199,26 +264,12 @@ pub fn passing(
     let bend_half = (half.sqrt() * bend_half(&step)).min(step.bend_need);
     let kink_half = if kinked { kink_half } else { 0.0 };
     let bend_half = if bent { bend_half } else { 0.0 };
-    let eased = step.speed_within(kink_half, bend_half);
-    if eased >= speed {
-        return Passing::Ease(step);
+    if step.speed_within(kink_half, bend_half) >= speed {
+        return Joint::Ease(step);
     }
-    let ease = step.loss(eased, 2.0 * kink_half.max(bend_half));
-    let mut rest = step.loss(0.0, 0.0);
-    let mut wish = None;
-    if overlaps && before.straight && after.straight {
-        let overlap = overlap(before, after, &tolerance, &kink, limits, one, two);
-        let share = overlap.jerk_share;
-        let mut gentle = step;
-        gentle.sides.iter_mut().for_each(|(_, effort)| effort.jerk *= share);
-        let [(_, one), (_, two)] = gentle.sides;
-        let overlapped = gentle.loss(0.0, 0.0) - overlap_time(overlap.reach, one.jerk, two.jerk);
-        if overlapped < rest {
-            rest = overlapped;
-            wish = Some(overlap);
-        }
-    }
-    if ease <= rest { Passing::Ease(step) } else { Passing::Rest(wish) }
+    let overlap = (overlaps && before.straight && after.straight)
+        .then(|| overlap(before, after, &tolerance, &kink, limits, one, two));
+    Joint::Slow(Slow { step, halves: (kink_half, bend_half), overlap })
 }
 
 /// How long two ends with these jerks overlap, so that both are `reach` from the corner at once.

@@ -49,8 +49,8 @@ pub struct Leg {
 }
 
 impl Leg {
-    /// The leg of one move; `start` is where the axes are when it begins.
-    pub fn new(motion: &Move, start: &Axes, from: f64, limits: &AxisArrays) -> Leg {
+    /// The leg of one move, not yet in its place; `start` is where the axes are when it begins.
+    pub fn new(motion: &Move, start: &Axes, limits: &AxisArrays) -> Leg {
         let length = motion.length();
         let end = motion.to();
         let curve = match motion.curve {
@@ -80,11 +80,11 @@ impl Leg {
         let head = side(0.0);
         let tail = if curve.is_some() { side(length) } else { head };
         Leg {
-            from,
+            from: 0.0,
             length,
             curve,
             feed: motion.speed,
-            part: Part { from, length, start: anchor, direction, tag: motion.tag },
+            part: Part { from: 0.0, length, start: anchor, direction, tag: motion.tag },
             more: 0,
             head,
             tail,
@@ -99,9 +99,31 @@ impl Leg {
         self.curve.is_none() && next.curve.is_none() && self.feed == next.feed
     }
 
-    /// Makes it the first of a run.
-    pub fn begin_run(&mut self) {
-        (self.from, self.part.from) = (0.0, 0.0);
+    /// Its end as a leg of its own, of some length: a straight line as it ends, unless it is a
+    /// longer curve, which stays whole.
+    pub fn ending(&self, length: f64) -> Leg {
+        self.part_by(&self.tail, length, self.end() - length)
+    }
+
+    /// Its start likewise.
+    pub fn beginning(&self, length: f64) -> Leg {
+        self.part_by(&self.head, length, self.from)
+    }
+
+    fn part_by(&self, side: &Side, length: f64, from: f64) -> Leg {
+        let mut part = self.clone();
+        (part.more, part.begins_at_rest, part.jerk_share) = (0, false, [1.0; 2]);
+        if self.curve.is_none() || length > self.length {
+            part.curve = None;
+            (part.length, part.part.length, part.part.direction) = (length, length, side.direction);
+            part.place(from);
+        }
+        part
+    }
+
+    /// Moves it along the run.
+    pub fn place(&mut self, from: f64) {
+        (self.from, self.part.from) = (from, from);
     }
 
     /// It is so short that one limit may hold all along, which is little time lost.

@@ -5,19 +5,21 @@ mod bump;
 mod corner;
 mod leg;
 mod pieces;
+mod rests;
+mod trial;
 
-pub use corner::{Overlap, Passing, overlap_time};
+pub use corner::{Joint, Overlap, Passing, Slow, overlap_time};
 pub use leg::Leg;
 
 use std::collections::VecDeque;
 
-use crate::Axes;
 use crate::cell::{AxisArrays, Cell};
 use crate::piece::Piece;
-use crate::segment::{Corner, Move};
+use crate::segment::Corner;
 use bump::{BEND_DEVIATION, KINK_DEVIATION};
 use corner::Step;
 use leg::Part;
+use trial::Trial;
 
 /// No correction is wider than this, mm or rad to either side: what comes later than twice as
 /// far cannot change the path any more.
@@ -39,11 +41,23 @@ struct Node {
     leg: usize,
     kink_half: f64,
     bend_half: f64,
+    /// The half width with which it is known to be quicker than a rest, or zero.
+    tried: f64,
+    /// Whatever its neighbours do, a rest is quicker. None of them reaches over it.
+    rests: bool,
 }
 
 impl Node {
+    fn new(step: Step, at: f64, leg: usize) -> Node {
+        Node { at, step, leg, kink_half: 0.0, bend_half: 0.0, tried: 0.0, rests: false }
+    }
+
     fn half(&self) -> f64 {
         self.kink_half.max(self.bend_half)
+    }
+
+    fn rests_at_last(&mut self) {
+        (self.kink_half, self.bend_half) = (0.0, 0.0);
     }
 
     /// Beyond this half width nothing is gained.
@@ -69,6 +83,8 @@ pub struct Smoother {
     /// Nodes that later legs or nodes may ask for; the first has the number `nodes_gone`.
     nodes: VecDeque<Node>,
     nodes_gone: usize,
+    /// Number of the first node of which it is not known whether the axes rest there.
+    judged: usize,
     /// Number of the first node whose widths are not settled.
     unsettled: usize,
     length: f64,
@@ -76,7 +92,19 @@ pub struct Smoother {
     /// overlap there.
     clear: [f64; 2],
     corner: Option<Corner>,
+    held: Option<Held>,
+    trial: Trial,
     breaks: Vec<pieces::Break>,
+}
+
+/// A leg that waits for its end: the joint before it is slow, and how it is passed depends on
+/// how long the leg is.
+#[derive(Debug)]
+struct Held {
+    leg: Leg,
+    parts: Vec<Part>,
+    corner: Corner,
+    slow: Slow,
 }
 
 /// A piece of path and what holds on it, as they are made.
@@ -92,34 +120,108 @@ pub struct Row {
     pub time_s: f64,
 }
 
+/// A leg whose length is known.
+#[derive(Debug)]
+pub struct Released {
+    leg: Leg,
+    parts: Vec<Part>,
+    corner: Corner,
+    /// How the joint before it is passed.
+    pub passing: Passing,
+}
+
+impl Held {
+    /// More length would change nothing.
+    fn is_long(&self) -> bool {
+        let half = self.slow.halves.0.max(self.slow.halves.1);
+        self.leg.curve.is_some() || self.leg.length >= half + self.slow.step.ways()[1]
+    }
+}
+
+impl Row {
+    fn clear(&mut self) {
+        self.pieces.clear();
+        self.speeds.clear();
+        self.cells.clear();
+        self.time_s = 0.0;
+    }
+}
+
 impl Smoother {
     /// No move is in it.
     pub fn is_empty(&self) -> bool {
         self.corner.is_none()
     }
 
-    /// A leg that goes on from the last move.
-    pub fn leg(&self, motion: &Move, start: &Axes, limits: &AxisArrays) -> Leg {
-        Leg::new(motion, start, self.length, limits)
-    }
-
-    /// How the joint of the last move and the next is passed; `None` at the start of a run.
-    pub fn passing(&self, next: &Leg, limits: &AxisArrays) -> Option<Passing> {
-        let (last, corner) = (self.legs.back()?, self.corner?);
+    /// What the last move and the next make where they meet; `None` at the start of a run.
+    pub fn joint(&self, next: &Leg, limits: &AxisArrays) -> Option<Joint> {
+        let (last, part, corner) = match &self.held {
+            Some(held) => (&held.leg, held.parts.last(), held.corner),
+            None => {
+                let last = self.legs.back()?;
+                (last, if last.more > 0 { self.parts.back() } else { None }, self.corner?)
+            }
+        };
         let size = next.part.start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
-        let shortest = self.last_part().map_or(last.length, |part| part.length).min(next.length);
+        let shortest = part.unwrap_or(&last.part).length.min(next.length);
         let noise = 1e-11 + 4e-15 * size / shortest;
-        Some(corner::passing(&last.tail, &next.head, corner, noise, limits))
+        Some(corner::joint(&last.tail, &next.head, corner, noise, limits))
     }
 
-    fn last_part(&self) -> Option<&Part> {
-        let last = self.legs.back()?;
-        if last.more > 0 { self.parts.back() } else { Some(&last.part) }
+    /// Keeps a leg back until its length is known. Says whether it is known now.
+    pub fn hold(&mut self, leg: Leg, corner: Corner, slow: Slow) -> bool {
+        let held = self.held.insert(Held { leg, parts: Vec::new(), corner, slow });
+        held.is_long()
+    }
+
+    /// Lengthens the leg that is kept back, where the next goes on with it. Says whether its
+    /// length is known now, or gives the next one back.
+    ///
+    /// # Errors
+    /// The next one, if it does not go on.
+    pub fn lengthen(
+        &mut self,
+        next: Leg,
+        corner: Corner,
+        joint: Option<Joint>,
+    ) -> Result<bool, Leg> {
+        let Some(held) = &mut self.held else { return Err(next) };
+        if joint != Some(Joint::Smooth) || !held.leg.goes_on_with(&next) {
+            return Err(next);
+        }
+        held.parts.push(Part { from: held.leg.length, ..next.part });
+        held.leg.length += next.length;
+        held.leg.more += 1;
+        held.corner = corner;
+        Ok(held.is_long())
+    }
+
+    /// Takes the leg that is kept back, with how the joint before it is passed.
+    pub fn release(&mut self, limits: &AxisArrays) -> Option<Released> {
+        let Held { leg, parts, corner, slow } = self.held.take()?;
+        let half = slow.halves.0.max(slow.halves.1);
+        let ways = slow.step.ways();
+        let passing = match self.legs.back() {
+            Some(last) if last.length.min(leg.length) >= half => {
+                let short = [last.length - half < ways[0], leg.length - half < ways[1]];
+                if short == [false; 2] {
+                    slow.between_long()
+                } else {
+                    let before = last.ending(last.length.min(half + ways[0]));
+                    let after = leg.beginning(leg.length.min(half + ways[1]));
+                    self.trial.quickest(&slow, [&before, &after], limits)
+                }
+            }
+            // Others are in its reach: what is best is seen when their widths are known.
+            _ => Passing::Ease(slow.step, 0.0),
+        };
+        Some(Released { leg, parts, corner, passing })
     }
 
     /// Adds a leg that goes on from the last one, which it meets as `passing` says; `corner`
     /// is how its end is passed.
-    pub fn push(&mut self, leg: Leg, corner: Corner, passing: Option<Passing>) {
+    pub fn push(&mut self, mut leg: Leg, corner: Corner, passing: Option<Passing>) {
+        leg.place(self.length);
         self.length += leg.length;
         self.corner = Some(corner);
         match (passing, self.legs.back_mut()) {
@@ -129,15 +231,24 @@ impl Smoother {
                 self.parts.push_back(leg.part);
                 return;
             }
-            (Some(Passing::Ease(step)), _) => {
-                let leg_number = self.legs_gone + self.legs.len();
-                let node =
-                    Node { at: leg.from, step, leg: leg_number, kink_half: 0.0, bend_half: 0.0 };
-                self.nodes.push_back(node);
+            (Some(Passing::Ease(step, tried)), _) => {
+                let number = self.legs_gone + self.legs.len();
+                self.nodes.push_back(Node { tried, ..Node::new(step, leg.from, number) });
             }
             _ => {}
         }
         self.legs.push_back(leg);
+    }
+
+    /// Adds a leg that was kept back.
+    pub fn push_released(
+        &mut self,
+        Released { leg, parts, corner, .. }: Released,
+        passing: Option<Passing>,
+    ) {
+        let from = self.length;
+        self.push(leg, corner, passing);
+        self.parts.extend(parts.into_iter().map(|part| Part { from: from + part.from, ..part }));
     }
 
     /// The run begins at a corner where the movements overlap.
@@ -158,7 +269,7 @@ impl Smoother {
 
     /// Hands on what later moves cannot change; all of it when the run ends here.
     pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
-        self.settle(ends);
+        self.settle(ends, limits);
         while let Some(leg) = self.legs.front() {
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
             if !(ends || certain) {
@@ -170,7 +281,8 @@ impl Smoother {
             // Keeps the memory for the next run.
             self.nodes.clear();
             self.parts.clear();
-            (self.legs_gone, self.nodes_gone, self.unsettled) = (0, 0, 0);
+            (self.legs_gone, self.nodes_gone) = (0, 0);
+            (self.judged, self.unsettled) = (0, 0);
             (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;
         }
@@ -181,29 +293,31 @@ impl Smoother {
         self.nodes.get(self.unsettled - self.nodes_gone).map_or(self.length, |node| node.at)
     }
 
-    fn settle(&mut self, ends: bool) {
+    /// Gives the nodes their widths, as far as later moves cannot change them.
+    fn settle(&mut self, ends: bool, limits: &AxisArrays) {
+        self.judge(ends, limits);
         while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
-            let need = node.need();
-            if !ends && self.length - node.at <= 2.0 * need + CLEAREST {
+            let number = self.unsettled;
+            let judged = self.nodes.get(self.judged - self.nodes_gone);
+            let known = judged.is_none_or(|next| next.at > node.at + node.need());
+            if number >= self.judged || !(ends || known) {
                 break;
             }
-            // No correction reaches over the ends of the run, where the axes stand still.
-            let room = |way: f64, clear: f64| (way - clear).max(way / 2.0);
-            let room = room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]));
-            let half = self.half_among(self.unsettled - self.nodes_gone, need.min(room));
-            let number = self.unsettled;
-            let node = &mut self.nodes[number - self.nodes_gone];
-            node.kink_half = half.min(node.step.kink_need);
-            node.bend_half = half.min(node.step.bend_need);
-            if node.step.is_quicker_at_rest(node.kink_half, node.bend_half) {
-                (node.kink_half, node.bend_half) = (0.0, 0.0);
-                let leg = node.leg - self.legs_gone;
-                self.legs[leg].begins_at_rest = true;
-                self.unsettled += 1;
-                continue;
+            if !node.rests {
+                let room = self.room_among_rests(number - self.nodes_gone);
+                let node = self.widened(number - self.nodes_gone, room, true);
+                let rests = self.is_quicker_at_rest(&node, ends, limits) == Some(true);
+                self.nodes[number - self.nodes_gone] = node;
+                if rests {
+                    self.nodes[number - self.nodes_gone].rests_at_last();
+                } else {
+                    self.reach(number, node.leg, node.at, node.half());
+                }
             }
-            let (first, at, half) = (node.leg, node.at, node.half());
-            self.reach(number, first, at, half);
+            let node = &self.nodes[number - self.nodes_gone];
+            if node.half() == 0.0 {
+                self.legs[node.leg - self.legs_gone].begins_at_rest = true;
+            }
             self.unsettled += 1;
         }
     }
@@ -211,12 +325,12 @@ impl Smoother {
     /// The largest half width up to `most` with which a node and all nodes in its reach, were
     /// they as wide, keep the tolerance together. If the widest of the corrections over any
     /// place is chosen so, their sum keeps it there.
-    fn half_among(&self, index: usize, most: f64) -> f64 {
+    fn half_among(&self, index: usize, most: f64, among_rests: bool) -> f64 {
         let within = |half: f64| {
             let (mut kinks, mut bends) = (0.0, 0.0);
             let at = self.nodes[index].at;
             let mut add = |node: &Node| {
-                let near = (node.at - at).abs() < 2.0 * half;
+                let near = (node.at - at).abs() < 2.0 * half && !(among_rests && node.rests);
                 if near {
                     kinks += node.step.kink_share;
                     bends += node.step.bend_share;

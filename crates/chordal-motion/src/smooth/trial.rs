@@ -1,0 +1,72 @@
+//! What a joint costs between legs that are too short to reach their speed: each way to pass it,
+//! planned with nothing but its two legs, from rest to rest.
+
+use crate::cell::AxisArrays;
+use crate::overlap::{End, overlap_of};
+use crate::profile::{Solver, phases};
+use crate::smooth::corner::{Passing, Slow, Step};
+use crate::smooth::leg::Leg;
+use crate::smooth::pieces::{self, Break};
+use crate::smooth::{Node, Row};
+use crate::trajectory::Phase;
+
+/// Plans joints. Keeps its memory from one to the next.
+#[derive(Debug, Default)]
+pub struct Trial {
+    row: Row,
+    solver: Solver,
+    phases: Vec<Phase>,
+    breaks: Vec<Break>,
+}
+
+impl Trial {
+    /// The quickest way to pass a joint between two legs.
+    pub fn quickest(&mut self, slow: &Slow, legs: [&Leg; 2], limits: &AxisArrays) -> Passing {
+        let [before, after] = legs;
+        let rest = self.alone(before, limits) + self.alone(after, limits);
+        let ease = self.eased(slow.step, slow.halves, legs, limits);
+        let overlapped = slow.overlap.map_or(f64::INFINITY, |overlap| {
+            let (mut last, mut first) = (before.clone(), after.clone());
+            last.jerk_share[1] = overlap.jerk_share;
+            first.jerk_share[0] = overlap.jerk_share;
+            let one = self.alone(&last, limits);
+            let end = End::last(&self.phases, &self.row.pieces);
+            let two = self.alone(&first, limits);
+            let start = End::first(&self.phases, &self.row.pieces);
+            let (Some(end), Some(start)) = (end, start) else { return f64::INFINITY };
+            one + two - overlap_of(&overlap, &end, &start)
+        });
+        slow.quickest(ease, rest, overlapped)
+    }
+
+    /// How long a leg takes from rest to rest, s.
+    pub fn alone(&mut self, leg: &Leg, limits: &AxisArrays) -> f64 {
+        self.time(&[leg], None, limits)
+    }
+
+    /// How long two legs take from rest to rest with their joint eased, s.
+    pub fn eased(
+        &mut self,
+        step: Step,
+        (kink_half, bend_half): (f64, f64),
+        legs: [&Leg; 2],
+        limits: &AxisArrays,
+    ) -> f64 {
+        let node = Node { kink_half, bend_half, ..Node::new(step, legs[1].from, 0) };
+        self.time(&legs, Some(&node), limits)
+    }
+
+    fn time(&mut self, legs: &[&Leg], node: Option<&Node>, limits: &AxisArrays) -> f64 {
+        let Trial { row, solver, phases: law, breaks } = self;
+        row.clear();
+        for leg in legs {
+            pieces::make(leg, [].iter(), node.into_iter(), limits, breaks, row);
+        }
+        solver.solve(&row.cells, 0.0, 0.0);
+        law.clear();
+        for pair in solver.stations().windows(2) {
+            phases(&row.cells, &pair[0], &pair[1], law);
+        }
+        law.iter().map(|phase| phase.duration_s).sum()
+    }
+}
