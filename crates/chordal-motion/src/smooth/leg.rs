@@ -126,12 +126,15 @@ impl Leg {
         (self.from, self.part.from) = (from, from);
     }
 
-    /// It is so short that one limit may hold all along, which is little time lost.
-    pub fn is_brief(&self) -> bool {
+    /// It may be so short that one limit can hold all along, which is little time lost.
+    pub fn may_be_brief(&self) -> bool {
+        self.curve.is_none() && self.jerk_share == [1.0; 2] && self.is_brief_at(self.head.speed)
+    }
+
+    /// It is so short at a speed.
+    pub fn is_brief_at(&self, speed: f64) -> bool {
         const BRIEF_S: f64 = 0.004;
-        self.curve.is_none()
-            && self.jerk_share == [1.0; 2]
-            && self.length <= BRIEF_S * self.head.speed
+        self.length <= BRIEF_S * speed
     }
 
     /// Where it ends, σ of the run.

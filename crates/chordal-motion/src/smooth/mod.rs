@@ -94,7 +94,7 @@ pub struct Smoother {
     corner: Option<Corner>,
     held: Option<Held>,
     trial: Trial,
-    breaks: Vec<pieces::Break>,
+    scratch: pieces::Scratch,
 }
 
 /// A leg that waits for its end: the joint before it is slow, and how it is passed depends on
@@ -198,7 +198,8 @@ impl Smoother {
 
     /// Takes the leg that is kept back, with how the joint before it is passed.
     pub fn release(&mut self, limits: &AxisArrays) -> Option<Released> {
-        let Held { leg, parts, corner, slow } = self.held.take()?;
+        let Held { mut leg, parts, corner, slow } = self.held.take()?;
+        leg.place(self.length);
         let half = slow.halves.0.max(slow.halves.1);
         let ways = slow.step.ways();
         let passing = match self.legs.back() {
@@ -394,17 +395,17 @@ impl Smoother {
         self.legs_gone += 1;
         let (from, to) = leg.nodes;
         let nodes = if from < to { from - self.nodes_gone..to - self.nodes_gone } else { 0..0 };
-        let mut breaks = std::mem::take(&mut self.breaks);
+        let mut scratch = std::mem::take(&mut self.scratch);
         let more = leg.more as usize;
         pieces::make(
             &leg,
             self.parts.range(..more),
             self.nodes.range(nodes),
             limits,
-            &mut breaks,
+            &mut scratch,
             row,
         );
-        self.breaks = breaks;
+        self.scratch = scratch;
         self.parts.drain(..more);
         while self.nodes.front().is_some_and(|node| {
             node.at + 2.0 * WIDEST < leg.end() && self.nodes_gone < self.unsettled

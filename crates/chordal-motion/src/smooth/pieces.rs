@@ -30,13 +30,29 @@ pub struct Break {
     begins: i32,
 }
 
+/// A stretch of a leg between two breaks, before it is a cell.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    bounds: Bounds,
+    from: f64,
+    to: f64,
+    pieces: u32,
+}
+
+/// Memory for one leg after the other.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    breaks: Vec<Break>,
+    spans: Vec<Span>,
+}
+
 /// Adds a leg's pieces and cells to a row.
 pub fn make<'a>(
     leg: &'a Leg,
     more: impl Iterator<Item = &'a Part>,
     nodes: impl Iterator<Item = &'a Node>,
     limits: &AxisArrays,
-    breaks: &mut Vec<Break>,
+    Scratch { breaks, spans }: &mut Scratch,
     row: &mut Row,
 ) {
     if leg.begins_at_rest
@@ -45,12 +61,12 @@ pub fn make<'a>(
         last.ends_at_rest = true;
     }
     breaks.clear();
+    spans.clear();
     let count = limits.count;
     let (mut correction, mut active) = corrections(leg, nodes, breaks, count);
     cut(leg, breaks);
     let mut parts = std::iter::once(&leg.part).chain(more).peekable();
     let mut from = leg.from;
-    let (brief, mut whole) = (leg.is_brief(), None);
     for index in 0..=breaks.len() {
         let to = breaks.get(index).map_or(leg.end(), |next| next.at);
         // Breaks that miss each other by rounding are one.
@@ -60,13 +76,7 @@ pub fn make<'a>(
             let pieces = add_pieces(leg, &mut parts, &correction, from, to, row);
             let speed = leg.feed / bounds.rate.max(1.0);
             row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
-            if brief {
-                let (all, sum) = whole.get_or_insert((bounds, 0));
-                all.widen(&bounds);
-                *sum += pieces;
-            } else {
-                add_cell(leg, &bounds, from, to, pieces, limits, row);
-            }
+            spans.push(Span { bounds, from, to, pieces });
             correction = ahead(&correction, to - from, count);
             from = to;
         }
@@ -80,9 +90,27 @@ pub fn make<'a>(
             correction = [[0.0; 6]; 4];
         }
     }
-    if let Some((bounds, pieces)) = whole {
-        add_cell(leg, &bounds, leg.from, leg.end(), pieces, limits, row);
+    if let Some(whole) = brief(leg, spans, limits) {
+        row.time_s += whole.length / whole.speed;
+        return add(whole, &mut row.cells);
     }
+    for span in spans {
+        add_cell(leg, span, limits, row);
+    }
+}
+
+/// One cell for a whole leg where that loses little time.
+fn brief(leg: &Leg, spans: &[Span], limits: &AxisArrays) -> Option<Cell> {
+    if spans.len() < 2 || !leg.may_be_brief() {
+        return None;
+    }
+    let (mut bounds, mut pieces) = (spans[0].bounds, 0);
+    for span in spans {
+        bounds.widen(&span.bounds);
+        pieces += span.pieces;
+    }
+    let cell = cell(leg.length, &bounds, leg.feed, limits);
+    leg.is_brief_at(cell.speed).then_some(Cell { pieces, ..cell })
 }
 
 /// Adds the pieces between two places, which follow the moves as programmed. Says how many.
@@ -113,16 +141,9 @@ fn add_pieces<'a>(
     count
 }
 
-fn add_cell(
-    leg: &Leg,
-    bounds: &Bounds,
-    from: f64,
-    to: f64,
-    pieces: u32,
-    limits: &AxisArrays,
-    row: &mut Row,
-) {
-    let mut cell = cell(to - from, bounds, leg.feed, limits);
+fn add_cell(leg: &Leg, span: &Span, limits: &AxisArrays, row: &mut Row) {
+    let Span { bounds, from, to, pieces } = *span;
+    let mut cell = cell(to - from, &bounds, leg.feed, limits);
     if leg.jerk_share != [1.0; 2] {
         let middle = 0.5 * (from + to);
         let share = leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];

@@ -6,7 +6,7 @@ use crate::overlap::{End, overlap_of};
 use crate::profile::{Solver, phases};
 use crate::smooth::corner::{Passing, Slow, Step};
 use crate::smooth::leg::Leg;
-use crate::smooth::pieces::{self, Break};
+use crate::smooth::pieces::{self, Scratch};
 use crate::smooth::{Node, Row};
 use crate::trajectory::Phase;
 
@@ -16,7 +16,7 @@ pub struct Trial {
     row: Row,
     solver: Solver,
     phases: Vec<Phase>,
-    breaks: Vec<Break>,
+    scratch: Scratch,
 }
 
 impl Trial {
@@ -57,10 +57,10 @@ impl Trial {
     }
 
     fn time(&mut self, legs: &[&Leg], node: Option<&Node>, limits: &AxisArrays) -> f64 {
-        let Trial { row, solver, phases: law, breaks } = self;
+        let Trial { row, solver, phases: law, scratch } = self;
         row.clear();
         for leg in legs {
-            pieces::make(leg, [].iter(), node.into_iter(), limits, breaks, row);
+            pieces::make(leg, [].iter(), node.into_iter(), limits, scratch, row);
         }
         solver.solve(&row.cells, 0.0, 0.0);
         law.clear();
