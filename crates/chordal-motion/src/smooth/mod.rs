@@ -43,21 +43,38 @@ struct Node {
     bend_half: f64,
     /// The half width with which it is known to be quicker than a rest, or zero.
     tried: f64,
-    /// Whatever its neighbours do, a rest is quicker. None of them reaches over it.
+    /// The axes rest here, and no correction reaches over it.
     rests: bool,
+    /// It was weighed together with its neighbours.
+    weighed: bool,
 }
 
 impl Node {
     fn new(step: Step, at: f64, leg: usize) -> Node {
-        Node { at, step, leg, kink_half: 0.0, bend_half: 0.0, tried: 0.0, rests: false }
+        Node {
+            at,
+            step,
+            leg,
+            kink_half: 0.0,
+            bend_half: 0.0,
+            tried: 0.0,
+            rests: false,
+            weighed: false,
+        }
     }
 
     fn half(&self) -> f64 {
         self.kink_half.max(self.bend_half)
     }
 
-    fn rests_at_last(&mut self) {
-        (self.kink_half, self.bend_half) = (0.0, 0.0);
+    /// With no correction.
+    fn narrowed(self) -> Node {
+        Node { kink_half: 0.0, bend_half: 0.0, ..self }
+    }
+
+    /// The axes have to slow down for it.
+    fn is_slow(&self) -> bool {
+        self.step.speed_within(self.kink_half, self.bend_half) < self.step.fastest()
     }
 
     /// Beyond this half width nothing is gained.
@@ -83,8 +100,10 @@ pub struct Smoother {
     /// Nodes that later legs or nodes may ask for; the first has the number `nodes_gone`.
     nodes: VecDeque<Node>,
     nodes_gone: usize,
-    /// Number of the first node of which it is not known whether the axes rest there.
+    /// Number of the first node that has not been judged by itself.
     judged: usize,
+    /// Number of the first node that has not been weighed with its neighbours.
+    weighed: usize,
     /// Number of the first node whose widths are not settled.
     unsettled: usize,
     length: f64,
@@ -283,7 +302,7 @@ impl Smoother {
             self.nodes.clear();
             self.parts.clear();
             (self.legs_gone, self.nodes_gone) = (0, 0);
-            (self.judged, self.unsettled) = (0, 0);
+            (self.judged, self.weighed, self.unsettled) = (0, 0, 0);
             (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;
         }
@@ -297,26 +316,20 @@ impl Smoother {
     /// Gives the nodes their widths, as far as later moves cannot change them.
     fn settle(&mut self, ends: bool, limits: &AxisArrays) {
         self.judge(ends, limits);
-        while let Some(node) = self.nodes.get(self.unsettled - self.nodes_gone) {
-            let number = self.unsettled;
-            let judged = self.nodes.get(self.judged - self.nodes_gone);
-            let known = judged.is_none_or(|next| next.at > node.at + node.need());
-            if number >= self.judged || !(ends || known) {
+        while self.unsettled < self.judged {
+            if self.unsettled >= self.weighed && !self.weigh(ends, limits) {
                 break;
             }
-            if !node.rests {
-                let room = self.room_among_rests(number - self.nodes_gone);
-                let node = self.widened(number - self.nodes_gone, room, true);
-                let rests = self.is_quicker_at_rest(&node, ends, limits) == Some(true);
-                self.nodes[number - self.nodes_gone] = node;
-                if rests {
-                    self.nodes[number - self.nodes_gone].rests_at_last();
-                } else {
-                    self.reach(number, node.leg, node.at, node.half());
-                }
+            let index = self.unsettled - self.nodes_gone;
+            if !self.nodes[index].rests {
+                let node = self.widened(index);
+                let rests = !node.weighed && self.is_quicker_at_rest(&node, limits);
+                self.nodes[index] = if rests { node.narrowed() } else { node };
             }
-            let node = &self.nodes[number - self.nodes_gone];
-            if node.half() == 0.0 {
+            let node = self.nodes[index];
+            if node.half() > 0.0 {
+                self.reach(self.unsettled, node.leg, node.at, node.half());
+            } else {
                 self.legs[node.leg - self.legs_gone].begins_at_rest = true;
             }
             self.unsettled += 1;

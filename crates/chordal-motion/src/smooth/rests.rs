@@ -1,12 +1,17 @@
 //! Where the axes had better rest than pass an eased corner slowly.
 //!
-//! It is judged twice. First as if all nodes were eased: what rests then bounds the corrections
-//! of its neighbours. Then with the widths that are left, where that changes nothing for others
-//! any more, so that the answer does not depend on the direction of the path.
+//! A node is judged by itself first, as if all others were eased. Then a part of the path, from
+//! rest to rest or from one long leg to the next, is weighed as a whole: what rests bounds the
+//! corrections of its neighbours, which makes more of them slow, until nothing changes. If it
+//! is quicker to rest at all its joints, the axes do. No answer depends on the direction of the
+//! path or on how its lines are cut.
 
 use crate::cell::AxisArrays;
 use crate::smooth::leg::Leg;
 use crate::smooth::{CLEAREST, Node, Smoother};
+
+/// Parts of more legs are not weighed: their nodes are judged one by one.
+const MOST_LEGS: usize = 64;
 
 impl Smoother {
     /// Judges nodes as if all of them were eased, as far as enough is known of the legs to come.
@@ -16,63 +21,164 @@ impl Smoother {
                 break;
             }
             let index = self.judged - self.nodes_gone;
-            let node = self.widened(index, self.room(node), false);
-            let Some(rests) = self.is_quicker_at_rest(&node, ends, limits) else { break };
-            let judged = &mut self.nodes[index];
-            judged.rests = rests;
-            judged.tried = node.half();
+            let node = self.with_half(index, self.half_among(index, self.room(node), false));
+            if !ends && node.is_slow() && !self.is_known_around(&node) {
+                break;
+            }
+            let rests = self.is_quicker_at_rest(&node, limits);
+            self.nodes[index] = Node { rests, tried: node.half(), ..node };
             self.judged += 1;
         }
+    }
+
+    /// Weighs the part that begins with the first node not weighed. False when more has to be
+    /// known of the moves to come.
+    pub(super) fn weigh(&mut self, ends: bool, limits: &AxisArrays) -> bool {
+        let from = self.weighed - self.nodes_gone;
+        let Some(to) = self.part_from(from, ends) else { return false };
+        let known = match self.nodes.get(self.judged - self.nodes_gone) {
+            Some(next) => next.at > self.nodes[to - 1].at + self.nodes[to - 1].need(),
+            None => true,
+        };
+        if self.judged - self.nodes_gone < to || !(known || ends) {
+            return false;
+        }
+        let legs = self.nodes[to - 1].leg - self.nodes[from].leg;
+        if legs < MOST_LEGS && self.nodes.range(from..to).any(Node::is_slow) {
+            self.rest_where_quicker(from, to, limits);
+            self.nodes.range_mut(from..to).for_each(|node| node.weighed = true);
+        }
+        self.weighed = to + self.nodes_gone;
+        true
+    }
+
+    /// The node after the last of the part that begins with a node. `None` when that is not known.
+    fn part_from(&self, from: usize, ends: bool) -> Option<usize> {
+        let mut to = from + 1;
+        loop {
+            let node = &self.nodes[to - 1];
+            let legs = node.leg - self.nodes[from].leg;
+            if node.rests || legs >= MOST_LEGS || self.is_followed_by_long(node) {
+                return Some(to);
+            }
+            match self.nodes.get(to) {
+                Some(next) if next.rests && to + self.nodes_gone < self.judged => return Some(to),
+                Some(_) if to + self.nodes_gone < self.judged || ends => to += 1,
+                None if ends => return Some(to),
+                _ => return None,
+            }
+        }
+    }
+
+    /// The leg after a node is so long that full speed is reached on it whatever happens at its
+    /// ends.
+    fn is_followed_by_long(&self, node: &Node) -> bool {
+        let leg = &self.legs[node.leg - self.legs_gone];
+        leg.curve.is_none() && leg.length >= 2.0 * (node.half() + node.step.ways()[1])
+    }
+
+    /// Lets the axes rest at nodes of a part until nothing gets quicker by it.
+    fn rest_where_quicker(&mut self, from: usize, to: usize, limits: &AxisArrays) {
+        loop {
+            for index in from..to {
+                if !self.nodes[index].rests {
+                    self.nodes[index] = self.widened(index);
+                }
+            }
+            let mut more = Vec::new();
+            for index in from..to {
+                let node = self.nodes[index];
+                if !node.rests && self.is_quicker_at_rest(&node, limits) {
+                    more.push(index);
+                }
+            }
+            if more.is_empty() {
+                break;
+            }
+            more.into_iter().for_each(|index| self.nodes[index].rests = true);
+        }
+        if self.is_quicker_at_all_rests(from, to, limits) {
+            self.nodes.range_mut(from..to).for_each(|node| node.rests = true);
+        }
+        for node in self.nodes.range_mut(from..to).filter(|node| node.rests) {
+            *node = node.narrowed();
+        }
+    }
+
+    /// Whether a part takes longer with its corrections than with a rest at every joint.
+    fn is_quicker_at_all_rests(&mut self, from: usize, to: usize, limits: &AxisArrays) -> bool {
+        let (first, last) = (self.nodes[from], self.nodes[to - 1]);
+        if self.nodes.range(from..to).all(|node| node.rests) {
+            return false;
+        }
+        let begin = first.leg - self.legs_gone - 1;
+        let end = last.leg - self.legs_gone;
+        let nodes = || self.nodes.range(from..to);
+        let legs: Vec<Leg> = (begin..=end)
+            .map(|index| {
+                let leg = &self.legs[index];
+                let mut part = if index == begin {
+                    leg.ending(leg.length.min(first.half() + first.step.ways()[0]))
+                } else if index == end {
+                    leg.beginning(leg.length.min(last.half() + last.step.ways()[1]))
+                } else {
+                    leg.beginning(leg.length)
+                };
+                part.begins_at_rest =
+                    nodes().any(|node| node.rests && node.leg - self.legs_gone == index);
+                part
+            })
+            .collect();
+        let eased: Vec<Node> = nodes().filter(|node| !node.rests).copied().collect();
+        let stops: f64 = legs.iter().map(|leg| self.trial.alone(leg, limits)).sum();
+        stops < self.trial.together(&legs, &eased, limits)
     }
 
     /// No correction reaches over the ends of the run, where the axes stand still.
     fn room(&self, node: &Node) -> f64 {
         let room = |way: f64, clear: f64| (way - clear).max(way / 2.0);
-        room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]))
+        let ends = room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]));
+        node.need().min(ends)
     }
 
-    /// Nor over a node where they rest.
-    pub(super) fn room_among_rests(&self, index: usize) -> f64 {
+    /// A node with the widths that it has among others, none of which reaches over a rest.
+    pub(super) fn widened(&self, index: usize) -> Node {
         let node = &self.nodes[index];
         let way = |other: &Node| (other.at - node.at).abs();
         let near = |other: &&Node| way(other) < node.need();
         let rest = |other: &&Node| other.rests;
         let before = self.nodes.range(..index).rev().take_while(near).find(rest);
         let after = self.nodes.range(index + 1..).take_while(near).find(rest);
-        [before, after].into_iter().flatten().map(way).fold(self.room(node), f64::min)
+        let room = [before, after].into_iter().flatten().map(way).fold(self.room(node), f64::min);
+        self.with_half(index, self.half_among(index, room, true))
     }
 
-    /// A node with the widths that it has within some room.
-    pub(super) fn widened(&self, index: usize, room: f64, among_rests: bool) -> Node {
+    fn with_half(&self, index: usize, half: f64) -> Node {
         let node = self.nodes[index];
-        let half = self.half_among(index, node.need().min(room), among_rests);
         let (kink_half, bend_half) = (half.min(node.step.kink_need), half.min(node.step.bend_need));
         Node { kink_half, bend_half, ..node }
     }
 
-    /// Whether the axes had better rest at a node, given its widths. `None` when too little is
-    /// known of the legs to come.
-    pub(super) fn is_quicker_at_rest(
-        &mut self,
-        node: &Node,
-        ends: bool,
-        limits: &AxisArrays,
-    ) -> Option<bool> {
+    /// The legs that a node's correction goes over are known, or long enough.
+    fn is_known_around(&self, node: &Node) -> bool {
+        let first = node.leg - self.legs_gone;
+        let after = covering(self.legs.range(first..), node.half());
+        first + after.legs < self.legs.len() || after.way >= node.step.ways()[1] + node.half()
+    }
+
+    /// Whether the axes had better rest at a node, given its widths: between its legs alone, from
+    /// rest to rest.
+    pub(super) fn is_quicker_at_rest(&mut self, node: &Node, limits: &AxisArrays) -> bool {
         let (kink_half, bend_half, half) = (node.kink_half, node.bend_half, node.half());
-        let speed = node.step.speed_within(kink_half, bend_half);
-        if speed >= node.step.fastest() || half == node.tried {
-            return Some(false);
+        if !node.is_slow() || half == node.tried {
+            return false;
         }
         let first = node.leg - self.legs_gone;
         let [way_before, way_after] = node.step.ways().map(|way| way + half);
         let before = covering(self.legs.range(..first).rev(), half);
         let after = covering(self.legs.range(first..), half);
-        let open = first + after.legs == self.legs.len() && !ends;
-        if open && after.way < way_after {
-            return None;
-        }
         if before.way >= way_before && after.way >= way_after {
-            return Some(node.step.is_quicker_at_rest(kink_half, bend_half));
+            return node.step.is_quicker_at_rest(kink_half, bend_half);
         }
         let trial = &mut self.trial;
         let mut rest = 0.0;
@@ -85,7 +191,7 @@ impl Smoother {
         let before = self.legs[first - 1].ending(before.way.min(way_before));
         let after = self.legs[first].beginning(after.way.min(way_after));
         let eased = trial.eased(node.step, (kink_half, bend_half), [&before, &after], limits);
-        Some(rest < eased)
+        rest < eased
     }
 }
 

@@ -41,7 +41,7 @@ impl Trial {
 
     /// How long a leg takes from rest to rest, s.
     pub fn alone(&mut self, leg: &Leg, limits: &AxisArrays) -> f64 {
-        self.time(&[leg], None, limits)
+        self.time(&[leg], &[], limits)
     }
 
     /// How long two legs take from rest to rest with their joint eased, s.
@@ -53,14 +53,20 @@ impl Trial {
         limits: &AxisArrays,
     ) -> f64 {
         let node = Node { kink_half, bend_half, ..Node::new(step, legs[1].from, 0) };
-        self.time(&legs, Some(&node), limits)
+        self.time(&legs, &[node], limits)
     }
 
-    fn time(&mut self, legs: &[&Leg], node: Option<&Node>, limits: &AxisArrays) -> f64 {
+    /// How long some legs take from rest to rest, s; the axes rest where a leg begins so.
+    pub fn together(&mut self, legs: &[Leg], nodes: &[Node], limits: &AxisArrays) -> f64 {
+        let legs: Vec<&Leg> = legs.iter().collect();
+        self.time(&legs, nodes, limits)
+    }
+
+    fn time(&mut self, legs: &[&Leg], nodes: &[Node], limits: &AxisArrays) -> f64 {
         let Trial { row, solver, phases: law, scratch } = self;
         row.clear();
         for leg in legs {
-            pieces::make(leg, [].iter(), node.into_iter(), limits, scratch, row);
+            pieces::make(leg, [].iter(), nodes.iter(), limits, scratch, row);
         }
         solver.solve(&row.cells, 0.0, 0.0);
         law.clear();
