@@ -44,7 +44,7 @@ impl Smoother {
             return false;
         }
         let legs = self.nodes[to - 1].leg - self.nodes[from].leg;
-        if legs < MOST_LEGS && self.nodes.range(from..to).any(Node::is_slow) {
+        if legs < MOST_LEGS && self.nodes.range(from..to).any(|node| self.may_lose(node)) {
             self.rest_where_quicker(from, to, limits);
             self.nodes.range_mut(from..to).for_each(|node| node.weighed = true);
         }
@@ -68,6 +68,14 @@ impl Smoother {
                 _ => return None,
             }
         }
+    }
+
+    /// Easing may take time here: the axes slow down, or get up to speed on the correction, where
+    /// less of their jerk is free for that.
+    fn may_lose(&self, node: &Node) -> bool {
+        let leg = node.leg - self.legs_gone;
+        let [before, after] = node.step.ways().map(|way| way / 2.0 + node.half());
+        node.is_slow() || self.legs[leg - 1].length < before || self.legs[leg].length < after
     }
 
     /// The leg after a node is so long that full speed is reached on it whatever happens at its

@@ -34,7 +34,9 @@ impl Trial {
             let two = self.alone(&first, limits);
             let start = End::first(&self.phases, &self.row.pieces);
             let (Some(end), Some(start)) = (end, start) else { return f64::INFINITY };
-            one + two - overlap_of(&overlap, &end, &start)
+            // What the lower jerk costs may be more where the axes do not come from rest.
+            let (cost, gain) = (one + two - rest, overlap_of(&overlap, &end, &start));
+            if gain < 2.0 * cost { f64::INFINITY } else { rest + cost - gain }
         });
         slow.quickest(ease, rest, overlapped)
     }
