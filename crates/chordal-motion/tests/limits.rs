@@ -131,7 +131,7 @@ fn every_limit_is_held() {
 #[test]
 fn stops_are_not_slower_than_stopping_everywhere() {
     for (name, mix) in mixes() {
-        for seed in 0..4 {
+        for seed in 0..rounds() {
             let mut dice = Dice(seed + 77);
             let limits = random_limits(&mut dice);
             let moves = random_path(&mut dice, &mix);
