@@ -105,15 +105,12 @@ impl Planner {
         self.position = Some(motion.to());
         let leg = Leg::new(motion, &start, &self.arrays);
         let joint = self.smoother.joint(&leg, &self.arrays);
-        let leg = match self.smoother.lengthen(leg, motion.corner, joint) {
-            Ok(known) => {
-                if known {
-                    self.release(&mut take);
-                }
-                return Ok(());
+        if self.smoother.lengthens(&leg, joint) {
+            if self.smoother.lengthen(leg, motion.corner) {
+                self.release(&mut take);
             }
-            Err(leg) => leg,
-        };
+            return Ok(());
+        }
         self.release(&mut take);
         let passing = match joint {
             Some(Joint::Slow(slow)) => {

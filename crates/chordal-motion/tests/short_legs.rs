@@ -18,12 +18,12 @@ fn random_case(seed: u64, curves: bool) -> (chordal_motion::Limits, Vec<Move>, f
     let mut dice = Dice(seed * 7919 + 13);
     let limits = random_limits(&mut dice);
     let mix = Mix {
-        moves: 2 + dice.below(if seed % 4 == 0 { 30 } else { 3 }) as usize,
+        moves: 2 + dice.below(if seed.is_multiple_of(4) { 30 } else { 3 }) as usize,
         curves,
         rotary: seed % 5 == 4,
         shortest: 0.01,
         longest: 10f64.powf(dice.even(-1.5, 2.0)),
-        turn: if seed % 3 == 0 { 4.0 } else { dice.decades(0.01, 3.0) },
+        turn: if seed.is_multiple_of(3) { 4.0 } else { dice.decades(0.01, 3.0) },
     };
     let moves = random_path(&mut dice, &mix);
     let tolerance = dice.decades(1e-4, 1.0);

@@ -193,26 +193,20 @@ impl Smoother {
         held.is_long()
     }
 
-    /// Lengthens the leg that is kept back, where the next goes on with it. Says whether its
-    /// length is known now, or gives the next one back.
-    ///
-    /// # Errors
-    /// The next one, if it does not go on.
-    pub fn lengthen(
-        &mut self,
-        next: Leg,
-        corner: Corner,
-        joint: Option<Joint>,
-    ) -> Result<bool, Leg> {
-        let Some(held) = &mut self.held else { return Err(next) };
-        if joint != Some(Joint::Smooth) || !held.leg.goes_on_with(&next) {
-            return Err(next);
-        }
+    /// Whether the next leg goes on with the one that is kept back.
+    pub fn lengthens(&self, next: &Leg, joint: Option<Joint>) -> bool {
+        let held = self.held.as_ref();
+        joint == Some(Joint::Smooth) && held.is_some_and(|held| held.leg.goes_on_with(next))
+    }
+
+    /// Lengthens the leg that is kept back. Says whether its length is known now.
+    pub fn lengthen(&mut self, next: Leg, corner: Corner) -> bool {
+        let Some(held) = &mut self.held else { return false };
         held.parts.push(Part { from: held.leg.length, ..next.part });
         held.leg.length += next.length;
         held.leg.more += 1;
         held.corner = corner;
-        Ok(held.is_long())
+        held.is_long()
     }
 
     /// Takes the leg that is kept back, with how the joint before it is passed.
