@@ -35,6 +35,7 @@ mod chords;
 mod curve;
 mod fit;
 mod frame;
+mod growth;
 mod intersect;
 mod line;
 mod math;

@@ -1,10 +1,14 @@
 //! Curves made ready to be asked at many places.
 
+use crate::growth::Growth;
 use crate::winding::Winding;
-use crate::{Curve, Line, ParamCurve, Spiral, Vec3};
+use crate::{Curve, Line, ParamCurve, Vec3, math};
 
 /// A curve with all that does not change along it worked out: it answers what
-/// [`ParamCurve::jet_at`] answers, to the last bit, in less time.
+/// [`ParamCurve::jet_at`] answers, to rounding, in less time. The ends are those of the curve.
+///
+/// On a spiral it keeps what it found near the last place, so that it is quick where one place
+/// lies near the one before; what was asked before changes an answer by rounding alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer {
     start: Vec3,
@@ -14,57 +18,104 @@ pub struct Tracer {
 }
 
 #[derive(Clone, Copy, Debug)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "made once for many places, without memory of its own"
+)]
 enum Kind {
     Straight { line: Line, tangent: Vec3 },
-    Round { winding: Winding },
-    Growing { spiral: Spiral },
+    Round(Round),
+    Growing(Growth),
+}
+
+/// An arc or a helix: its radius as vectors, and everything for each mm of its length.
+#[derive(Clone, Copy, Debug)]
+struct Round {
+    center: Vec3,
+    /// From the centre to the start, and a quarter turn further, mm.
+    radii: (Vec3, Vec3),
+    /// Quarter turns for each mm.
+    quarters: f64,
+    /// Radians for each mm.
+    rate: f64,
+    /// Movement along the axis for each mm.
+    rise: Vec3,
+}
+
+impl Round {
+    fn new(winding: &Winding, length: f64) -> Round {
+        let Winding { center, u, v, w, r0, theta, rise, .. } = *winding;
+        // Without length it has no direction either.
+        let per_mm = if length == 0.0 { 0.0 } else { 1.0 / length };
+        let rate = theta * per_mm;
+        Round {
+            center,
+            radii: (u * r0, v * r0),
+            quarters: theta / math::FRAC_PI_2 * per_mm,
+            rate,
+            rise: w * (rise * per_mm),
+        }
+    }
+
+    #[inline(always)]
+    fn motion_at(&self, s: f64, [speed, acceleration, jerk]: [f64; 3]) -> [Vec3; 4] {
+        let (sin, cos) = math::sin_cos_of_quarters(s * self.quarters);
+        let (u, v) = self.radii;
+        let (out, along) = (u * cos + v * sin, v * cos - u * sin);
+        // The angle by time.
+        let [first, second, third] = [speed, acceleration, jerk].map(|of| of * self.rate);
+        let square = first * first;
+        [
+            self.center + out + self.rise * s,
+            along * first + self.rise * speed,
+            along * second - out * square + self.rise * acceleration,
+            along * (third - first * square) - out * (3.0 * first * second) + self.rise * jerk,
+        ]
+    }
 }
 
 impl Tracer {
     /// Makes a curve ready.
     #[must_use]
     pub fn new(curve: &Curve) -> Tracer {
+        let length = curve.length();
         let kind = match curve {
             Curve::Line(line) => Kind::Straight { line: *line, tangent: line.tangent_at(0.0) },
-            Curve::Arc(arc) => Kind::Round { winding: arc.winding() },
-            Curve::Spiral(spiral) => Kind::Growing { spiral: *spiral },
+            Curve::Arc(arc) => Kind::Round(Round::new(&arc.winding(), length)),
+            Curve::Spiral(spiral) if length == 0.0 => {
+                Kind::Round(Round::new(&spiral.winding(), length))
+            }
+            Curve::Spiral(spiral) => Kind::Growing(Growth::new(spiral.winding(), length)),
         };
-        Tracer { start: curve.start(), end: curve.end(), length: curve.length(), kind }
+        Tracer { start: curve.start(), end: curve.end(), length, kind }
     }
 
     /// The point at `s` mm from the start, mm, and its first three derivatives by `s`.
     #[must_use]
-    #[inline]
-    pub fn jet_at(&self, s: f64) -> [Vec3; 4] {
-        match &self.kind {
-            Kind::Straight { line, tangent } => {
-                let point =
-                    self.end_at(s).unwrap_or_else(|| line.start.lerp(line.end, s / self.length));
-                [point, *tangent, Vec3::ZERO, Vec3::ZERO]
-            }
-            Kind::Round { winding } => {
-                let t = if s <= 0.0 {
-                    0.0
-                } else if s >= self.length {
-                    1.0
-                } else {
-                    s / self.length
-                };
-                let (point, derivatives) = winding.jet(t);
-                derivatives.behind(self.end_at(s).unwrap_or(point))
-            }
-            Kind::Growing { spiral } => spiral.jet_at(s),
-        }
+    pub fn jet_at(&mut self, s: f64) -> [Vec3; 4] {
+        self.motion_at(s, [1.0, 0.0, 0.0])
     }
 
-    /// The end as it was given, at and beyond it.
-    fn end_at(&self, s: f64) -> Option<Vec3> {
+    /// The point at `s` mm from the start, mm, and its first three derivatives by time where those
+    /// of `s` are `by_time`: mm/s, mm/s², mm/s³.
+    #[must_use]
+    #[inline(always)]
+    pub fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
+        let inside = s.clamp(0.0, self.length.max(0.0));
+        let mut motion = match &mut self.kind {
+            Kind::Straight { line, tangent } => {
+                let point = line.start.lerp(line.end, inside / self.length);
+                let [first, second, third] = by_time.map(|of| *tangent * of);
+                [point, first, second, third]
+            }
+            Kind::Round(round) => round.motion_at(inside, by_time),
+            Kind::Growing(growth) => growth.motion_at(inside, by_time),
+        };
         if s <= 0.0 {
-            Some(self.start)
+            motion[0] = self.start;
         } else if s >= self.length {
-            Some(self.end)
-        } else {
-            None
+            motion[0] = self.end;
         }
+        motion
     }
 }

@@ -160,11 +160,54 @@ proptest! {
     fn all_at_once_is_the_same_as_one_by_one(c in curve(), share in -0.1..1.1) {
         let s = c.length() * share;
         let [point, tangent, curvature, derivative] = c.jet_at(s);
-        prop_assert_eq!(Tracer::new(&c).jet_at(s), c.jet_at(s));
         prop_assert_eq!(point, c.point_at(s));
         prop_assert_eq!(tangent, c.tangent_at(s));
         prop_assert_eq!(curvature, c.curvature_at(s));
         prop_assert_eq!(derivative, c.curvature_derivative_at(s));
+    }
+
+    #[test]
+    fn a_tracer_answers_the_same_wherever_it_was_asked_before(
+        c in curve(), shares in prop::collection::vec(-0.1..1.1, 1..20), forward in any::<bool>(),
+    ) {
+        let mut shares = shares;
+        if forward {
+            shares.sort_by(f64::total_cmp);
+        }
+        let unit = rate_of(&c);
+        // An angle is as exact as the whole sweep is, a derivative as the angle.
+        let angle = 4e-16 * (2.0 + unit * c.length());
+        let mut tracer = Tracer::new(&c);
+        for share in shares {
+            let s = c.length() * share;
+            let jet = c.jet_at(s);
+            let traced = tracer.jet_at(s);
+            if s <= 0.0 || s >= c.length() {
+                prop_assert_eq!(traced[0], jet[0]);
+            }
+            close(traced[0], jet[0], 4e-16 * scale_of(&c) + angle / unit)?;
+            for order in 1..4 {
+                close(traced[order], jet[order], angle * unit.powi(order as i32 - 1))?;
+            }
+        }
+    }
+
+    #[test]
+    fn a_traced_motion_follows_the_chain_rule(
+        c in curve(), share in 0.0..1.0, speed in 0.0..200.0, acceleration in -2e3..2e3, jerk in -1e5..1e5,
+    ) {
+        let s = c.length() * share;
+        let mut tracer = Tracer::new(&c);
+        let [point, d1, d2, d3] = tracer.jet_at(s);
+        let [at, v, a, j] = tracer.motion_at(s, [speed, acceleration, jerk]);
+        prop_assert_eq!(at, point);
+        let near = |a: Vec3, parts: [Vec3; 3]| {
+            let size: f64 = parts.iter().map(|part| part.length()).sum();
+            close(a, parts[0] + parts[1] + parts[2], 4e-15 * size)
+        };
+        near(v, [d1 * speed, Vec3::ZERO, Vec3::ZERO])?;
+        near(a, [d1 * acceleration, d2 * (speed * speed), Vec3::ZERO])?;
+        near(j, [d1 * jerk, d2 * (3.0 * speed * acceleration), d3 * speed.powi(3)])?;
     }
 
     #[test]

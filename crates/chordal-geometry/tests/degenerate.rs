@@ -3,8 +3,8 @@
 mod common;
 
 use chordal_geometry::{
-    Arc, Curve, Direction, Frame, Line, ParamCurve, Placement, Plane, Spiral, Transform, Vec3,
-    arc_from_center, center_from_radius, spiral_from_center,
+    Arc, Curve, Direction, Frame, Line, ParamCurve, Placement, Plane, Spiral, Tracer, Transform,
+    Vec3, arc_from_center, center_from_radius, spiral_from_center,
 };
 use common::*;
 use proptest::prelude::*;
@@ -12,7 +12,9 @@ use proptest::prelude::*;
 /// Asks everything once.
 fn exercise(c: &Curve) {
     let length = c.length();
+    let mut tracer = Tracer::new(c);
     for s in [0.0, 0.3 * length, length, -1.0, 1e300, f64::NAN, f64::INFINITY] {
+        let _ = tracer.motion_at(s, [1.0, -2.0, 3.0]);
         let _ = (c.point_at(s), c.tangent_at(s), c.curvature_at(s), c.curvature_derivative_at(s));
         let (a, b) = c.split_at(s);
         let _ = (a.length(), b.length(), c.subsegment(s, 0.5 * length).length());
@@ -46,6 +48,7 @@ fn no_length_at_all() {
         assert_eq!(c.point_at(0.0), at);
         assert_eq!(c.tangent_at(0.0), Vec3::ZERO);
         assert_eq!(c.curvature_at(0.0), Vec3::ZERO);
+        assert_eq!(Tracer::new(&c).jet_at(0.0), [at, Vec3::ZERO, Vec3::ZERO, Vec3::ZERO]);
         assert_eq!(c.max_curvature(), 0.0);
         assert_eq!((c.bounds().min, c.bounds().max), (at, at));
         assert_eq!(c.nearest(at + Vec3::Z * 3.0).distance, 3.0);

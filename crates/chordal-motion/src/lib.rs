@@ -28,6 +28,7 @@ mod overlap;
 mod piece;
 mod planner;
 mod profile;
+mod reader;
 mod reference;
 mod root;
 mod sampler;

@@ -1,6 +1,9 @@
-use chordal_geometry::{Curve, ParamCurve, Tracer};
+use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
+
+/// Multiplying takes a fraction of the time of dividing.
+pub(crate) const SIXTH: f64 = 1.0 / 6.0;
 
 /// The axes and their first three derivatives by σ.
 pub type Jet = [Axes; 4];
@@ -22,7 +25,19 @@ pub struct Piece {
 impl Piece {
     /// Whether it is a straight line, evenly travelled.
     pub fn is_straight(&self) -> bool {
-        self.base.is_none() && self.start[2] == [0.0; 6] && self.start[3] == [0.0; 6]
+        self.base.is_none() && self.is_even()
+    }
+
+    /// Whether its polynomials are of the first degree.
+    #[inline]
+    pub(crate) fn is_even(&self) -> bool {
+        all_zero(&self.start[2]) && all_zero(&self.start[3])
+    }
+
+    /// Whether its polynomials are constant.
+    #[inline]
+    pub(crate) fn is_still(&self) -> bool {
+        self.is_even() && all_zero(&self.start[1])
     }
 
     /// The axes and their derivatives at `sigma` from the piece's start.
@@ -32,8 +47,8 @@ impl Piece {
         let mut jet = [[0.0; 6]; 4];
         for axis in 0..6 {
             let second = d2[axis] + sigma * d3[axis];
-            jet[0][axis] =
-                x[axis] + sigma * (d1[axis] + sigma * (d2[axis] / 2.0 + sigma * (d3[axis] / 6.0)));
+            jet[0][axis] = x[axis]
+                + sigma * (d1[axis] + sigma * (d2[axis] / 2.0 + sigma * (d3[axis] * SIXTH)));
             jet[1][axis] = d1[axis] + sigma * (d2[axis] + sigma * (d3[axis] / 2.0));
             jet[2][axis] = second;
             jet[3][axis] = d3[axis];
@@ -49,27 +64,10 @@ impl Piece {
     }
 }
 
-/// What is worth knowing of a piece before it is asked at many places.
-#[derive(Clone, Copy, Debug)]
-#[allow(clippy::large_enum_variant, reason = "one for a cursor, which allocates nothing")]
-pub(crate) enum Shape {
-    /// Every axis moves evenly with σ.
-    Even,
-    /// Likewise, above a curve from a place on.
-    Over { base: Tracer, from: f64 },
-    /// Anything else.
-    Bent,
-}
-
-impl Shape {
-    /// The shape of a piece.
-    pub fn of(piece: &Piece) -> Shape {
-        if piece.start[2..].iter().flatten().any(|value| *value != 0.0) {
-            return Shape::Bent;
-        }
-        match &piece.base {
-            Some((curve, from)) => Shape::Over { base: Tracer::new(curve), from: *from },
-            None => Shape::Even,
-        }
-    }
+/// Without branches: it is asked at many a setpoint.
+#[inline]
+fn all_zero(values: &Axes) -> bool {
+    let bits = values.iter().fold(0, |bits, value| bits | value.to_bits());
+    // But for the sign of zero.
+    bits << 1 == 0
 }

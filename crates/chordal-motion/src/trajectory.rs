@@ -1,7 +1,6 @@
-use chordal_geometry::Vec3;
-
 use crate::Axes;
-use crate::piece::{Piece, Shape};
+use crate::piece::{Piece, SIXTH};
+use crate::reader::Reader;
 use crate::sampler::Sample;
 
 /// A time of constant jerk along the path.
@@ -38,7 +37,7 @@ impl Phase {
     pub fn at(&self, t: f64) -> Along {
         let Phase { from, speed, acceleration, jerk, .. } = *self;
         Along {
-            sigma: from + t * (speed + t * (acceleration / 2.0 + t * (jerk / 6.0))),
+            sigma: from + t * (speed + t * (acceleration / 2.0 + t * (jerk * SIXTH))),
             speed: speed + t * (acceleration + t * (jerk / 2.0)),
             acceleration: acceleration + t * jerk,
             jerk,
@@ -91,6 +90,14 @@ impl Clone for Stretch {
     }
 }
 
+impl From<Sample> for State {
+    #[inline]
+    fn from(sample: Sample) -> State {
+        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
+        State { position, velocity, acceleration, jerk, tag }
+    }
+}
+
 impl Stretch {
     /// How long it takes, s.
     pub fn duration_s(&self) -> f64 {
@@ -127,73 +134,6 @@ pub enum Step<'a> {
     },
 }
 
-/// The axes at a place of a piece, moved by the law of time.
-pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
-    let mut sample = Sample { tag: piece.tag, ..Sample::default() };
-    fill_bent(piece, sigma, along, &mut sample);
-    sample.into()
-}
-
-impl From<Sample> for State {
-    fn from(sample: Sample) -> State {
-        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
-        State { position, velocity, acceleration, jerk, tag }
-    }
-}
-
-/// The same written into a sample.
-#[inline]
-fn fill_bent(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-    let [position, d1, d2, d3] = piece.at(sigma);
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-    out.position = position;
-    for axis in 0..6 {
-        out.velocity[axis] = d1[axis] * v;
-        out.acceleration[axis] = d1[axis] * a + d2[axis] * v * v;
-        out.jerk[axis] = d1[axis] * j + 3.0 * d2[axis] * v * a + d3[axis] * v * v * v;
-    }
-}
-
-/// The same where the path is straight and even.
-#[inline(always)]
-fn fill_even(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-    let [x, d1, ..] = &piece.start;
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-    for axis in 0..6 {
-        out.position[axis] = x[axis] + sigma * d1[axis];
-        out.velocity[axis] = d1[axis] * v;
-        out.acceleration[axis] = d1[axis] * a;
-        out.jerk[axis] = d1[axis] * j;
-    }
-}
-
-/// The same over a curve, where the polynomial is even.
-#[inline]
-fn fill_over(piece: &Piece, sigma: f64, base: [Vec3; 4], along: &Along, out: &mut Sample) {
-    fill_even(piece, sigma, along, out);
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-    let [point, tangent, d2, d3] = base.map(Vec3::to_array);
-    for axis in 0..3 {
-        let d1 = piece.start[1][axis] + tangent[axis];
-        out.position[axis] += point[axis];
-        out.velocity[axis] = d1 * v;
-        out.acceleration[axis] = d1 * a + d2[axis] * v * v;
-        out.jerk[axis] = d1 * j + 3.0 * d2[axis] * v * a + d3[axis] * v * v * v;
-    }
-}
-
-/// The same by the piece's shape.
-#[inline(always)]
-pub(crate) fn fill_by(shape: &Shape, piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-    match shape {
-        Shape::Even => fill_even(piece, sigma, along, out),
-        Shape::Over { base, from } => {
-            fill_over(piece, sigma, base.jet_at(*from + sigma), along, out);
-        }
-        Shape::Bent => fill_bent(piece, sigma, along, out),
-    }
-}
-
 /// Walks along a stretch in time.
 #[derive(Clone, Debug, Default)]
 pub struct Cursor {
@@ -202,7 +142,7 @@ pub struct Cursor {
     phase: usize,
     phase_from_s: f64,
     /// Of the piece it stands on.
-    shape: Option<Shape>,
+    reader: Option<Reader>,
 }
 
 impl Cursor {
@@ -220,9 +160,7 @@ impl Cursor {
         let Some(along) = self.along(stretch, t) else { return };
         let piece = &stretch.pieces[self.piece];
         let sigma = (along.sigma - self.piece_from).clamp(0.0, piece.length);
-        out.tag = piece.tag;
-        let shape = self.shape.get_or_insert_with(|| Shape::of(piece));
-        fill_by(shape, piece, sigma, &along, out);
+        self.reader.get_or_insert_with(|| Reader::new(piece)).fill(piece, sigma, &along, out);
     }
 
     /// Goes to the phase and the piece at `t`; `None` where there is nothing.
@@ -241,9 +179,12 @@ impl Cursor {
         while self.piece < last_piece
             && along.sigma - self.piece_from >= stretch.pieces[self.piece].length
         {
-            self.piece_from += stretch.pieces[self.piece].length;
+            let [before, next] = [&stretch.pieces[self.piece], &stretch.pieces[self.piece + 1]];
+            self.piece_from += before.length;
             self.piece += 1;
-            self.shape = None;
+            if let Some(reader) = &mut self.reader {
+                reader.go_on(before, next);
+            }
         }
         Some(along)
     }

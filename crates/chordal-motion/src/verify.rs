@@ -1,7 +1,8 @@
 //! Measures what a movement asks of the axes against what they can do.
 
 use crate::limits::Limits;
-use crate::trajectory::{State, Stretch, state_of};
+use crate::reader::state_of;
+use crate::trajectory::{State, Stretch};
 
 /// Largest use of the limits, as shares of them: 1 is a limit met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

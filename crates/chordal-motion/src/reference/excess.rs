@@ -1,7 +1,8 @@
 //! How far a law of time exceeds the limits: every axis, on its polynomials.
 
 use crate::bound::Run;
-use crate::trajectory::{Along, Phase, state_of};
+use crate::reader::state_of;
+use crate::trajectory::{Along, Phase};
 
 /// The largest share of a limit that is used, 1 being the limit itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

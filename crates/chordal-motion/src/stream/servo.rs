@@ -6,8 +6,8 @@ use std::collections::VecDeque;
 
 use rtrb::{Consumer, Producer};
 
-use crate::Axes;
 use crate::trajectory::State;
+use crate::{Axes, Sample};
 
 use super::bounds::Room;
 use super::rate::{Ahead, Course, Rate};
@@ -493,12 +493,13 @@ impl Servo {
             return point;
         }
         let Some(window) = self.windows.front() else { return point };
-        let state = self.place.at(window, self.at_s);
+        let mut planned = Sample::default();
+        self.place.fill(window, self.at_s, &mut planned);
         let Rate { value, slope } = self.rate;
-        point.position = state.position;
-        point.tag = state.tag;
+        point.position = planned.position;
+        point.tag = planned.tag;
         for axis in 0..6 {
-            let (v, a) = (state.velocity[axis], state.acceleration[axis]);
+            let (v, a) = (planned.velocity[axis], planned.acceleration[axis]);
             point.velocity[axis] = v * value;
             point.acceleration[axis] = a * value * value + v * slope;
         }

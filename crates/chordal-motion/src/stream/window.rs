@@ -1,8 +1,8 @@
 //! A window: some tenths of a second of planned motion with everything that the pull side needs
 //! to walk through it and to stop in it.
 
-use crate::piece::Shape;
-use crate::trajectory::{Along, Phase, State, fill_by};
+use crate::reader::Reader;
+use crate::trajectory::{Along, Phase, State};
 use crate::{Axes, Piece, Sample};
 
 use super::bounds::Block;
@@ -144,15 +144,16 @@ pub(super) struct Place {
     /// Phase and piece on the leg and on the one that begins while it ends.
     hints: [(usize, usize); 2],
     /// The pieces that were last met, made ready.
-    shapes: [Option<(usize, Shape)>; 2],
+    readers: [Option<(usize, Reader)>; 2],
 }
 
 impl Place {
-    /// The axes at `t` s from the start of the window.
-    #[inline]
-    pub fn at(&mut self, window: &Window, t: f64) -> State {
+    /// Writes what the axes do at `t` s from the start of the window into a sample. A window
+    /// without motion changes nothing.
+    #[inline(always)]
+    pub fn fill(&mut self, window: &Window, t: f64, out: &mut Sample) {
         if window.legs.is_empty() {
-            return State::default();
+            return;
         }
         let leg = last_not_after(&window.legs, self.leg, |leg| leg.from_s <= t);
         // The leg that began before is still under way when the newest overlaps it.
@@ -163,33 +164,48 @@ impl Place {
             self.hints = if main == self.leg + 1 { [self.hints[1], (0, 0)] } else { [(0, 0); 2] };
             self.leg = main;
         }
-        let mut state = self.on(window, 0, t);
+        self.on(window, 0, t, out);
         if main < leg {
-            let after = self.on(window, 1, t);
+            let after = self.next(window, t);
             for axis in 0..6 {
-                state.position[axis] += after.position[axis] - newest.corner[axis];
-                state.velocity[axis] += after.velocity[axis];
-                state.acceleration[axis] += after.acceleration[axis];
-                state.jerk[axis] += after.jerk[axis];
+                out.position[axis] += after.position[axis];
+                out.velocity[axis] += after.velocity[axis];
+                out.acceleration[axis] += after.acceleration[axis];
+                out.jerk[axis] += after.jerk[axis];
             }
         }
-        state
     }
 
-    #[inline]
-    fn on(&mut self, window: &Window, which: usize, t: f64) -> State {
+    /// What the leg adds that has begun while the one before still ends.
+    #[cold]
+    fn next(&mut self, window: &Window, t: f64) -> Sample {
+        let mut after = Sample::default();
+        self.on(window, 1, t, &mut after);
+        let corner = window.legs[self.leg + 1].corner;
+        for (place, corner) in after.position.iter_mut().zip(corner) {
+            *place -= corner;
+        }
+        after
+    }
+
+    #[inline(always)]
+    fn on(&mut self, window: &Window, which: usize, t: f64, out: &mut Sample) {
         let leg = &window.legs[self.leg + which];
         let (phase, index) = &mut self.hints[which];
         let along = window.along(leg, phase, t);
         let Placed { from, piece } = window.piece(leg, index, &along);
-        let shape = match &mut self.shapes[which] {
-            Some((at, shape)) if at == index => shape,
-            other => &mut other.insert((*index, Shape::of(piece))).1,
+        let reader = match &mut self.readers[which] {
+            Some((at, reader)) => {
+                if at != index {
+                    reader.go_on(&window.pieces[*at].piece, piece);
+                    *at = *index;
+                }
+                reader
+            }
+            none => &mut none.insert((*index, Reader::new(piece))).1,
         };
-        let mut sample = Sample { tag: piece.tag, ..Sample::default() };
         let sigma = (along.sigma - from).clamp(0.0, piece.length);
-        fill_by(shape, piece, sigma, &along, &mut sample);
-        sample.into()
+        reader.fill(piece, sigma, &along, out);
     }
 }
 
