@@ -43,7 +43,37 @@ impl Phase {
             jerk,
         }
     }
+
+    /// When the law passes `sigma`, s from its start: not before `from` and not after its end,
+    /// whatever it passes then. It is taken never to go back; where it stands, its first instant.
+    pub fn time_at(&self, sigma: f64, from: f64) -> f64 {
+        let (mut low, mut high) = (from, self.duration_s);
+        if self.acceleration == 0.0 && self.jerk == 0.0 && self.speed > 0.0 && low <= high {
+            return ((sigma - self.from) / self.speed).clamp(low, high);
+        }
+        let near = 4.0 * f64::EPSILON * sigma.abs().max(self.from.abs());
+        let mut t = low;
+        for _ in 0..MOST_STEPS {
+            let along = self.at(t);
+            let beyond = along.sigma - sigma;
+            if beyond.abs() <= near || high - low <= f64::EPSILON * high {
+                break;
+            }
+            if beyond > 0.0 {
+                high = t
+            } else {
+                low = t
+            }
+            let newton = t - beyond / along.speed;
+            // Where Newton leaves the bracket or the speed is zero: halve.
+            t = if newton > low && newton < high { newton } else { low + (high - low) / 2.0 };
+        }
+        t
+    }
 }
+
+/// Most steps of the search for a crossing: halving alone reaches the last bit in fewer.
+const MOST_STEPS: u32 = 80;
 
 /// Where the axes are and how they move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -187,5 +217,45 @@ impl Cursor {
             }
         }
         Some(along)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_phase_says_when_it_passes_a_place() {
+        // Even, from rest, to rest, through its turn of acceleration, and far from zero.
+        for (speed, acceleration, jerk, from) in [
+            (10.0, 0.0, 0.0, 0.0),
+            (0.0, 0.0, 1e5, 0.0),
+            (50.0, -2000.0, 4e4, 3.0),
+            (20.0, 300.0, -1e4, 1e6),
+            (1e-9, 0.0, 3.0, 0.0),
+        ] {
+            let phase = Phase { duration_s: 0.05, from, speed, acceleration, jerk };
+            for share in [0.0, 1e-6, 0.1, 0.5, 0.9, 1.0] {
+                let t = phase.duration_s * share;
+                let sigma = phase.at(t).sigma;
+                let found = phase.time_at(sigma, 0.0);
+                // As near as the place is exact.
+                let off = (phase.at(found).sigma - sigma).abs();
+                assert!(off <= 1e-15 * sigma.abs().max(from), "{phase:?} {t} {found} {off:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_place_beyond_a_phase_is_passed_at_its_ends() {
+        for jerk in [0.0, 100.0] {
+            let phase = Phase { duration_s: 2.0, from: 5.0, speed: 1.0, acceleration: 0.0, jerk };
+            assert_eq!(phase.time_at(4.0, 0.0), 0.0);
+            assert_eq!(phase.time_at(5.1, 0.5), 0.5);
+            assert!((phase.time_at(1e9, 0.0) - 2.0).abs() < 1e-14);
+            assert!(phase.time_at(f64::NAN, 0.0).is_nan() || jerk > 0.0);
+        }
+        let still = Phase { duration_s: 2.0, from: 5.0, speed: 0.0, acceleration: 0.0, jerk: 0.0 };
+        assert_eq!(still.time_at(5.0, 0.0), 0.0);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::limits::Limits;
 use crate::reader::state_of;
+use crate::root::cbrt;
 use crate::trajectory::{State, Stretch};
 
 /// Largest use of the limits, as shares of them: 1 is a limit met.
@@ -44,7 +45,7 @@ impl Use {
     /// it holds them.
     #[must_use]
     pub fn stretch(&self) -> f64 {
-        self.velocity.max(self.acceleration.sqrt()).max(libm::cbrt(self.jerk))
+        self.velocity.max(self.acceleration.sqrt()).max(cbrt(self.jerk))
     }
 }
 
@@ -62,7 +63,8 @@ pub fn largest_use(stretch: &Stretch, limits: &Limits, probes: u32) -> Use {
     for phase in &stretch.phases {
         let mut t = 0.0;
         loop {
-            let leaves = time_at(phase, piece_from + piece.length, t);
+            let end = piece_from + piece.length;
+            let leaves = (phase.at(phase.duration_s).sigma > end).then(|| phase.time_at(end, t));
             let until = leaves.unwrap_or(phase.duration_s);
             // A phase and a piece that begin at one place may miss each other by rounding.
             let way = phase.at(until).sigma - phase.at(t).sigma;
@@ -84,21 +86,4 @@ pub fn largest_use(stretch: &Stretch, limits: &Limits, probes: u32) -> Use {
         }
     }
     used
-}
-
-/// When a phase passes a place, after `from` s; `None` when it ends before.
-fn time_at(phase: &crate::Phase, sigma: f64, from: f64) -> Option<f64> {
-    if phase.at(phase.duration_s).sigma <= sigma {
-        return None;
-    }
-    let (mut low, mut high) = (from, phase.duration_s);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if phase.at(middle).sigma < sigma {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(high)
 }

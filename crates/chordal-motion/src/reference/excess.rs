@@ -2,16 +2,8 @@
 
 use crate::bound::Run;
 use crate::reader::state_of;
-use crate::trajectory::{Along, Phase};
-
-/// The largest share of a limit that is used, 1 being the limit itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Excess {
-    /// Of the velocities and of the feed.
-    pub(crate) velocity: f64,
-    pub(crate) acceleration: f64,
-    pub(crate) jerk: f64,
-}
+use crate::trajectory::Phase;
+use crate::verify::Use;
 
 /// Parts of a phase that are looked at, in a piece that is not straight.
 const PARTS: usize = 12;
@@ -22,22 +14,10 @@ const ROUNDING: f64 = 1e-9;
 /// Samples below this share of the largest so far are not followed to their peak.
 const NEAR: f64 = 0.9;
 
-impl Excess {
-    /// How much longer everything must take for all limits to be held.
-    pub(crate) fn stretch(&self) -> f64 {
-        self.velocity.max(self.acceleration.sqrt()).max(libm::cbrt(self.jerk))
-    }
-
-    fn take(&mut self, shares: [f64; 3]) {
-        self.velocity = self.velocity.max(shares[0]);
-        self.acceleration = self.acceleration.max(shares[1]);
-        self.jerk = self.jerk.max(shares[2]);
-    }
-}
-
-/// Measures a law of time.
-pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Excess {
-    let mut excess = Excess::default();
+/// Measures a law of time: the largest shares of the limits that it uses, that of the velocities
+/// and of the feed being one.
+pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Use {
+    let mut most = Use::default();
     let mut piece = 0;
     for phase in phases {
         let mut begins = 0.0;
@@ -47,8 +27,8 @@ pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Excess {
             let whole = phase.at(phase.duration_s).sigma;
             // A phase that ends with its piece does so but for rounding.
             let within = last || whole <= ends_at + ROUNDING * (whole - phase.from);
-            let ends = if within { phase.duration_s } else { crossing(phase, begins, ends_at) };
-            part(run, phase, piece, begins, ends, &mut excess);
+            let ends = if within { phase.duration_s } else { phase.time_at(ends_at, begins) };
+            most = part(run, phase, piece, begins, ends, most);
             begins = ends;
             if within {
                 if !last && whole >= ends_at - ROUNDING * (whole - phase.from) {
@@ -59,68 +39,51 @@ pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Excess {
             piece += 1;
         }
     }
-    excess
-}
-
-/// When a phase comes to a place; it does not go back.
-fn crossing(phase: &Phase, from: f64, sigma: f64) -> f64 {
-    let (mut low, mut high) = (from, phase.duration_s);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if phase.at(middle).sigma < sigma { low = middle } else { high = middle }
-    }
-    high
+    most
 }
 
 /// Shares of the limits at a time of a phase.
-fn shares(run: &Run<'_>, phase: &Phase, piece: usize, t: f64) -> [f64; 3] {
-    let along: Along = phase.at(t);
+fn shares(run: &Run<'_>, phase: &Phase, piece: usize, t: f64) -> Use {
+    let along = phase.at(t);
     let on = &run.pieces()[piece];
     let state = state_of(on, (along.sigma - run.from(piece)).clamp(0.0, on.length), &along);
-    let limits = run.limits();
-    let mut shares = [along.speed / run.feed(piece), 0.0, 0.0];
-    for axis in 0..6 {
-        let Some(limit) = limits.axis(axis) else { continue };
-        shares[0] = shares[0].max(state.velocity[axis].abs() / limit.velocity);
-        shares[1] = shares[1].max(state.acceleration[axis].abs() / limit.acceleration);
-        shares[2] = shares[2].max(state.jerk[axis].abs() / limit.jerk);
-    }
-    shares
+    let axes = Use::of(&state, run.limits());
+    Use { velocity: axes.velocity.max(along.speed / run.feed(piece)), ..axes }
 }
 
-/// One part of a phase that lies in one piece.
-fn part(run: &Run<'_>, phase: &Phase, piece: usize, from: f64, to: f64, excess: &mut Excess) {
-    let on = &run.pieces()[piece];
-    let straight = on.base.is_none() && on.start[2] == [0.0; 6] && on.start[3] == [0.0; 6];
-    if straight {
+/// The shares one by one.
+const SHARES: [fn(&mut Use) -> &mut f64; 3] =
+    [|used| &mut used.velocity, |used| &mut used.acceleration, |used| &mut used.jerk];
+
+/// The largest so far with one part of a phase that lies in one piece.
+fn part(run: &Run<'_>, phase: &Phase, piece: usize, from: f64, to: f64, so_far: Use) -> Use {
+    if run.pieces()[piece].is_straight() {
         // Largest at the ends and, for the speed, where the acceleration is zero.
-        excess.take(shares(run, phase, piece, from));
-        excess.take(shares(run, phase, piece, to));
+        let mut most = so_far.or(shares(run, phase, piece, from)).or(shares(run, phase, piece, to));
         let still = -phase.acceleration / phase.jerk;
         if still > from && still < to {
-            excess.take(shares(run, phase, piece, still));
+            most = most.or(shares(run, phase, piece, still));
         }
-        return;
+        return most;
     }
     let at = |index: usize| from + (to - from) * index as f64 / PARTS as f64;
-    let samples: [[f64; 3]; PARTS + 1] =
+    let samples: [Use; PARTS + 1] =
         std::array::from_fn(|index| shares(run, phase, piece, at(index)));
-    for quantity in 0..3 {
-        let sample = |index: usize| samples[index][quantity];
-        let so_far = [excess.velocity, excess.acceleration, excess.jerk][quantity];
-        let most = (0..=PARTS).map(sample).fold(so_far, f64::max);
-        let mut shares = [0.0; 3];
-        shares[quantity] = most;
+    let mut largest = samples.into_iter().fold(so_far, Use::or);
+    for of in SHARES {
+        let sample = |index: usize| *of(&mut { samples[index] });
+        let most = of(&mut largest);
+        let near = NEAR * *most;
         for index in 0..=PARTS {
             let (before, after) = (index.saturating_sub(1), (index + 1).min(PARTS));
             let high = sample(index) >= sample(before).max(sample(after));
-            if high && sample(index) > NEAR * most {
-                let share = |t| self::shares(run, phase, piece, t)[quantity];
-                shares[quantity] = shares[quantity].max(peak(at(before), at(after), share));
+            if high && sample(index) > near {
+                let share = |t| *of(&mut shares(run, phase, piece, t));
+                *most = most.max(peak(at(before), at(after), share));
             }
         }
-        excess.take(shares);
     }
+    largest
 }
 
 /// The largest value of a function with one peak, by golden section.

@@ -4,6 +4,7 @@ use super::{Effort, reference};
 use crate::bound::{Run, bound};
 use crate::limits::Limits;
 use crate::piece::Piece;
+use crate::root::cbrt;
 use crate::trajectory::{Phase, Step, Stretch};
 
 /// The times of one run from rest to rest, and the least it could take.
@@ -181,7 +182,7 @@ fn without_jerk(way: f64, v: f64, a: f64) -> f64 {
 /// 2√(top/j), or top/a + a/j where it touches the acceleration.
 fn with_jerk(way: f64, v: f64, a: f64, j: f64) -> f64 {
     // The top at which two ramps make up the way.
-    let sharp = libm::cbrt(0.25 * way * way * j);
+    let sharp = cbrt(0.25 * way * way * j);
     let touched = 0.5 * ((a * a * a * a / (j * j) + 4.0 * way * a).sqrt() - a * a / j);
     let top = v.min(if sharp * j <= a * a { sharp } else { touched });
     let ramp = if top * j <= a * a { 2.0 * (top / j).sqrt() } else { top / a + a / j };

@@ -3,6 +3,7 @@
 
 use super::Effort;
 use crate::bound::{Bound, Run};
+use crate::root::cbrt;
 
 /// Nodes this share of a cell beside a seam are left out.
 const BESIDE: f64 = 0.3;
@@ -35,7 +36,7 @@ pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
 
 /// b after a way from rest at even jerk: σ = jt³/6 and σ̇ = jt²/2.
 pub(crate) fn square_from_rest(jerk: f64, way: f64) -> f64 {
-    let root = libm::cbrt(4.5 * jerk * way * way);
+    let root = cbrt(4.5 * jerk * way * way);
     root * root
 }
 

@@ -1,8 +1,8 @@
-use crate::root::cbrt;
 use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE, Turning};
+use crate::root::cbrt;
 use crate::segment::Move;
 use crate::smooth::corner::Side;
 

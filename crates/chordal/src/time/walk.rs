@@ -1,6 +1,6 @@
 //! Which move of a stretch is under way at which time.
 
-use chordal_motion::{Phase, Stretch};
+use chordal_motion::Stretch;
 
 /// The part of one phase that lies in one piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub(super) fn walk(stretch: &Stretch, mut take: impl FnMut(Part)) {
         while let Some(phase) = phases.get(at) {
             let phase_end = phases.get(at + 1).map_or(f64::INFINITY, |next| next.from);
             let leaves = !is_last && phase_end > end;
-            let until = if leaves { time_at(phase, end, in_phase) } else { phase.duration_s };
+            let until = if leaves { phase.time_at(end, in_phase) } else { phase.duration_s };
             if until > in_phase {
                 take(Part {
                     tag: piece.tag,
@@ -53,40 +53,10 @@ pub(super) fn walk(stretch: &Stretch, mut take: impl FnMut(Part)) {
     }
 }
 
-/// Most steps of the search for a crossing: halving alone reaches the last bit in fewer.
-const MOST_STEPS: u32 = 80;
-
-/// When a phase passes `sigma`, s from its start, not before `low`. The way never goes back,
-/// so that there is one crossing; where the phase stands, its first instant.
-pub(super) fn time_at(phase: &Phase, sigma: f64, low: f64) -> f64 {
-    let (mut low, mut high) = (low, phase.duration_s);
-    if phase.acceleration == 0.0 && phase.jerk == 0.0 && phase.speed > 0.0 {
-        return ((sigma - phase.from) / phase.speed).clamp(low, high);
-    }
-    let near = 4.0 * f64::EPSILON * sigma.abs().max(phase.from.abs());
-    let mut t = low;
-    for _ in 0..MOST_STEPS {
-        let along = phase.at(t);
-        let beyond = along.sigma - sigma;
-        if beyond.abs() <= near || high - low <= f64::EPSILON * high {
-            break;
-        }
-        if beyond > 0.0 {
-            high = t
-        } else {
-            low = t
-        }
-        let newton = t - beyond / along.speed;
-        // Where Newton leaves the bracket or the speed is zero: halve.
-        t = if newton > low && newton < high { newton } else { low + (high - low) / 2.0 };
-    }
-    t
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use chordal_motion::Piece;
+    use chordal_motion::{Phase, Piece};
     use proptest::prelude::*;
 
     fn piece(length: f64, tag: u64) -> Piece {

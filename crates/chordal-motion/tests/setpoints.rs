@@ -1,0 +1,332 @@
+//! Setpoints against a slow evaluation of their own: the law of time and the defining formulas of
+//! the curves, derivatives by differences of places alone.
+
+mod common;
+
+use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_motion::{
+    Axes, AxisLimit, Corner, Cursor, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
+    PlannerOptions, Sampler, Step, Stretch,
+};
+use common::{LAW, Law, over, straight, stretch};
+
+/// The point at `s` mm of a curve, by its formula.
+fn point(curve: &Curve, s: f64) -> Vec3 {
+    let about = |center: Vec3, u: Vec3, w: Vec3, radius: f64, angle: f64| {
+        center + u * (radius * libm::cos(angle)) + w.cross(u) * (radius * libm::sin(angle))
+    };
+    match curve {
+        Curve::Line(line) => line.start + (line.end - line.start) * (s / line.length()),
+        Curve::Arc(a) => {
+            let share = s / libm::hypot(a.radius * a.sweep, a.rise);
+            about(a.center, a.u, a.w, a.radius, a.sweep * share) + a.w * (a.rise * share)
+        }
+        Curve::Spiral(c) => {
+            let share = spiral_share(c, s);
+            let radius = c.radius_start + (c.radius_end - c.radius_start) * share;
+            about(c.center, c.u, c.w, radius, c.sweep * share) + c.w * (c.rise * share)
+        }
+    }
+}
+
+/// The share of the sweep after `s` mm: by halves, on the closed form of the way.
+fn spiral_share(c: &Spiral, s: f64) -> f64 {
+    let growth = c.radius_end - c.radius_start;
+    let m = libm::hypot(growth, c.rise);
+    let way = |share: f64| {
+        let primitive = |x: f64| {
+            let g = libm::hypot(x, m);
+            0.5 * (x * g + m * m * libm::asinh(x / m))
+        };
+        let around = c.sweep.abs();
+        let (from, to) = (c.radius_start * around, (c.radius_start + growth * share) * around);
+        (primitive(to) - primitive(from)) / (growth * around)
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if way(middle) < s { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
+fn sigma_in(phase: &Phase, t: f64) -> f64 {
+    phase.from + phase.speed * t + phase.acceleration * t * t / 2.0 + phase.jerk * t * t * t / 6.0
+}
+
+fn place_on(piece: &Piece, sigma: f64) -> Axes {
+    let [x, d1, d2, d3] = &piece.start;
+    let mut place: Axes = std::array::from_fn(|axis| {
+        x[axis]
+            + d1[axis] * sigma
+            + d2[axis] * sigma * sigma / 2.0
+            + d3[axis] * sigma * sigma * sigma / 6.0
+    });
+    if let Some((curve, from)) = &piece.base {
+        for (place, part) in place.iter_mut().zip(point(curve, from + sigma).to_array()) {
+            *place += part;
+        }
+    }
+    place
+}
+
+/// Compares every setpoint of a stretch with the slow evaluation. Places may be `off` mm apart;
+/// the derivatives must be those of the slow places, as far as these are exact.
+fn compare(stretch: &Stretch, period_s: f64, off: f64) -> usize {
+    let mut samples = Vec::new();
+    let mut sampler = Sampler::new(period_s);
+    sampler.push(Step::Stretch(stretch), |sample| samples.push(*sample));
+    sampler.finish(|sample| samples.push(*sample));
+    samples.pop();
+    let mut compared = 0;
+    for sample in &samples {
+        let (mut phase_from, mut piece_from) = (0.0, 0.0);
+        let Some(phase) = stretch.phases.iter().find(|phase| {
+            let within = sample.time_s - phase_from < phase.duration_s;
+            phase_from += if within { 0.0 } else { phase.duration_s };
+            within
+        }) else {
+            continue;
+        };
+        let t = sample.time_s - phase_from;
+        let sigma = sigma_in(phase, t);
+        let Some(piece) = stretch.pieces.iter().find(|piece| {
+            let within = sigma - piece_from < piece.length;
+            piece_from += if within { 0.0 } else { piece.length };
+            within
+        }) else {
+            continue;
+        };
+        let slow = |t: f64| place_on(piece, sigma_in(phase, t) - piece_from);
+        let here = slow(t);
+        for axis in 0..6 {
+            let apart = (sample.position[axis] - here[axis]).abs();
+            assert!(apart <= off, "axis {axis} at {} s: {apart:e} apart", sample.time_s);
+        }
+        compared += 1;
+        // Differences of the fourth order, over places on this piece and in this phase alone.
+        let h = 4e-4;
+        let inside = |t: f64| {
+            let sigma = sigma_in(phase, t) - piece_from;
+            t >= 0.0 && t <= phase.duration_s && sigma >= 0.0 && sigma <= piece.length
+        };
+        if !(inside(t - 3.0 * h) && inside(t + 3.0 * h)) {
+            continue;
+        }
+        let [c3, c2, c1, d1, d2, d3] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|n| slow(t + n * h));
+        // What the slow places are off is divided as they are; and the next terms of the series,
+        // where the path turns by less than a fiftieth of a radian in a step.
+        let noise = off + 4e-16 * here.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for axis in 0..6 {
+            let velocity = (c2[axis] - 8.0 * c1[axis] + 8.0 * d1[axis] - d2[axis]) / (12.0 * h);
+            let acceleration = (-c2[axis] + 16.0 * c1[axis] - 30.0 * here[axis] + 16.0 * d1[axis]
+                - d2[axis])
+                / (12.0 * h * h);
+            let jerk = (c3[axis] - 8.0 * c2[axis] + 13.0 * c1[axis] - 13.0 * d1[axis]
+                + 8.0 * d2[axis]
+                - d3[axis])
+                / (8.0 * h * h * h);
+            let rounding = |power: i32, times: f64| times * noise / h.powi(power);
+            for (name, of, by_difference, slack) in [
+                ("velocity", &sample.velocity, velocity, rounding(1, 2.0)),
+                ("acceleration", &sample.acceleration, acceleration, rounding(2, 6.0)),
+                ("jerk", &sample.jerk, jerk, rounding(3, 6.0)),
+            ] {
+                let size = of.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let (of, slack) = (of[axis], slack + 1e-5 * size);
+                let apart = (of - by_difference).abs();
+                assert!(
+                    apart <= slack,
+                    "{name} of axis {axis} at {} s: {of}, {by_difference} by differences",
+                    sample.time_s
+                );
+            }
+        }
+    }
+    compared
+}
+
+fn tilted() -> Frame {
+    Frame::from_normal(Vec3::new(3.0, -2.0, 1.0), Vec3::new(1.0, 2.0, 0.5), Vec3::Z).unwrap()
+}
+
+#[test]
+fn arcs_and_helices() {
+    for (radius, sweep, rise) in
+        [(25.0, -4.0, 0.0), (10.0, 40.0, 0.0), (12.0, 30.0, 55.0), (5.0, -60.0, -1e-3)]
+    {
+        let curve: Curve = Arc::new(tilted(), radius, sweep, rise).into();
+        let stretch = stretch(vec![over(curve, 1)], LAW, 0.0);
+        assert!(compare(&stretch, 0.001, 1e-12) > 500);
+    }
+}
+
+#[test]
+fn a_long_arc_of_a_large_radius() {
+    // A millimetre of a kilometre is a rounding of 1e-10 mm; 300 m of it are travelled.
+    let radius = 1e6;
+    let frame = Frame { origin: Vec3::new(-radius, 0.0, 0.0), ..tilted() };
+    for sweep in [4e-4, -1e-1, 0.3] {
+        let curve: Curve = Arc::new(frame, radius, sweep, 0.0).into();
+        let stretch = stretch(vec![over(curve, 1)], Law { speed: 800.0, ..LAW }, 0.0);
+        assert!(compare(&stretch, 0.0037, 1e-9) > 100);
+    }
+}
+
+#[test]
+fn a_tiny_arc() {
+    // Thirty turns of a micrometre, at a speed that turns slowly enough for differences.
+    let law = Law { speed: 0.05, acceleration: 1.0, jerk: 100.0 };
+    for rise in [0.0, 1e-3] {
+        let curve: Curve = Arc::new(tilted(), 1e-3, 190.0, rise).into();
+        let stretch = stretch(vec![over(curve, 1)], law, 0.0);
+        assert!(compare(&stretch, 0.001, 1e-14) > 1000);
+    }
+}
+
+#[test]
+fn spirals() {
+    for (radii, sweep, rise) in [
+        ((4.0, 12.0), 6.0, 1.0),
+        ((0.0, 10.0), -7.0, 0.0),
+        ((30.0, 5.0), 9.0, 0.0),
+        ((10.0, 10.5), 40.0, 20.0),
+        ((2.0, 40.0), 1.0, 0.0),
+    ] {
+        let curve: Curve = Spiral::new(tilted(), radii, sweep, rise).into();
+        let law = Law { speed: 30.0, acceleration: 600.0, jerk: 2e4 };
+        let stretch = stretch(vec![over(curve, 1)], law, 0.0);
+        assert!(compare(&stretch, 0.001, 1e-11) > 500, "{radii:?}");
+    }
+}
+
+#[test]
+fn a_spiral_that_hardly_grows() {
+    let curve: Curve = Spiral::new(tilted(), (20.0, 20.0 + 1e-9), 12.0, 0.0).into();
+    let arc: Curve = Arc::new(tilted(), 20.0, 12.0, 0.0).into();
+    let [one, two] = [curve, arc].map(|curve| stretch(vec![over(curve, 1)], LAW, 0.0));
+    let (mut a, mut b) = (Cursor::default(), Cursor::default());
+    let mut t = 0.0;
+    while t < one.duration_s() {
+        let (a, b) = (a.at(&one, t), b.at(&two, t));
+        for axis in 0..3 {
+            // Half of the growth for each radian of its way, and all of it outward.
+            assert!((a.position[axis] - b.position[axis]).abs() < 7.1e-9, "{t}");
+            assert!((a.acceleration[axis] - b.acceleration[axis]).abs() < 1e-4, "{t}");
+        }
+        t += 0.001;
+    }
+}
+
+#[test]
+fn corrections_over_curves_and_turning_axes() {
+    let bent = |mut piece: Piece| {
+        piece.start[0] = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
+        piece.start[1][4] = 0.02;
+        piece.start[2] = [1e-3, -2e-3, 1e-3, 1e-4, 0.0, 0.0];
+        piece.start[3] = [-1e-5, 1e-5, 2e-5, 0.0, 1e-6, 0.0];
+        piece
+    };
+    let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
+    let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
+    let line = straight([0.0; 6], [0.6, 0.0, 0.8, 0.0, 0.0, 0.01], 70.0, 1);
+    for piece in [bent(over(arc, 1)), bent(over(spiral, 1)), bent(line)] {
+        let stretch = stretch(vec![piece], Law { speed: 60.0, ..LAW }, 0.0);
+        assert!(compare(&stretch, 0.001, 1e-11) > 500);
+    }
+}
+
+#[test]
+fn a_curve_in_pieces_is_the_curve() {
+    let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
+    let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
+    for curve in [arc, spiral] {
+        let whole = stretch(vec![over(curve, 1)], LAW, 0.0);
+        let (mut pieces, mut from) = (Vec::new(), 0.0);
+        for share in [0.1, 0.25, 0.05, 0.3, 0.3] {
+            let length = curve.length() * share;
+            let piece = over(curve, 1);
+            pieces.push(Piece { length, base: Some((curve, from)), ..piece });
+            from += length;
+        }
+        let cut = Stretch { pieces, ..whole.clone() };
+        let (mut a, mut b) = (Cursor::default(), Cursor::default());
+        let mut t = 0.0;
+        while t < whole.duration_s() {
+            let (a, b) = (a.at(&whole, t), b.at(&cut, t));
+            for axis in 0..3 {
+                assert!((a.position[axis] - b.position[axis]).abs() < 1e-12);
+                assert!((a.jerk[axis] - b.jerk[axis]).abs() < 1e-6);
+            }
+            t += 0.001;
+        }
+    }
+}
+
+#[test]
+fn an_instant_is_the_same_whatever_was_asked_before() {
+    let spiral: Curve = Spiral::new(tilted(), (0.0, 14.0), 20.0, 3.0).into();
+    let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
+    for curve in [spiral, arc] {
+        let stretch = stretch(vec![over(curve, 1)], LAW, 0.0);
+        let mut walking = Cursor::default();
+        let mut t = 0.0;
+        while t < stretch.duration_s() {
+            let (walked, fresh) = (walking.at(&stretch, t), Cursor::default().at(&stretch, t));
+            for axis in 0..3 {
+                assert!((walked.position[axis] - fresh.position[axis]).abs() < 1e-12);
+                assert!((walked.velocity[axis] - fresh.velocity[axis]).abs() < 1e-10);
+            }
+            t += 0.0013;
+        }
+    }
+}
+
+/// A line, a tangent arc, a line at a corner and a spiral, passed within a tolerance.
+fn eased() -> Vec<Stretch> {
+    let axis = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
+    let limits = Limits::new([axis, axis, axis, None, None, None]).unwrap();
+    let at = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+    let flat = |x: f64, y: f64| Frame { origin: at(x, y), u: -Vec3::Y, v: Vec3::X, w: Vec3::Z };
+    let arc = Arc::new(flat(60.0, 20.0), 20.0, 1.5, 0.0);
+    let line = Line::new(arc.end(), at(90.0, 60.0));
+    let spiral = Spiral::new(
+        Frame { origin: line.end + Vec3::Y * 15.0, ..flat(0.0, 0.0) },
+        (15.0, 25.0),
+        5.0,
+        0.0,
+    );
+    let curves: [Curve; 4] =
+        [Line::new(at(0.0, 0.0), at(60.0, 0.0)).into(), arc.into(), line.into(), spiral.into()];
+    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
+    let mut stretches = Vec::new();
+    let mut take = |step: Step<'_>| {
+        if let Step::Stretch(stretch) = step {
+            stretches.push(stretch.clone());
+        }
+    };
+    for (tag, curve) in curves.into_iter().enumerate() {
+        let motion = Move {
+            curve,
+            rotary_from: [0.0; 3],
+            rotary_to: [0.0; 3],
+            speed: 80.0,
+            corner: Corner::Within { linear_mm: 0.05, rotary_rad: 0.0 },
+            kind: MoveKind::Cut,
+            tag: tag as u64,
+        };
+        planner.push(&motion, &mut take).unwrap();
+    }
+    planner.finish(&mut take);
+    stretches
+}
+
+#[test]
+fn eased_corners_between_lines_arcs_and_spirals() {
+    let stretches = eased();
+    let compared: usize = stretches.iter().map(|stretch| compare(stretch, 0.000_25, 1e-11)).sum();
+    let bent = stretches.iter().flat_map(|stretch| &stretch.pieces);
+    let bent = bent.filter(|piece| piece.start[3] != [0.0; 6]);
+    assert!(bent.filter(|piece| piece.base.is_some()).count() >= 2, "eased over a curve");
+    assert!(compared > 4000, "{compared}");
+}
