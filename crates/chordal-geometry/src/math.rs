@@ -41,7 +41,7 @@ const SINE: [f64; 6] = [
     -1.984_126_982_985_795e-4,
     2.755_731_370_707_006_8e-6,
     -2.505_076_025_340_686_3e-8,
-    1.589_690_995_211_550_1e-10,
+    1.589_690_995_211_55e-10,
 ];
 const COSINE: [f64; 6] = [
     4.166_666_666_666_66e-2,
@@ -55,7 +55,7 @@ const COSINE: [f64; 6] = [
 /// The value of a polynomial, its constant first, of an even number of factors.
 #[inline]
 pub(crate) fn polynomial<const N: usize>(x: f64, factors: &[f64; N]) -> f64 {
-    const { assert!(N >= 2 && N % 2 == 0) };
+    const { assert!(N >= 2 && N.is_multiple_of(2)) };
     // Even and odd powers by themselves wait half as long for one another.
     let square = x * x;
     let (mut even, mut odd) = (factors[N - 2], factors[N - 1]);

@@ -6,7 +6,7 @@ mod common;
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Cursor, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
-    PlannerOptions, Sampler, Step, Stretch,
+    PlannerOptions, Sample, Sampler, Step, Stretch,
 };
 use common::{LAW, Law, over, straight, stretch};
 
@@ -70,6 +70,46 @@ fn place_on(piece: &Piece, sigma: f64) -> Axes {
     place
 }
 
+/// One phase on one piece, with the time and the place at which they begin.
+struct Part<'a> {
+    phase: &'a Phase,
+    phase_from: f64,
+    piece: &'a Piece,
+    piece_from: f64,
+}
+
+impl Part<'_> {
+    fn at(stretch: &Stretch, time_s: f64) -> Option<Part<'_>> {
+        let mut phase_from = 0.0;
+        let phase = stretch.phases.iter().find(|phase| {
+            let within = time_s - phase_from < phase.duration_s;
+            phase_from += if within { 0.0 } else { phase.duration_s };
+            within
+        })?;
+        let (sigma, mut piece_from) = (sigma_in(phase, time_s - phase_from), 0.0);
+        let piece = stretch.pieces.iter().find(|piece| {
+            let within = sigma - piece_from < piece.length;
+            piece_from += if within { 0.0 } else { piece.length };
+            within
+        })?;
+        Some(Part { phase, phase_from, piece, piece_from })
+    }
+
+    fn place(&self, time_s: f64) -> Axes {
+        let sigma = sigma_in(self.phase, time_s - self.phase_from);
+        place_on(self.piece, sigma - self.piece_from)
+    }
+
+    fn holds(&self, time_s: f64) -> bool {
+        let t = time_s - self.phase_from;
+        let sigma = sigma_in(self.phase, t) - self.piece_from;
+        t >= 0.0 && t <= self.phase.duration_s && sigma >= 0.0 && sigma <= self.piece.length
+    }
+}
+
+/// Step of the differences, s: the path turns by less than a fiftieth of a radian in it.
+const H: f64 = 4e-4;
+
 /// Compares every setpoint of a stretch with the slow evaluation. Places may be `off` mm apart;
 /// the derivatives must be those of the slow places, as far as these are exact.
 fn compare(stretch: &Stretch, period_s: f64, off: f64) -> usize {
@@ -77,73 +117,46 @@ fn compare(stretch: &Stretch, period_s: f64, off: f64) -> usize {
     let mut sampler = Sampler::new(period_s);
     sampler.push(Step::Stretch(stretch), |sample| samples.push(*sample));
     sampler.finish(|sample| samples.push(*sample));
-    samples.pop();
     let mut compared = 0;
     for sample in &samples {
-        let (mut phase_from, mut piece_from) = (0.0, 0.0);
-        let Some(phase) = stretch.phases.iter().find(|phase| {
-            let within = sample.time_s - phase_from < phase.duration_s;
-            phase_from += if within { 0.0 } else { phase.duration_s };
-            within
-        }) else {
-            continue;
-        };
-        let t = sample.time_s - phase_from;
-        let sigma = sigma_in(phase, t);
-        let Some(piece) = stretch.pieces.iter().find(|piece| {
-            let within = sigma - piece_from < piece.length;
-            piece_from += if within { 0.0 } else { piece.length };
-            within
-        }) else {
-            continue;
-        };
-        let slow = |t: f64| place_on(piece, sigma_in(phase, t) - piece_from);
-        let here = slow(t);
-        for axis in 0..6 {
-            let apart = (sample.position[axis] - here[axis]).abs();
-            assert!(apart <= off, "axis {axis} at {} s: {apart:e} apart", sample.time_s);
+        let Some(part) = Part::at(stretch, sample.time_s) else { continue };
+        let slow = part.place(sample.time_s);
+        for (fast, slow) in sample.position.iter().zip(&slow) {
+            let apart = (fast - slow).abs();
+            assert!(apart <= off, "{slow} at {} s: {apart:e} apart", sample.time_s);
         }
         compared += 1;
-        // Differences of the fourth order, over places on this piece and in this phase alone.
-        let h = 4e-4;
-        let inside = |t: f64| {
-            let sigma = sigma_in(phase, t) - piece_from;
-            t >= 0.0 && t <= phase.duration_s && sigma >= 0.0 && sigma <= piece.length
-        };
-        if !(inside(t - 3.0 * h) && inside(t + 3.0 * h)) {
-            continue;
-        }
-        let [c3, c2, c1, d1, d2, d3] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|n| slow(t + n * h));
-        // What the slow places are off is divided as they are; and the next terms of the series,
-        // where the path turns by less than a fiftieth of a radian in a step.
-        let noise = off + 4e-16 * here.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        for axis in 0..6 {
-            let velocity = (c2[axis] - 8.0 * c1[axis] + 8.0 * d1[axis] - d2[axis]) / (12.0 * h);
-            let acceleration = (-c2[axis] + 16.0 * c1[axis] - 30.0 * here[axis] + 16.0 * d1[axis]
-                - d2[axis])
-                / (12.0 * h * h);
-            let jerk = (c3[axis] - 8.0 * c2[axis] + 13.0 * c1[axis] - 13.0 * d1[axis]
-                + 8.0 * d2[axis]
-                - d3[axis])
-                / (8.0 * h * h * h);
-            let rounding = |power: i32, times: f64| times * noise / h.powi(power);
-            for (name, of, by_difference, slack) in [
-                ("velocity", &sample.velocity, velocity, rounding(1, 2.0)),
-                ("acceleration", &sample.acceleration, acceleration, rounding(2, 6.0)),
-                ("jerk", &sample.jerk, jerk, rounding(3, 6.0)),
-            ] {
-                let size = of.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                let (of, slack) = (of[axis], slack + 1e-5 * size);
-                let apart = (of - by_difference).abs();
-                assert!(
-                    apart <= slack,
-                    "{name} of axis {axis} at {} s: {of}, {by_difference} by differences",
-                    sample.time_s
-                );
-            }
+        if part.holds(sample.time_s - 3.0 * H) && part.holds(sample.time_s + 3.0 * H) {
+            let noise = off + 4e-16 * slow.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            compare_derivatives(sample, &part, noise);
         }
     }
     compared
+}
+
+/// The derivatives against differences of the fourth order.
+fn compare_derivatives(sample: &Sample, part: &Part<'_>, noise: f64) {
+    let near: [Axes; 7] = std::array::from_fn(|n| part.place(sample.time_s + (n as f64 - 3.0) * H));
+    // Weights of the seven places, and what these are off, by the same division.
+    let kinds = [
+        (&sample.velocity, [0.0, 1.0, -8.0, 0.0, 8.0, -1.0, 0.0], 12.0 * H, 2.0),
+        (&sample.acceleration, [0.0, -1.0, 16.0, -30.0, 16.0, -1.0, 0.0], 12.0 * H * H, 6.0),
+        (&sample.jerk, [1.0, -8.0, 13.0, 0.0, -13.0, 8.0, -1.0], 8.0 * H * H * H, 6.0),
+    ];
+    for (order, (fast, weights, step, times)) in kinds.into_iter().enumerate() {
+        let size = fast.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let slack = times * noise / H.powi(order as i32 + 1) + 1e-5 * size;
+        for (axis, fast) in fast.iter().enumerate() {
+            let sum: f64 = weights.iter().zip(&near).map(|(weight, at)| weight * at[axis]).sum();
+            let slow = sum / step;
+            assert!(
+                (fast - slow).abs() <= slack,
+                "derivative {} of axis {axis} at {} s: {fast}, {slow} by differences",
+                order + 1,
+                sample.time_s
+            );
+        }
+    }
 }
 
 fn tilted() -> Frame {
