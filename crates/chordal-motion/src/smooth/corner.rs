@@ -141,6 +141,12 @@ impl Step {
         self.sides[0].0.max(self.sides[1].0)
     }
 
+    /// It is nearly as fast on both sides, so that what a correction costs is told by its speed.
+    pub fn is_even(&self) -> bool {
+        let [(before, _), (after, _)] = self.sides;
+        before.min(after) > 0.99 * before.max(after)
+    }
+
     /// Whether passing at rest would be quicker than within corrections of these half widths,
     /// between legs on which the full speed is reached.
     pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64) -> bool {

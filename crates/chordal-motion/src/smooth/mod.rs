@@ -218,7 +218,7 @@ impl Smoother {
         let passing = match self.legs.back() {
             Some(last) if last.length.min(leg.length) >= half => {
                 let short = [last.length - half < ways[0], leg.length - half < ways[1]];
-                if short == [false; 2] {
+                if short == [false; 2] && slow.step.is_even() {
                     slow.between_long()
                 } else {
                     let before = last.ending(last.length.min(half + ways[0]));

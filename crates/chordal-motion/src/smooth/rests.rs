@@ -71,11 +71,17 @@ impl Smoother {
     }
 
     /// Easing may take time here: the axes slow down, or get up to speed on the correction, where
-    /// less of their jerk is free for that.
+    /// less of their jerk is free for that, or turn on a curve and in a kink at once.
     fn may_lose(&self, node: &Node) -> bool {
         let leg = node.leg - self.legs_gone;
-        let [before, after] = node.step.ways().map(|way| way / 2.0 + node.half());
-        node.is_slow() || self.legs[leg - 1].length < before || self.legs[leg].length < after
+        let (before, after) = (&self.legs[leg - 1], &self.legs[leg]);
+        let [way_before, way_after] = node.step.ways().map(|way| way / 2.0 + node.half());
+        let kinked = node.step.kink_share > 0.0;
+        node.is_slow()
+            || !node.step.is_even()
+            || before.length < way_before
+            || after.length < way_after
+            || kinked && (before.curve.is_some() || after.curve.is_some())
     }
 
     /// The leg after a node is so long that full speed is reached on it whatever happens at its
@@ -185,7 +191,8 @@ impl Smoother {
         let [way_before, way_after] = node.step.ways().map(|way| way + half);
         let before = covering(self.legs.range(..first).rev(), half);
         let after = covering(self.legs.range(first..), half);
-        if before.way >= way_before && after.way >= way_after {
+        let long = before.way >= way_before && after.way >= way_after;
+        if long && node.step.is_even() {
             return node.step.is_quicker_at_rest(kink_half, bend_half);
         }
         let trial = &mut self.trial;
