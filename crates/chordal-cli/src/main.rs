@@ -29,6 +29,7 @@ mod path;
 mod run;
 mod sample;
 mod session;
+mod sheet;
 mod summary;
 mod terminal;
 mod time;

@@ -11,7 +11,8 @@ use comfy_table::{CellAlignment, Table};
 use crate::machine::Chosen;
 use crate::numbers::{Units, counted, duration, fixed, grouped, short};
 use crate::session::Loaded;
-use crate::terminal::{BOLD, BOLD_RED, style};
+use crate::sheet::Sheet;
+use crate::terminal::BOLD_RED;
 
 /// Most programs, evidence, line ranges and speeds that are listed.
 const MOST_PROGRAMS: usize = 12;
@@ -22,9 +23,6 @@ const MOST_EVIDENCE: usize = 4;
 const MOST_RANGES: usize = 4;
 const MOST_SPEEDS: usize = 4;
 
-/// Width of the labels on the left.
-const LABEL: usize = 10;
-
 /// The summary as text.
 pub fn text(
     loaded: &Loaded,
@@ -34,19 +32,14 @@ pub fn text(
     color: bool,
 ) -> String {
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
-    let mut sheet = Sheet { text: String::new(), color };
-    sheet.text.push_str(&format!("{}\n", style(color, BOLD, loaded.name())));
-    sheet.programs(job, loaded.program);
-    sheet.machine(job, &loaded.chosen);
+    let mut sheet = Sheet::new(loaded.name(), None, color);
+    programs(&mut sheet, job, loaded.program);
+    machine(&mut sheet, job, &loaded.chosen);
     sheet.row("units", if report.summary.inch { "inch" } else { "millimetres" });
     let summary = &report.summary;
-    if !summary.tools.is_empty() {
-        sheet.table(tools(&summary.tools, units, job));
-    }
-    if !summary.axes.is_empty() {
-        sheet.table(axes(&summary.axes, units));
-    }
-    sheet.text.push('\n');
+    sheet.table("", &tools(&summary.tools, units, job));
+    sheet.table("", &axes(&summary.axes, units));
+    sheet.gap();
     sheet.row("moves", &moves(summary, report.outcomes.iter().map(|run| run.blocks).sum()));
     let (cuts, rapids) = (summary.feed_length_mm, summary.rapid_length_mm);
     let unit = units.length_unit();
@@ -60,9 +53,9 @@ pub fn text(
         }
         None => sheet.row("time", &time(summary)),
     }
-    sheet.printed(report);
-    sheet.end(job, report);
-    sheet.text
+    printed(&mut sheet, report);
+    end(&mut sheet, job, report);
+    sheet.into_text()
 }
 
 /// The second line under a picture: machine, units, time.
@@ -75,134 +68,101 @@ pub fn subtitle(job: &Job, report: &Report, timed: Option<&Timed>) -> String {
     format!("{}, {units}, {time}", job.machine().title)
 }
 
-struct Sheet {
-    text: String,
-    color: bool,
+/// The programs that are run, then those that they can call.
+fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
+    let lexicon = &job.control().table.lexicon;
+    let library = Library::new(job.sources(), lexicon);
+    let mains = match program {
+        Some(number) => library.find(number, FileId(0)).into_iter().collect(),
+        None => library.mains(lexicon, &job.control().alias_programs()),
+    };
+    let shown = |index: &usize| {
+        let program = &library.programs()[*index];
+        let name = program.head.number.map_or("without a number".into(), |n| format!("O{n}"));
+        let title = title(library.text(program.file), program.head.head.end as usize);
+        let from = match job.sources().get(program.file) {
+            Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),
+            _ => String::new(),
+        };
+        format!("{name}{title}{from}")
+    };
+    let list = |indices: &[usize]| {
+        let mut rows: Vec<String> = indices.iter().take(MOST_PROGRAMS).map(shown).collect();
+        if indices.len() > MOST_PROGRAMS {
+            rows.push(format!("and {} more", indices.len() - MOST_PROGRAMS));
+        }
+        rows
+    };
+    let is_main: BTreeSet<usize> = mains.iter().copied().collect();
+    let others: Vec<usize> =
+        (0..library.programs().len()).filter(|index| !is_main.contains(index)).collect();
+    sheet.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
+    sheet.rows("calls", &list(&others));
 }
 
-impl Sheet {
-    fn row(&mut self, label: &str, text: &str) {
-        let label = style(self.color, BOLD, format_args!("{label:LABEL$}"));
-        self.text.push_str(&format!("  {label}{text}\n"));
-    }
-
-    fn more(&mut self, text: &str) {
-        self.text.push_str(&format!("  {:LABEL$}{text}\n", ""));
-    }
-
-    fn rows(&mut self, label: &str, rows: &[String]) {
-        for (index, row) in rows.iter().enumerate() {
-            if index == 0 { self.row(label, row) } else { self.more(row) }
+fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
+    let (machine, table) = (job.machine(), job.control().table);
+    let known = if machine.title == machine.name {
+        machine.name.clone()
+    } else {
+        format!("{} ({})", machine.title, machine.name)
+    };
+    match chosen {
+        Chosen::Given => {
+            sheet.row("control", table.title);
+            sheet.row("machine", &known);
+        }
+        Chosen::Folder(file) => {
+            sheet.row("control", table.title);
+            sheet.row("machine", &format!("{known}, as {} says", file.display()));
+        }
+        Chosen::Ending => {
+            sheet.row("control", &format!("{}, by the ending of the file's name", table.title));
+            sheet.row("machine", &format!("{known}; say --machine for another"));
+        }
+        Chosen::Recognized(found) if found.evidence.is_empty() => {
+            sheet.row("control", &format!("{}, assumed: nothing in the text tells", table.title));
+            sheet.row("machine", &format!("{known}; say --machine for another"));
+        }
+        Chosen::Recognized(found) => {
+            sheet.row("control", &format!("{}, recognized:", table.title));
+            for (line, reason) in found.evidence.iter().take(MOST_EVIDENCE) {
+                sheet.more(&format!("line {line}: {reason}"));
+            }
+            if found.evidence.len() > MOST_EVIDENCE {
+                sheet.more(&format!("and {} more signs", found.evidence.len() - MOST_EVIDENCE));
+            }
+            sheet.row("machine", &format!("{known}; say --machine for another"));
         }
     }
+}
 
-    fn table(&mut self, table: Table) {
-        self.text.push('\n');
-        for line in table.lines() {
-            self.text.push_str(&format!("  {}\n", line.trim_end()));
-        }
+/// What the program prints.
+fn printed(sheet: &mut Sheet, report: &Report) {
+    let lines: Vec<String> = report.output.iter().take(MOST_PRINTED).cloned().collect();
+    sheet.rows("prints", &lines);
+    let more = report.output.len().saturating_sub(MOST_PRINTED);
+    if more > 0 {
+        sheet.more(&format!("and {more} lines more; `-o NAME.txt` writes them all"));
     }
+}
 
-    /// The programs that are run, then those that they can call.
-    fn programs(&mut self, job: &Job, program: Option<u32>) {
-        let lexicon = &job.control().table.lexicon;
-        let library = Library::new(job.sources(), lexicon);
-        let mains = match program {
-            Some(number) => library.find(number, FileId(0)).into_iter().collect(),
-            None => library.mains(lexicon, &job.control().alias_programs()),
+/// Where the control would stop, or how the program ends.
+fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
+    let first = report.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+    if let Some(first) = first.min_by_key(|diagnostic| way_to(diagnostic)) {
+        let what = match &first.alarm {
+            Some(alarm) => {
+                let title = job.control().table.title;
+                let own = alarm.strip_prefix(title).and_then(|rest| rest.strip_prefix(": "));
+                let alarm = own.unwrap_or(alarm);
+                format!("the control would stop at {}: {alarm}", place(first, job))
+            }
+            None => format!("first error at {}: {}", place(first, job), first.message),
         };
-        let shown = |index: &usize| {
-            let program = &library.programs()[*index];
-            let name = program.head.number.map_or("without a number".into(), |n| format!("O{n}"));
-            let title = title(library.text(program.file), program.head.head.end as usize);
-            let from = match job.sources().get(program.file) {
-                Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),
-                _ => String::new(),
-            };
-            format!("{name}{title}{from}")
-        };
-        let list = |indices: &[usize]| {
-            let mut rows: Vec<String> = indices.iter().take(MOST_PROGRAMS).map(shown).collect();
-            if indices.len() > MOST_PROGRAMS {
-                rows.push(format!("and {} more", indices.len() - MOST_PROGRAMS));
-            }
-            rows
-        };
-        let is_main: BTreeSet<usize> = mains.iter().copied().collect();
-        let others: Vec<usize> =
-            (0..library.programs().len()).filter(|index| !is_main.contains(index)).collect();
-        self.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
-        self.rows("calls", &list(&others));
-    }
-
-    fn machine(&mut self, job: &Job, chosen: &Chosen) {
-        let (machine, table) = (job.machine(), job.control().table);
-        let known = if machine.title == machine.name {
-            machine.name.clone()
-        } else {
-            format!("{} ({})", machine.title, machine.name)
-        };
-        match chosen {
-            Chosen::Given => {
-                self.row("control", table.title);
-                self.row("machine", &known);
-            }
-            Chosen::Folder(file) => {
-                self.row("control", table.title);
-                self.row("machine", &format!("{known}, as {} says", file.display()));
-            }
-            Chosen::Ending => {
-                self.row("control", &format!("{}, by the ending of the file's name", table.title));
-                self.row("machine", &format!("{known}; say --machine for another"));
-            }
-            Chosen::Recognized(found) if found.evidence.is_empty() => {
-                self.row(
-                    "control",
-                    &format!("{}, assumed: nothing in the text tells", table.title),
-                );
-                self.row("machine", &format!("{known}; say --machine for another"));
-            }
-            Chosen::Recognized(found) => {
-                self.row("control", &format!("{}, recognized:", table.title));
-                for (line, reason) in found.evidence.iter().take(MOST_EVIDENCE) {
-                    self.more(&format!("line {line}: {reason}"));
-                }
-                if found.evidence.len() > MOST_EVIDENCE {
-                    self.more(&format!("and {} more signs", found.evidence.len() - MOST_EVIDENCE));
-                }
-                self.row("machine", &format!("{known}; say --machine for another"));
-            }
-        }
-    }
-
-    /// What the program prints.
-    fn printed(&mut self, report: &Report) {
-        let lines: Vec<String> = report.output.iter().take(MOST_PRINTED).cloned().collect();
-        self.rows("prints", &lines);
-        let more = report.output.len().saturating_sub(MOST_PRINTED);
-        if more > 0 {
-            self.more(&format!("and {more} lines more; `-o NAME.txt` writes them all"));
-        }
-    }
-
-    /// Where the control would stop, or how the program ends.
-    fn end(&mut self, job: &Job, report: &Report) {
-        let first = report.diagnostics.iter().filter(|d| d.severity == Severity::Error);
-        if let Some(first) = first.min_by_key(|diagnostic| way_to(diagnostic)) {
-            let what = match &first.alarm {
-                Some(alarm) => {
-                    let title = job.control().table.title;
-                    let own = alarm.strip_prefix(title).and_then(|rest| rest.strip_prefix(": "));
-                    let alarm = own.unwrap_or(alarm);
-                    format!("the control would stop at {}: {alarm}", place(first, job))
-                }
-                None => format!("first error at {}: {}", place(first, job), first.message),
-            };
-            let label = style(self.color, BOLD_RED, format_args!("{:LABEL$}", "stop"));
-            self.text.push_str(&format!("  {label}{what}\n"));
-        } else if report.outcomes.iter().any(|outcome| outcome.end == EndReason::Repeats) {
-            self.row("end", "M99: the control would begin again");
-        }
+        sheet.row_in(BOLD_RED, "stop", &what);
+    } else if report.outcomes.iter().any(|outcome| outcome.end == EndReason::Repeats) {
+        sheet.row("end", "M99: the control would begin again");
     }
 }
 

@@ -12,25 +12,12 @@ use common::{BROKEN, Folder};
 use serde_json::Value;
 
 /// 2000 mm/s² and 100000 mm/s³ on every axis, and 200 mm/s.
-const MACHINE: &str = "
-control = \"fanuc\"
-[axes.X]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Y]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Z]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[times]
-tool_change = \"6 s\"
-[settings]
-units = \"mm\"
-";
+const MILL: &str = include_str!("../../../tests/motion/mill.toml");
+
+/// The mill with a control of its own.
+fn machine() -> String {
+    MILL.replace("linuxcnc", "fanuc")
+}
 
 /// A cut of 100 mm at 100 mm/s from rest to rest: 1 s at feed, and speeding up takes
 /// 100/2000 + 2000/100000 = 0.07 s at half the speed on average, likewise slowing down: 1.07 s.
@@ -57,7 +44,7 @@ fn near(value: &Value, expected: f64) {
 #[test]
 fn the_time_of_a_cut_by_hand() {
     let folder = Folder::new();
-    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    folder.write("m.toml", machine()).write("cut.nc", CUT);
     let time = json(&folder, &["time", "cut.nc", "-m", "m.toml"]);
     assert_eq!(time["schema"], "chordal.time/1");
     assert_eq!(time["level"], "fast");
@@ -86,7 +73,7 @@ fn the_time_of_a_cut_by_hand() {
 #[test]
 fn the_text_reads_in_80_columns() {
     let folder = Folder::with_part();
-    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    folder.write("m.toml", machine()).write("cut.nc", CUT);
     let done = folder.run(&["time", "cut.nc", "-m", "m.toml"]).ends(0).says(&[
         "cut.nc\n",
         "time      9.070 s, acceleration and jerk held",
@@ -115,7 +102,7 @@ fn the_text_reads_in_80_columns() {
 #[test]
 fn a_block_that_runs_often_is_told_once() {
     let folder = Folder::new();
-    folder.write("m.toml", MACHINE).write(
+    folder.write("m.toml", machine()).write(
         "loop.nc",
         "O1\nG21 G90 G0 X0 Y0 Z0\nG1 F6000.\nM98 P2 L3\nM30\nO2\nG91 G1 X100.\nG4 X1.\nM99\n",
     );
@@ -129,7 +116,7 @@ fn a_block_that_runs_often_is_told_once() {
 #[test]
 fn the_picture_is_written() {
     let folder = Folder::new();
-    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    folder.write("m.toml", machine()).write("cut.nc", CUT);
     for name in ["a.svg", "a.png"] {
         folder.run(&["time", "cut.nc", "-m", "m.toml", "-o", name]).ends(0);
     }
@@ -167,8 +154,8 @@ fn shop() -> Folder {
     folder.write("cuts.nc", cuts + "M30\n").write("hops.nc", hops + "M30\n");
     folder.write("steps.nc", steps + "M30\n");
     folder.write("changes.nc", format!("O4\n{head}{changes}M30\n"));
-    folder.write("base.toml", MACHINE);
-    let real = MACHINE
+    folder.write("base.toml", machine());
+    let real = machine()
         .replace("2000 mm/s^2", "1200 mm/s^2")
         .replace("100000 mm/s^3", "30000 mm/s^3")
         .replace("6 s", "8.5 s");
@@ -228,7 +215,7 @@ fn too_few_programs_say_what_they_cannot_tell() {
 #[test]
 fn the_least_time_is_told() {
     let folder = Folder::new();
-    folder.write("m.toml", MACHINE).write("cut.nc", CUT);
+    folder.write("m.toml", machine()).write("cut.nc", CUT);
     // Without jerk the ramps take 100/2000 s together, with it 0.07 s.
     let time = json(&folder, &["time", "cut.nc", "-m", "m.toml", "--bound"]);
     near(&time["bound_s"], 9.05);

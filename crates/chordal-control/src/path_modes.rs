@@ -6,7 +6,7 @@ use chordal_machine::SettingValue;
 use crate::choices::{Choices, SWITCH, choose, mm_text, name_of};
 use crate::command::PathMode;
 use crate::parameters::Parameters;
-use crate::settings::{Certainty, Field, Setting};
+use crate::settings::{Certainty, Field, Setting, setting};
 
 /// The path mode at power-on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -160,6 +160,16 @@ pub const COMMON: &[Setting] = &[
         Certainty::Unknown,
     ),
 ];
+
+/// The distance in G64, of controls that name none.
+pub const CORNER_ROUNDING: Setting = setting(
+    "corner rounding",
+    Field::Path(PathField::Rounding),
+    &[],
+    "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
+    Certainty::Unknown,
+    "G64",
+);
 
 const fn plain(
     name: &'static str,

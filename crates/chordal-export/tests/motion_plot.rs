@@ -159,20 +159,3 @@ fn a_program_with_two_tools() {
         assert!(svg.contains(text), "{text} is missing");
     }
 }
-
-/// Writes a picture for somebody to look at, with what the environment says:
-/// `MOTION_PLOT=a.png MOTION_PROGRAM=a.nc MOTION_MACHINE=haas-vf2 cargo test … -- --ignored`.
-#[test]
-#[ignore = "for looking at"]
-#[allow(clippy::disallowed_methods, reason = "reads and writes what it is told")]
-fn the_picture() {
-    let plot = match std::env::var("MOTION_PROGRAM") {
-        Ok(path) => {
-            let machine = std::env::var("MOTION_MACHINE").unwrap();
-            planned(&path, &std::fs::read(&path).unwrap(), &machine)
-        }
-        Err(_) => square(),
-    };
-    let path = std::env::var("MOTION_PLOT").unwrap();
-    std::fs::write(path, plot.png(&options()).unwrap()).unwrap();
-}

@@ -1,28 +1,16 @@
 //! How many moves a second the fast level plans.
 
+#[path = "../tests/support/mod.rs"]
+mod support;
+
 use std::hint::black_box;
 
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Vec3};
-use chordal_motion::{
-    AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Step,
-};
+use chordal_motion::{Corner, Level, Move, Planner, PlannerOptions, Step};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
-fn limits() -> Limits {
-    let limit = Some(AxisLimit { velocity: 500.0, acceleration: 5000.0, jerk: 1e5 });
-    Limits::new([limit, limit, limit, None, None, None]).expect("limits are positive")
-}
-
 fn motion(curve: Curve, corner: Corner) -> Move {
-    Move {
-        curve,
-        rotary_from: [0.0; 3],
-        rotary_to: [0.0; 3],
-        speed: 50.0,
-        corner,
-        kind: MoveKind::Cut,
-        tag: 0,
-    }
+    support::cut(curve, 50.0, corner)
 }
 
 /// A raster over a wavy surface in lines of 0.1 mm.
@@ -74,7 +62,8 @@ fn arcs(count: usize) -> Vec<Move> {
 }
 
 fn plan(moves: &[Move]) -> f64 {
-    let mut planner = Planner::new(limits(), PlannerOptions::new(Level::Fast));
+    let mut planner =
+        Planner::new(support::limits(500.0, 5000.0, 1e5), PlannerOptions::new(Level::Fast));
     let mut time = 0.0;
     let mut take = |step: Step<'_>| {
         if let Step::Stretch(stretch) = step {

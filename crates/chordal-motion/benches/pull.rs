@@ -3,33 +3,26 @@
 
 #![allow(missing_docs, clippy::disallowed_methods, reason = "a benchmark is a shell")]
 
+#[path = "../tests/support/mod.rs"]
+mod support;
+
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use chordal_geometry::{Arc, Curve, Line, ParamCurve, Plane, Vec3};
-use chordal_motion::{
-    AxisLimit, Corner, Feeder, Limits, Move, MoveKind, Pushed, Servo, StreamOptions, stream,
-};
+use chordal_geometry::{Arc, Curve, ParamCurve, Plane};
+use chordal_motion::{Corner, Feeder, Move, Pushed, Servo, StreamOptions, stream};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// A move of a program that goes on for ever.
 type Program = fn(u64) -> Move;
 
 fn motion(curve: Curve, corner: Corner, tag: u64) -> Move {
-    Move {
-        curve,
-        rotary_from: [0.0; 3],
-        rotary_to: [0.0; 3],
-        speed: 100.0,
-        corner,
-        kind: MoveKind::Cut,
-        tag,
-    }
+    Move { tag, ..support::cut(curve, 100.0, corner) }
 }
 
 fn line(from: [f64; 2], to: [f64; 2], corner: Corner, tag: u64) -> Move {
-    let at = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
-    motion(Line::new(at(from), at(to)).into(), corner, tag)
+    let at = |[x, y]: [f64; 2]| [x, y, 0.0];
+    motion(support::line(at(from), at(to)), corner, tag)
 }
 
 /// To and fro.
@@ -76,9 +69,7 @@ struct Source {
 
 impl Source {
     fn new(program: Program) -> Source {
-        let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
-        let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])
-            .expect("positive limits");
+        let limits = support::limits(200.0, 2000.0, 1e5);
         let (feeder, servo) = stream(limits, StreamOptions::default(), program(0).from());
         let mut source = Source { feeder, servo, program, next: 0 };
         source.fill();

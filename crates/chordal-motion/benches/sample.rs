@@ -1,14 +1,14 @@
 //! Setpoints a second, by the kind of path. `cargo bench -p chordal-motion --bench sample`.
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/support/mod.rs"]
+mod support;
 
 use std::hint::black_box;
 
 use chordal_geometry::{Arc, Curve, Plane, Spiral};
 use chordal_motion::{Sampler, Step, Stretch};
-use common::{LAW, over, straight, stretch};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use support::law::{LAW, piece, straight};
 
 const PERIOD_S: f64 = 0.001;
 
@@ -20,7 +20,7 @@ fn lines(pieces: usize) -> Stretch {
         let at = length * n as f64;
         straight([0.6 * at, 0.8 * at, 5.0, 0.0, 0.0, 0.0], direction, length, n as u64)
     };
-    stretch((0..pieces).map(piece).collect(), LAW, 0.0)
+    LAW.stretch((0..pieces).map(piece).collect())
 }
 
 /// The same length with bends: cubic in every linear axis.
@@ -31,11 +31,11 @@ fn bends() -> Stretch {
         piece.start[3] = [-1e-6, 1e-6, -1e-7, 0.0, 0.0, 0.0];
         piece
     };
-    stretch((0..100).map(piece).collect(), LAW, 0.0)
+    LAW.stretch((0..100).map(piece).collect())
 }
 
 fn curves(curve: Curve) -> Stretch {
-    stretch(vec![over(curve, 1)], LAW, 0.0)
+    LAW.stretch(vec![piece(curve, 1)])
 }
 
 fn sample(c: &mut Criterion) {

@@ -1,9 +1,11 @@
 //! The time that cannot be beaten without limits of jerk, against worked figures.
 
-mod shapes;
+mod support;
 
 use chordal_motion::{Piece, Run, RunError, bound};
-use shapes::{arc, bang_bang, ellipse, limits, line, near};
+use support::figures::{arc, bang_bang, ellipse, near};
+use support::law::straight_piece as line;
+use support::limits;
 
 #[test]
 fn a_line_takes_two_ramps_and_the_way_between() {

@@ -3,12 +3,13 @@
 
 mod support;
 
-use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_geometry::{Arc, Curve, Frame, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
-    AxisLimit, Corner, Level, Limits, Move, MoveError, MoveKind, Planner, PlannerOptions, Quantity,
-    Step, Stretch, Use, largest_use,
+    AxisLimit, Corner, Level, Limits, Move, MoveError, Planner, PlannerOptions, Quantity, Step,
+    Stretch, Use, largest_use,
 };
-use support::{Dice, distance, limits_of, plan, samples, time_of};
+use support::random::Dice;
+use support::{cut, distance, plan, samples, time_of};
 
 /// What rounding may add to a limit.
 const ABOVE: f64 = 1.0 + 1e-6;
@@ -16,7 +17,9 @@ const ABOVE: f64 = 1.0 + 1e-6;
 const WITHIN: Corner = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
 
 fn machine() -> Limits {
-    limits_of(200.0, 2000.0, 1e5)
+    let linear = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
+    let rotary = Some(AxisLimit { velocity: 2.0, acceleration: 20.0, jerk: 500.0 });
+    Limits::new([linear, linear, linear, rotary, rotary, rotary]).unwrap()
 }
 
 fn vec(p: [f64; 3]) -> Vec3 {
@@ -24,19 +27,11 @@ fn vec(p: [f64; 3]) -> Vec3 {
 }
 
 fn motion(curve: impl Into<Curve>, corner: Corner) -> Move {
-    Move {
-        curve: curve.into(),
-        rotary_from: [0.0; 3],
-        rotary_to: [0.0; 3],
-        speed: 50.0,
-        corner,
-        kind: MoveKind::Cut,
-        tag: 0,
-    }
+    cut(curve.into(), 50.0, corner)
 }
 
 fn line(from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
-    motion(Line::new(vec(from), vec(to)), corner)
+    motion(support::line(from, to), corner)
 }
 
 /// Lines from place to place, tagged in order.

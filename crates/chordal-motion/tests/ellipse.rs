@@ -4,33 +4,23 @@
 
 mod support;
 
-use chordal_geometry::{Line, Vec3};
-use chordal_motion::{AxisLimit, Corner, Level, Limits, Move, MoveKind, Use, largest_use};
-use support::{plan, samples, time_of};
+use chordal_motion::{Corner, Level, Move, Use, largest_use};
+use support::{cut, limits, line, plan, samples, time_of};
 
 /// Chords of equal angle.
 fn lap(count: u32, linear_mm: f64) -> Vec<Move> {
     let at = |i: u32| {
         let angle = f64::from(i % count) / f64::from(count) * std::f64::consts::TAU;
-        Vec3::new(30.0 * angle.cos(), 10.0 * angle.sin(), 0.0)
+        [30.0 * angle.cos(), 10.0 * angle.sin(), 0.0]
     };
-    (0..count)
-        .map(|i| Move {
-            curve: Line { start: at(i), end: at(i + 1) }.into(),
-            rotary_from: [0.0; 3],
-            rotary_to: [0.0; 3],
-            speed: 1e6,
-            corner: Corner::Within { linear_mm, rotary_rad: 1e-4 },
-            kind: MoveKind::Cut,
-            tag: u64::from(i),
-        })
-        .collect()
+    let within = Corner::Within { linear_mm, rotary_rad: 1e-4 };
+    let chord = |i: u32| cut(line(at(i), at(i + 1)), 1e6, within);
+    (0..count).map(|i| Move { tag: u64::from(i), ..chord(i) }).collect()
 }
 
 #[test]
 fn a_lap_is_near_the_least_time_and_holds_every_limit() {
-    let limit = Some(AxisLimit { velocity: 500.0, acceleration: 5000.0, jerk: 1e5 });
-    let limits = Limits::new([limit, limit, limit, None, None, None]).unwrap();
+    let limits = limits(500.0, 5000.0, 1e5);
     for (count, tolerance) in [(1336, 0.01), (600, 0.01), (1336, 0.05)] {
         let moves = lap(count, tolerance);
         let stretches = plan(&moves, limits, Level::Fast);

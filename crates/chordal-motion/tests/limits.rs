@@ -3,7 +3,8 @@
 mod support;
 
 use chordal_motion::{Corner, Level, Limits, Move, Stretch, Use, largest_use};
-use support::{Dice, Mix, distance, jump, plan, random_limits, random_path, samples, time_of};
+use support::random::{Dice, Mix, random_limits, random_path};
+use support::{distance, jump, plan, samples, time_of};
 
 /// What rounding may add to a limit.
 const ABOVE: f64 = 1.0 + 1e-6;

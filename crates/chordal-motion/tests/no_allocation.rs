@@ -1,13 +1,14 @@
 //! The pull side allocates and frees nothing, whatever happens. One test alone: others beside it
 //! would be counted, too.
 
-mod by_hand;
+mod support;
 
 use std::alloc::System;
 
-use by_hand::{circle_stretch, cut_line, limits, stretch as ramp};
 use chordal_motion::{Pushed, Step, StreamOptions, stream};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+use support::law::{Law, circle_stretch, cut_line};
+use support::limits;
 
 #[global_allocator]
 static COUNTING: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -23,12 +24,8 @@ fn no_setpoint_allocates_or_frees() {
     let (mut feeder, mut servo) = stream(machine, options, [5.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let circle = circle_stretch(5.0, 12.0, 1);
     let end = circle.to();
-    let lines = ramp(
-        cut_line([end[0], end[1], 0.0], [end[0] + 60.0, end[1], 0.0], 60_000),
-        150.0,
-        1900.0,
-        9e4,
-    );
+    let law = Law { speed: 150.0, acceleration: 1900.0, jerk: 9e4 };
+    let lines = law.stretch(cut_line([end[0], end[1], 0.0], [end[0] + 60.0, end[1], 0.0], 60_000));
     let mut steps =
         vec![Step::Stretch(&circle), Step::Wait { seconds: 0.05, tag: 9 }, Step::Stretch(&lines)]
             .into_iter();

@@ -1,15 +1,16 @@
 //! Random programs, pushed and pulled in random order, with random holds, resumes and overrides:
 //! the limits hold, the path stays the path, the end is the end.
 
-mod by_hand;
+mod support;
 
-use by_hand::Watch;
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_motion::{
-    Axes, AxisLimit, Corner, Level, Limits, Move, MoveKind, Piece, Planner, PlannerOptions, Pushed,
-    Setpoint, Step, StreamOptions, stream,
+    Axes, AxisLimit, Corner, Level, Limits, Move, Piece, Planner, PlannerOptions, Pushed, Setpoint,
+    Step, StreamOptions, stream,
 };
 use proptest::prelude::*;
+use support::cut;
+use support::watch::Watch;
 
 fn machine() -> Limits {
     let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
@@ -80,20 +81,14 @@ fn moves(drafts: &[Draft]) -> Vec<Move> {
         if draft.rotary {
             rotary[0] += draft.turn;
         }
-        moves.push(Move {
-            curve,
-            rotary_from,
-            rotary_to: rotary,
-            speed: draft.speed,
-            corner: match draft.corner {
-                0 => Corner::Stop,
-                1 => Corner::Exact,
-                2 => Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 },
-                _ => Corner::Within { linear_mm: 0.2, rotary_rad: 2e-3 },
-            },
-            kind: MoveKind::Cut,
-            tag: index as u64,
-        });
+        let corner = match draft.corner {
+            0 => Corner::Stop,
+            1 => Corner::Exact,
+            2 => Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 },
+            _ => Corner::Within { linear_mm: 0.2, rotary_rad: 2e-3 },
+        };
+        let motion = cut(curve, draft.speed, corner);
+        moves.push(Move { rotary_from, rotary_to: rotary, tag: index as u64, ..motion });
     }
     moves
 }

@@ -1,13 +1,19 @@
 //! The least time with limits of jerk, and the level best, against worked figures.
 
-mod shapes;
+mod support;
 
-use chordal_geometry::{Curve, Line, Vec3};
 use chordal_motion::{
-    Best, Bound, Corner, Effort, Gauge, Law, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
+    Best, Bound, Corner, Effort, Gauge, Law, Level, Limits, Move, Phase, Piece, Planner,
     PlannerOptions, Run, Step, Stretch, best, bound, largest_use, reference,
 };
-use shapes::{arc, ellipse, limits, line, near, seven_phases};
+use support::figures::{arc, bang_bang, ellipse, near};
+use support::law::{Law as Ramps, straight_piece as line};
+use support::{cut, limits};
+
+/// Time from rest to rest over a length with limits of jerk.
+fn seven_phases(length: f64, speed: f64, acceleration: f64, jerk: f64) -> f64 {
+    Ramps { speed, acceleration, jerk }.time_s(length)
+}
 
 struct Found {
     bound: Bound,
@@ -153,16 +159,13 @@ fn the_better_of_two_is_taken() {
 #[test]
 fn a_planned_square_is_gauged_side_by_side() {
     let machine = limits(200.0, 2000.0, 1e5);
-    let corners = [(0.0, 0.0), (50.0, 0.0), (50.0, 50.0), (0.0, 50.0), (0.0, 0.0)];
+    let corners = [[0.0; 3], [50.0, 0.0, 0.0], [50.0, 50.0, 0.0], [0.0, 50.0, 0.0], [0.0; 3]];
     let mut planner = Planner::new(machine, PlannerOptions::new(Level::Fast));
     let mut gauge = Gauge::new(machine, Effort::default());
     let mut runs = Vec::new();
-    let at = |(x, y): (f64, f64)| Vec3::new(x, y, 0.0);
     for (tag, ends) in corners.windows(2).enumerate() {
-        let curve = Curve::Line(Line::new(at(ends[0]), at(ends[1])));
-        let (rotary_from, rotary_to) = ([0.0; 3], [0.0; 3]);
-        let (corner, kind, tag) = (Corner::Stop, MoveKind::Cut, tag as u64);
-        let motion = Move { curve, rotary_from, rotary_to, speed: 50.0, corner, kind, tag };
+        let motion = cut(support::line(ends[0], ends[1]), 50.0, Corner::Stop);
+        let motion = Move { tag: tag as u64, ..motion };
         planner.push(&motion, |step| gauge.push(step, |_| 50.0, |run| runs.push(*run))).unwrap();
     }
     planner.finish(|step| gauge.push(step, |_| 50.0, |run| runs.push(*run)));
@@ -174,7 +177,7 @@ fn a_planned_square_is_gauged_side_by_side() {
     );
     for run in &runs {
         let reference_s = run.reference_s.unwrap();
-        near(run.bound_s, shapes::bang_bang(50.0, 50.0, 2000.0), 1e-9);
+        near(run.bound_s, bang_bang(50.0, 50.0, 2000.0), 1e-9);
         near(reference_s, seven_phases(50.0, 50.0, 2000.0, 1e5), 1e-9);
         assert!(run.bound_s < reference_s && reference_s <= run.time_s);
     }
@@ -205,7 +208,7 @@ fn lines_are_gauged_by_their_closed_form() {
             line([way / 3.0, 0.0, 0.0], [way, 0.0, 0.0]),
         ];
         let least = gauged(pieces, speed, Effort::default());
-        near(least.bound_s - 1.0, shapes::bang_bang(way, speed, 5000.0), 1e-9);
+        near(least.bound_s - 1.0, bang_bang(way, speed, 5000.0), 1e-9);
         near(least.reference_s - 1.0, seven_phases(way, speed, 5000.0, 1e5), 1e-9);
         near(least.time_s, 101.0, 1e-12);
     }

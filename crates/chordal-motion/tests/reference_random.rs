@@ -1,13 +1,14 @@
 //! The bound, the reference and the level best on random runs.
 
-mod shapes;
+mod support;
 
 use chordal_motion::{
     Best, Effort, Limits, Piece, Run, Stretch, best, bound, largest_use, reference,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use shapes::{chain, limits, reversed, scaled};
+use support::figures::{chain, reversed, scaled};
+use support::limits;
 
 /// Turns from nothing to sharp, lengths over four decades.
 fn steps() -> impl Strategy<Value = Vec<(f64, [f64; 4])>> {

@@ -1,10 +1,10 @@
 //! Setpoints of stretches made by hand.
 
-mod common;
+mod support;
 
 use chordal_geometry::{Arc, Curve, Frame, Plane, Spiral, Vec3};
 use chordal_motion::{Axes, Cursor, Sample, Sampler, Step, Stretch};
-use common::{LAW, Law, over, straight, stretch};
+use support::law::{LAW, Law, piece, straight};
 
 const X: Axes = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 const Y: Axes = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
@@ -20,7 +20,7 @@ fn sampled(period_s: f64, steps: &[Step<'_>]) -> Vec<Sample> {
 }
 
 fn line(from: Axes, direction: Axes, length: f64, tag: u64) -> Stretch {
-    stretch(vec![straight(from, direction, length, tag)], LAW, 0.0)
+    LAW.stretch(vec![straight(from, direction, length, tag)])
 }
 
 #[test]
@@ -161,14 +161,13 @@ fn differences_of_positions_are_the_velocity() {
     bent.start[3][1] = -0.001;
     let helix: Curve = Arc::new(Plane::Zx.frame(), 10.0, 5.0, 3.0).into();
     let spiral: Curve = Spiral::new(Plane::Xy.frame(), (4.0, 12.0), -6.0, 1.0).into();
-    let mut turned = over(helix, 1);
+    let mut turned = piece(helix, 1);
     turned.start[0][3] = 1.0;
     turned.start[1][3] = 0.01;
     turned.start[2][3] = 1e-4;
-    for piece in
-        [straight([5.0; 6], rotary, 40.0, 1), bent, over(helix, 1), over(spiral, 1), turned]
-    {
-        let stretch = stretch(vec![piece], LAW, 0.0);
+    let turning = straight([5.0; 6], rotary, 40.0, 1);
+    for path in [turning, bent, piece(helix, 1), piece(spiral, 1), turned] {
+        let stretch = LAW.stretch(vec![path]);
         let samples = sampled(0.0005, &[Step::Stretch(&stretch)]);
         // On the curves their own jerk comes on top: v³/r² with r ≥ 4, and v·a/r.
         derivatives_agree(&samples, 0.0005, LAW.jerk + 1e6 / 16.0 + 3.0 * 100.0 * 2000.0 / 4.0);
@@ -185,7 +184,7 @@ fn a_walk_answers_what_the_piece_answers() {
         Spiral::new(frame, (4.0, 12.0), 6.0, 1.0).into(),
     ];
     for curve in curves {
-        let stretch = stretch(vec![over(curve, 1)], Law { speed: 80.0, ..LAW }, 0.0);
+        let stretch = Law { speed: 80.0, ..LAW }.stretch(vec![piece(curve, 1)]);
         let mut cursor = Cursor::default();
         let mut phase_from = 0.0;
         for phase in &stretch.phases {
@@ -210,7 +209,7 @@ fn a_walk_answers_what_the_piece_answers() {
 fn cuts_in_a_line_change_no_setpoint() {
     let whole = line([0.0; 6], X, 100.0, 1);
     let pieces = |n: usize| straight([n as f64 * 0.5, 0.0, 0.0, 0.0, 0.0, 0.0], X, 0.5, 1);
-    let cut = stretch((0..200).map(pieces).collect(), LAW, 0.0);
+    let cut = LAW.stretch((0..200).map(pieces).collect());
     let (whole, cut) = (Step::Stretch(&whole), Step::Stretch(&cut));
     for (a, b) in sampled(0.001, &[whole]).iter().zip(sampled(0.001, &[cut])) {
         assert!((a.position[0] - b.position[0]).abs() < 1e-12);

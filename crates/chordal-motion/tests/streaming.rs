@@ -1,9 +1,11 @@
 //! The stream between a planner and a servo loop.
 
-mod by_hand;
+mod support;
 
-use by_hand::{Watch, circle_stretch, cut_line, limits, line, piece, stretch as ramp};
-use chordal_motion::{Corner, Move, MoveKind, Pushed, Setpoint, Step, StreamOptions, stream};
+use chordal_motion::{Corner, Move, Piece, Pushed, Setpoint, Step, StreamOptions, Stretch, stream};
+use support::law::{Law, circle_stretch, cut_line, piece};
+use support::watch::Watch;
+use support::{cut, limits, line};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
 
@@ -11,9 +13,13 @@ fn machine() -> chordal_motion::Limits {
     limits(LIMITS.0, LIMITS.1, LIMITS.2)
 }
 
+fn ramp(pieces: Vec<Piece>, speed: f64, acceleration: f64, jerk: f64) -> Stretch {
+    Law { speed, acceleration, jerk }.stretch(pieces)
+}
+
 #[test]
 fn a_line_is_travelled_as_planned_and_ends_exactly() {
-    let planned = ramp(vec![piece(&line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
+    let planned = ramp(vec![piece(line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
     let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; 6]);
     assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
@@ -39,7 +45,7 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
 
 /// Pulls with commands by the count of the setpoint until the end.
 fn run(
-    stretches: &[chordal_motion::Stretch],
+    stretches: &[Stretch],
     period_s: f64,
     mut command: impl FnMut(usize, &mut chordal_motion::Servo),
 ) -> Vec<Setpoint> {
@@ -76,8 +82,7 @@ fn run(
 #[test]
 fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
     for (period_s, at) in [(0.001, 500), (0.00025, 2000), (0.001, 20), (0.001, 1090)] {
-        let planned =
-            ramp(vec![piece(&line([0.0; 3], [200.0, 0.0, 0.0]), 1)], 190.0, 1940.0, 9.7e4);
+        let planned = ramp(vec![piece(line([0.0; 3], [200.0, 0.0, 0.0]), 1)], 190.0, 1940.0, 9.7e4);
         let mut stopped = None;
         let mut count = 0;
         let points = run(&[planned], period_s, |index, servo| {
@@ -196,17 +201,9 @@ fn polygon() -> Vec<Move> {
         let angle = f64::from(corner) / 300.0 * std::f64::consts::TAU;
         [30.0 * angle.cos(), 30.0 * angle.sin(), 0.0]
     };
-    (0..300)
-        .map(|corner| Move {
-            curve: line(at(corner), at(corner + 1)),
-            rotary_from: [0.0; 3],
-            rotary_to: [0.0; 3],
-            speed: 150.0,
-            corner: Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 },
-            kind: MoveKind::Cut,
-            tag: u64::from(corner),
-        })
-        .collect()
+    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    let side = |corner| cut(line(at(corner), at(corner + 1)), 150.0, within);
+    (0..300).map(|corner| Move { tag: u64::from(corner), ..side(corner) }).collect()
 }
 
 #[test]

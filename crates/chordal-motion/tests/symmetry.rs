@@ -4,7 +4,8 @@ mod support;
 
 use chordal_geometry::{Curve, Line, ParamCurve, Transform};
 use chordal_motion::{AxisLimit, Corner, Level, Limits, Move, Planner, PlannerOptions, Step};
-use support::{Dice, Mix, plan, random_limits, random_path, time_of};
+use support::random::{Dice, Mix, random_limits, random_path};
+use support::{limits, line, plan, time_of};
 
 const MIX: Mix =
     Mix { moves: 80, curves: false, rotary: false, shortest: 0.05, longest: 40.0, turn: 0.6 };
@@ -72,22 +73,11 @@ fn cutting_lines_changes_no_time() {
 
 #[test]
 fn the_published_line_takes_its_time_however_it_is_cut() {
-    let limit = Some(AxisLimit { velocity: 500.0, acceleration: 5000.0, jerk: 1e5 });
-    let limits = Limits::new([limit, limit, limit, None, None, None]).unwrap();
+    let limits = limits(500.0, 5000.0, 1e5);
     for parts in [1, 10, 100, 1000, 5000, 100_000] {
-        let at =
-            |i: i32| chordal_geometry::Vec3::new(100.0 * f64::from(i) / f64::from(parts), 0.0, 0.0);
-        let moves: Vec<Move> = (0..parts)
-            .map(|i| Move {
-                curve: Line { start: at(i), end: at(i + 1) }.into(),
-                rotary_from: [0.0; 3],
-                rotary_to: [0.0; 3],
-                speed: 1e9,
-                corner: Corner::Exact,
-                kind: chordal_motion::MoveKind::Cut,
-                tag: 0,
-            })
-            .collect();
+        let at = |i: i32| [100.0 * f64::from(i) / f64::from(parts), 0.0, 0.0];
+        let part = |i| support::cut(line(at(i), at(i + 1)), 1e9, Corner::Exact);
+        let moves: Vec<Move> = (0..parts).map(part).collect();
         let time = time_of(&plan(&moves, limits, Level::Fast));
         assert!((time - 0.35).abs() < 1e-9, "{parts} parts: {time} s");
     }
@@ -189,22 +179,13 @@ fn rows_of_any_length_give_one_time() {
 
 #[test]
 fn a_short_corner_is_no_slower_with_more_room() {
-    let limit = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
-    let limits = Limits::new([limit, limit, limit, None, None, None]).unwrap();
+    let limits = limits(200.0, 2000.0, 1e5);
     // Two legs of 1 mm that turn by 30 degrees.
-    let corner = chordal_geometry::Vec3::new(1.0, 0.0, 0.0);
-    let end = chordal_geometry::Vec3::new(1.0 + 0.75_f64.sqrt(), 0.5, 0.0);
+    let corner = [1.0, 0.0, 0.0];
+    let end = [1.0 + 0.75_f64.sqrt(), 0.5, 0.0];
     let time = |mode: Corner| {
-        let leg = |start, end| Move {
-            curve: Line { start, end }.into(),
-            rotary_from: [0.0; 3],
-            rotary_to: [0.0; 3],
-            speed: 50.0,
-            corner: mode,
-            kind: chordal_motion::MoveKind::Cut,
-            tag: 0,
-        };
-        let moves = [leg(chordal_geometry::Vec3::ZERO, corner), leg(corner, end)];
+        let leg = |from, to| support::cut(line(from, to), 50.0, mode);
+        let moves = [leg([0.0; 3], corner), leg(corner, end)];
         time_of(&plan(&moves, limits, Level::Fast))
     };
     let within = |linear_mm: f64| time(Corner::Within { linear_mm, rotary_rad: 1e-3 });

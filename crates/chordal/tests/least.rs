@@ -1,28 +1,16 @@
 //! How far from the least time: bound, reference and the level best.
 
+mod mill;
+
 use chordal::motion::{Level, MotionOptions};
 use chordal::time::{Effort, LeastReport};
 use chordal::{Job, Machine, Source, SourceMap};
 
 const MACHINE: &str = "
+inherits = \"mill.toml\"
 control = \"fanuc\"
 [axes.X]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
 rapid_acceleration = \"4000 mm/s^2\"
-[axes.Y]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Z]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[times]
-tool_change = \"6 s\"
-[settings]
-units = \"mm\"
 ";
 
 fn job(program: &[u8], machine: Machine) -> Job<'_> {
@@ -32,7 +20,7 @@ fn job(program: &[u8], machine: Machine) -> Job<'_> {
 }
 
 fn least(program: &str, effort: Effort) -> LeastReport {
-    let machine = Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("machine");
+    let machine = mill::machine(MACHINE);
     job(program.as_bytes(), machine).least(&MotionOptions::default(), effort).expect("limits")
 }
 
@@ -72,7 +60,7 @@ fn two_operations_by_hand() {
 fn the_time_that_is_held_against_the_limit_is_the_time_of_the_program() {
     let program = "G21 G90 G64 G0 X0 Y0 Z0\nG1 X30. F6000.\nY20.\nG2 X50. Y0 I0 J-20.\nG0 X0 Z5.\n\
                    G1 Y9. F2000.\nM30\n";
-    let machine = Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("machine");
+    let machine = mill::machine(MACHINE);
     let job = job(program.as_bytes(), machine);
     let options = MotionOptions::default();
     let least = job.least(&options, Effort::default()).expect("limits").whole;
@@ -93,7 +81,7 @@ fn what_is_too_much_work_is_told() {
 
 #[test]
 fn best_is_never_slower_than_fast() {
-    let machine = Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("machine");
+    let machine = mill::machine(MACHINE);
     for program in [
         "G21 G90 G17 G64 G0 X0 Y0 Z0\nG1 X8. F6000.\nG3 X12. Y4. I0 J4.\nG1 Y9.\nM30\n",
         "G21 G90 G61 G0 X0 Y0 Z0\nG1 X5. F3000.\nY4.\nM30\n",

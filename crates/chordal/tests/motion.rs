@@ -1,6 +1,8 @@
 //! What a run becomes before it is planned: moves that join on to each other, speeds, corners,
 //! waits.
 
+mod mill;
+
 use chordal::motion::{
     Corner, MotionOptions, MotionReport, MotionStep, Move, MoveError, MoveKind, StepSource, Wait,
     WaitKind,
@@ -8,49 +10,30 @@ use chordal::motion::{
 use chordal::{Job, Machine, Source, SourceMap};
 
 const MACHINE: &str = "
+inherits = \"mill.toml\"
 control = \"fanuc\"
 [axes.X]
 max_velocity = \"400 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
 [axes.Y]
 max_velocity = \"400 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Z]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
 [axes.A]
 max_velocity = \"100 deg/s\"
 max_acceleration = \"500 deg/s^2\"
 max_jerk = \"10000 deg/s^3\"
-[work_offsets.G54]
-X = \"0 mm\"
-Y = \"0 mm\"
-Z = \"0 mm\"
 [work_offsets.G55]
 X = \"100 mm\"
 Y = \"0 mm\"
 Z = \"0 mm\"
 [tools.1]
 length = \"50 mm\"
-[home]
-X = \"0 mm\"
-Y = \"0 mm\"
-Z = \"0 mm\"
 [times]
-tool_change = \"6 s\"
 spindle_per_1000_rpm = \"0.5 s\"
 spindle_orient = \"1 s\"
 m_code = \"0.25 s\"
-[settings]
-units = \"mm\"
 ";
 
 fn machine(changes: &[&str]) -> Machine {
-    let mut machine =
-        Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("a machine");
+    let mut machine = mill::machine(MACHINE);
     for change in changes {
         machine.set(change).expect("a change");
     }

@@ -6,30 +6,12 @@
     reason = "a test reads the programs of the repository"
 )]
 
+mod mill;
+
 use chordal::motion::{
     MotionOptions, MotionReport, PlanSink, Sources, Step, StepKind, StepSource, WaitKind,
 };
 use chordal::{Job, Machine, SegmentKind, Source, SourceMap};
-
-const MACHINE: &str = "
-control = \"linuxcnc\"
-[axes.X]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Y]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[axes.Z]
-max_velocity = \"200 mm/s\"
-max_acceleration = \"2000 mm/s^2\"
-max_jerk = \"100000 mm/s^3\"
-[times]
-tool_change = \"6 s\"
-[settings]
-units = \"mm\"
-";
 
 /// What came out of a planner.
 #[derive(Default)]
@@ -80,8 +62,7 @@ impl PlanSink for Planned {
 }
 
 fn plan_with(program: &str, changes: &[&str], options: MotionOptions) -> (Planned, MotionReport) {
-    let mut machine =
-        Machine::from_toml("m.toml", MACHINE, &|_| Err(String::new())).expect("a machine");
+    let mut machine = mill::machine("inherits = 'mill.toml'");
     for change in changes {
         machine.set(change).expect("a change");
     }

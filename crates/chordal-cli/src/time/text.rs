@@ -10,14 +10,11 @@ use comfy_table::Table;
 
 use super::{corners, least};
 use crate::numbers::{counted, duration, fixed, short};
+use crate::sheet::Sheet;
 use crate::summary::{plain_table, tool_name};
-use crate::terminal::{BOLD, style};
 
 /// Columns of the text.
 const WIDTH: usize = 80;
-
-/// Width of the labels on the left.
-const LABEL: usize = 10;
 
 /// Most operations that are listed.
 pub(super) const MOST_OPERATIONS: usize = 30;
@@ -33,33 +30,32 @@ pub fn text(
     job: &Job,
     color: bool,
 ) -> String {
-    let mut sheet = Sheet { text: String::new(), color };
+    let mut sheet = Sheet::new(name, Some(WIDTH), color);
     let (time, motion) = (&document.timed.time, &document.timed.motion);
     let machine = job.machine();
-    sheet.text.push_str(&format!("{}\n", style(color, BOLD, name)));
     sheet.row("machine", &format!("{} ({})", machine.title, machine.name));
     sheet.rows("time", &totals(time, document.level));
-    sheet.table("", tools(&time.tools, job));
+    sheet.table("", &tools(&time.tools, job));
     if time.operations.len() > time.tools.len() {
-        sheet.table("operations, from tool change to tool change", operations(time, job));
+        sheet.table("operations, from tool change to tool change", &operations(time, job));
         let more = time.operations.len().saturating_sub(MOST_OPERATIONS) as u64;
         if more + time.operations_left_out > 0 {
             let more = counted(more + time.operations_left_out, "operation", "operations");
-            sheet.text.push_str(&format!("  and {more} more\n"));
+            sheet.line(&format!("and {more} more"));
         }
     }
-    sheet.table("blocks that take the longest", blocks(&time.longest, |block| block.reason, job));
+    sheet.table("blocks that take the longest", &blocks(&time.longest, |block| block.reason, job));
     let costliest = &time.costliest[..time.costliest.len().min(MOST_COSTLIEST)];
     // In a short program both lists hold the same blocks.
     let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
     if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
         let title = "blocks that lose the most to speeding up and slowing down";
-        sheet.table(title, blocks(costliest, |block| block.loses, job));
+        sheet.table(title, &blocks(costliest, |block| block.loses, job));
     }
     if let Some(limits) = document.least {
-        sheet.table(least::TITLE, least::table(limits, time, job));
+        sheet.table(least::TITLE, &least::table(limits, time, job));
     }
-    sheet.table("what if", alternatives(document.what_if, time, report.summary.inch));
+    sheet.table("what if", &alternatives(document.what_if, time, report.summary.inch));
     let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
     let parts = [
         ("limit", document.least.map(least::notes).unwrap_or_default()),
@@ -67,63 +63,10 @@ pub fn text(
         ("assumed", notes(time, motion, job)),
     ];
     for (label, notes) in parts.iter().filter(|(_, notes)| !notes.is_empty()) {
-        sheet.text.push('\n');
+        sheet.gap();
         sheet.rows(label, notes);
     }
-    sheet.text
-}
-
-struct Sheet {
-    text: String,
-    color: bool,
-}
-
-impl Sheet {
-    fn row(&mut self, label: &str, text: &str) {
-        let label = style(self.color, BOLD, format_args!("{label:LABEL$}"));
-        let mut lines = wrapped(text, WIDTH - LABEL - 2).into_iter();
-        self.text.push_str(&format!("  {label}{}\n", lines.next().unwrap_or_default()));
-        for line in lines {
-            self.text.push_str(&format!("  {:LABEL$}{line}\n", ""));
-        }
-    }
-
-    fn rows(&mut self, label: &str, rows: &[String]) {
-        for (index, row) in rows.iter().enumerate() {
-            self.row(if index == 0 { label } else { "" }, row);
-        }
-    }
-
-    fn table(&mut self, title: &str, table: Table) {
-        if table.is_empty() {
-            return;
-        }
-        self.text.push('\n');
-        if !title.is_empty() {
-            self.text.push_str(&format!("  {}\n", style(self.color, BOLD, title)));
-        }
-        for line in table.lines() {
-            self.text.push_str(&format!("  {}\n", line.trim_end()));
-        }
-    }
-}
-
-/// Breaks a text at spaces.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let last = lines.len() - 1;
-        let line = &mut lines[last];
-        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
-            lines.push(word.to_string());
-        } else {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines
+    sheet.into_text()
 }
 
 /// Times of blocks are short: three decimals below ten seconds.

@@ -7,7 +7,7 @@ use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{CycleField, CycleRules, TapRules};
 use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm};
-use crate::path_modes::{PathField, PathRules};
+use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -86,14 +86,7 @@ const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "AI contour control",
     ),
-    setting(
-        "corner rounding",
-        Field::Path(PathField::Rounding),
-        &[],
-        "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
-        Certainty::Unknown,
-        "G64",
-    ),
+    CORNER_ROUNDING,
     compensation::FANUC_TYPE,
     compensation::FANUC_TYPE_C,
     compensation::FANUC_ANGLES_ONLY,

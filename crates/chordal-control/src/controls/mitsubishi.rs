@@ -7,7 +7,7 @@ use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
 use crate::parameters::{OffsetKind, Parameters, SpiralForm};
-use crate::path_modes::{PathField, PathRules};
+use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
@@ -87,14 +87,7 @@ const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "high-accuracy control",
     ),
-    setting(
-        "corner rounding",
-        Field::Path(PathField::Rounding),
-        &[],
-        "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
-        Certainty::Unknown,
-        "G64",
-    ),
+    CORNER_ROUNDING,
     compensation::MITSUBISHI_TYPE,
     compensation::MITSUBISHI_AVOIDANCE,
     compensation::MITSUBISHI_NO_CHECK,

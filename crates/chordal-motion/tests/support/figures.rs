@@ -1,33 +1,13 @@
-//! Paths and figures that several tests use.
+//! Paths of which the least time is known, and such times.
 
-#![allow(dead_code, reason = "each test uses some of them")]
-
-use chordal_geometry::{Arc, Curve, Plane};
-use chordal_motion::{AxisLimit, Limits, Piece};
+use super::law::piece;
+use chordal_geometry::{Arc, Plane};
+use chordal_motion::Piece;
 use core::f64::consts::TAU;
-
-/// The same limits on X, Y, Z and A.
-pub fn limits(velocity: f64, acceleration: f64, jerk: f64) -> Limits {
-    let axis = Some(AxisLimit { velocity, acceleration, jerk });
-    Limits::new([axis, axis, axis, axis, None, None]).unwrap()
-}
-
-/// A straight piece.
-pub fn line(from: [f64; 3], to: [f64; 3]) -> Piece {
-    let length = (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f64>().sqrt();
-    let mut start = [[0.0; 6]; 4];
-    for axis in 0..3 {
-        start[0][axis] = from[axis];
-        start[1][axis] = (to[axis] - from[axis]) / length;
-    }
-    Piece { length, base: None, start, tag: 0 }
-}
 
 /// Turns of a circle or a helix about Z.
 pub fn arc(radius: f64, turns: f64, rise: f64) -> Piece {
-    let arc = Arc::new(Plane::Xy.frame(), radius, TAU * turns, rise);
-    let length = chordal_geometry::ParamCurve::length(&arc);
-    Piece { length, base: Some((Curve::Arc(arc), 0.0)), start: [[0.0; 6]; 4], tag: 0 }
+    piece(Arc::new(Plane::Xy.frame(), radius, TAU * turns, rise).into(), 0)
 }
 
 /// One lap of an ellipse from (a, 0): the periodic cubic spline in arc length through points at
@@ -128,23 +108,6 @@ pub fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
 /// From rest to rest in one axis without a limit of jerk.
 pub fn bang_bang(way: f64, v: f64, a: f64) -> f64 {
     if way >= v * v / a { way / v + v / a } else { 2.0 * (way / a).sqrt() }
-}
-
-/// From rest to rest in one axis with a limit of jerk: seven phases, or fewer where the way is
-/// short.
-pub fn seven_phases(way: f64, v: f64, a: f64, j: f64) -> f64 {
-    let ramp = |speed: f64| {
-        if speed * j <= a * a { 2.0 * (speed / j).sqrt() } else { speed / a + a / j }
-    };
-    if way >= v * ramp(v) {
-        return way / v + ramp(v);
-    }
-    let (mut low, mut high) = (0.0, v);
-    for _ in 0..200 {
-        let mid = 0.5 * (low + high);
-        if mid * ramp(mid) <= way { low = mid } else { high = mid }
-    }
-    2.0 * ramp(low)
 }
 
 /// Two numbers agree to a share of the second.

@@ -1,0 +1,60 @@
+//! What setpoints ask of the axes.
+
+use chordal_motion::{Axes, Limits, Setpoint};
+
+/// Largest differences of setpoints by time, over limits.
+#[derive(Debug, Default)]
+pub struct Watch {
+    last: Vec<Axes>,
+    /// Ratios of velocity, acceleration and jerk to their limits, by differences.
+    pub worst: [f64; 3],
+    /// Ratios of the velocity and acceleration that come with the setpoint.
+    pub told: [f64; 2],
+}
+
+impl Watch {
+    pub fn take(&mut self, point: &Setpoint, period_s: f64, limits: &Limits) {
+        self.last.push(point.position);
+        if self.last.len() > 4 {
+            self.last.remove(0);
+        }
+        let back = |axis: usize, count: usize| {
+            let at = self.last.len().checked_sub(1 + count)?;
+            Some(self.last[at][axis])
+        };
+        for axis in 0..6 {
+            let Some(limit) = limits.axis(axis) else { continue };
+            let [a, b, c, d] = [3, 2, 1, 0].map(|count| back(axis, count));
+            let mut take = |row: usize, value: Option<f64>, limit: f64| {
+                if let Some(value) = value {
+                    let share = value.abs() / period_s.powi(row as i32 + 1) / limit;
+                    self.worst[row] = self.worst[row].max(share);
+                }
+            };
+            let (Some(d), Some(c)) = (d, c) else { continue };
+            take(0, Some(d - c), limit.velocity);
+            take(1, b.map(|b| d - 2.0 * c + b), limit.acceleration);
+            take(2, a.zip(b).map(|(a, b)| d - 3.0 * c + 3.0 * b - a), limit.jerk);
+            self.told[0] = self.told[0].max(point.velocity[axis].abs() / limit.velocity);
+            self.told[1] = self.told[1].max(point.acceleration[axis].abs() / limit.acceleration);
+        }
+    }
+
+    /// Fails when a limit was broken by more than a relative 1e-6 and what rounding does to
+    /// differences of coordinates of some hundred mm.
+    pub fn check(&self, period_s: f64, limits: &Limits) {
+        let least = limits.axis(0).expect("an X axis");
+        let rounding = 1e-13;
+        let slack = [
+            rounding / period_s / least.velocity,
+            4.0 * rounding / period_s.powi(2) / least.acceleration,
+            8.0 * rounding / period_s.powi(3) / least.jerk,
+        ];
+        for (worst, slack) in self.worst.iter().zip(slack) {
+            assert!(*worst <= 1.0 + 1e-6 + slack, "{self:?}");
+        }
+        for told in self.told {
+            assert!(told <= 1.0 + 1e-6, "{self:?}");
+        }
+    }
+}
