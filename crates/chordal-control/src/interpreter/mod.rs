@@ -1,7 +1,7 @@
 //! Runs a program: reads blocks, carries them out, follows calls.
 //!
 //! One file per concern: `block` gathers the codes of a block and takes them in the order a
-//! control does; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
+//! control does; `judge` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
 //! tables; `calls` follows subprograms; `values` turns words into millimetres; `report`
 //! builds the diagnostics.
 
@@ -9,7 +9,9 @@ mod arc;
 mod block;
 mod calls;
 mod cycle;
+mod judge;
 mod macros;
+mod modes;
 mod motion;
 mod offsets;
 mod path_modes;

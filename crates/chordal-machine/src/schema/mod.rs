@@ -1,0 +1,310 @@
+//! The one table of the keys of a machine file: where each is, what it takes, what it means and
+//! where its value goes. Checking, suggestions, assignments and the reference read it.
+
+mod rows;
+
+pub(crate) use self::rows::ROWS;
+use crate::axis::Axis;
+use crate::machine::Machine;
+use crate::offset::work_offset_name;
+use crate::quantity::Dimension;
+
+/// The field of a machine that a key fills.
+pub(crate) type Place<T> = for<'m, 'k> fn(&'m mut Machine, &'k Keys) -> &'m mut T;
+
+/// What the `<placeholders>` of a path stand for in a certain key.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Keys {
+    pub(crate) axis: Option<Axis>,
+    pub(crate) number: u32,
+    pub(crate) name: String,
+}
+
+/// A key, or a table with a meaning of its own.
+pub(crate) struct Row {
+    /// Where it is; `<axis>`, `<tool>`, `<offset>`, `<point>` and `<setting>` vary.
+    pub(crate) path: &'static str,
+    /// What it takes and where that goes.
+    pub(crate) slot: Slot,
+    /// What it means.
+    pub(crate) doc: &'static str,
+}
+
+/// What a key takes and where that goes.
+pub(crate) enum Slot {
+    Quantity {
+        dimension: Dimension,
+        sign: Sign,
+        place: Place<Option<f64>>,
+    },
+    Range {
+        dimension: Dimension,
+        place: Place<Option<(f64, f64)>>,
+    },
+    Text(Place<String>),
+    OptionalText(Place<Option<String>>),
+    TextList(Place<Vec<String>>),
+    Word {
+        what: &'static str,
+        words: &'static [&'static str],
+        set: fn(&mut Machine, &str),
+    },
+    Flag(Place<bool>),
+    /// A number without a unit.
+    Number(Place<f64>),
+    /// Numbers without a unit.
+    NumberList(Place<Vec<f64>>),
+    /// A date or a time, kept as its digits.
+    Stamp {
+        stamp: Stamp,
+        place: Place<Option<u32>>,
+    },
+    /// The block delete switches.
+    Switches,
+    /// An override: `"80 %"` or the fraction 0.8.
+    Override(Place<Option<f64>>),
+    /// A setting of the control, kept raw.
+    Setting,
+    /// Read before all other keys.
+    Inherits,
+    /// A table that exists by being named, empty or not.
+    Table(fn(&mut Machine, &Keys)),
+    /// The same for an axis, which `false` takes away.
+    Axis,
+}
+
+/// A date or a time.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stamp {
+    Date,
+    Time,
+}
+
+impl Stamp {
+    /// What it is called, and how it is written.
+    pub(crate) const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Stamp::Date => ("a date", "2024-05-17"),
+            Stamp::Time => ("a time", "13:45:00"),
+        }
+    }
+
+    /// Its digits as one number; `None` when the text is no such thing.
+    pub(crate) fn parse(self, text: &str) -> Option<u32> {
+        let (separator, widths, limits) = match self {
+            Stamp::Date => ('-', [4, 2, 2], [(0, 9999), (1, 12), (1, 31)]),
+            Stamp::Time => (':', [2, 2, 2], [(0, 23), (0, 59), (0, 59)]),
+        };
+        let parts: Vec<&str> = text.split(separator).collect();
+        if parts.len() != 3 {
+            return None;
+        }
+        let mut number = 0;
+        for ((part, width), (low, high)) in parts.into_iter().zip(widths).zip(limits) {
+            let value =
+                whole(part).filter(|value| part.len() == width && (low..=high).contains(value))?;
+            number = number * 100 + value;
+        }
+        Some(number)
+    }
+}
+
+/// Which signs a quantity may have.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sign {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+/// The row of a path, placeholders and all.
+pub(crate) fn row(path: &str) -> Option<&'static Row> {
+    ROWS.iter().find(|row| row.path == path)
+}
+
+/// The names that may follow a path, or its one placeholder.
+pub(crate) fn children(path: &str) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = Vec::new();
+    for row in ROWS {
+        let rest = match path {
+            "" => Some(row.path),
+            _ => row.path.strip_prefix(path).and_then(|rest| rest.strip_prefix('.')),
+        };
+        if let Some(name) = rest.and_then(|rest| rest.split('.').next())
+            && !names.contains(&name)
+        {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Takes a key for a placeholder; the error says what the placeholder takes, and how to write it.
+pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), (String, String)> {
+    match placeholder {
+        "<axis>" => {
+            let found = Axis::ALL.into_iter().find(|axis| axis.letter().to_string() == key);
+            keys.axis = Some(found.ok_or_else(|| {
+                let help = match key.as_bytes() {
+                    [letter] => Axis::from_letter(*letter)
+                        .map(|axis| format!("did you mean `{axis}`? Axes are written in capitals")),
+                    _ => None,
+                };
+                let all = || "the axes are X, Y, Z, A, B and C".to_string();
+                (format!("`{key}` is not an axis"), help.unwrap_or_else(all))
+            })?);
+        }
+        "<tool>" => {
+            keys.number = whole(key).ok_or_else(|| {
+                let help = "a tool is named by its number, as `tools.5`".to_string();
+                (format!("`{key}` is not a tool number"), help)
+            })?;
+        }
+        "<variable>" => {
+            let digits = key.strip_prefix('#').unwrap_or(key);
+            keys.number = whole(digits).filter(|number| *number > 0).ok_or_else(|| {
+                let help =
+                    "a variable is named by its number, as `macros.variables.500`".to_string();
+                (format!("`{key}` is not the number of a variable"), help)
+            })?;
+        }
+        "<point>" => {
+            keys.number = whole(key).filter(|n| (2..=4).contains(n)).ok_or_else(|| {
+                let help = match key {
+                    "1" => "reference point 1 is written as `[home]`",
+                    _ => "the reference points are 2, 3 and 4",
+                };
+                (format!("`{key}` is not a reference point"), help.to_string())
+            })?;
+        }
+        "<offset>" => {
+            keys.name = work_offset_name(key).ok_or_else(|| {
+                let help = "work offsets are G54 to G59, \"G59.1\" to \"G59.3\", \"G54.1 P1\" to \
+                            P300, \"G154 P1\" to P99, E1 to E48, G52 and EXT";
+                (format!("`{key}` is not a work offset"), help.to_string())
+            })?;
+        }
+        _ => keys.name = key.to_string(),
+    }
+    Ok(())
+}
+
+fn whole(text: &str) -> Option<u32> {
+    let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    digits.then(|| text.parse().ok()).flatten()
+}
+
+impl Row {
+    /// The key's own name, or the one before a placeholder.
+    pub(crate) fn name(&self) -> &'static str {
+        self.path.rsplit('.').find(|name| !name.starts_with('<')).unwrap_or(self.path)
+    }
+
+    /// What it takes, in words, with an example.
+    fn takes(&self) -> String {
+        let by_axis = self.path.contains("<axis>");
+        let kind = |dimension: Dimension| {
+            let mut text = format!("{}: `\"{}\"`", dimension.noun(), example(dimension));
+            if by_axis {
+                let rotary = dimension.of_rotary();
+                text += &format!("; on A, B, C {}: `\"{}\"`", rotary.noun(), example(rotary));
+            }
+            text
+        };
+        match &self.slot {
+            Slot::Quantity { dimension, sign, .. } => {
+                kind(*dimension)
+                    + match sign {
+                        Sign::Any => "",
+                        Sign::NotNegative => "; not negative",
+                        Sign::Positive => "; more than zero",
+                    }
+            }
+            Slot::Range { .. } => {
+                "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"
+                    .into()
+            }
+            Slot::Text(_) | Slot::OptionalText(_) | Slot::Inherits => "a text".into(),
+            Slot::TextList(_) => "a list of texts".into(),
+            Slot::Word { words, .. } => {
+                let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+                crate::suggest::or_list(&words)
+            }
+            Slot::Flag(_) => "`true` or `false`".into(),
+            Slot::Number(_) => "a number".into(),
+            Slot::NumberList(_) => "a list of numbers".into(),
+            Slot::Stamp { stamp, .. } => {
+                let (what, form) = stamp.words();
+                format!("{what}: `\"{form}\"`")
+            }
+            Slot::Switches => "`true`, `false` or a list of 1 to 9".into(),
+            Slot::Override(_) => {
+                "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
+            }
+            Slot::Setting => "a text, a number or `true`/`false`, as the control takes it".into(),
+            Slot::Table(_) => "a table".into(),
+            Slot::Axis => "a table, or `false`".into(),
+        }
+    }
+}
+
+const fn example(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => "0.5 in",
+        Dimension::Angle => "90 deg",
+        Dimension::Time => "1.5 s",
+        Dimension::Velocity => "900 in/min",
+        Dimension::AngularVelocity => "3600 deg/min",
+        Dimension::Acceleration => "2000 mm/s^2",
+        Dimension::AngularAcceleration => "360 deg/s^2",
+        Dimension::Jerk => "100 m/s^3",
+        Dimension::AngularJerk => "7200 deg/s^3",
+        Dimension::SpindleSpeed => "6000 rpm",
+    }
+}
+
+/// The keys of a machine file, as a table in Markdown.
+pub fn schema_reference() -> String {
+    let mut text = String::from(
+        "A quantity is a text with its unit. Lengths: `mm`, `cm`, `m`, `um`, `in` (also `inch` or \
+         `\"`), `ft`. Times: `s`, `ms`, `min`. Angles: `deg`, `rad`, `rev`. Rates are per `s` or \
+         `min` (`in/min`, `mm/s^2`, `m/s³`), with `ipm` and `rpm` for short.\n\n\
+         | key | takes | meaning |\n|---|---|---|\n",
+    );
+    for row in ROWS {
+        let (path, takes, doc) = (row.path, row.takes(), row.doc);
+        text.push_str(&format!("| `{path}` | {takes} | {doc} |\n"));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_level_has_names_or_one_placeholder() {
+        let mut paths = vec![String::new()];
+        for row in ROWS {
+            assert_eq!(
+                ROWS.iter().filter(|other| other.path == row.path).count(),
+                1,
+                "{}",
+                row.path
+            );
+            let ends = row.path.match_indices('.').map(|(at, _)| at);
+            paths.extend(ends.map(|at| row.path[..at].to_string()));
+        }
+        for path in paths {
+            let children = children(&path);
+            let varying = children.iter().filter(|name| name.starts_with('<')).count();
+            assert!(varying == 0 || children.len() == 1, "{path}: {children:?}");
+        }
+    }
+
+    #[test]
+    fn the_reference_names_every_key() {
+        let text = schema_reference();
+        assert!(ROWS.iter().all(|row| text.contains(&format!("| `{}` |", row.path))));
+    }
+}
