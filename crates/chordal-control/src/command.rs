@@ -235,6 +235,20 @@ pub enum PathMode {
     },
 }
 
+/// Which overrides of the operator's panel act.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Overrides {
+    /// On the feed of cuts.
+    pub feed: bool,
+    /// On rapids.
+    pub rapid: bool,
+}
+
+impl Overrides {
+    /// Both act, as at power-on and after the program's end.
+    pub const ON: Overrides = Overrides { feed: true, rapid: true };
+}
+
 /// What a command does.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CommandKind {
@@ -344,6 +358,8 @@ pub enum CommandKind {
     },
     /// How corners are passed.
     PathMode(PathMode),
+    /// The overrides that act change (M48, M49, tapping).
+    Overrides(Overrides),
     /// The program coordinates move against the machine.
     WorkOffset {
         /// Name of the active work coordinate system (`G54`, `E1`).

@@ -3,7 +3,7 @@
 use chordal_geometry::{Direction, Plane};
 use chordal_syntax::Decimal;
 
-use crate::command::{AxisMask, Coolant, FeedMode, Position, Side, SpindleState, Units};
+use crate::command::{AxisMask, Coolant, FeedMode, Overrides, Position, Side, SpindleState, Units};
 use crate::offsets::Offsets;
 use crate::parameters::{ArcCenter, DecimalPoint, Parameters};
 use crate::path_modes::PathState;
@@ -114,6 +114,34 @@ impl Scale {
     }
 }
 
+/// What keeps the panel's overrides from acting.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OverrideState {
+    /// By M48, M49 and their like.
+    pub by_code: Overrides,
+    /// G63 is in force.
+    pub tapping_mode: bool,
+    /// A tap is in its hole.
+    pub in_tap: bool,
+    /// What the sink was told last.
+    pub told: Overrides,
+}
+
+impl Default for OverrideState {
+    fn default() -> OverrideState {
+        let (by_code, told) = (Overrides::ON, Overrides::ON);
+        OverrideState { by_code, tapping_mode: false, in_tap: false, told }
+    }
+}
+
+impl OverrideState {
+    /// What acts now.
+    pub fn in_force(&self) -> Overrides {
+        let feed = self.by_code.feed && !self.tapping_mode && !self.in_tap;
+        Overrides { feed, ..self.by_code }
+    }
+}
+
 /// Everything a control remembers from block to block.
 #[derive(Clone, Debug)]
 pub(crate) struct State {
@@ -148,6 +176,7 @@ pub(crate) struct State {
     /// The last dwell that a cycle was given, s.
     pub cycle_dwell_s: Option<f64>,
     pub path: PathState,
+    pub overrides: OverrideState,
     pub registers: [Decimal; 10],
 }
 
@@ -185,6 +214,7 @@ impl State {
             cycle: None,
             cycle_dwell_s: None,
             path: PathState::new(&parameters.path),
+            overrides: OverrideState::default(),
             registers: [Decimal::integer(0); 10],
         }
     }

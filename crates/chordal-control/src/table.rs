@@ -110,6 +110,15 @@ pub enum Action {
     },
     /// How far corners are rounded, by level P or distance E (Haas G187).
     Smoothness,
+    /// Corners as in `PathContinuous`, and the feed override has no effect (G63).
+    PathTapping,
+    /// The panel's feed override acts or not (M48, M49), and with it that of rapids.
+    Overrides {
+        on: bool,
+        rapid: bool,
+    },
+    /// The same for feed and rapids by P: off with 0 (LinuxCNC M50).
+    OverridesByP,
     ProgramStop,
     OptionalStop,
     ProgramEnd {

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::io::{self, Write};
 
 use chordal::control::{
-    ArcShape, Coolant, Feed, FeedMode, Move, PathMode, Position, Side, SpindleState, Units,
-    WorkName,
+    ArcShape, Coolant, Feed, FeedMode, Move, Overrides, PathMode, Position, Side, SpindleState,
+    Units, WorkName,
 };
 use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
@@ -294,6 +294,8 @@ fn simple(kind: &CommandKind) -> Option<String> {
                 format!("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, {tolerance:.6})")
             }
         },
+        CommandKind::Overrides(Overrides { feed: true, .. }) => "ENABLE_FEED_OVERRIDE()".into(),
+        CommandKind::Overrides(Overrides { feed: false, .. }) => "DISABLE_FEED_OVERRIDE()".into(),
         _ => return None,
     })
 }

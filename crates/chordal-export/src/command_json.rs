@@ -330,6 +330,11 @@ fn mode(object: &mut Object, kind: &CommandKind) {
             object.word("mode", word);
             object.optional("tolerance", tolerance);
         }
+        CommandKind::Overrides(overrides) => {
+            object.word("kind", "overrides");
+            object.boolean("feed", overrides.feed);
+            object.boolean("rapid", overrides.rapid);
+        }
         // Motions, offsets and messages are written before this is asked.
         _ => {}
     }

@@ -36,6 +36,10 @@ pub struct BlockReader<'a> {
 /// one problem, not a million.
 const PROBLEMS_PER_BLOCK: usize = 8;
 
+/// How far the end of a comment within a comment is looked for, in bytes: a line of nothing but
+/// parentheses must not be read again for each of them.
+const LONGEST_NESTED: usize = 1024;
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Class {
     Letter,
@@ -225,7 +229,12 @@ impl<'a> BlockReader<'a> {
         let start = self.at;
         let rest = &self.text[start..self.end];
         match memchr::memchr3(b')', b'\n', b'\r', rest) {
-            Some(close) if rest[close] == b')' => self.at += close + 1,
+            Some(close) if rest[close] == b')' => {
+                self.at += close + 1;
+                if let Some(inner) = memchr::memchr(b'(', &rest[1..close]) {
+                    self.nested_comment(block, start, start + 1 + inner);
+                }
+            }
             other => {
                 self.at += other.unwrap_or(rest.len());
                 let line_end = self.at as u32;
@@ -249,6 +258,36 @@ impl<'a> BlockReader<'a> {
             }
         }
         block.comments.push(TextRange::new(start as u32, self.at as u32));
+    }
+
+    /// A comment that was opened again before its first `)`: where as many are closed on its
+    /// line, all of it is meant as one.
+    #[cold]
+    fn nested_comment(&mut self, block: &mut Block, start: usize, inner: usize) {
+        let mut depth = 0_u32;
+        let line = self.text[start..self.end].iter().take_while(|byte| !b"\r\n".contains(byte));
+        let length = line.take(LONGEST_NESTED).position(|byte| {
+            match byte {
+                b'(' => depth += 1,
+                b')' => depth -= 1,
+                _ => {}
+            }
+            depth == 0
+        });
+        // More open than closed: the first `)` ends the comment, and nothing is left over.
+        let Some(length) = length else { return };
+        let close = self.at as u32;
+        self.at = start + length + 1;
+        self.problem(block, || {
+            let inner = Span::new(self.file, inner as u32, inner as u32 + 1);
+            Diagnostic::new(Code::NestedComment, inner, "a comment stands in this comment")
+                .label("opened again here")
+                .also(
+                    Span::new(self.file, close - 1, close),
+                    "the control takes this for the end of the comment",
+                )
+                .help("write brackets in place of the inner parentheses: `[` and `]`")
+        });
     }
 
     fn block_delete(&mut self, block: &mut Block) {

@@ -39,7 +39,8 @@ pub struct Job<'a> {
 pub struct Report {
     /// Numbers for people.
     pub summary: Summary,
-    /// Problems, by place.
+    /// Problems by place: file, then line, as an editor lists them; those of one place in the
+    /// order of the run.
     pub diagnostics: Vec<Diagnostic>,
     /// Problems that were told but not kept, by code.
     pub dropped: Vec<(Code, u64)>,

@@ -141,6 +141,52 @@ fn overrides_change_speeds() {
     assert!((moves[1].speed - 5.0).abs() < 1e-9, "half of 600 mm/min");
 }
 
+/// Speeds at half the feed and half the rapid speed, mm/s.
+fn halved(program: &str, control: &str) -> Vec<f64> {
+    let text = format!("inherits = \"mill.toml\"\ncontrol = \"{control}\"\n");
+    let options =
+        MotionOptions { feed_override: Some(0.5), rapid_override: Some(0.5), ..Default::default() };
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("t.nc", program.as_bytes()));
+    let job = Job::new(sources, mill::machine(&text)).expect("a job");
+    let mut speeds = Vec::new();
+    let sink = |step: &MotionStep, _: &StepSource| {
+        if let MotionStep::Move(motion) = step {
+            speeds.push((motion.speed * 1e6).round() / 1e6);
+        }
+        Ok(())
+    };
+    let (report, _) = job.motion(&options, sink).expect("limits");
+    assert_eq!(report.refused_moves, 0);
+    speeds
+}
+
+#[test]
+fn overrides_act_where_the_program_lets_them() {
+    let head = "G21 G90 G54 S600 M3\nG1 X10. F600.\n";
+    // Feeds of 10 mm/s and rapids of 200 mm/s, halved where the override acts.
+    let by_m49 = format!("{head}M49\nX20.\nG0 X30.\nM48\nG1 X40.\nG0 X0.\nM30\n");
+    assert_eq!(halved(&by_m49, "fanuc"), [5.0, 10.0, 100.0, 5.0, 100.0]);
+    assert_eq!(halved(&by_m49, "linuxcnc"), [5.0, 10.0, f64::INFINITY, 5.0, 100.0]);
+    let tapping = format!("{head}G63\nX20.\nG64\nX30.\nM49\nG63 X40.\nG64 X50.\nM30\n");
+    for control in ["fanuc", "mitsubishi"] {
+        assert_eq!(halved(&tapping, control)[..3], [5.0, 10.0, 5.0], "{control}");
+    }
+    assert_eq!(halved(&tapping, "fanuc")[3..], [10.0, 10.0], "G64 does not end M49");
+    let by_p = format!("{head}M50 P0\nX20.\nM50\nX30.\nM50 P0\nM50 P1\nX40.\nM2\n");
+    assert_eq!(halved(&by_p, "linuxcnc"), [5.0, 10.0, 5.0, 5.0]);
+}
+
+#[test]
+fn no_override_acts_on_a_tap() {
+    // 600 rpm with a lead of 1 mm: 10 mm/s in and out; the cut after it is halved again.
+    let program = "G21 G90 G54 S600 M3\nG0 X0 Y0 Z5.\nG84 Z-10. R5. F600.\nG80\nG1 X10.\nM30\n";
+    for control in ["fanuc", "haas", "mitsubishi"] {
+        let speeds = halved(program, control);
+        assert_eq!(speeds[speeds.len() - 3..], [10.0, 10.0, 5.0], "{control}: {speeds:?}");
+    }
+}
+
 #[test]
 fn the_largest_feed_of_the_machine_holds() {
     let options = MotionOptions { feed_override: Some(2.0), ..Default::default() };

@@ -309,7 +309,7 @@ const G_CODES: &[CodeRow] = &[
     row(610, Group::PathMode, Action::PathExactStop, "", "exact stop check mode"),
     row(611, Group::PathMode, Action::PathHighAccuracy, "", "high-accuracy control"),
     row(620, Group::PathMode, Action::PathContinuous, "", "corner override"),
-    row(630, Group::PathMode, Action::PathContinuous, "", "tapping mode"),
+    row(630, Group::PathMode, Action::PathTapping, "", "tapping mode"),
     row(640, Group::PathMode, Action::PathContinuous, "", "cutting mode"),
     row(650, Group::ModalCall, Action::MacroCall, "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
     row(

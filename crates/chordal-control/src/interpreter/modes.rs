@@ -112,8 +112,12 @@ impl<S: Sink> Interpreter<'_, S> {
             | Action::ExactStopOnce
             | Action::PathContinuous
             | Action::PathHighAccuracy
+            | Action::PathTapping
             | Action::LookAhead { .. }
             | Action::Smoothness => self.take_path_mode(block, row, at),
+            Action::Overrides { .. } | Action::OverridesByP => {
+                self.take_overrides(block, row.action);
+            }
             Action::ReturnInitial => self.state.return_to_r = false,
             Action::ReturnToR => self.state.return_to_r = true,
             Action::CancelCycle => self.cancel_cycle(),

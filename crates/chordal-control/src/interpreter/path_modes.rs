@@ -1,11 +1,11 @@
 //! How corners are passed: G61, G64, G9, G187, G05.1 and their like.
 
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::Block;
 
 use super::Interpreter;
 use crate::command::{CommandKind, PathMode, Sink};
-use crate::table::{Action, CodeRow};
+use crate::table::{Action, CodeRow, Group};
 
 impl<S: Sink> Interpreter<'_, S> {
     /// A code that changes how corners are passed.
@@ -16,8 +16,11 @@ impl<S: Sink> Interpreter<'_, S> {
             Action::PathExact => path.set_mode(PathMode::ExactPath),
             Action::PathExactStop => path.set_mode(PathMode::ExactStop),
             Action::ExactStopOnce => path.once = true,
-            Action::PathContinuous => {
+            Action::PathContinuous | Action::PathTapping => {
                 let own = if row.words.has(b'P') { self.length_of(block, b'P') } else { None };
+                if row.words.has(b'Q') {
+                    self.tell_lines_stay(block);
+                }
                 let tolerance_mm = own.or(rules.of_level(rules.level));
                 self.state.path.set_mode(PathMode::Continuous { tolerance_mm });
             }
@@ -39,6 +42,28 @@ impl<S: Sink> Interpreter<'_, S> {
             _ => return,
         }
         self.emit(CommandKind::PathMode(self.state.path.in_force()));
+        if row.group == Group::PathMode {
+            self.set_tapping_mode(row.action == Action::PathTapping);
+        }
+    }
+
+    /// Q of LinuxCNC's G64 lets the control make one move of lines that are nearly straight.
+    fn tell_lines_stay(&mut self, block: &Block) {
+        let Some(within) = self.length_of(block, b'Q').filter(|mm| *mm > 0.0) else { return };
+        let word = block.last(b'Q').map_or(block.range, |word| word.range);
+        self.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(word),
+                format!(
+                    "lines within {} of one straight line are not joined to one move",
+                    self.length_text(within)
+                ),
+            )
+            .label("the control may join them")
+            .help("corners are rounded within P; the path and its time are those of the lines as written")
+            .severity(Severity::Note),
+        );
     }
 
     /// Haas G187: P names a level, E the distance itself; without either the settings hold.

@@ -62,6 +62,7 @@ codes! {
     NotAProgram => reading::NOT_A_PROGRAM,
     EmptyProgram => reading::EMPTY_PROGRAM,
     MissingValue => reading::MISSING_VALUE,
+    NestedComment => reading::NESTED_COMMENT,
     MissingSubprogram => program::MISSING_SUBPROGRAM,
     MissingLabel => program::MISSING_LABEL,
     NestingTooDeep => program::NESTING_TOO_DEEP,

@@ -108,3 +108,18 @@ pub(super) const MISSING_VALUE: CodeInfo = CodeInfo {
     explanation: r#"A letter needs a value: `X` alone says nothing. Letters with nothing behind them are refused by
 every control; the common reasons are a deleted number and a comment without its parenthesis."#,
 };
+
+pub(super) const NESTED_COMMENT: CodeInfo = CodeInfo {
+    code: Code::NestedComment,
+    id: "CH110",
+    name: "nested-comment",
+    severity: Severity::Error,
+    summary: "a comment stands in a comment",
+    explanation: r#"A comment ends at the first `)`. With parentheses in parentheses the rest of the comment is read as
+words, or the control refuses the block:
+
+    (ROUGH (LEFT SIDE) TWICE)       TWICE) is no comment any more
+    (ROUGH [LEFT SIDE] TWICE)       is one
+
+Chordal tells it once and reads on behind the last `)`."#,
+};

@@ -1,6 +1,8 @@
 //! From the commands of the tool centre to moves that join on to each other, and waits.
 
-use chordal_control::{Command, CommandKind, Origin, Outcome, PathMode, PathRules, SpindleState};
+use chordal_control::{
+    Command, CommandKind, Origin, Outcome, Overrides, PathMode, PathRules, SpindleState,
+};
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::{FeedLimits, Machine, Times};
@@ -33,6 +35,8 @@ pub(crate) struct MotionBuilder<'a, S> {
     optional_stop: bool,
     in_force: InForce,
     forced_mode: Option<PathMode>,
+    /// Those that the program lets act.
+    overrides: Overrides,
     dog_leg_shape: bool,
     mode: PathMode,
     spindle_rpm: f64,
@@ -72,6 +76,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             optional_stop: machine.switches.optional_stop,
             in_force: InForce::new(machine, options),
             forced_mode: options.path_mode,
+            overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,
             spindle_rpm: 0.0,
             tool: 0,
@@ -95,6 +100,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let origin = command.origin;
         match command.kind {
             CommandKind::PathMode(mode) => self.mode = self.forced_mode.unwrap_or(mode),
+            CommandKind::Overrides(overrides) => self.overrides = overrides,
             CommandKind::Dwell { seconds } => self.wait(WaitKind::Dwell, seconds, origin),
             CommandKind::Tool { number } => {
                 let changes = number != self.tool;
@@ -117,6 +123,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             CommandKind::End => {
                 self.wait(WaitKind::End, 0.0, origin);
                 self.mode = self.forced_mode.unwrap_or(self.rules.start_mode());
+                self.overrides = Overrides::ON;
             }
             _ => {}
         }
@@ -201,7 +208,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         self.join(&mut motion);
         motion.tag = self.next_tag(&segment.origin);
         let nominal_s = match kind {
-            MoveKind::Rapid => segment.duration_s / self.in_force.rapid_override.min(1.0),
+            MoveKind::Rapid => segment.duration_s / self.rapid_override().min(1.0),
             MoveKind::Cut => length / speed,
         };
         let source = StepSource {
@@ -218,10 +225,18 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         self.held = Some((Ending { motion, mode: self.mode, cycle, bends }, source));
     }
 
+    fn feed_override(&self) -> f64 {
+        if self.overrides.feed { self.in_force.feed_override } else { 1.0 }
+    }
+
+    fn rapid_override(&self) -> f64 {
+        if self.overrides.rapid { self.in_force.rapid_override } else { 1.0 }
+    }
+
     /// Speed along a cut with the override; never more than the machine's largest feed. `None`
     /// without a feed.
     fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
-        let speed = length / segment.duration_s * self.in_force.feed_override;
+        let speed = length / segment.duration_s * self.feed_override();
         let turns_only = segment.length_mm <= 0.0;
         let largest = if turns_only { self.feed.max_rad_per_s } else { self.feed.max_mm_per_s };
         let speed = speed.min(largest.unwrap_or(f64::INFINITY));
@@ -230,7 +245,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
 
     /// As fast as the axes can, or the part of it that the override leaves.
     fn rapid_speed(&self, motion: &Move, length: f64) -> Option<f64> {
-        let part = self.in_force.rapid_override;
+        let part = self.rapid_override();
         if part >= 1.0 {
             return Some(f64::INFINITY);
         }

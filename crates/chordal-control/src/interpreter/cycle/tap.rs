@@ -16,7 +16,7 @@ const FREE_PECKS: u32 = 100;
 const MAX_PECKS: u32 = 10_000;
 
 impl<S: Sink> Interpreter<'_, S> {
-    /// G84 and G74: in, the spindle reverses, out.
+    /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
     pub(super) fn tap(&mut self, block: &Block, hole: &Hole) {
         let rules = self.control.parameters.cycles.tap;
         let (inward, outward) = match hole.words.kind {
@@ -24,6 +24,7 @@ impl<S: Sink> Interpreter<'_, S> {
             _ => (SpindleState::Cw, SpindleState::Ccw),
         };
         let before = self.state.spindle;
+        self.set_in_tap(true);
         if let Some(rpm) = hole.words.tap_rpm.filter(|_| rules.feed == TapFeed::SpeedWithLeadQ) {
             self.state.rpm = rpm;
         }
@@ -55,6 +56,7 @@ impl<S: Sink> Interpreter<'_, S> {
         if before == inward {
             self.turn_spindle(inward);
         }
+        self.set_in_tap(false);
     }
 
     /// Fadal G75: the head reverses by itself when the quill is drawn out.
