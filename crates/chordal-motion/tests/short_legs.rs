@@ -3,7 +3,8 @@
 mod support;
 
 use chordal_motion::{Corner, Level, Move};
-use support::{Dice, Mix, plan, random_limits, random_path, time_of};
+use support::random::{Dice, Mix, random_limits, random_path};
+use support::{plan, time_of};
 
 /// A longer run: `CHORDAL_ROUNDS=20000 cargo test --release -p chordal-motion --test short_legs`.
 fn rounds() -> u64 {
