@@ -1,14 +1,14 @@
 //! Setpoints against a slow evaluation of their own: the law of time and the defining formulas of
 //! the curves, derivatives by differences of places alone.
 
-mod common;
+mod support;
 
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Cursor, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
     PlannerOptions, Sample, Sampler, Step, Stretch,
 };
-use common::{LAW, Law, over, straight, stretch};
+use support::law::{LAW, Law, piece as over, straight};
 
 /// The point at `s` mm of a curve, by its formula.
 fn point(curve: &Curve, s: f64) -> Vec3 {
@@ -169,7 +169,7 @@ fn arcs_and_helices() {
         [(25.0, -4.0, 0.0), (10.0, 40.0, 0.0), (12.0, 30.0, 55.0), (5.0, -60.0, -1e-3)]
     {
         let curve: Curve = Arc::new(tilted(), radius, sweep, rise).into();
-        let stretch = stretch(vec![over(curve, 1)], LAW, 0.0);
+        let stretch = LAW.stretch(vec![over(curve, 1)]);
         assert!(compare(&stretch, 0.001, 1e-12) > 500);
     }
 }
@@ -181,7 +181,7 @@ fn a_long_arc_of_a_large_radius() {
     let frame = Frame { origin: Vec3::new(-radius, 0.0, 0.0), ..tilted() };
     for sweep in [4e-4, -1e-1, 0.3] {
         let curve: Curve = Arc::new(frame, radius, sweep, 0.0).into();
-        let stretch = stretch(vec![over(curve, 1)], Law { speed: 800.0, ..LAW }, 0.0);
+        let stretch = Law { speed: 800.0, ..LAW }.stretch(vec![over(curve, 1)]);
         assert!(compare(&stretch, 0.0037, 1e-9) > 100);
     }
 }
@@ -192,7 +192,7 @@ fn a_tiny_arc() {
     let law = Law { speed: 0.05, acceleration: 1.0, jerk: 100.0 };
     for rise in [0.0, 1e-3] {
         let curve: Curve = Arc::new(tilted(), 1e-3, 190.0, rise).into();
-        let stretch = stretch(vec![over(curve, 1)], law, 0.0);
+        let stretch = law.stretch(vec![over(curve, 1)]);
         assert!(compare(&stretch, 0.001, 1e-14) > 1000);
     }
 }
@@ -208,7 +208,7 @@ fn spirals() {
     ] {
         let curve: Curve = Spiral::new(tilted(), radii, sweep, rise).into();
         let law = Law { speed: 30.0, acceleration: 600.0, jerk: 2e4 };
-        let stretch = stretch(vec![over(curve, 1)], law, 0.0);
+        let stretch = law.stretch(vec![over(curve, 1)]);
         assert!(compare(&stretch, 0.001, 1e-11) > 500, "{radii:?}");
     }
 }
@@ -217,7 +217,7 @@ fn spirals() {
 fn a_spiral_that_hardly_grows() {
     let curve: Curve = Spiral::new(tilted(), (20.0, 20.0 + 1e-9), 12.0, 0.0).into();
     let arc: Curve = Arc::new(tilted(), 20.0, 12.0, 0.0).into();
-    let [one, two] = [curve, arc].map(|curve| stretch(vec![over(curve, 1)], LAW, 0.0));
+    let [one, two] = [curve, arc].map(|curve| LAW.stretch(vec![over(curve, 1)]));
     let (mut a, mut b) = (Cursor::default(), Cursor::default());
     let mut t = 0.0;
     while t < one.duration_s() {
@@ -244,7 +244,7 @@ fn corrections_over_curves_and_turning_axes() {
     let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
     let line = straight([0.0; 6], [0.6, 0.0, 0.8, 0.0, 0.0, 0.01], 70.0, 1);
     for piece in [bent(over(arc, 1)), bent(over(spiral, 1)), bent(line)] {
-        let stretch = stretch(vec![piece], Law { speed: 60.0, ..LAW }, 0.0);
+        let stretch = Law { speed: 60.0, ..LAW }.stretch(vec![piece]);
         assert!(compare(&stretch, 0.001, 1e-11) > 500);
     }
 }
@@ -254,7 +254,7 @@ fn a_curve_in_pieces_is_the_curve() {
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
     for curve in [arc, spiral] {
-        let whole = stretch(vec![over(curve, 1)], LAW, 0.0);
+        let whole = LAW.stretch(vec![over(curve, 1)]);
         let (mut pieces, mut from) = (Vec::new(), 0.0);
         for share in [0.1, 0.25, 0.05, 0.3, 0.3] {
             let length = curve.length() * share;
@@ -281,7 +281,7 @@ fn an_instant_is_the_same_whatever_was_asked_before() {
     let spiral: Curve = Spiral::new(tilted(), (0.0, 14.0), 20.0, 3.0).into();
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     for curve in [spiral, arc] {
-        let stretch = stretch(vec![over(curve, 1)], LAW, 0.0);
+        let stretch = LAW.stretch(vec![over(curve, 1)]);
         let mut walking = Cursor::default();
         let mut t = 0.0;
         while t < stretch.duration_s() {
