@@ -99,23 +99,49 @@ impl Tracer {
     /// The point at `s` mm from the start, mm, and its first three derivatives by time where those
     /// of `s` are `by_time`: mm/s, mm/s², mm/s³.
     #[must_use]
-    #[inline(always)]
     pub fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
-        let inside = s.clamp(0.0, self.length.max(0.0));
-        let mut motion = match &mut self.kind {
-            Kind::Straight { line, tangent } => {
-                let point = line.start.lerp(line.end, inside / self.length);
-                let [first, second, third] = by_time.map(|of| *tangent * of);
-                [point, first, second, third]
-            }
-            Kind::Round(round) => round.motion_at(inside, by_time),
-            Kind::Growing(growth) => growth.motion_at(inside, by_time),
-        };
+        self.with_motion_at(s, by_time, |motion| motion)
+    }
+
+    /// Hands on [`Tracer::motion_at`], without a copy: for loops over many places.
+    #[inline(always)]
+    pub fn with_motion_at<R>(
+        &mut self,
+        s: f64,
+        by_time: [f64; 3],
+        take: impl FnOnce([Vec3; 4]) -> R,
+    ) -> R {
+        if !(s > 0.0 && s < self.length) {
+            return take(self.outside(s, by_time));
+        }
+        match &mut self.kind {
+            // On its own, so that it stays in registers.
+            Kind::Round(round) => take(round.motion_at(s, by_time)),
+            _ => take(self.inside(s, by_time)),
+        }
+    }
+
+    /// At an end, beyond it, or at a number that is none.
+    #[cold]
+    fn outside(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
+        let mut motion = self.inside(s.clamp(0.0, self.length.max(0.0)), by_time);
         if s <= 0.0 {
             motion[0] = self.start;
         } else if s >= self.length {
             motion[0] = self.end;
         }
         motion
+    }
+
+    fn inside(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
+        match &mut self.kind {
+            Kind::Straight { line, tangent } => {
+                let point = line.start.lerp(line.end, s / self.length);
+                let [first, second, third] = by_time.map(|of| *tangent * of);
+                [point, first, second, third]
+            }
+            Kind::Round(round) => round.motion_at(s, by_time),
+            Kind::Growing(growth) => growth.motion_at(s, by_time),
+        }
     }
 }

@@ -175,8 +175,8 @@ proptest! {
             shares.sort_by(f64::total_cmp);
         }
         let unit = rate_of(&c);
-        // An angle is as exact as the whole sweep is, a derivative as the angle.
-        let angle = 4e-16 * (2.0 + unit * c.length());
+        // Either angle is as exact as the whole sweep is, by a few roundings; a derivative as the angle.
+        let angle = 1e-15 * (2.0 + unit * c.length());
         let mut tracer = Tracer::new(&c);
         for share in shares {
             let s = c.length() * share;

@@ -70,13 +70,20 @@ impl Reader {
     pub fn fill(&mut self, piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
         out.tag = piece.tag;
         match self.form {
-            Form::Still => fill_still(piece, out),
+            // Written below.
+            Form::Still => {}
             Form::Even => fill_even(piece, sigma, along, out),
             Form::Cubic => fill_cubic(piece, sigma, along, out),
         }
         if let (Some(tracer), Some((_, from))) = (&mut self.tracer, &piece.base) {
             let Along { speed, acceleration, jerk, .. } = *along;
-            add_curve(tracer.motion_at(from + sigma, [speed, acceleration, jerk]), out);
+            let by_time = [speed, acceleration, jerk];
+            if matches!(self.form, Form::Still) {
+                tracer
+                    .with_motion_at(from + sigma, by_time, |motion| set_curve(piece, motion, out));
+            } else {
+                add_curve(tracer.motion_at(from + sigma, by_time), out);
+            }
         }
     }
 }
@@ -86,15 +93,6 @@ pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
     let mut sample = Sample::default();
     Reader::new(piece).fill(piece, sigma, along, &mut sample);
     sample.into()
-}
-
-/// Constants.
-#[inline(always)]
-fn fill_still(piece: &Piece, out: &mut Sample) {
-    out.position = piece.start[0];
-    out.velocity = [0.0; 6];
-    out.acceleration = [0.0; 6];
-    out.jerk = [0.0; 6];
 }
 
 /// Polynomials of the first degree.
@@ -127,6 +125,18 @@ fn fill_cubic(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
         out.acceleration[axis] = first * a + second * square;
         out.jerk[axis] = first * j + second * mixed + third * cube;
     }
+}
+
+/// The curve below alone, with nothing but a shift on top.
+#[inline(always)]
+fn set_curve(piece: &Piece, motion: [Vec3; 4], out: &mut Sample) {
+    let [x, y, z, a, b, c] = piece.start[0];
+    let [point, first, second, third] = motion;
+    let axes = |of: Vec3| [of.x, of.y, of.z, 0.0, 0.0, 0.0];
+    out.position = [x + point.x, y + point.y, z + point.z, a, b, c];
+    out.velocity = axes(first);
+    out.acceleration = axes(second);
+    out.jerk = axes(third);
 }
 
 /// What the curve below adds.

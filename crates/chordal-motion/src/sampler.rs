@@ -121,7 +121,7 @@ impl Sampler {
         self.held_until(end_s, &mut take);
         self.settle();
         if self.index < self.most {
-            self.emit(&mut take);
+            self.emit(self.next_s(), &mut take);
         }
     }
 
@@ -130,15 +130,16 @@ impl Sampler {
         self.index as f64 * self.period_s
     }
 
-    /// Whether a setpoint is due before an instant.
+    /// When the next setpoint is due, if that is before an instant.
     #[inline(always)]
-    fn is_due(&self, until_s: f64) -> bool {
-        self.next_s() < until_s && self.index < self.most
+    fn due(&self, until_s: f64) -> Option<f64> {
+        let next_s = self.next_s();
+        (next_s < until_s && self.index < self.most).then_some(next_s)
     }
 
     #[inline(always)]
-    fn emit(&mut self, take: &mut impl FnMut(&Sample)) {
-        self.sample.time_s = self.next_s();
+    fn emit(&mut self, time_s: f64, take: &mut impl FnMut(&Sample)) {
+        self.sample.time_s = time_s;
         take(&self.sample);
         self.index += 1;
     }
@@ -146,17 +147,16 @@ impl Sampler {
     /// Setpoints of the held stretch alone, before an instant.
     fn held_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
         let Some(held_s) = self.held_s else { return };
-        while self.is_due(until_s) {
-            let t = self.next_s() - held_s;
-            self.cursor.fill(&self.held, t, &mut self.sample);
-            self.emit(take);
+        while let Some(t) = self.due(until_s) {
+            self.cursor.fill(&self.held, t - held_s, &mut self.sample);
+            self.emit(t, take);
         }
     }
 
     /// Setpoints at rest, before an instant.
     fn rest_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
-        while self.is_due(until_s) {
-            self.emit(take);
+        while let Some(t) = self.due(until_s) {
+            self.emit(t, take);
         }
     }
 
@@ -170,8 +170,7 @@ impl Sampler {
     ) {
         let Some(held_s) = self.held_s else { return };
         let corner = next.from();
-        while self.is_due(self.now_s) {
-            let t = self.next_s();
+        while let Some(t) = self.due(self.now_s) {
             self.cursor.fill(&self.held, t - held_s, &mut self.sample);
             let mut after = cursor.at(next, t - begins_s);
             for (place, corner) in after.position.iter_mut().zip(&corner) {
@@ -181,7 +180,7 @@ impl Sampler {
             add(&mut self.sample.velocity, &after.velocity);
             add(&mut self.sample.acceleration, &after.acceleration);
             add(&mut self.sample.jerk, &after.jerk);
-            self.emit(take);
+            self.emit(t, take);
         }
     }
 
