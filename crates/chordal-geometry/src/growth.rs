@@ -88,7 +88,8 @@ impl Growth {
         let way = last.reach.copysign(s - last.s);
         let edge = last.s + way;
         let reach = self.reach_at(last.t + last.beyond(edge));
-        let middle = (edge + SHARE * reach.copysign(way)).clamp(0.0, self.length);
+        // Not `clamp`, which panics at a length that is none.
+        let middle = (edge + SHARE * reach.copysign(way)).max(0.0).min(self.length);
         let near = ((s - edge).abs() <= reach).then(|| self.about(middle))?;
         near.holds(s).then_some(near)
     }

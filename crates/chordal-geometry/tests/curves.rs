@@ -170,12 +170,14 @@ proptest! {
     fn a_tracer_answers_the_same_wherever_it_was_asked_before(
         c in curve(), shares in prop::collection::vec(-0.1..1.1, 1..20), forward in any::<bool>(),
     ) {
+        prop_assume!(c.length() > 0.0);
         let mut shares = shares;
         if forward {
             shares.sort_by(f64::total_cmp);
         }
         let unit = rate_of(&c);
-        // Either angle is as exact as the whole sweep is, by a few roundings; a derivative as the angle.
+        // Either angle is as exact as the whole sweep is, by a few roundings; the derivatives are sums of
+        // some ten terms that may cancel.
         let angle = 1e-15 * (2.0 + unit * c.length());
         let mut tracer = Tracer::new(&c);
         for share in shares {
@@ -187,7 +189,7 @@ proptest! {
             }
             close(traced[0], jet[0], 4e-16 * scale_of(&c) + angle / unit)?;
             for order in 1..4 {
-                close(traced[order], jet[order], angle * unit.powi(order as i32 - 1))?;
+                close(traced[order], jet[order], 8.0 * angle * unit.powi(order as i32 - 1))?;
             }
         }
     }
