@@ -257,7 +257,8 @@ fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionRep
         Effort::Fast => Level::Fast,
         Effort::Best => Level::Best,
     };
-    let options = MotionOptions { level, ..MotionOptions::default() };
+    // Setpoints are places: a rapid goes where its axes take it.
+    let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
     job.plan(&options, setpoints).map_err(|error| {
         Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
     })

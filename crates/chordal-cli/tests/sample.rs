@@ -87,3 +87,23 @@ fn problems_of_the_program_are_told() {
     let done = done.complains(&["error[CH401]", "setpoints"]);
     assert!(done.out.starts_with("time_s,"));
 }
+
+#[test]
+fn a_dog_leg_rapid_goes_where_its_axes_take_it() {
+    let folder = Folder::new();
+    let mill = include_str!("../../../tests/motion/mill.toml").replace("linuxcnc", "fanuc");
+    folder.write("m.toml", mill).write("part.nc", "O1\nG21 G90 G0 X0 Y0 Z0\nG0 X100. Y50.\nM30\n");
+    // How far above the straight line to the end, at most.
+    let above = |shape: &str| {
+        let set = format!("rapid.shape={shape}");
+        let done = folder.run(&["sample", "part.nc", "-m", "m.toml", "--set", &set]).ends(0).out;
+        let rows = done.lines().skip(1).map(|line| -> Vec<f64> {
+            line.split(',').map(|cell| cell.parse().unwrap_or(0.0)).collect()
+        });
+        rows.map(|row| row[4] - row[1] / 2.0).fold(0.0, f64::max)
+    };
+    assert!(above("straight") < 1e-6, "{}", above("straight"));
+    // Both axes at one speed until Y is there, 50 mm by 50 mm, less what the bend is rounded by.
+    let bend = above("dog-leg");
+    assert!(bend > 10.0 && bend < 25.0, "{bend}");
+}

@@ -230,3 +230,59 @@ fn the_least_time_is_told() {
     ]);
     assert!(done.out.lines().all(|line| line.chars().count() <= 80), "{}", done.out);
 }
+
+/// Two operations of one tool, a comment beside words, and two lines of comment together.
+const COMMENTS: &str = "\
+O1 (PART)
+G21 G90 G61 G0 X0 Y0 Z0
+(FACE)
+(WITH THE SAME TOOL)
+T1 M6
+S900 M3
+G1 X100. F6000.
+N20 (SLOT)
+G1 X200. (NOT ALONE)
+X100.
+M98 P2 L2
+M30
+O2
+(CALLED)
+G1 X0.
+X100.
+M99
+";
+
+#[test]
+fn operations_begin_at_comments_where_that_is_asked() {
+    let folder = Folder::new();
+    folder.write("m.toml", machine()).write("part.nc", COMMENTS);
+    let by_tool = json(&folder, &["time", "part.nc", "-m", "m.toml"]);
+    assert_eq!(by_tool["operations"].as_array().unwrap().len(), 1);
+    assert!(by_tool["operations"][0].get("comment").is_none());
+    let arguments = ["time", "part.nc", "-m", "m.toml", "--operations", "comment"];
+    let time = json(&folder, &[&arguments[..], &["--bound"]].concat());
+    let operations = time["operations"].as_array().unwrap();
+    let told: Vec<_> =
+        operations.iter().map(|o| (&o["comment"], &o["tool"], &o["first"]["line"])).collect();
+    let due = [("FACE", 1, 5), ("SLOT", 1, 9)].map(|(c, t, l)| (c.into(), t.into(), l.into()));
+    assert_eq!(told, due.each_ref().map(|(c, t, l): &(Value, Value, Value)| (c, t, l)));
+    // 1.07 s for 100 mm and 6 s for the tool; then 100 mm six times over.
+    near(&operations[0]["total_s"], 7.07);
+    near(&operations[1]["total_s"], 6.0 * 1.07);
+    near(&time["total_s"], by_tool["total_s"].as_f64().unwrap());
+    let bounds = operations.iter().map(|operation| operation["bound_s"].as_f64().unwrap());
+    near(&time["bound_s"], bounds.sum());
+    folder.run(&arguments).ends(0).says(&["from comment or tool change", "FACE", "SLOT"]);
+}
+
+#[test]
+fn comments_of_a_loop_begin_an_operation_each_time() {
+    let folder = Folder::new();
+    let part = "O1\nG21 G90 G61 G0 X0 Y0 Z0\nS900 M3\nF6000.\n#1=0\nWHILE[#1LT2]DO1\n(OUT)\nG1 X100.\n\
+                (BACK)\nX0.\n#1=#1+1\nEND1\nM30\n";
+    folder.write("m.toml", machine()).write("part.nc", part);
+    let time = json(&folder, &["time", "part.nc", "-m", "m.toml", "--operations", "comment"]);
+    let names: Vec<_> =
+        time["operations"].as_array().unwrap().iter().map(|o| o["comment"].clone()).collect();
+    assert_eq!(names[names.len() - 4..], ["OUT", "BACK", "OUT", "BACK"]);
+}

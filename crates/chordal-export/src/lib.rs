@@ -42,5 +42,5 @@ pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use plot::{MotionPlot, Plot, PlotError, PlotOptions, figure_png, figure_svg};
 pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
-pub use time::{TimeDocument, level_word, time_json};
+pub use time::{TimeDocument, comment_text, level_word, time_json};
 pub use worked::{worked_json, worked_text};

@@ -1,7 +1,7 @@
 //! The time of a program as JSON.
 
 use chordal::control::{Origin, PathMode};
-use chordal::diagnostics::FileId;
+use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{Alternative, BlockTime, Change, CutEnds, Least, LeastReport, Timed, Times};
 use chordal::{Job, Report};
@@ -55,6 +55,9 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
         let (first, last) = (place(&operation.first, job), place(&operation.last, job));
         let head = json!({"tool": operation.tool, "first": first, "last": last});
         let mut row = with_times(head, &operation.times);
+        if let Some(comment) = operation.comment.and_then(|span| comment_text(span, job)) {
+            row["comment"] = comment.into();
+        }
         if let Some(least) = document.least.and_then(|least| least.operations.get(index)) {
             least_values(least).into_iter().for_each(|(name, value)| row[name] = value);
         }
@@ -72,6 +75,14 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     put("unknown_moves", json!(motion.unknown_moves));
     put("refused_moves", json!(motion.refused_moves));
     format!("{:#}\n", Value::Object(whole))
+}
+
+/// A comment without its marks and the blanks around it, on one line.
+pub fn comment_text(span: Span, job: &Job) -> Option<String> {
+    let text = job.sources().get(span.file)?.text();
+    let text = String::from_utf8_lossy(span.range.slice(text));
+    let marks: &[char] = &['(', ')', ';', '*', '\'', ' ', '\t'];
+    Some(text.trim_matches(marks).chars().filter(|c| !c.is_control()).collect())
 }
 
 /// `fast` or `best`.

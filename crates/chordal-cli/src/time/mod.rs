@@ -5,7 +5,7 @@ mod text;
 
 use std::path::PathBuf;
 
-use chordal::motion::{Level, LimitError, MotionOptions};
+use chordal::motion::{Level, LimitError, MotionOptions, OperationStart};
 use chordal::time::{Alternative, Effort, Timed};
 use chordal::{Job, Watch};
 use chordal_export::{PlotOptions, TimeDocument, time_json};
@@ -26,6 +26,7 @@ Examples:
   chordal time part.nc --set motion.feed_override=0.8
   chordal time part.nc --format json | jq .total_s
   chordal time part.nc -o part-speed.svg       speed, acceleration, jerk as a picture
+  chordal time part.nc --operations comment    from comment to comment
   chordal time part.nc --bound                 how far above the physical limit it runs
 
 The time holds the velocity, acceleration and jerk of every axis, and passes corners as the
@@ -65,8 +66,30 @@ pub struct Args {
     #[arg(long)]
     bound: bool,
 
+    /// Where operations begin
+    #[arg(long, value_enum, default_value = "tool", value_name = "WHERE")]
+    operations: OperationName,
+
     #[command(flatten)]
     common: Common,
+}
+
+/// Where operations begin.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum OperationName {
+    /// At every tool change
+    Tool,
+    /// At comments on lines of their own, too
+    Comment,
+}
+
+impl From<OperationName> for OperationStart {
+    fn from(name: OperationName) -> OperationStart {
+        match name {
+            OperationName::Tool => OperationStart::ToolChange,
+            OperationName::Comment => OperationStart::Comment,
+        }
+    }
 }
 
 /// How hard the planner tries.
@@ -113,7 +136,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let picture = args.output.as_deref().map(|path| Picture::new(path, &args.file)).transpose()?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let options = MotionOptions { level: args.level.into(), ..MotionOptions::default() };
+    let options = MotionOptions {
+        level: args.level.into(),
+        operations: args.operations.into(),
+        ..MotionOptions::default()
+    };
     let (report, timed) = job.report_timed(&options, u64::MAX, &mut Unwatched);
     // No program has more moves than that.
     let Some(timed) = timed.map_err(|error| wrong_limit(&error))? else {

@@ -5,7 +5,7 @@ use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
 use chordal::time::{Alternative, BlockTime, Change, OperationTime, Reason, TimeReport, ToolTime};
 use chordal::{Job, Report};
-use chordal_export::TimeDocument;
+use chordal_export::{TimeDocument, comment_text};
 use comfy_table::Table;
 
 use super::{corners, least};
@@ -37,7 +37,12 @@ pub fn text(
     sheet.rows("time", &totals(time, document.level));
     sheet.table("", &tools(&time.tools, job));
     if time.operations.len() > time.tools.len() {
-        sheet.table("operations, from tool change to tool change", &operations(time, job));
+        let named = time.operations.iter().any(|operation| operation.comment.is_some());
+        let title = match named {
+            true => "operations, from comment or tool change to the next",
+            false => "operations, from tool change to tool change",
+        };
+        sheet.table(title, &operations(time, job, named));
         let more = time.operations.len().saturating_sub(MOST_OPERATIONS) as u64;
         if more + time.operations_left_out > 0 {
             let more = counted(more + time.operations_left_out, "operation", "operations");
@@ -128,18 +133,30 @@ fn tools(tools: &[ToolTime], job: &Job) -> Table {
     table
 }
 
-fn operations(time: &TimeReport, job: &Job) -> Table {
-    let mut table = plain_table(&["tool", "lines", "cutting", "rapids", "other", "all"], 2);
+/// Longest comment in the table of operations, so that it fits.
+const COMMENT: usize = 20;
+
+fn operations(time: &TimeReport, job: &Job, named: bool) -> Table {
+    let header = ["tool", "lines", "cutting", "rapids", "other", "all", "comment"];
+    let mut table = plain_table(&header[..if named { 7 } else { 6 }], 2);
+    if let Some(column) = table.column_mut(6) {
+        column.set_cell_alignment(comfy_table::CellAlignment::Left);
+    }
     for operation in time.operations.iter().take(MOST_OPERATIONS) {
         let times = &operation.times;
-        table.add_row([
+        let mut row = vec![
             tool_name(operation.tool, job),
             lines(operation),
             fine(times.cutting_s),
             fine(times.rapid_s),
             fine(times.other_s),
             fine(times.total_s()),
-        ]);
+        ];
+        if named {
+            let comment = operation.comment.and_then(|span| comment_text(span, job));
+            row.push(comment.unwrap_or_default().chars().take(COMMENT).collect());
+        }
+        table.add_row(row);
     }
     table
 }

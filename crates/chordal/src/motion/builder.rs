@@ -10,6 +10,7 @@ use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{PathBuilder, PathCommand, PathSink, Segment, SegmentKind};
 
 use super::corner::{Ending, corner_of};
+use super::operations::Operations;
 use super::options::InForce;
 use super::{
     MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, Refused, StepKind,
@@ -47,6 +48,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     number: u32,
     held: Option<(Ending, StepSource)>,
     report: MotionReport,
+    operations: Operations,
     sink: S,
 }
 
@@ -85,6 +87,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             number: 0,
             held: None,
             report,
+            operations: Operations::new(job, options.operations),
             sink,
         }
     }
@@ -161,6 +164,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             length: 0.0,
             nominal_s: seconds,
             shift: self.shift,
+            operation: self.operations.step(&origin, kind == WaitKind::ToolChange, false),
         };
         self.report.waits += 1;
         // A wait has no limits that it could break.
@@ -220,6 +224,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             length,
             nominal_s,
             shift: self.shift,
+            operation: self.operations.step(&segment.origin, false, true),
         };
         self.at = Some(motion.to());
         self.held = Some((Ending { motion, mode: self.mode, cycle, bends }, source));

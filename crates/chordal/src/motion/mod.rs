@@ -26,6 +26,7 @@
 mod builder;
 mod corner;
 mod limits;
+mod operations;
 mod options;
 mod plan;
 mod steps;
@@ -37,6 +38,7 @@ pub use chordal_motion::{
 };
 
 pub use limits::{AssumedLimit, MachineLimits};
+pub use operations::{OperationMark, OperationStart};
 pub use options::MotionOptions;
 pub use plan::{PlanSink, Sources};
 pub use steps::{

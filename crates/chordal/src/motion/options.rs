@@ -2,6 +2,8 @@ use chordal_control::PathMode;
 use chordal_machine::Machine;
 use chordal_motion::Level;
 
+use super::operations::OperationStart;
+
 /// What may be other than the machine file and the program say. `None`: as they say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOptions {
@@ -19,6 +21,8 @@ pub struct MotionOptions {
     /// since every bend costs a little. Otherwise such a rapid is planned along its chord, which
     /// takes as long as its slowest axis does and is the time of the machine.
     pub dog_leg_shape: bool,
+    /// Where operations begin.
+    pub operations: OperationStart,
 }
 
 impl Default for MotionOptions {
@@ -30,6 +34,7 @@ impl Default for MotionOptions {
             path_mode: None,
             corner_tolerance_mm: None,
             dog_leg_shape: false,
+            operations: OperationStart::ToolChange,
         }
     }
 }

@@ -3,7 +3,7 @@ use chordal_diagnostics::Diagnostic;
 use chordal_motion::{Axes, Move, MoveError};
 use chordal_path::SegmentKind;
 
-use super::MachineLimits;
+use super::{MachineLimits, OperationMark};
 
 /// What the machine does next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +93,8 @@ pub struct StepSource {
     /// Position − shift is where the step is in the coordinates of [`Job::path`](crate::Job::path)
     /// (mm, rad).
     pub shift: Axes,
+    /// Whether an operation begins with it, or is named by a comment before it.
+    pub operation: Option<OperationMark>,
 }
 
 impl StepSource {

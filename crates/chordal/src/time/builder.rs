@@ -1,6 +1,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use chordal_control::Origin;
+use chordal_diagnostics::Span;
 use chordal_geometry::{Curve, ParamCurve, Vec3};
 use chordal_motion::{Corner, Move, MoveKind, Step, Stretch};
 
@@ -8,7 +9,7 @@ use super::blocks::{BlockRun, Blocks};
 use super::reason::{Asked, Ride, reason_of};
 use super::report::{CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
 use super::walk::walk;
-use crate::motion::{MotionStep, StepSource, WaitKind};
+use crate::motion::{MotionStep, OperationMark, StepSource, WaitKind};
 
 /// Most operations that are kept.
 pub(super) const MOST_OPERATIONS: usize = 1000;
@@ -67,17 +68,18 @@ impl TimeBuilder {
             MotionStep::Move(motion) => self.asked_move(motion, source.nominal_s),
             MotionStep::Wait(wait) => {
                 if wait.kind == WaitKind::ToolChange {
-                    self.operation(tool, origin);
                     self.report.tool_changes += 1;
                     tool_entry(&mut self.tools, tool).changes += 1;
                 }
                 Pending::Wait(wait.kind)
             }
         };
-        if self.operations == 0 {
-            self.operation(tool, origin);
+        match source.operation {
+            Some(OperationMark::Begins(comment)) => self.operation(tool, origin, comment),
+            Some(OperationMark::Names(comment)) => self.name_operation(comment),
+            None => {}
         }
-        let (operation, ride) = (self.operations - 1, Ride::default());
+        let (operation, ride) = (self.operations.saturating_sub(1), Ride::default());
         self.pending.push_back(Item {
             tag,
             tool,
@@ -113,14 +115,23 @@ impl TimeBuilder {
     }
 
     /// The next operation begins.
-    fn operation(&mut self, tool: u32, first: Origin) {
+    fn operation(&mut self, tool: u32, first: Origin, comment: Option<Span>) {
         self.operations += 1;
         tool_entry(&mut self.tools, tool);
         if self.report.operations.len() < MOST_OPERATIONS {
             let times = Times::default();
-            self.report.operations.push(OperationTime { tool, first, last: first, times });
+            let last = first;
+            self.report.operations.push(OperationTime { tool, first, last, comment, times });
         } else {
             self.report.operations_left_out += 1;
+        }
+    }
+
+    /// The first comment names the operation.
+    fn name_operation(&mut self, comment: Span) {
+        let newest = self.operations.checked_sub(1);
+        if let Some(operation) = newest.and_then(|at| self.report.operations.get_mut(at)) {
+            operation.comment.get_or_insert(comment);
         }
     }
 
@@ -276,7 +287,7 @@ fn ride_on(ride: &mut Ride, seconds: f64, part: &super::walk::Part, speed: f64) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use chordal_diagnostics::{FileId, Span, TextRange};
+    use chordal_diagnostics::{FileId, TextRange};
     use chordal_geometry::{Direction, Line, Plane, arc_from_center};
     use chordal_motion::{Phase, Piece};
     use chordal_path::SegmentKind;
@@ -316,6 +327,7 @@ mod tests {
         fn ask(&mut self, line: u32, kind: StepKind, nominal_s: f64, step: &MotionStep) -> u64 {
             self.number += 1;
             let tag = StepSource::tag_of(self.number, line);
+            let begins = self.number == 1 || kind == StepKind::Wait(WaitKind::ToolChange);
             self.time.asked(
                 step,
                 &StepSource {
@@ -327,6 +339,7 @@ mod tests {
                     length: 0.0,
                     nominal_s,
                     shift: [0.0; 6],
+                    operation: begins.then_some(OperationMark::Begins(None)),
                 },
             );
             tag

@@ -7,8 +7,8 @@ use chordal_motion::{Effort, Gauge, Least, RunTimes};
 use super::builder::MOST_OPERATIONS;
 use crate::job::Job;
 use crate::motion::{
-    LimitError, MachineLimits, MotionOptions, MotionStep, MoveKind, PlanSink, Sources, Step,
-    StepKind, StepSource, WaitKind,
+    LimitError, MachineLimits, MotionOptions, MotionStep, MoveKind, OperationMark, PlanSink,
+    Sources, Step, StepSource,
 };
 
 /// The least times of a program, waits included.
@@ -76,7 +76,8 @@ impl Operations {
         std::iter::once(whole).chain(operations.get_mut(index))
     }
 
-    /// A run lies in one operation, since the axes rest at a tool change.
+    /// A run lies in one operation, since the axes rest at a tool change; where operations begin
+    /// at comments it counts for the one in which it begins.
     fn add(&mut self, run: &RunTimes) {
         self.sums(run.tags.0).for_each(|sum| sum.add(run));
     }
@@ -110,8 +111,7 @@ fn find(asked: &VecDeque<Asked>, tag: u64) -> Option<&Asked> {
 impl PlanSink for Measuring {
     fn asked(&mut self, step: &MotionStep, source: &StepSource) {
         let tag = source.tag;
-        let changes = source.kind == StepKind::Wait(WaitKind::ToolChange);
-        if changes || self.operations.starts.is_empty() {
+        if matches!(source.operation, Some(OperationMark::Begins(_))) {
             self.operations.begin(tag);
         }
         let (speed, rapid) = match step {

@@ -1,6 +1,7 @@
 use std::fmt;
 
 use chordal_control::Origin;
+use chordal_diagnostics::Span;
 
 use crate::motion::WaitKind;
 
@@ -85,7 +86,9 @@ pub struct ToolTime {
 }
 
 /// The time of one operation: what a tool does from one tool change to the next, or to the
-/// end of the program. A tool that comes again is another operation.
+/// end of the program; also from comment to comment, where that was asked for
+/// ([`OperationStart`](crate::motion::OperationStart)). A tool that comes again is another
+/// operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OperationTime {
     /// Number of the tool.
@@ -94,6 +97,8 @@ pub struct OperationTime {
     pub first: Origin,
     /// The last block.
     pub last: Origin,
+    /// The comment that it begins with, where operations begin at comments.
+    pub comment: Option<Span>,
     /// Its times.
     pub times: Times,
 }
