@@ -60,6 +60,7 @@ impl Growth {
 
     /// The point at `s` mm from the start, within the spiral, and its derivatives by time where
     /// those of `s` are `by_time`.
+    #[inline(always)]
     pub(crate) fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         let near = match &self.near {
             Some(near) if near.holds(s) => near,

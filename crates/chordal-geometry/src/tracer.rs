@@ -115,9 +115,10 @@ impl Tracer {
             return take(self.outside(s, by_time));
         }
         match &mut self.kind {
-            // On its own, so that it stays in registers.
+            // Each on its own, so that it stays in registers.
             Kind::Round(round) => take(round.motion_at(s, by_time)),
-            _ => take(self.inside(s, by_time)),
+            Kind::Growing(growth) => take(growth.motion_at(s, by_time)),
+            Kind::Straight { .. } => take(self.inside(s, by_time)),
         }
     }
 

@@ -177,7 +177,7 @@ impl Winding {
 
     /// The point at `t`, with sine and cosine of the angle there, and its derivatives by time
     /// where those of the arc length are `by_time`. Not for curves without length.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn motion(
         &self,
         t: f64,
