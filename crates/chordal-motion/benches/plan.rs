@@ -1,88 +1,21 @@
 //! How many moves a second the fast level plans.
 
-#[path = "../tests/support/mod.rs"]
-mod support;
+mod rows;
 
 use std::hint::black_box;
 
-use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Vec3};
-use chordal_motion::{Corner, Level, Move, Planner, PlannerOptions, Step};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-
-fn motion(curve: Curve, corner: Corner) -> Move {
-    support::cut(curve, 50.0, corner)
-}
-
-/// A raster over a wavy surface in lines of 0.1 mm.
-fn surface(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
-    let row = 1000;
-    let point = |i: usize| {
-        let (y, step) = (i / row, i % row);
-        let x = 0.1 * if y % 2 == 0 { step as f64 } else { (row - 1 - step) as f64 };
-        let z = (0.6 * x).sin() + 0.3 * (0.11 * x + 0.5 * y as f64).cos();
-        Vec3::new(x, 0.5 * y as f64, z)
-    };
-    (0..count).map(|i| motion(Line { start: point(i), end: point(i + 1) }.into(), within)).collect()
-}
-
-/// Lines of 0.1 mm at random angles of a few degrees.
-fn wiggle(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
-    let mut at = Vec3::ZERO;
-    let (mut angle, mut state) = (0.0_f64, 1u64);
-    (0..count)
-        .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            angle += ((state >> 40) as f64 / f64::from(1 << 24) - 0.5) * 0.1;
-            let end = at + Vec3::new(angle.cos(), angle.sin(), 0.0) * 0.1;
-            let line = Line { start: at, end };
-            at = end;
-            motion(line.into(), within)
-        })
-        .collect()
-}
-
-/// Tangent quarter circles.
-fn arcs(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
-    let mut at = Vec3::ZERO;
-    let mut heading = Vec3::X;
-    (0..count)
-        .map(|i| {
-            let side = if i % 2 == 0 { 1.0 } else { -1.0 };
-            let out = heading.cross(Vec3::Z) * side;
-            let frame = Frame::from_normal(at - out * 5.0, Vec3::Z * side, out).expect("a frame");
-            let arc = Arc::new(frame, 5.0, 1.5, 0.0);
-            at = arc.end();
-            heading = arc.tangent_at(arc.length());
-            motion(arc.into(), within)
-        })
-        .collect()
-}
-
-fn plan(moves: &[Move]) -> f64 {
-    let mut planner =
-        Planner::new(support::limits(500.0, 5000.0, 1e5), PlannerOptions::new(Level::Fast));
-    let mut time = 0.0;
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            time += stretch.duration_s() - stretch.overlap_s;
-        }
-    };
-    for motion in moves {
-        planner.push(motion, &mut take).expect("the moves are good");
-    }
-    planner.finish(&mut take);
-    time
-}
+use rows::{arcs, plan, spiral, surface, wiggle};
 
 fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("plan");
     group.sample_size(10);
-    for (name, moves) in
-        [("surface", surface(100_000)), ("wiggle", wiggle(100_000)), ("arcs", arcs(20_000))]
-    {
+    for (name, moves) in [
+        ("surface", surface(100_000)),
+        ("spiral", spiral(100_000)),
+        ("wiggle", wiggle(100_000)),
+        ("arcs", arcs(20_000)),
+    ] {
         group.throughput(Throughput::Elements(moves.len() as u64));
         group.bench_function(name, |b| b.iter(|| plan(black_box(&moves))));
     }

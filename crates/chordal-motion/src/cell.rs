@@ -6,19 +6,6 @@ use crate::limits::Limits;
 use crate::profile::{Ability, Effort};
 use crate::root::cbrt;
 
-/// What keeps a piece from being travelled faster.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cause {
-    /// The programmed feed.
-    Feed,
-    /// The largest speed of an axis.
-    AxisSpeed,
-    /// Curvature, by the acceleration of an axis.
-    Acceleration,
-    /// Change of curvature, by the jerk of an axis.
-    Jerk,
-}
-
 /// The limits of the law of time on a piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
@@ -28,8 +15,6 @@ pub struct Cell {
     pub speed: f64,
     /// Largest σ per s² and σ per s³.
     pub ability: Ability,
-    /// What sets the speed.
-    pub cause: Cause,
     /// Over how many pieces of path it goes.
     pub pieces: u32,
     /// The axes come to rest where it ends.
@@ -91,6 +76,23 @@ impl Bounds {
         }
         self.rate = self.rate.max(other.rate);
     }
+
+    /// How much of the turning each axis sees, its curvature and its twist.
+    fn turn(&self) -> (Axes, f64, f64) {
+        let mut shares = [0.0; 6];
+        let Some(turning) = &self.turning else { return (shares, 0.0, 0.0) };
+        shares[..3].copy_from_slice(&turning.share);
+        (shares, turning.curvature, turning.twist)
+    }
+
+    /// What is left for changing the speed, at any speed up to `v`.
+    fn effort_at(&self, v: f64, limits: &AxisArrays) -> Effort {
+        if self.turning.is_some() {
+            self.turning_effort_at(v, limits)
+        } else {
+            self.even_effort_at(v, limits)
+        }
+    }
 }
 
 /// Share of the acceleration that holding the speed may take; the rest is for changing it.
@@ -109,82 +111,99 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     // Where easing shortens the path the tool goes a little below its feed: to run faster by as
     // much would be a change of speed at every piece.
     let mut speed = feed / bounds.rate.max(1.0);
-    let mut cause = Cause::Feed;
     let [x1, x2, x3] = &bounds.even;
-    let turn = |axis: usize| match &bounds.turning {
-        Some(turning) if axis < 3 => turning.share[axis],
-        _ => 0.0,
-    };
-    let (k, twist) =
-        bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
+    let (turn, k, twist) = bounds.turn();
     let (mut by_speed, mut by_square, mut by_cube) = (0.0_f64, 0.0_f64, 0.0_f64);
     for axis in 0..limits.count {
-        let c = turn(axis);
+        let c = turn[axis];
         by_speed = by_speed.max((x1[axis] + c) / limits.velocity[axis]);
         by_square = by_square.max((x2[axis] + c * k) / limits.acceleration[axis]);
         by_cube = by_cube.max((x3[axis] + c * (k * k + twist)) / limits.jerk[axis]);
     }
     if by_speed * speed > 1.0 {
-        (speed, cause) = (1.0 / by_speed, Cause::AxisSpeed);
+        speed = 1.0 / by_speed;
     }
     if by_square * speed * speed > ACCELERATION_SHARE {
-        (speed, cause) = ((ACCELERATION_SHARE / by_square).sqrt(), Cause::Acceleration);
+        speed = (ACCELERATION_SHARE / by_square).sqrt();
     }
     if by_cube * speed * speed * speed > JERK_SHARE {
-        (speed, cause) = (cbrt(JERK_SHARE / by_cube), Cause::Jerk);
+        speed = cbrt(JERK_SHARE / by_cube);
     }
 
-    let high = effort_at(speed, bounds, limits);
+    let high = bounds.effort_at(speed, limits);
     let bends = bounds.turning.is_some() || bounds.even[1] != [0.0; 6];
     let ability = if bends {
         let knees = KNEES.map(|knee| knee * speed);
-        let [low, middle] = knees.map(|knee| effort_at(knee, bounds, limits));
+        let [low, middle] = knees.map(|knee| bounds.effort_at(knee, limits));
         Ability { knees, efforts: [low, middle, high] }
     } else {
         Ability::even(high)
     };
-    Cell { length, speed, ability, cause, pieces: 1, ends_at_rest: false }
+    Cell { length, speed, ability, pieces: 1, ends_at_rest: false }
 }
 
-/// What is left for changing the speed, at any speed up to `v`.
-fn effort_at(v: f64, bounds: &Bounds, limits: &AxisArrays) -> Effort {
-    let [x1, x2, x3] = &bounds.even;
-    let turn = |axis: usize| match &bounds.turning {
-        Some(turning) if axis < 3 => turning.share[axis],
-        _ => 0.0,
-    };
-    let (k, twist) =
-        bounds.turning.map_or((0.0, 0.0), |turning| (turning.curvature, turning.twist));
-    let q = k * v * v;
-    let along = k * k * v * v * v;
-    let mut acceleration = f64::INFINITY;
-    for axis in 0..limits.count {
-        let c = turn(axis);
-        let left = limits.acceleration[axis] - x2[axis] * v * v;
-        acceleration = acceleration.min(largest(c, q, x1[axis], left));
-        // Turning while the speed changes takes jerk: evenly from what is left on straight
-        // axes, and across the change of speed where both turn together.
-        let left = limits.jerk[axis] - x3[axis] * v * v * v;
-        let mut share = 3.0 * v * x2[axis] / (TURNING_SHARE * (left - c * along)).max(0.0);
-        if c > 0.0 {
-            let whole = left / c;
-            let kept = along + ALONG_SHARE * (whole - along).max(0.0);
-            let across = (whole * whole - kept * kept).max(0.0).sqrt() - twist * v * v * v;
-            share += 3.0 * v * k / across.max(0.0);
+impl Bounds {
+    /// Where nothing turns: each axis has its second and third derivative by itself.
+    fn even_effort_at(&self, v: f64, limits: &AxisArrays) -> Effort {
+        let [x1, x2, x3] = &self.even;
+        let (square, cube) = (v * v, v * v * v);
+        let mut acceleration = f64::INFINITY;
+        for axis in 0..limits.count {
+            if x1[axis] > 0.0 {
+                let left = limits.acceleration[axis] - x2[axis] * square;
+                acceleration = acceleration.min(left / x1[axis]);
+            }
+            // Turning while the speed changes takes jerk from what is left.
+            let turning = 3.0 * v * x2[axis];
+            if turning > 0.0 {
+                let left = (limits.jerk[axis] - x3[axis] * cube).max(0.0);
+                acceleration = acceleration.min(TURNING_SHARE * left / turning);
+            }
         }
-        if share > 0.0 {
-            acceleration = acceleration.min(1.0 / share);
+        let mut jerk = f64::INFINITY;
+        for axis in 0..limits.count {
+            if x1[axis] > 0.0 {
+                let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * cube;
+                jerk = jerk.min((limits.jerk[axis] - used) / x1[axis]);
+            }
         }
+        Effort { acceleration, jerk }
     }
-    let mut jerk = f64::INFINITY;
-    let normal = 3.0 * k * v * acceleration + twist * v * v * v;
-    for axis in 0..limits.count {
-        let c = turn(axis);
-        let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
-        let left = limits.jerk[axis] - used + x1[axis] * along;
-        jerk = jerk.min(largest(c, normal, x1[axis], left) - along);
+
+    fn turning_effort_at(&self, v: f64, limits: &AxisArrays) -> Effort {
+        let [x1, x2, x3] = &self.even;
+        let (turn, k, twist) = self.turn();
+        let q = k * v * v;
+        let along = k * k * v * v * v;
+        let mut acceleration = f64::INFINITY;
+        for axis in 0..limits.count {
+            let c = turn[axis];
+            let left = limits.acceleration[axis] - x2[axis] * v * v;
+            acceleration = acceleration.min(largest(c, q, x1[axis], left));
+            // Turning while the speed changes takes jerk: evenly from what is left on straight
+            // axes, and across the change of speed where both turn together.
+            let left = limits.jerk[axis] - x3[axis] * v * v * v;
+            let mut share = 3.0 * v * x2[axis] / (TURNING_SHARE * (left - c * along)).max(0.0);
+            if c > 0.0 {
+                let whole = left / c;
+                let kept = along + ALONG_SHARE * (whole - along).max(0.0);
+                let across = (whole * whole - kept * kept).max(0.0).sqrt() - twist * v * v * v;
+                share += 3.0 * v * k / across.max(0.0);
+            }
+            if share > 0.0 {
+                acceleration = acceleration.min(1.0 / share);
+            }
+        }
+        let mut jerk = f64::INFINITY;
+        let normal = 3.0 * k * v * acceleration + twist * v * v * v;
+        for axis in 0..limits.count {
+            let c = turn[axis];
+            let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
+            let left = limits.jerk[axis] - used + x1[axis] * along;
+            jerk = jerk.min(largest(c, normal, x1[axis], left) - along);
+        }
+        Effort { acceleration, jerk }
     }
-    Effort { acceleration, jerk }
 }
 
 /// The largest a with c·√(a² + q²) + x·a ≤ b, for c, q, x ≥ 0.

@@ -1,8 +1,8 @@
 //! Two movements that overlap at a corner: the next begins before the last has ended.
 
-use crate::piece::Piece;
 use crate::root::cbrt;
 use crate::smooth::{Overlap, overlap_time};
+use crate::span::PathPart;
 use crate::trajectory::Phase;
 
 /// The end of a stretch that is at rest, with the corner.
@@ -16,12 +16,12 @@ pub struct End {
 
 impl End {
     /// The end at the start of a stretch.
-    pub fn first(phases: &[Phase], pieces: &[Piece]) -> Option<End> {
+    pub fn first(phases: &[Phase], pieces: &[impl PathPart]) -> Option<End> {
         End::new(phases.iter(), pieces.iter())
     }
 
     /// The end at the end of a stretch.
-    pub fn last(phases: &[Phase], pieces: &[Piece]) -> Option<End> {
+    pub fn last(phases: &[Phase], pieces: &[impl PathPart]) -> Option<End> {
         End::new(phases.iter().rev(), pieces.iter().rev())
     }
 
@@ -29,7 +29,7 @@ impl End {
     /// ends, the jerk at rest is positive.
     fn new<'a>(
         phases: impl Iterator<Item = &'a Phase>,
-        pieces: impl Iterator<Item = &'a Piece>,
+        pieces: impl Iterator<Item = &'a (impl PathPart + 'a)>,
     ) -> Option<End> {
         let (mut jerk, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0_f64);
         for phase in phases.take_while(|phase| phase.jerk > 0.0) {
@@ -38,7 +38,7 @@ impl End {
             time += phase.duration_s;
         }
         let straight =
-            pieces.take_while(|piece| piece.is_straight()).map(|piece| piece.length).sum();
+            pieces.take_while(|piece| piece.is_straight()).map(|piece| piece.length()).sum();
         let duration_s = time.min(acceleration / jerk);
         (jerk > 0.0).then_some(End { jerk, duration_s, straight })
     }

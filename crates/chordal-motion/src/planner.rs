@@ -3,10 +3,12 @@ use crate::bound::{Run, bound};
 use crate::cell::{AxisArrays, Cell};
 use crate::limits::Limits;
 use crate::overlap::{End, overlap_of};
-use crate::profile::{Solver, phases};
+use crate::piece::Piece;
+use crate::profile::Solver;
 use crate::reference::{self, best, reference};
 use crate::segment::{Move, MoveError};
 use crate::smooth::{Joint, Leg, Overlap, Passing, Row, Smoother};
+use crate::span::{PathPart, Span, sealed::Keep};
 use crate::trajectory::{Step, Stretch};
 
 /// How hard a planner tries.
@@ -48,14 +50,17 @@ const SHORTEST: f64 = 1e-9;
 const GAP: f64 = 1e-6;
 
 /// Turns moves into steps: holds every limit, keeps the path, loses little time.
+///
+/// `P` is what its stretches tell of the path: all of it ([`Planner::new`]) or only what times need
+/// ([`Planner::of_times`]).
 #[derive(Debug)]
-pub struct Planner {
+pub struct Planner<P = Piece> {
     limits: Limits,
     arrays: AxisArrays,
     smoother: Smoother,
-    row: Row,
+    row: Row<P>,
     solver: Solver,
-    stretch: Stretch,
+    stretch: Stretch<P>,
     /// Speed at the start of the row.
     speed: f64,
     options: PlannerOptions,
@@ -73,11 +78,24 @@ pub struct Planner {
 impl Planner {
     /// A planner for a machine at rest.
     pub fn new(limits: Limits, options: PlannerOptions) -> Planner {
+        Planner::at_rest(limits, options)
+    }
+}
+
+impl Planner<Span> {
+    /// A planner that works out the times of level fast and keeps no path.
+    pub fn of_times(limits: Limits) -> Planner<Span> {
+        Planner::at_rest(limits, PlannerOptions::new(Level::Fast))
+    }
+}
+
+impl<P: PathPart> Planner<P> {
+    fn at_rest(limits: Limits, options: PlannerOptions) -> Planner<P> {
         Planner {
             arrays: AxisArrays::new(&limits),
             limits,
             smoother: Smoother::default(),
-            row: Row::default(),
+            row: Row::new(options.level == Level::Best),
             solver: Solver::default(),
             stretch: Stretch::default(),
             speed: 0.0,
@@ -94,7 +112,11 @@ impl Planner {
     ///
     /// # Errors
     /// When the move cannot be planned; it is left out.
-    pub fn push(&mut self, motion: &Move, mut take: impl FnMut(Step<'_>)) -> Result<(), MoveError> {
+    pub fn push(
+        &mut self,
+        motion: &Move,
+        mut take: impl FnMut(Step<'_, P>),
+    ) -> Result<(), MoveError> {
         motion.check(&self.limits)?;
         let start = self.start_of(motion)?;
         if motion.length() < SHORTEST {
@@ -133,7 +155,7 @@ impl Planner {
     }
 
     /// Goes on with a leg whose length has become known.
-    fn release(&mut self, take: &mut impl FnMut(Step<'_>)) {
+    fn release(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(released) = self.smoother.release(&self.arrays) else { return };
         let passing = match released.passing {
             Passing::Rest(overlap) => {
@@ -150,7 +172,7 @@ impl Planner {
     }
 
     /// The axes come to rest where the last leg ends.
-    fn rest(&mut self, overlap: Option<Overlap>, take: &mut impl FnMut(Step<'_>)) {
+    fn rest(&mut self, overlap: Option<Overlap>, take: &mut impl FnMut(Step<'_, P>)) {
         if let Some(overlap) = &overlap {
             self.smoother.end_with(overlap);
         }
@@ -161,7 +183,7 @@ impl Planner {
     }
 
     /// Hands on what is certain, if it is much.
-    fn advance(&mut self, take: &mut impl FnMut(Step<'_>)) {
+    fn advance(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         self.smoother.drain(false, &self.arrays, &mut self.row);
         let long = self.row.time_s >= self.options.row_s * self.patience as f64;
         // The best law is found from rest to rest.
@@ -172,13 +194,13 @@ impl Planner {
     }
 
     /// The axes come to rest and stand for a time, s.
-    pub fn wait(&mut self, seconds: f64, tag: u64, mut take: impl FnMut(Step<'_>)) {
+    pub fn wait(&mut self, seconds: f64, tag: u64, mut take: impl FnMut(Step<'_, P>)) {
         self.finish(&mut take);
         take(Step::Wait { seconds, tag });
     }
 
     /// The axes come to rest: hands on the rest of the steps. The next move may begin anywhere.
-    pub fn finish(&mut self, mut take: impl FnMut(Step<'_>)) {
+    pub fn finish(&mut self, mut take: impl FnMut(Step<'_, P>)) {
         self.release(&mut take);
         self.end_run(&mut take);
         self.position = None;
@@ -195,7 +217,7 @@ impl Planner {
     }
 
     /// The axes come to rest at the end of what was pushed.
-    fn end_run(&mut self, take: &mut impl FnMut(Step<'_>)) {
+    fn end_run(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         if self.smoother.is_empty() && self.row.cells.is_empty() {
             return;
         }
@@ -208,7 +230,7 @@ impl Planner {
     }
 
     /// Hands on as much of a long row as later moves cannot change.
-    fn hand_on(&mut self, take: &mut impl FnMut(Step<'_>)) {
+    fn hand_on(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         self.solver.solve(&self.row.cells, self.speed, 0.0);
         match self.solver.last_certain() {
             Some(station) if station.node > 0 => {
@@ -223,7 +245,7 @@ impl Planner {
 
     /// Hands on the cells before a boundary, which is a station, from rest to rest where the
     /// axes rest before.
-    fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_>)) {
+    fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_, P>)) {
         let mut begin = 0;
         while begin < node {
             let rest = self.row.cells[begin..node].iter().position(|cell| cell.ends_at_rest);
@@ -236,16 +258,12 @@ impl Planner {
     }
 
     /// Hands on the cells between two boundaries.
-    fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(Step<'_>)) {
+    fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(Step<'_, P>)) {
         let stretch = &mut self.stretch;
         stretch.phases.clear();
         stretch.pieces.clear();
-        let stations = self.solver.stations();
-        let first = stations.partition_point(|station| station.node < begin);
-        let from = stations.get(first).map_or(0.0, |station| station.at);
-        for pair in stations[first..].windows(2).take_while(|pair| pair[1].node <= end) {
-            phases(&self.row.cells, &pair[0], &pair[1], &mut stretch.phases);
-        }
+        let first = self.solver.phases(&self.row.cells, begin, end, &mut stretch.phases);
+        let from = first.map_or(0.0, |station| station.at);
         if from > 0.0 {
             stretch.phases.iter_mut().for_each(|phase| phase.from -= from);
         }
@@ -255,12 +273,14 @@ impl Planner {
         } else {
             stretch.pieces.extend(self.row.pieces.drain(..pieces));
         }
-        let from_rest = stations.get(first).is_none_or(|station| station.speed <= 0.0);
+        let from_rest = first.is_none_or(|station| station.speed <= 0.0);
         if self.options.level == Level::Best && from_rest {
             let shares = [self.overlap, self.next_overlap].map(|o| o.map_or(1.0, |o| o.jerk_share));
             improve(stretch, &self.row.speeds[..pieces], &self.limits, shares);
         }
-        self.row.speeds.drain(..pieces);
+        if self.row.keeps_speeds {
+            self.row.speeds.drain(..pieces);
+        }
         let (phases, pieces) = (&stretch.phases, &stretch.pieces);
         let (first, last) = (End::first(phases, pieces), End::last(phases, pieces));
         stretch.overlap_s = match (self.overlap.take(), self.last, first) {
@@ -287,9 +307,15 @@ const EFFORT: reference::Effort = reference::Effort {
 
 /// A quicker law of time for a stretch from rest to rest, where there is one. The speeds are the
 /// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
-fn improve(stretch: &mut Stretch, speeds: &[f64], limits: &Limits, shares: [f64; 2]) {
+fn improve(
+    stretch: &mut Stretch<impl PathPart>,
+    speeds: &[f64],
+    limits: &Limits,
+    shares: [f64; 2],
+) {
     let limits = limits.with_jerk(shares[0].min(shares[1]));
-    let Ok(run) = Run::new(&stretch.pieces, speeds, 0.0, &limits) else { return };
+    let Some(path) = Keep::path(&stretch.pieces) else { return };
+    let Ok(run) = Run::new(path, speeds, 0.0, &limits) else { return };
     let Ok(law) = reference(&run, &bound(&run), &EFFORT) else { return };
     let Some(better) = best(&run, &law) else { return };
     stretch.phases = better.or(&stretch.phases).phases;

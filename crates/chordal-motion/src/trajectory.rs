@@ -92,10 +92,12 @@ pub struct State {
 
 /// Path and time between two instants without acceleration: from rest to rest, or to a place
 /// that is passed at even speed, where the next stretch goes on.
-#[derive(Debug, Default, PartialEq)]
-pub struct Stretch {
+///
+/// `P` is what is known of the path: [`Piece`]s, or only their [`Span`](crate::Span)s.
+#[derive(Debug, PartialEq)]
+pub struct Stretch<P = Piece> {
     /// The path, in order.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<P>,
     /// The law of time, in order.
     pub phases: Vec<Phase>,
     /// How long before the end of the stretch before it begins, s. In that time the axes make
@@ -103,8 +105,14 @@ pub struct Stretch {
     pub overlap_s: f64,
 }
 
-impl Clone for Stretch {
-    fn clone(&self) -> Stretch {
+impl<P> Default for Stretch<P> {
+    fn default() -> Stretch<P> {
+        Stretch { pieces: Vec::new(), phases: Vec::new(), overlap_s: 0.0 }
+    }
+}
+
+impl<P: Clone> Clone for Stretch<P> {
+    fn clone(&self) -> Stretch<P> {
         Stretch {
             pieces: self.pieces.clone(),
             phases: self.phases.clone(),
@@ -113,7 +121,7 @@ impl Clone for Stretch {
     }
 
     /// Into the memory that is there already.
-    fn clone_from(&mut self, source: &Stretch) {
+    fn clone_from(&mut self, source: &Stretch<P>) {
         self.pieces.clone_from(&source.pieces);
         self.phases.clone_from(&source.phases);
         self.overlap_s = source.overlap_s;
@@ -128,12 +136,14 @@ impl From<Sample> for State {
     }
 }
 
-impl Stretch {
+impl<P> Stretch<P> {
     /// How long it takes, s.
     pub fn duration_s(&self) -> f64 {
         self.phases.iter().map(|phase| phase.duration_s).sum()
     }
+}
 
+impl Stretch {
     /// Its length in σ.
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(|piece| piece.length).sum()
@@ -152,9 +162,9 @@ impl Stretch {
 
 /// What happens next on a machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step<'a> {
+pub enum Step<'a, P = Piece> {
     /// A movement.
-    Stretch(&'a Stretch),
+    Stretch(&'a Stretch<P>),
     /// Nothing moves for a time, s; with the tag that the caller gave.
     Wait {
         /// How long, s.

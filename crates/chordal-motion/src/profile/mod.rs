@@ -26,6 +26,14 @@ pub struct Station {
     pub speed: f64,
     /// The ramps from here to the next station have not been looked at.
     fresh: bool,
+    /// Number of those ramps, where they have been found.
+    ramps: usize,
+}
+
+impl Station {
+    fn new(node: usize, at: f64, speed: f64) -> Station {
+        Station { node, at, speed, fresh: true, ramps: usize::MAX }
+    }
 }
 
 /// Solves for the stations of a row of cells. Keeps its memory from one row to the next.
@@ -41,10 +49,15 @@ pub struct Solver {
     starts: Vec<u8>,
     stations: Vec<Station>,
     spare: Vec<Station>,
+    /// Ramps between stations, as far as they were looked at.
+    ramps: Vec<Ramps>,
 }
 
 const FORWARD: u8 = 1;
 const BACKWARD: u8 = 2;
+
+/// Speeds that differ by less, as a share, are alike but for rounding.
+const LIKE: f64 = 1e-9;
 
 /// Rounds of adding stations before every boundary becomes one.
 const ROUNDS: usize = 24;
@@ -56,6 +69,7 @@ impl Solver {
         self.pass_forward(cells);
         self.pass_backward(cells);
         self.choose();
+        self.ramps.clear();
         for round in 0..ROUNDS {
             self.level(cells);
             if !self.split(cells, round + 1 == ROUNDS) {
@@ -65,9 +79,21 @@ impl Solver {
         self.level(cells);
     }
 
-    /// The stations found last.
-    pub fn stations(&self) -> &[Station] {
-        &self.stations
+    /// Adds the phases between two boundaries, which are stations, with σ counted from the start of
+    /// the cells. Says which station is the first.
+    pub fn phases(
+        &self,
+        cells: &[Cell],
+        begin: usize,
+        end: usize,
+        out: &mut Vec<Phase>,
+    ) -> Option<Station> {
+        let first = self.stations.partition_point(|station| station.node < begin);
+        for pair in self.stations[first..].windows(2).take_while(|pair| pair[1].node <= end) {
+            let known = if pair[0].fresh { None } else { self.ramps.get(pair[0].ramps) };
+            phases(cells, known, &pair[0], &pair[1], out);
+        }
+        self.stations.get(first).copied()
     }
 
     /// The last station that cells to come, in place of the end of the row, cannot change: one
@@ -179,7 +205,7 @@ impl Solver {
             let ends = self.starts[node] & BACKWARD != 0 && backward <= forward;
             if node == 0 || node == last || begins || ends {
                 let speed = forward.min(backward);
-                self.stations.push(Station { node, at: self.at[node], speed, fresh: true });
+                self.stations.push(Station::new(node, self.at[node], speed));
             }
         }
     }
@@ -214,6 +240,19 @@ impl Solver {
         }
     }
 
+    /// Finds the ramps from a station to the next, and where they would be too fast.
+    fn look(&mut self, cells: &[Cell], station: &mut Station, next: &Station) -> Option<usize> {
+        station.ramps = usize::MAX;
+        let cells = &cells[station.node..next.node];
+        if cells.len() < 2 {
+            return None;
+        }
+        let ramps = Ramps::over(cells, station, next)?;
+        station.ramps = self.ramps.len();
+        self.ramps.push(ramps);
+        too_fast(cells, &ramps, station, next)
+    }
+
     /// Puts stations where a ramp would be too fast for a cell that it goes over. Says whether
     /// there were any.
     fn split(&mut self, cells: &[Cell], everywhere: bool) -> bool {
@@ -228,11 +267,7 @@ impl Solver {
             };
             let looked = !station.fresh;
             station.fresh = false;
-            let too_fast = if looked {
-                None
-            } else {
-                too_fast(&cells[station.node..next.node], &station, &next)
-            };
+            let too_fast = if looked { None } else { self.look(cells, &mut station, &next) };
             let Some(cut) = too_fast else {
                 self.stations.push(station);
                 continue;
@@ -244,7 +279,7 @@ impl Solver {
             let cuts = if everywhere { station.node + 1..next.node } else { node..node + 1 };
             for node in cuts {
                 let speed = self.forward[node].min(self.backward[node]);
-                self.stations.push(Station { node, at: self.at[node], speed, fresh: true });
+                self.stations.push(Station::new(node, self.at[node], speed));
             }
         }
         any
@@ -278,9 +313,10 @@ impl Ramps {
         down: Ability,
     ) -> Option<Ramps> {
         let (top, aim) = peak(speeds, length, fastest, &up, &down)?;
-        let (up_way, down_way) = (up.way(speeds.0, top, aim), down.way(top, speeds.1, aim));
+        let (up_way, up_s) = up.extent(speeds.0, top, aim);
+        let (down_way, down_s) = down.extent(top, speeds.1, aim);
         let even_s = if top > 0.0 { (length - up_way - down_way).max(0.0) / top } else { 0.0 };
-        let time_s = up.time(speeds.0, top, aim) + even_s + down.time(top, speeds.1, aim);
+        let time_s = up_s + even_s + down_s;
         Some(Ramps { top, up, down, aim, up_way, down_way, time_s })
     }
 
@@ -315,26 +351,24 @@ impl Ramps {
             (ramps.up == all || ramps.up_way <= end + slack)
                 && (ramps.down == all || ramps.down_way <= length - begin + slack)
         };
-        let bold = [(up, down), (up, all), (all, down)]
-            .into_iter()
-            .filter(|(up, down)| *up != all || *down != all)
-            .filter_map(|(up, down)| Ramps::new(speeds, length, fastest, up, down))
-            .filter(fits);
-        Some(
-            bold.fold(careful, |best, ramps| if ramps.time_s < best.time_s { ramps } else { best }),
-        )
+        let with = |up: Ability, down: Ability| {
+            let other = up != all || down != all;
+            other.then(|| Ramps::new(speeds, length, fastest, up, down)).flatten().filter(fits)
+        };
+        let quicker =
+            |best: Ramps, other: Ramps| if other.time_s < best.time_s { other } else { best };
+        // Where both ramps may be bold, one alone gains no more.
+        let bold = with(up, down)
+            .or_else(|| with(up, all).into_iter().chain(with(all, down)).reduce(quicker));
+        Some(bold.into_iter().fold(careful, quicker))
     }
 }
 
 /// The boundary, counted from the first of the cells, at which the ramps between two stations
 /// must have a station of their own, because they are faster than a cell allows.
-fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
-    if cells.len() < 2 {
-        return None;
-    }
+fn too_fast(cells: &[Cell], ramps: &Ramps, from: &Station, to: &Station) -> Option<usize> {
     let length = to.at - from.at;
-    let ramps = Ramps::over(cells, from, to)?;
-    let Ramps { top, aim, .. } = ramps;
+    let Ramps { top, aim, .. } = *ramps;
     let mut worst: Option<(f64, f64, usize)> = None;
     let mut begin = 0.0;
     for (index, cell) in cells.iter().enumerate() {
@@ -350,7 +384,8 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
             // Of like ones the outermost, so that the way back is planned alike.
             let out = (begin + end - length).abs();
             let lower = worst.is_none_or(|(speed, far, _)| {
-                cell.speed < speed || (cell.speed == speed && out > far)
+                cell.speed < speed * (1.0 - LIKE)
+                    || (cell.speed <= speed * (1.0 + LIKE) && out > far)
             });
             let inside = end > rises + slack && begin < falls - slack;
             if inside && lower {
@@ -366,15 +401,23 @@ fn too_fast(cells: &[Cell], from: &Station, to: &Station) -> Option<usize> {
     worst.map(|(_, _, cut)| cut)
 }
 
-/// The phases from one station to the next, with σ counted from the start of the cells.
-pub fn phases(cells: &[Cell], from: &Station, to: &Station, out: &mut Vec<Phase>) {
+/// The phases from one station to the next, with σ counted from the start of the cells; `known`
+/// are the ramps between them, where they have been found.
+fn phases(
+    cells: &[Cell],
+    known: Option<&Ramps>,
+    from: &Station,
+    to: &Station,
+    out: &mut Vec<Phase>,
+) {
     let cells = &cells[from.node..to.node];
     let length = to.at - from.at;
-    let slowest = cells.iter().map(|cell| cell.speed).fold(f64::INFINITY, f64::min);
-    if from.speed == to.speed && from.speed >= slowest {
+    let slowest = || cells.iter().map(|cell| cell.speed).fold(f64::INFINITY, f64::min);
+    if from.speed == to.speed && from.speed >= slowest() {
         return even(from.at, from.speed, length, out);
     }
-    let ramps = Ramps::over(cells, from, to).unwrap_or_else(|| {
+    let found = known.copied().or_else(|| Ramps::over(cells, from, to));
+    let ramps = found.unwrap_or_else(|| {
         // The stations are as far apart as the change of speed, but for rounding.
         let (up, top) = (ability_of(cells), from.speed.max(to.speed));
         let aim = Aim::Short;

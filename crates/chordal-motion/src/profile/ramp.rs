@@ -79,15 +79,15 @@ impl Effort {
         // Without a stage of even acceleration: q³ + 2·from·q = length·√jerk with q = √rise.
         if self.way(from, from + most) >= length {
             let c = length * j.sqrt();
-            let mut q = cbrt(c);
-            if from > 0.0 {
-                q = q.min(c / (2.0 * from));
-            }
-            // Newton's method from above on a convex function: every step stays above the root.
+            // Both guesses lie above the root; the one that leaves out less lies nearer.
+            let even = if from > 0.0 { c / (2.0 * from) } else { f64::INFINITY };
+            let mut q = if even * even <= 2.0 * from { even } else { cbrt(c) };
+            // Newton's method from above on a convex function: every step stays above the root,
+            // and after a step of this size what is left is its square.
             for _ in 0..12 {
                 let step = (q * (q * q + 2.0 * from) - c) / (3.0 * q * q + 2.0 * from);
                 q -= step;
-                if step <= 1e-15 * q {
+                if step <= 1e-8 * q {
                     break;
                 }
             }
@@ -149,41 +149,31 @@ pub enum Aim {
     Quick,
 }
 
-/// A rise of speed in parts, each from even speed to even speed.
+/// A rise of speed in parts, each from even speed to even speed: the first under the effort of one
+/// range, which may reach down over lower ones, then one part for each range above.
 #[derive(Clone, Copy, Debug)]
 struct Rise {
-    parts: [(f64, f64, Effort); LEVELS],
-    count: usize,
+    /// The range whose effort the first part obeys.
+    first: usize,
     way: f64,
     time: f64,
 }
 
 impl Rise {
-    fn new(low: f64, high: f64, effort: Effort) -> Rise {
-        let change = high - low;
-        let time = effort.time(change);
-        Rise { parts: [(low, high, effort); LEVELS], count: 1, way: effort.way(low, high), time }
-    }
-
-    fn then(mut self, next: &Rise) -> Rise {
-        self.parts[self.count] = next.parts[0];
-        self.count += 1;
-        self.way += next.way;
-        self.time += next.time;
-        self
+    #[inline]
+    fn new(first: usize, low: f64, high: f64, effort: Effort) -> Rise {
+        let time = effort.time(high - low);
+        Rise { first, way: time * (low + high) / 2.0, time }
     }
 
     /// What is kept small.
+    #[inline]
     fn cost(&self, high: f64, aim: Aim) -> f64 {
         match aim {
             Aim::Short => self.way,
             // Time lost against travelling at the higher speed.
             Aim::Quick => self.time * high - self.way,
         }
-    }
-
-    fn parts(&self) -> &[(f64, f64, Effort)] {
-        &self.parts[..self.count]
     }
 }
 
@@ -205,39 +195,61 @@ impl Ability {
         }
     }
 
+    #[inline]
     fn rise(&self, low: f64, high: f64, aim: Aim) -> Rise {
-        let level = self.knees.iter().take_while(|knee| high > **knee).count();
-        let direct = Rise::new(low, high, self.efforts[level]);
-        if level == 0 || low >= self.knees[level - 1] {
-            return direct;
+        let mut level = self.knees.iter().take_while(|knee| low >= **knee).count();
+        let top = |level: usize| self.knees.get(level).map_or(high, |knee| high.min(*knee));
+        let mut best = Rise::new(level, low, top(level), self.efforts[level]);
+        while level + 1 < LEVELS && high > self.knees[level] {
+            let knee = self.knees[level];
+            level += 1;
+            let top = top(level);
+            let direct = Rise::new(level, low, top, self.efforts[level]);
+            let step = Rise::new(level, knee, top, self.efforts[level]);
+            let stepped = Rise { way: best.way + step.way, time: best.time + step.time, ..best };
+            let is_best = direct.cost(top, aim) <= stepped.cost(top, aim);
+            best = if is_best { direct } else { stepped };
         }
-        let knee = self.knees[level - 1];
-        let stepped = self.rise(low, knee, aim).then(&Rise::new(knee, high, self.efforts[level]));
-        if direct.cost(high, aim) <= stepped.cost(high, aim) { direct } else { stepped }
+        best
+    }
+
+    /// The parts of a rise from low speed to high, from the lowest on.
+    fn parts(
+        &self,
+        low: f64,
+        high: f64,
+        aim: Aim,
+    ) -> impl DoubleEndedIterator<Item = (f64, f64, Effort)> {
+        let first = self.rise(low, high, aim).first;
+        let last = self.knees.iter().take_while(|knee| high > **knee).count().max(first);
+        (first..=last).map(move |level| {
+            let from = if level == first { low } else { self.knees[level - 1] };
+            let to = if level == last { high } else { self.knees[level] };
+            (from, to, self.efforts[level])
+        })
+    }
+
+    /// How far a change of speed goes, and how long it takes, s.
+    #[inline]
+    pub fn extent(&self, from: f64, to: f64, aim: Aim) -> (f64, f64) {
+        let rise = self.rise(from.min(to), from.max(to), aim);
+        (rise.way, rise.time)
     }
 
     /// How far a change of speed goes.
+    #[inline]
     pub fn way(&self, from: f64, to: f64, aim: Aim) -> f64 {
-        let (low, high) = (from.min(to), from.max(to));
-        if high <= self.knees[0] {
-            return self.efforts[0].way(low, high);
-        }
-        self.rise(low, high, aim).way
-    }
-
-    /// How long a change of speed takes, s.
-    pub fn time(&self, from: f64, to: f64, aim: Aim) -> f64 {
-        self.rise(from.min(to), from.max(to), aim).time
+        self.extent(from, to, aim).0
     }
 
     /// How far a rise of speed has gone when it passes a speed between its ends.
     pub fn way_until(&self, from: f64, to: f64, speed: f64, aim: Aim) -> f64 {
         let mut way = 0.0;
-        for (low, high, effort) in self.rise(from, to, aim).parts() {
-            if speed <= *high {
-                return way + effort.way_until(*low, *high, speed);
+        for (low, high, effort) in self.parts(from, to, aim) {
+            if speed <= high {
+                return way + effort.way_until(low, high, speed);
             }
-            way += effort.way(*low, *high);
+            way += effort.way(low, high);
         }
         way
     }
@@ -270,17 +282,17 @@ impl Ability {
 
     /// The phases of a change of speed, handed on in order.
     pub fn phases(&self, at: f64, (from, to): (f64, f64), aim: Aim, mut take: impl FnMut(Phase)) {
-        let rise = self.rise(from.min(to), from.max(to), aim);
+        let parts = self.parts(from.min(to), from.max(to), aim);
         let mut place = at;
         if from <= to {
-            for (low, high, effort) in rise.parts() {
-                effort.phases(place, *low, *high, &mut take);
-                place += effort.way(*low, *high);
+            for (low, high, effort) in parts {
+                effort.phases(place, low, high, &mut take);
+                place += effort.way(low, high);
             }
         } else {
-            for (low, high, effort) in rise.parts().iter().rev() {
-                effort.phases(place, *high, *low, &mut take);
-                place += effort.way(*low, *high);
+            for (low, high, effort) in parts.rev() {
+                effort.phases(place, high, low, &mut take);
+                place += effort.way(low, high);
             }
         }
     }
@@ -303,33 +315,72 @@ pub fn peak(
         return Some((top, Aim::Quick));
     }
     let slack = length * (1.0 + 1e-12);
-    let aim = if ways(low, Aim::Quick) <= length { Aim::Quick } else { Aim::Short };
-    let way = |speed: f64| ways(speed, aim);
-    if way(low) > slack {
+    let quick = ways(low, Aim::Quick);
+    let (aim, shortest) =
+        if quick <= length { (Aim::Quick, quick) } else { (Aim::Short, ways(low, Aim::Short)) };
+    if shortest > slack {
         return None;
     }
-    if way(top) <= length {
+    if shortest >= length {
+        return Some((low, aim));
+    }
+    let miss = |speed: f64| ways(speed, aim) - length;
+    let miss_top = miss(top);
+    if miss_top <= 0.0 {
         return Some((top, aim));
     }
-    let (mut below, mut above) = (low, top);
-    let (mut miss_below, mut miss_above) = (way(low) - length, way(top) - length);
+    let speed = highest((low, shortest - length), (top, miss_top), 1e-14 * length, miss);
+    Some((speed, aim))
+}
+
+/// The largest speed between two at which a rising function is not above zero, given its values at
+/// both. Where it is nearer to zero than `close`, that is near enough.
+fn highest(
+    (mut below, mut value_below): (f64, f64),
+    (mut above, mut value_above): (f64, f64),
+    close: f64,
+    value: impl Fn(f64) -> f64,
+) -> f64 {
+    const SAME: f64 = 1e-14;
+    // The false position. An end that stays is given less weight each time, by the method of
+    // Anderson and Björck.
+    let less = |new: f64, old: f64| {
+        let weight = 1.0 - new / old;
+        if weight > 0.0 { weight } else { 0.5 }
+    };
+    let mut stays = 0_i32;
     for _ in 0..80 {
-        if above - below <= 1e-14 * above {
+        let gap = above - below;
+        if gap <= SAME * above {
             break;
         }
-        // The false position, kept off the ends of the bracket.
-        let share = (miss_below / (miss_below - miss_above)).clamp(0.02, 0.98);
-        let middle = below + (above - below) * share;
-        let miss = way(middle) - length;
-        if miss > 0.0 {
-            (above, miss_above) = (middle, miss);
-            miss_below *= 0.5;
+        let share = value_below / (value_below - value_above);
+        let margin = (0.25 * SAME * above).min(gap / 4.0);
+        let middle = (below + gap * share).clamp(below + margin, above - margin);
+        let new = value(middle);
+        if new > 0.0 {
+            if stays > 0 {
+                value_below *= less(new, value_above);
+            }
+            (above, value_above, stays) = (middle, new, 1);
+            if new <= close {
+                // One step further is below.
+                let next = (middle * (1.0 - SAME)).max(below);
+                if value(next) <= 0.0 {
+                    return next;
+                }
+            }
         } else {
-            (below, miss_below) = (middle, miss);
-            miss_above *= 0.5;
+            if stays < 0 {
+                value_above *= less(new, value_below);
+            }
+            (below, value_below, stays) = (middle, new, -1);
+            if new >= -close {
+                break;
+            }
         }
     }
-    Some((below, aim))
+    below
 }
 
 #[cfg(test)]

@@ -3,22 +3,25 @@
 
 mod bump;
 mod corner;
+mod corrections;
 mod leg;
 mod pieces;
 mod rests;
 mod trial;
 
 pub use corner::{Joint, Overlap, Passing, Slow, overlap_time};
-pub use leg::Leg;
+pub use corrections::ahead;
+pub use leg::{Leg, Part};
+pub use pieces::piece;
 
 use std::collections::VecDeque;
 
 use crate::cell::{AxisArrays, Cell};
-use crate::piece::Piece;
 use crate::segment::Corner;
+use crate::span::PathPart;
 use bump::{BEND_DEVIATION, KINK_DEVIATION};
 use corner::Step;
-use leg::Part;
+use corrections::Corrections;
 use trial::Trial;
 
 /// No correction is wider than this, mm or rad to either side: what comes later than twice as
@@ -113,6 +116,9 @@ pub struct Smoother {
     corner: Option<Corner>,
     held: Option<Held>,
     trial: Trial,
+    corrections: Corrections,
+    /// Number of the first node that no leg has begun at.
+    ahead: usize,
     scratch: pieces::Scratch,
 }
 
@@ -127,12 +133,14 @@ struct Held {
 }
 
 /// A piece of path and what holds on it, as they are made.
-#[derive(Debug, Default)]
-pub struct Row {
+#[derive(Debug)]
+pub struct Row<P> {
     /// The path.
-    pub pieces: Vec<Piece>,
-    /// The largest speed that is asked for on each, σ per s.
+    pub pieces: Vec<P>,
+    /// The largest speed that is asked for on each, σ per s, if anybody wants to know.
     pub speeds: Vec<f64>,
+    /// Somebody does.
+    pub keeps_speeds: bool,
     /// The limits, each over one or more pieces.
     pub cells: Vec<Cell>,
     /// What the cells take at their largest speeds, s.
@@ -157,7 +165,13 @@ impl Held {
     }
 }
 
-impl Row {
+impl<P> Row<P> {
+    /// Nothing is in it.
+    pub fn new(keeps_speeds: bool) -> Row<P> {
+        let (pieces, speeds, cells) = (Vec::new(), Vec::new(), Vec::new());
+        Row { pieces, speeds, keeps_speeds, cells, time_s: 0.0 }
+    }
+
     fn clear(&mut self) {
         self.pieces.clear();
         self.speeds.clear();
@@ -282,7 +296,7 @@ impl Smoother {
     }
 
     /// Hands on what later moves cannot change; all of it when the run ends here.
-    pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row) {
+    pub fn drain(&mut self, ends: bool, limits: &AxisArrays, row: &mut Row<impl PathPart>) {
         self.settle(ends, limits);
         while let Some(leg) = self.legs.front() {
             let certain = self.legs.len() > 1 && leg.end() + WIDEST <= self.next_unsettled();
@@ -296,7 +310,8 @@ impl Smoother {
             self.nodes.clear();
             self.parts.clear();
             (self.legs_gone, self.nodes_gone) = (0, 0);
-            (self.judged, self.weighed, self.unsettled) = (0, 0, 0);
+            (self.judged, self.weighed, self.unsettled, self.ahead) = (0, 0, 0, 0);
+            self.corrections.clear();
             (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;
         }
@@ -326,6 +341,7 @@ impl Smoother {
             } else {
                 self.legs[node.leg - self.legs_gone].begins_at_rest = true;
             }
+            self.corrections.add(&node);
             self.unsettled += 1;
         }
     }
@@ -397,22 +413,19 @@ impl Smoother {
     }
 
     /// Hands the first leg on.
-    fn hand_on(&mut self, limits: &AxisArrays, row: &mut Row) {
+    fn hand_on(&mut self, limits: &AxisArrays, row: &mut Row<impl PathPart>) {
         let Some(leg) = self.legs.pop_front() else { return };
+        let own = self.nodes.get(self.ahead - self.nodes_gone);
+        let own = own.filter(|node| node.leg == self.legs_gone);
+        self.ahead += usize::from(own.is_some());
         self.legs_gone += 1;
         let (from, to) = leg.nodes;
         let nodes = if from < to { from - self.nodes_gone..to - self.nodes_gone } else { 0..0 };
-        let mut scratch = std::mem::take(&mut self.scratch);
+        let until = leg.from + pieces::rounding(&leg);
+        self.corrections.enter(leg.from, until, own, self.nodes.range(nodes));
         let more = leg.more as usize;
-        pieces::make(
-            &leg,
-            self.parts.range(..more),
-            self.nodes.range(nodes),
-            limits,
-            &mut scratch,
-            row,
-        );
-        self.scratch = scratch;
+        let parts = self.parts.range(..more);
+        pieces::make(&leg, parts, limits, &mut self.corrections, &mut self.scratch, row);
         self.parts.drain(..more);
         while self.nodes.front().is_some_and(|node| {
             node.at + 2.0 * WIDEST < leg.end() && self.nodes_gone < self.unsettled

@@ -5,9 +5,10 @@ use chordal_geometry::{Curve, ParamCurve};
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
 use crate::piece::{Jet, Piece};
-use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
+use crate::smooth::Row;
+use crate::smooth::corrections::{Corrections, ahead};
 use crate::smooth::leg::{Leg, Part, cuts, turning};
-use crate::smooth::{Node, Row};
+use crate::span::PathPart;
 
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
@@ -17,22 +18,12 @@ const MOST_PIECES: u32 = 1024;
 /// And over no more time, s, than this and one piece.
 const MOST_S: f64 = 0.5;
 
-/// Places of a leg nearer to each other than this share of its length are one.
+/// Places nearer to each other than this share of a leg are one.
 const ROUNDING: f64 = 1e-12;
-
-/// Where corrections change their polynomial.
-#[derive(Clone, Copy, Debug)]
-pub struct Break {
-    at: f64,
-    /// Changes of the third derivative of the axes.
-    change: Axes,
-    /// How many corrections begin, less those that end.
-    begins: i32,
-}
 
 /// A stretch of a leg between two breaks, before it is a cell.
 #[derive(Clone, Copy, Debug)]
-struct Span {
+struct Between {
     bounds: Bounds,
     from: f64,
     to: f64,
@@ -41,56 +32,50 @@ struct Span {
 
 /// Memory for one leg after the other.
 #[derive(Debug, Default)]
-pub struct Scratch {
-    breaks: Vec<Break>,
-    spans: Vec<Span>,
-}
+pub struct Scratch(Vec<Between>);
 
-/// Adds a leg's pieces and cells to a row.
-pub fn make<'a>(
+/// Adds a leg's pieces and cells to a row. The corrections have entered it, and go to its end.
+pub fn make<'a, P: PathPart>(
     leg: &'a Leg,
     more: impl Iterator<Item = &'a Part>,
-    nodes: impl Iterator<Item = &'a Node>,
     limits: &AxisArrays,
-    Scratch { breaks, spans }: &mut Scratch,
-    row: &mut Row,
+    corrections: &mut Corrections,
+    Scratch(spans): &mut Scratch,
+    row: &mut Row<P>,
 ) {
     if leg.begins_at_rest
         && let Some(last) = row.cells.last_mut()
     {
         last.ends_at_rest = true;
     }
-    breaks.clear();
     spans.clear();
-    let count = limits.count;
-    let (mut correction, mut active) = corrections(leg, nodes, breaks, count);
-    cut(leg, breaks);
+    cut(leg, corrections);
     let mut parts = std::iter::once(&leg.part).chain(more).peekable();
-    let mut from = leg.from;
-    for index in 0..=breaks.len() {
-        let to = breaks.get(index).map_or(leg.end(), |next| next.at);
+    let (mut from, end) = (leg.from, leg.end());
+    let rounding = rounding(leg);
+    loop {
+        let next = corrections.next_before(end - rounding);
+        let to = next.unwrap_or(end);
         // Breaks that miss each other by rounding are one.
-        let apart = to - from > ROUNDING * leg.length || index == breaks.len();
-        if apart {
-            let bounds = bounds(leg, &correction, from, to - from, count);
-            let pieces = add_pieces(leg, &mut parts, &correction, from, to, row);
-            let speed = leg.feed / bounds.rate.max(1.0);
-            row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
-            spans.push(Span { bounds, from, to, pieces });
-            correction = ahead(&correction, to - from, count);
+        if to - from > rounding || next.is_none() {
+            let bounds = bounds(leg, corrections, from, to - from, limits.count);
+            let jet = corrections.jet();
+            let pieces = add_pieces(leg, &mut parts, jet, from, to, &mut row.pieces);
+            if row.keeps_speeds {
+                let speed = leg.feed / bounds.rate.max(1.0);
+                row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
+            }
+            spans.push(Between { bounds, from, to, pieces });
+            corrections.advance(to - from, limits.count);
             from = to;
         }
-        let Some(next) = breaks.get(index) else { break };
-        active += next.begins;
-        for (third, change) in correction[3].iter_mut().zip(next.change) {
-            *third += change;
+        if next.is_none() {
+            break;
         }
-        if active == 0 {
-            // What is left is rounding.
-            correction = [[0.0; 6]; 4];
-        }
+        corrections.pass();
     }
-    if let Some(whole) = brief(leg, spans, limits) {
+    if let Some(mut whole) = brief(leg, spans, limits) {
+        whole.pieces = join(&mut row.pieces, whole.pieces);
         row.time_s += whole.length / whole.speed;
         return add(whole, &mut row.cells);
     }
@@ -100,7 +85,7 @@ pub fn make<'a>(
 }
 
 /// One cell for a whole leg where that loses little time.
-fn brief(leg: &Leg, spans: &[Span], limits: &AxisArrays) -> Option<Cell> {
+fn brief(leg: &Leg, spans: &[Between], limits: &AxisArrays) -> Option<Cell> {
     if spans.len() < 2 || !leg.may_be_brief() {
         return None;
     }
@@ -113,14 +98,34 @@ fn brief(leg: &Leg, spans: &[Span], limits: &AxisArrays) -> Option<Cell> {
     leg.is_brief_at(cell.speed).then_some(Cell { pieces, ..cell })
 }
 
+/// Places of a leg that are nearer to each other are one: it is what rounding leaves between them.
+pub fn rounding(leg: &Leg) -> f64 {
+    ROUNDING * leg.length + 4.0 * f64::EPSILON * leg.end()
+}
+
+/// Joins the last so many pieces where one may tell as much as two. Says how many are left.
+fn join<P: PathPart>(pieces: &mut Vec<P>, count: u32) -> u32 {
+    let begin = pieces.len() - count as usize;
+    let mut last = begin;
+    for index in begin + 1..pieces.len() {
+        let next = pieces[index];
+        if !pieces[last].take_in(&next) {
+            last += 1;
+            pieces[last] = next;
+        }
+    }
+    pieces.truncate(last + 1);
+    (pieces.len() - begin) as u32
+}
+
 /// Adds the pieces between two places, which follow the moves as programmed. Says how many.
-fn add_pieces<'a>(
+fn add_pieces<'a, P: PathPart>(
     leg: &Leg,
     parts: &mut std::iter::Peekable<impl Iterator<Item = &'a Part>>,
     correction: &Jet,
     from: f64,
     to: f64,
-    row: &mut Row,
+    pieces: &mut Vec<P>,
 ) -> u32 {
     let (mut count, mut at) = (0, from);
     while at < to {
@@ -129,8 +134,7 @@ fn add_pieces<'a>(
         let last = ends_with(leg, end);
         let until = if last { to } else { end.min(to) };
         if until > at {
-            let jet = if at > from { ahead(correction, at - from, 6) } else { *correction };
-            row.pieces.push(piece(leg, part, jet, at, until - at));
+            pieces.push(P::new(leg, part, correction, at - from, at, until - at));
             count += 1;
         }
         at = until;
@@ -141,8 +145,8 @@ fn add_pieces<'a>(
     count
 }
 
-fn add_cell(leg: &Leg, span: &Span, limits: &AxisArrays, row: &mut Row) {
-    let Span { bounds, from, to, pieces } = *span;
+fn add_cell(leg: &Leg, span: &Between, limits: &AxisArrays, row: &mut Row<impl PathPart>) {
+    let Between { bounds, from, to, pieces } = *span;
     let mut cell = cell(to - from, &bounds, leg.feed, limits);
     if leg.jerk_share != [1.0; 2] {
         let middle = 0.5 * (from + to);
@@ -160,88 +164,20 @@ fn ends_with(leg: &Leg, end: f64) -> bool {
 }
 
 /// Breaks of the leg's own: where its curvature or what it may use of the jerk changes.
-fn cut(leg: &Leg, breaks: &mut Vec<Break>) {
-    let mut take = |at: f64| breaks.push(Break { at, change: [0.0; 6], begins: 0 });
+fn cut(leg: &Leg, corrections: &mut Corrections) {
     if let Some(curve) = leg.curve.as_deref() {
         let count = cuts(curve);
-        (1..count).for_each(|cut| take(leg.from + leg.length * cut as f64 / count as f64));
+        (1..count)
+            .for_each(|cut| corrections.cut(leg.from + leg.length * cut as f64 / count as f64));
     }
     if leg.jerk_share != [1.0; 2] {
-        take(leg.from + leg.length / 2.0);
+        corrections.cut(leg.from + leg.length / 2.0);
     }
-    breaks.sort_unstable_by(|a, b| a.at.total_cmp(&b.at));
 }
 
-/// The sum of the corrections at the start of a leg, how many there are, and the places in the
-/// leg at which they change.
-fn corrections<'a>(
-    leg: &Leg,
-    nodes: impl Iterator<Item = &'a Node>,
-    breaks: &mut Vec<Break>,
-    count: usize,
-) -> (Jet, i32) {
-    // Breaks that miss an end of the leg by rounding are at the end.
-    let rounding = ROUNDING * leg.length;
-    let (from, to) = (leg.from + rounding, leg.end() - rounding);
-    let mut jet = [[0.0; 6]; 4];
-    let mut active = 0;
-    for node in nodes {
-        let w = leg.from - node.at;
-        // A node is at one end of a leg or outside: it lies before the leg or after it.
-        let side = 0.5 * (from + to) - node.at;
-        let mut take =
-            |step: &Axes, h: f64, bump: fn(f64, f64, f64) -> Bump, turns: &[(f64, f64)]| {
-                if h <= 0.0 || node.at + h <= from {
-                    return;
-                }
-                // The breaks below are asked in the same words, so that none is lost by rounding.
-                let passed = |place: f64| node.at + place * h <= from;
-                if passed(-1.0) {
-                    active += 1;
-                    let inside = match (passed(-TURN), passed(TURN)) {
-                        (false, _) => -0.5 * (1.0 + TURN),
-                        (_, true) => 0.5 * (1.0 + TURN),
-                        _ => 0.5 * TURN.copysign(side),
-                    };
-                    for (row, factor) in jet.iter_mut().zip(bump(w, inside * h, h)) {
-                        for (value, step) in row.iter_mut().zip(step).take(count) {
-                            *value += step * factor;
-                        }
-                    }
-                }
-                for (place, jump) in turns {
-                    let at = node.at + place * h;
-                    if at > from && at < to {
-                        let change = step.map(|step| step * jump);
-                        let begins = if *place == -1.0 { 1 } else { -i32::from(*place == 1.0) };
-                        breaks.push(Break { at, change, begins });
-                    }
-                }
-            };
-        let h = node.kink_half;
-        let k = 1.0 / (h * h);
-        take(&node.step.kink, h, kink, &[(-1.0, k), (1.0, k)]);
-        let h = node.bend_half;
-        let m = SLOPE / h;
-        take(&node.step.bend, h, bend, &[(-1.0, -m), (-TURN, 2.0 * m), (TURN, -2.0 * m), (1.0, m)]);
-    }
-    (jet, active)
-}
-
-/// A jet of polynomials of the third degree, further on.
-fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
-    let [x, d1, d2, d3] = jet;
-    let mut next = *jet;
-    for axis in 0..count {
-        next[0][axis] =
-            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] / 6.0)));
-        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
-        next[2][axis] = d2[axis] + way * d3[axis];
-    }
-    next
-}
-
-fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
+/// The piece of a leg that begins at a place, where the corrections have this jet.
+#[inline]
+pub fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
     let done = at - part.from;
     let [position, first, ..] = &mut start;
     for (axis, direction) in part.direction.iter().enumerate() {
@@ -257,8 +193,8 @@ fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece 
 }
 
 /// Bounds of the derivatives on a piece of a leg.
-fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64, count: usize) -> Bounds {
-    let direction = &leg.part.direction;
+fn bounds(leg: &Leg, corrections: &Corrections, from: f64, length: f64, count: usize) -> Bounds {
+    let (direction, correction) = (&leg.part.direction, corrections.jet());
     let [_, d1, d2, d3] = correction;
     let mut even = [[0.0; 6]; 3];
     let mut rates = [[0.0_f64; 3]; 2];
@@ -280,8 +216,9 @@ fn bounds(leg: &Leg, correction: &Jet, from: f64, length: f64, count: usize) -> 
     let mut turns = None;
     if let Some(curve) = leg.curve.as_deref() {
         let at = from - leg.from;
-        let eased = d3.iter().any(|third| *third != 0.0);
-        if eased && let Some(near) = near_bounds(curve, at, length, correction, direction) {
+        if corrections.are_there()
+            && let Some(near) = near_bounds(curve, at, length, correction, direction)
+        {
             return near;
         }
         let (turning, along) = turning(curve, at, at + length);

@@ -3,20 +3,35 @@
 
 use crate::cell::AxisArrays;
 use crate::overlap::{End, overlap_of};
-use crate::profile::{Solver, phases};
+use crate::profile::Solver;
 use crate::smooth::corner::{Passing, Slow, Step};
+use crate::smooth::corrections::Corrections;
 use crate::smooth::leg::Leg;
 use crate::smooth::pieces::{self, Scratch};
 use crate::smooth::{Node, Row};
+use crate::span::Span;
 use crate::trajectory::Phase;
 
 /// Plans joints. Keeps its memory from one to the next.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Trial {
-    row: Row,
+    row: Row<Span>,
     solver: Solver,
     phases: Vec<Phase>,
+    corrections: Corrections,
     scratch: Scratch,
+}
+
+impl Default for Trial {
+    fn default() -> Trial {
+        Trial {
+            row: Row::new(false),
+            solver: Solver::default(),
+            phases: Vec::new(),
+            corrections: Corrections::default(),
+            scratch: Scratch::default(),
+        }
+    }
 }
 
 impl Trial {
@@ -65,16 +80,18 @@ impl Trial {
     }
 
     fn time(&mut self, legs: &[&Leg], nodes: &[Node], limits: &AxisArrays) -> f64 {
-        let Trial { row, solver, phases: law, scratch } = self;
+        let Trial { row, solver, phases: law, corrections, scratch } = self;
         row.clear();
+        corrections.clear();
+        nodes.iter().for_each(|node| corrections.add(node));
         for leg in legs {
-            pieces::make(leg, [].iter(), nodes.iter(), limits, scratch, row);
+            let until = leg.from + pieces::rounding(leg);
+            corrections.enter_anew(leg.from, until, nodes.iter());
+            pieces::make(leg, [].iter(), limits, corrections, scratch, row);
         }
         solver.solve(&row.cells, 0.0, 0.0);
         law.clear();
-        for pair in solver.stations().windows(2) {
-            phases(&row.cells, &pair[0], &pair[1], law);
-        }
+        solver.phases(&row.cells, 0, row.cells.len(), law);
         law.iter().map(|phase| phase.duration_s).sum()
     }
 }

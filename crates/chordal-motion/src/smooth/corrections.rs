@@ -1,0 +1,199 @@
+//! The sum of all corrections along a run, carried on from break to break.
+
+use std::collections::VecDeque;
+
+use crate::Axes;
+use crate::piece::Jet;
+use crate::smooth::Node;
+use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
+
+/// The sum is made anew after so many legs, before rounding adds up.
+const FRESH_FOR: u32 = 16;
+
+/// Where the sum changes its polynomial.
+#[derive(Clone, Copy, Debug)]
+pub struct Break {
+    pub at: f64,
+    /// Changes of the third derivative of the axes.
+    change: Axes,
+    /// How many corrections begin, less those that end.
+    begins: i32,
+}
+
+/// The sum of the corrections at a place that goes along the run.
+#[derive(Debug, Default)]
+pub struct Corrections {
+    /// Breaks that lie ahead, in order.
+    breaks: VecDeque<Break>,
+    jet: Jet,
+    /// How many corrections there are.
+    active: i32,
+    /// Legs since the sum was made anew.
+    legs: u32,
+}
+
+/// Where a bend's ramp turns, as shares of its half width, and by how many slopes.
+const BEND_TURNS: [(f64, f64); 4] = [(-1.0, -1.0), (-TURN, 2.0), (TURN, -2.0), (1.0, 1.0)];
+/// The same of a kink, beside the kink itself.
+const KINK_TURNS: [(f64, f64); 2] = [(-1.0, 1.0), (1.0, 1.0)];
+
+impl Corrections {
+    /// The sum here.
+    pub fn jet(&self) -> &Jet {
+        &self.jet
+    }
+
+    /// Whether there are any here. Their sum may vanish all the same.
+    pub fn are_there(&self) -> bool {
+        self.active > 0
+    }
+
+    /// The run is over.
+    pub fn clear(&mut self) {
+        self.breaks.clear();
+        (self.jet, self.active, self.legs) = (Jet::default(), 0, 0);
+    }
+
+    /// A node's widths are settled.
+    pub fn add(&mut self, node: &Node) {
+        let mut take = |step: &Axes, h: f64, slope: f64, turns: &[(f64, f64)]| {
+            if h <= 0.0 {
+                return;
+            }
+            for (place, jump) in turns {
+                let change = step.map(|step| step * jump * slope);
+                let begins = if *place == -1.0 { 1 } else { -i32::from(*place == 1.0) };
+                self.insert(Break { at: node.at + place * h, change, begins });
+            }
+        };
+        let (kink_half, bend_half) = (node.kink_half, node.bend_half);
+        take(&node.step.kink, kink_half, 1.0 / (kink_half * kink_half), &KINK_TURNS);
+        take(&node.step.bend, bend_half, SLOPE / bend_half, &BEND_TURNS);
+    }
+
+    /// A break where nothing changes but the leg.
+    pub fn cut(&mut self, at: f64) {
+        self.insert(Break { at, change: [0.0; 6], begins: 0 });
+    }
+
+    fn insert(&mut self, new: Break) {
+        let after = self.breaks.iter().rev().take_while(|other| other.at > new.at).count();
+        self.breaks.insert(self.breaks.len() - after, new);
+    }
+
+    /// Goes over to a leg that begins at `from`. Breaks up to `until` count as passed; `own` is the
+    /// node where it begins, and `nodes` are those that reach into the leg.
+    pub fn enter<'a>(
+        &mut self,
+        from: f64,
+        until: f64,
+        own: Option<&Node>,
+        nodes: impl Iterator<Item = &'a Node>,
+    ) {
+        while self.next_before(from).is_some() {
+            self.pass();
+        }
+        if let Some(node) = own {
+            self.pass_node(node);
+        }
+        while self.next_before(until).is_some() {
+            self.pass();
+        }
+        self.legs += 1;
+        if self.legs >= FRESH_FOR && self.active > 0 {
+            self.legs = 0;
+            self.jet = sum(from, until, nodes);
+        }
+    }
+
+    /// The same whatever lies before the leg.
+    pub fn enter_anew<'a>(&mut self, from: f64, until: f64, nodes: impl Iterator<Item = &'a Node>) {
+        while self.next_before(until).is_some() {
+            self.pass();
+        }
+        self.jet = if self.active > 0 { sum(from, until, nodes) } else { Jet::default() };
+    }
+
+    /// The steps that the corrections take away lie here.
+    fn pass_node(&mut self, node: &Node) {
+        let [_, first, second, third] = &mut self.jet;
+        let h = node.kink_half;
+        if h > 0.0 {
+            for ((first, third), step) in first.iter_mut().zip(third).zip(&node.step.kink) {
+                *first -= step;
+                *third -= 2.0 * step / (h * h);
+            }
+        }
+        if node.bend_half > 0.0 {
+            second.iter_mut().zip(&node.step.bend).for_each(|(second, step)| *second -= step);
+        }
+    }
+
+    /// The next break that lies no farther than a place.
+    pub fn next_before(&self, place: f64) -> Option<f64> {
+        self.breaks.front().map(|next| next.at).filter(|at| *at <= place)
+    }
+
+    /// Passes the next break, where the sum is already.
+    pub fn pass(&mut self) {
+        let Some(Break { change, begins, .. }) = self.breaks.pop_front() else { return };
+        self.active += begins;
+        if self.active == 0 {
+            // What is left is rounding.
+            self.jet = Jet::default();
+            self.legs = 0;
+        } else {
+            let third = &mut self.jet[3];
+            third.iter_mut().zip(change).for_each(|(third, change)| *third += change);
+        }
+    }
+
+    /// Goes on along the path.
+    pub fn advance(&mut self, way: f64, count: usize) {
+        if self.active > 0 {
+            self.jet = ahead(&self.jet, way, count);
+        }
+    }
+}
+
+/// The sum at the start of a leg, node by node. Breaks up to `until` are passed.
+fn sum<'a>(from: f64, until: f64, nodes: impl Iterator<Item = &'a Node>) -> Jet {
+    let mut jet = Jet::default();
+    for node in nodes {
+        let w = from - node.at;
+        let mut take = |step: &Axes, h: f64, bump: fn(f64, f64, f64) -> Bump| {
+            // In the same words as the breaks, so that none is lost by rounding.
+            let passed = |place: f64| node.at + place * h <= until;
+            if h <= 0.0 || passed(1.0) || !passed(-1.0) {
+                return;
+            }
+            let inside = match (passed(-TURN), passed(TURN)) {
+                (false, _) => -0.5 * (1.0 + TURN),
+                (_, true) => 0.5 * (1.0 + TURN),
+                // A node lies at an end of a leg or outside: before this leg or after it.
+                _ if node.at <= until => 0.5 * TURN,
+                _ => -0.5 * TURN,
+            };
+            for (row, factor) in jet.iter_mut().zip(bump(w, inside * h, h)) {
+                row.iter_mut().zip(step).for_each(|(value, step)| *value += step * factor);
+            }
+        };
+        take(&node.step.kink, node.kink_half, kink);
+        take(&node.step.bend, node.bend_half, bend);
+    }
+    jet
+}
+
+/// A jet of polynomials of the third degree, further on.
+#[inline]
+pub fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
+    let [x, d1, d2, d3] = jet;
+    let mut next = *jet;
+    for axis in 0..count {
+        next[0][axis] =
+            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] / 6.0)));
+        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
+        next[2][axis] = d2[axis] + way * d3[axis];
+    }
+    next
+}

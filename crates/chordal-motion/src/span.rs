@@ -1,0 +1,103 @@
+use crate::piece::Piece;
+
+/// A piece of path of which only the extent is known. Times need no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Its extent in σ.
+    pub length: f64,
+    /// The tag of its move.
+    pub tag: u64,
+    /// It is a straight line, evenly travelled.
+    pub is_straight: bool,
+}
+
+/// What a planner may keep of the path: all of it or its extents.
+pub trait PathPart: Copy + sealed::Keep {
+    /// Its extent in σ.
+    fn length(&self) -> f64;
+    /// The tag of its move.
+    fn tag(&self) -> u64;
+    /// Whether it is a straight line, evenly travelled.
+    fn is_straight(&self) -> bool;
+}
+
+impl PathPart for Piece {
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn tag(&self) -> u64 {
+        self.tag
+    }
+
+    fn is_straight(&self) -> bool {
+        Piece::is_straight(self)
+    }
+}
+
+impl PathPart for Span {
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn tag(&self) -> u64 {
+        self.tag
+    }
+
+    fn is_straight(&self) -> bool {
+        self.is_straight
+    }
+}
+
+pub(crate) mod sealed {
+    use super::Span;
+    use crate::piece::{Jet, Piece};
+    use crate::smooth::{Leg, Part, ahead, piece};
+
+    /// How parts of a path are kept.
+    pub trait Keep: Sized {
+        /// The piece of a part of a leg from `at` on. The jet is that of the corrections `way`
+        /// before.
+        fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Self;
+
+        /// Makes it longer by another where one of them tells as much as both.
+        fn take_in(&mut self, next: &Self) -> bool;
+
+        /// The path, where it is known.
+        fn path(parts: &[Self]) -> Option<&[Piece]>;
+    }
+
+    impl Keep for Piece {
+        fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Piece {
+            let jet = if way > 0.0 { ahead(jet, way, 6) } else { *jet };
+            piece(leg, part, jet, at, length)
+        }
+
+        fn take_in(&mut self, _next: &Piece) -> bool {
+            false
+        }
+
+        fn path(parts: &[Piece]) -> Option<&[Piece]> {
+            Some(parts)
+        }
+    }
+
+    impl Keep for Span {
+        fn new(leg: &Leg, part: &Part, jet: &Jet, _way: f64, _at: f64, length: f64) -> Span {
+            let even = jet[2] == [0.0; 6] && jet[3] == [0.0; 6];
+            Span { length, tag: part.tag, is_straight: even && leg.curve.is_none() }
+        }
+
+        fn take_in(&mut self, next: &Span) -> bool {
+            let like = self.tag == next.tag && self.is_straight == next.is_straight;
+            if like {
+                self.length += next.length;
+            }
+            like
+        }
+
+        fn path(_parts: &[Span]) -> Option<&[Piece]> {
+            None
+        }
+    }
+}
