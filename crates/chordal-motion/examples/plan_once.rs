@@ -2,10 +2,12 @@
 //!
 //! ```text
 //! cargo build --release -p chordal-motion --example plan_once
-//! perf stat -e instructions:u target/release/examples/plan_once surface 100000
+//! valgrind --tool=callgrind target/release/examples/plan_once surface 100000
 //! ```
 //!
-//! With `none` in place of the plan's second word the moves are made and not planned.
+//! With one more word the moves are made and not planned: what that takes is to be taken off.
+
+#![allow(clippy::disallowed_methods, reason = "an example is a shell")]
 
 #[path = "../benches/rows/mod.rs"]
 mod rows;
@@ -14,7 +16,7 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let (kind, count, plans) = match &words[..] {
         [kind, count] => (kind.as_str(), count.parse().ok(), true),
-        [kind, count, _none] => (kind.as_str(), count.parse().ok(), false),
+        [kind, count, _] => (kind.as_str(), count.parse().ok(), false),
         _ => ("", None, false),
     };
     let make = match kind {

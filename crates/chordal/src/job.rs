@@ -255,7 +255,7 @@ impl<'a> Job<'a> {
         sink: &mut S,
     ) -> Result<MotionReport, LimitError> {
         let planning = Planning::new(MachineLimits::of(&self.machine)?, options, sink);
-        let (report, mut planning) = self.motion(options, planning)?;
+        let (report, planning) = self.motion(options, planning)?;
         planning.finish();
         Ok(report)
     }

@@ -116,6 +116,8 @@ pub struct Smoother {
     corner: Option<Corner>,
     held: Option<Held>,
     trial: Trial,
+    /// Up to this number nodes were looked at for the end of the part to be weighed.
+    part_to: usize,
     corrections: Corrections,
     /// Number of the first node that no leg has begun at.
     ahead: usize,
@@ -311,6 +313,7 @@ impl Smoother {
             self.parts.clear();
             (self.legs_gone, self.nodes_gone) = (0, 0);
             (self.judged, self.weighed, self.unsettled, self.ahead) = (0, 0, 0, 0);
+            self.part_to = 0;
             self.corrections.clear();
             (self.length, self.clear) = (0.0, [0.0; 2]);
             self.corner = None;

@@ -52,10 +52,12 @@ impl Smoother {
         true
     }
 
-    /// The node after the last of the part that begins with a node. `None` when that is not known.
-    fn part_from(&self, from: usize, ends: bool) -> Option<usize> {
-        let mut to = from + 1;
+    /// The node after the last of the part that begins with a node. `None` when that is not known;
+    /// the next search goes on from where this one ends.
+    fn part_from(&mut self, from: usize, ends: bool) -> Option<usize> {
+        let mut to = self.part_to.saturating_sub(self.nodes_gone).max(from + 1);
         loop {
+            self.part_to = to + self.nodes_gone;
             let node = &self.nodes[to - 1];
             let legs = node.leg - self.nodes[from].leg;
             if node.rests || legs >= MOST_LEGS || self.is_followed_by_long(node) {
@@ -88,7 +90,10 @@ impl Smoother {
     /// ends.
     fn is_followed_by_long(&self, node: &Node) -> bool {
         let leg = &self.legs[node.leg - self.legs_gone];
-        leg.curve.is_none() && leg.length >= 2.0 * (node.half() + node.step.ways()[1])
+        let half = node.half();
+        leg.curve.is_none()
+            && leg.length >= 2.0 * half
+            && leg.length >= 2.0 * (half + node.step.ways()[1])
     }
 
     /// Lets the axes rest at nodes of a part until nothing gets quicker by it.

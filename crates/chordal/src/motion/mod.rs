@@ -33,8 +33,8 @@ mod steps;
 
 pub use chordal_motion::{
     Along, Axes, AxisLimit, Corner, Cursor, Jet, Level, LimitError, Limits, Move, MoveError,
-    MoveKind, Phase, Piece, Planner, PlannerOptions, Quantity, Sample, Sampler, State, Step,
-    Stretch,
+    MoveKind, PathPart, Phase, Piece, Planner, PlannerOptions, Quantity, Sample, Sampler, Span,
+    State, Step, Stretch,
 };
 
 pub use limits::{AssumedLimit, MachineLimits};
@@ -46,4 +46,4 @@ pub use steps::{
 };
 
 pub(crate) use builder::MotionBuilder;
-pub(crate) use plan::Planning;
+pub(crate) use plan::{Planned, Planning};

@@ -2,7 +2,7 @@ use std::collections::VecDeque;
 
 use chordal_control::Command;
 use chordal_diagnostics::Diagnostic;
-use chordal_motion::{Limits, MoveError, MoveKind, Planner, PlannerOptions, Step};
+use chordal_motion::{Limits, MoveError, MoveKind, PathPart, Piece, Planner, PlannerOptions, Step};
 
 use super::{MachineLimits, MotionOptions, MotionSink, MotionStep, StepSource};
 
@@ -63,34 +63,102 @@ impl Sources {
     }
 }
 
-/// Puts the moves of a run through a planner.
-pub(crate) struct Planning<'s, S> {
-    planner: Planner,
-    options: PlannerOptions,
-    limits: MachineLimits,
-    /// Rapids have limits of their own: the planner of the kind of move that is under way.
-    kind: Option<MoveKind>,
+/// Takes what goes into a planner and what comes out of it. `P` is what the steps tell of the path.
+pub(crate) trait Planned<P> {
+    /// A command of the tool centre goes by, before its steps are planned.
+    fn command(&mut self, _command: &Command) {}
+
+    /// A step goes into the planner.
+    fn asked(&mut self, step: &MotionStep, source: &StepSource);
+
+    /// A planned step.
+    fn step(&mut self, step: Step<'_, P>);
+
+    /// A problem of the program.
+    fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
+}
+
+/// A sink with the sources of what the planner holds.
+pub(crate) struct WithSources<'s, S> {
     sources: Sources,
     sink: &'s mut S,
 }
 
-impl<'s, S: PlanSink> Planning<'s, S> {
-    pub fn new(limits: MachineLimits, options: &MotionOptions, sink: &'s mut S) -> Self {
-        let options = PlannerOptions::new(options.level);
-        Planning {
-            planner: Planner::new(limits.cut, options),
-            options,
-            kind: (limits.cut != limits.rapid).then_some(MoveKind::Cut),
-            limits,
-            sources: Sources::default(),
-            sink,
+impl<S: PlanSink> Planned<Piece> for WithSources<'_, S> {
+    fn command(&mut self, command: &Command) {
+        self.sink.command(command);
+    }
+
+    fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+        self.sources.push(*source);
+        self.sink.source(source);
+        self.sink.asked(step, source);
+    }
+
+    fn step(&mut self, step: Step<'_>) {
+        self.sink.step(step, &self.sources);
+        let last = match step {
+            Step::Stretch(stretch) => stretch.pieces.last().map(|piece| piece.tag),
+            Step::Wait { tag, .. } => Some(tag),
+        };
+        if let Some(tag) = last {
+            // A move may end in one stretch and go on in the next.
+            self.sources.forget_before(tag);
         }
     }
 
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.sink.diagnostic(diagnostic);
+    }
+}
+
+/// Puts the moves of a run through a planner.
+pub(crate) struct Planning<T, P = Piece> {
+    planner: Planner<P>,
+    make: fn(Limits, PlannerOptions) -> Planner<P>,
+    options: PlannerOptions,
+    limits: MachineLimits,
+    /// Rapids have limits of their own: the planner of the kind of move that is under way.
+    kind: Option<MoveKind>,
+    taker: T,
+}
+
+impl<'s, S: PlanSink> Planning<WithSources<'s, S>> {
+    pub fn new(limits: MachineLimits, options: &MotionOptions, sink: &'s mut S) -> Self {
+        let taker = WithSources { sources: Sources::default(), sink };
+        Planning::with(limits, options, Planner::new, taker)
+    }
+}
+
+impl<T: Planned<P>, P: PathPart> Planning<T, P> {
+    /// With the planner that is wanted.
+    pub fn with(
+        limits: MachineLimits,
+        options: &MotionOptions,
+        make: fn(Limits, PlannerOptions) -> Planner<P>,
+        taker: T,
+    ) -> Planning<T, P> {
+        let options = PlannerOptions::new(options.level);
+        Planning {
+            planner: make(limits.cut, options),
+            make,
+            options,
+            kind: (limits.cut != limits.rapid).then_some(MoveKind::Cut),
+            limits,
+            taker,
+        }
+    }
+
+    /// Hands on what the planner holds, and gives back who took it.
+    pub fn finish(mut self) -> T {
+        self.rest();
+        self.taker
+    }
+
     /// Hands on what the planner holds.
-    pub fn finish(&mut self) {
-        let Planning { planner, sources, sink, .. } = self;
-        planner.finish(|step| hand_on(step, sources, *sink));
+    fn rest(&mut self) {
+        let Planning { planner, taker, .. } = self;
+        planner.finish(|step| taker.step(step));
     }
 
     /// Where rapids have other limits the axes come to rest between the two.
@@ -98,51 +166,37 @@ impl<'s, S: PlanSink> Planning<'s, S> {
         if self.kind.is_none_or(|before| before == kind) {
             return;
         }
-        self.finish();
+        self.rest();
         self.kind = Some(kind);
         let limits: Limits = match kind {
             MoveKind::Rapid => self.limits.rapid,
             MoveKind::Cut => self.limits.cut,
         };
-        self.planner = Planner::new(limits, self.options);
+        self.planner = (self.make)(limits, self.options);
     }
 }
 
-fn hand_on<S: PlanSink>(step: Step<'_>, sources: &mut Sources, sink: &mut S) {
-    sink.step(step, sources);
-    let last = match step {
-        Step::Stretch(stretch) => stretch.pieces.last().map(|piece| piece.tag),
-        Step::Wait { tag, .. } => Some(tag),
-    };
-    if let Some(tag) = last {
-        // A move may end in one stretch and go on in the next.
-        sources.forget_before(tag);
-    }
-}
-
-impl<S: PlanSink> MotionSink for Planning<'_, S> {
+impl<T: Planned<P>, P: PathPart> MotionSink for Planning<T, P> {
     fn command(&mut self, command: &Command) {
-        self.sink.command(command);
+        self.taker.command(command);
     }
 
     fn step(&mut self, step: &MotionStep, source: &StepSource) -> Result<(), MoveError> {
         if let MotionStep::Move(motion) = step {
             self.change_limits(motion.kind);
         }
-        self.sources.push(*source);
-        self.sink.source(source);
-        self.sink.asked(step, source);
-        let Planning { planner, sources, sink, .. } = self;
+        self.taker.asked(step, source);
+        let Planning { planner, taker, .. } = self;
         match step {
-            MotionStep::Move(motion) => planner.push(motion, |step| hand_on(step, sources, *sink)),
+            MotionStep::Move(motion) => planner.push(motion, |step| taker.step(step)),
             MotionStep::Wait(wait) => {
-                planner.wait(wait.seconds, wait.tag, |step| hand_on(step, sources, *sink));
+                planner.wait(wait.seconds, wait.tag, |step| taker.step(step));
                 Ok(())
             }
         }
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        self.sink.diagnostic(diagnostic);
+        self.taker.diagnostic(diagnostic);
     }
 }

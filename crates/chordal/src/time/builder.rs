@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, VecDeque};
 use chordal_control::Origin;
 use chordal_diagnostics::Span;
 use chordal_geometry::{Curve, ParamCurve, Vec3};
-use chordal_motion::{Corner, Move, MoveKind, Step, Stretch};
+use chordal_motion::{Corner, Move, MoveKind, PathPart, Step, Stretch};
 
 use super::blocks::{BlockRun, Blocks};
 use super::reason::{Asked, Ride, reason_of};
@@ -136,7 +136,7 @@ impl TimeBuilder {
     }
 
     /// Takes a step of the planner.
-    pub fn step(&mut self, step: Step<'_>) {
+    pub fn step<P: PathPart>(&mut self, step: Step<'_, P>) {
         match step {
             Step::Stretch(stretch) => self.stretch(stretch),
             Step::Wait { seconds, tag } => {
@@ -149,7 +149,7 @@ impl TimeBuilder {
     }
 
     /// While a stretch overlaps the one before it, time counts for the earlier move.
-    fn stretch(&mut self, stretch: &Stretch) {
+    fn stretch<P: PathPart>(&mut self, stretch: &Stretch<P>) {
         let overlap_s = stretch.overlap_s;
         let starts_at_rest = stretch.phases.first().is_some_and(|phase| phase.speed == 0.0);
         let ends_at_rest = stretch.phases.last().is_some_and(|last| {
@@ -391,14 +391,14 @@ mod tests {
         asking.time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
         asking.tool = 3;
         let change = asking.wait(2, WaitKind::ToolChange, 5.0);
-        asking.time.step(Step::Wait { seconds: 5.0, tag: change });
+        asking.time.step(Step::<'_, Piece>::Wait { seconds: 5.0, tag: change });
         let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
         let cuts: Vec<u64> = (0..2).map(|_| asking.motion(3, cut, 1.0)).collect();
         let dwell = asking.wait(4, WaitKind::Dwell, 0.5);
         for tag in cuts {
             asking.time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
         }
-        asking.time.step(Step::Wait { seconds: 0.5, tag: dwell });
+        asking.time.step(Step::<'_, Piece>::Wait { seconds: 0.5, tag: dwell });
         let report = asking.time.finish();
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
         near(report.times.rapid_s, 0.4);

@@ -9,8 +9,8 @@ use super::report::TimeReport;
 use crate::compensated::Compensated;
 use crate::job::{Job, Report, ReportSink, Watch};
 use crate::motion::{
-    LimitError, MachineLimits, MotionBuilder, MotionOptions, MotionReport, MotionStep, PlanSink,
-    Planning, Sources, Step, StepSource,
+    Level, LimitError, Limits, MachineLimits, MotionBuilder, MotionOptions, MotionReport,
+    MotionStep, PathPart, Planned, Planner, PlannerOptions, Planning, Step, StepSource,
 };
 
 /// The time of a run, and how it was planned.
@@ -28,9 +28,21 @@ impl Job<'_> {
     /// # Errors
     /// A limit of an axis that is not a positive number.
     pub fn time(&self, options: &MotionOptions) -> Result<Timed, LimitError> {
-        let mut timing = Timing::default();
-        let motion = self.plan(options, &mut timing)?;
-        Ok(Timed { time: timing.0.finish(), motion })
+        match options.level {
+            Level::Fast => self.timed(options, |limits, _| Planner::of_times(limits)),
+            Level::Best => self.timed(options, Planner::new),
+        }
+    }
+
+    fn timed<P: PathPart>(
+        &self,
+        options: &MotionOptions,
+        make: MakePlanner<P>,
+    ) -> Result<Timed, LimitError> {
+        let limits = MachineLimits::of(self.machine())?;
+        let planning = Planning::with(limits, options, make, TimeBuilder::default());
+        let (motion, planning) = self.motion(options, planning)?;
+        Ok(Timed { time: planning.finish().finish(), motion })
     }
 
     /// Runs once with all checks, sums up and adds up the time. The report stands whether or
@@ -42,50 +54,61 @@ impl Job<'_> {
         most_moves: u64,
         watch: &mut impl Watch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
+        match options.level {
+            Level::Fast => {
+                self.judged(options, |limits, _| Planner::of_times(limits), most_moves, watch)
+            }
+            Level::Best => self.judged(options, Planner::new, most_moves, watch),
+        }
+    }
+
+    fn judged<P: PathPart>(
+        &self,
+        options: &MotionOptions,
+        make: MakePlanner<P>,
+        most_moves: u64,
+        watch: &mut impl Watch,
+    ) -> (Report, Result<Option<Timed>, LimitError>) {
         let limits = match MachineLimits::of(self.machine()) {
             Ok(limits) => limits,
             Err(error) => return (self.report_watched(watch), Err(error)),
         };
-        let mut timing = Timing::default();
-        let planning = Planning::new(limits.clone(), options, &mut timing);
+        let planning = Planning::with(limits.clone(), options, make, TimeBuilder::default());
         let motion = MotionBuilder::new(self, limits, options, planning);
         let report = ReportSink::new(self, watch);
         let both = Both { report, motion: Some(motion), left: most_moves };
         let (outcomes, Both { report, motion, .. }) = Compensated::judge(self, both);
-        let planned = motion.map(|motion| {
-            let (motion, mut planning) = motion.finish(outcomes.clone());
-            planning.finish();
-            motion
+        let timed = motion.map(|motion| {
+            let (motion, planning) = motion.finish(outcomes.clone());
+            Timed { time: planning.finish().finish(), motion }
         });
-        let timed = planned.map(|motion| Timed { time: timing.0.finish(), motion });
         (report.finish(outcomes), Ok(timed))
     }
 }
 
-/// Adds up the steps of a run.
-#[derive(Debug, Default)]
-struct Timing(TimeBuilder);
+/// Makes a planner that tells as much of the path as is wanted.
+type MakePlanner<P> = fn(Limits, PlannerOptions) -> Planner<P>;
 
-impl PlanSink for Timing {
+impl<P: PathPart> Planned<P> for TimeBuilder {
     fn asked(&mut self, step: &MotionStep, source: &StepSource) {
-        self.0.asked(step, source);
+        TimeBuilder::asked(self, step, source);
     }
 
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
-        self.0.step(step);
+    fn step(&mut self, step: Step<'_, P>) {
+        TimeBuilder::step(self, step);
     }
 }
 
 /// A run that is judged and planned at once.
-struct Both<'m, 'w, 's, W> {
+struct Both<'m, 'w, W, P> {
     report: ReportSink<'m, 'w, W>,
     /// Gone when there are too many moves.
-    motion: Option<MotionBuilder<'m, Planning<'s, Timing>>>,
+    motion: Option<MotionBuilder<'m, Planning<TimeBuilder, P>>>,
     /// Moves that may come yet.
     left: u64,
 }
 
-impl<W: Watch> PathSink for Both<'_, '_, '_, W> {
+impl<W: Watch, P: PathPart> PathSink for Both<'_, '_, W, P> {
     fn programmed(&mut self, command: &Command) {
         self.report.programmed(command);
     }

@@ -1,6 +1,6 @@
 //! Which move of a stretch is under way at which time.
 
-use chordal_motion::Stretch;
+use chordal_motion::{PathPart, Stretch};
 
 /// The part of one phase that lies in one piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,12 +21,12 @@ pub(super) struct Part {
 
 /// Hands on the parts of a stretch in order. Together they last as long as the stretch: what
 /// rounding leaves beyond the last piece counts for the last piece.
-pub(super) fn walk(stretch: &Stretch, mut take: impl FnMut(Part)) {
+pub(super) fn walk<P: PathPart>(stretch: &Stretch<P>, mut take: impl FnMut(Part)) {
     let (pieces, phases) = (&stretch.pieces, &stretch.phases);
     let mut end = 0.0;
     let (mut at, mut in_phase, mut phase_from_s) = (0, 0.0, 0.0);
     for (index, piece) in pieces.iter().enumerate() {
-        end += piece.length;
+        end += piece.length();
         let is_last = index + 1 == pieces.len();
         while let Some(phase) = phases.get(at) {
             let phase_end = phases.get(at + 1).map_or(f64::INFINITY, |next| next.from);
@@ -34,7 +34,7 @@ pub(super) fn walk(stretch: &Stretch, mut take: impl FnMut(Part)) {
             let until = if leaves { phase.time_at(end, in_phase) } else { phase.duration_s };
             if until > in_phase {
                 take(Part {
-                    tag: piece.tag,
+                    tag: piece.tag(),
                     from_s: phase_from_s + in_phase,
                     to_s: phase_from_s + until,
                     speeds: (phase.at(in_phase).speed, phase.at(until).speed),
