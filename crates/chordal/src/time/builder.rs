@@ -378,6 +378,10 @@ mod tests {
         ]
     }
 
+    fn wait(seconds: f64, tag: u64) -> Step<'static> {
+        Step::Wait { seconds, tag }
+    }
+
     fn stretch(pieces: Vec<Piece>, speed: f64, overlap_s: f64) -> Stretch {
         let length = pieces.iter().map(|piece| piece.length).sum();
         Stretch { pieces, phases: trapezoid(length, speed, 1000.0), overlap_s }
@@ -391,14 +395,14 @@ mod tests {
         asking.time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
         asking.tool = 3;
         let change = asking.wait(2, WaitKind::ToolChange, 5.0);
-        asking.time.step(Step::<'_, Piece>::Wait { seconds: 5.0, tag: change });
+        asking.time.step(wait(5.0, change));
         let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
         let cuts: Vec<u64> = (0..2).map(|_| asking.motion(3, cut, 1.0)).collect();
         let dwell = asking.wait(4, WaitKind::Dwell, 0.5);
         for tag in cuts {
             asking.time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
         }
-        asking.time.step(Step::<'_, Piece>::Wait { seconds: 0.5, tag: dwell });
+        asking.time.step(wait(0.5, dwell));
         let report = asking.time.finish();
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} is not {b}");
         near(report.times.rapid_s, 0.4);
