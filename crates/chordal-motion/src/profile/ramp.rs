@@ -79,6 +79,9 @@ impl Effort {
         // Without a stage of even acceleration: q³ + 2·from·q = length·√jerk with q = √rise.
         if self.way(from, from + most) >= length {
             let c = length * j.sqrt();
+            if from <= 0.0 {
+                return cbrt(c * c).min(most);
+            }
             // Both guesses lie above the root; the one that leaves out less lies nearer.
             let even = if from > 0.0 { c / (2.0 * from) } else { f64::INFINITY };
             let mut q = if even * even <= 2.0 * from { even } else { cbrt(c) };

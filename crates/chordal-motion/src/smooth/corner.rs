@@ -41,6 +41,8 @@ pub struct Side {
     pub speed: f64,
     /// It is a straight line.
     pub straight: bool,
+    /// How the speed can change along it.
+    pub effort: Effort,
 }
 
 /// What two legs make where they meet.
@@ -244,7 +246,7 @@ pub fn joint(
         ),
     };
     let speed = before.speed.max(after.speed);
-    let (one, two) = (effort(&before.direction, limits), effort(&after.direction, limits));
+    let (one, two) = (before.effort, after.effort);
     let nothing = [0.0; 6];
     let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });
     let [by_acceleration, by_jerk] = [&limits.acceleration, &limits.jerk].map(|most| {

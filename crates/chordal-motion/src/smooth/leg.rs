@@ -2,9 +2,10 @@ use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE, Turning};
+use crate::profile::Effort;
 use crate::root::cbrt;
 use crate::segment::Move;
-use crate::smooth::corner::Side;
+use crate::smooth::corner::{Side, effort};
 
 /// A straight piece of a leg, as programmed.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +68,13 @@ impl Leg {
             anchor[..3].fill(0.0);
         }
         let side = |sigma: f64| {
-            let mut side = Side { direction, bend: [0.0; 6], speed: motion.speed, straight: true };
+            let mut side = Side {
+                direction,
+                bend: [0.0; 6],
+                speed: motion.speed,
+                straight: true,
+                effort: Effort::FREE,
+            };
             if let Some(curve) = &curve {
                 side.straight = false;
                 side.direction[..3].copy_from_slice(&curve.tangent_at(sigma).to_array());
@@ -75,6 +82,7 @@ impl Leg {
                 side.speed = holdable_bent(&side, limits).min(side.speed);
             }
             side.speed = holdable(&side.direction, limits).min(side.speed);
+            side.effort = effort(&side.direction, limits);
             side
         };
         let head = side(0.0);
@@ -124,6 +132,11 @@ impl Leg {
     /// Moves it along the run.
     pub fn place(&mut self, from: f64) {
         (self.from, self.part.from) = (from, from);
+    }
+
+    /// No speed on it is higher when the axes rest at both its ends, σ per s.
+    pub fn fastest_alone(&self) -> f64 {
+        self.head.effort.rise(0.0, self.length / 2.0).min(self.feed)
     }
 
     /// It may be so short that one limit can hold all along, which is little time lost.

@@ -105,6 +105,8 @@ pub struct Smoother {
     nodes_gone: usize,
     /// Number of the first node that has not been judged by itself.
     judged: usize,
+    /// At how many of the nodes the axes rest.
+    resting: usize,
     /// Number of the first node that has not been weighed with its neighbours.
     weighed: usize,
     /// Number of the first node whose widths are not settled.
@@ -313,6 +315,7 @@ impl Smoother {
             self.parts.clear();
             (self.legs_gone, self.nodes_gone) = (0, 0);
             (self.judged, self.weighed, self.unsettled, self.ahead) = (0, 0, 0, 0);
+            self.resting = 0;
             self.part_to = 0;
             self.corrections.clear();
             (self.length, self.clear) = (0.0, [0.0; 2]);
@@ -333,10 +336,8 @@ impl Smoother {
                 break;
             }
             let index = self.unsettled - self.nodes_gone;
-            if !self.nodes[index].rests {
-                let node = self.widened(index);
-                let rests = !node.weighed && self.is_quicker_at_rest(&node, limits);
-                self.nodes[index] = if rests { node.narrowed() } else { node };
+            if self.resting > 0 && !self.nodes[index].weighed {
+                self.settle_among_rests(index, limits);
             }
             let node = self.nodes[index];
             if node.half() > 0.0 {
@@ -347,6 +348,17 @@ impl Smoother {
             self.corrections.add(&node);
             self.unsettled += 1;
         }
+    }
+
+    /// Gives a node that was judged by itself its widths between the rests around it.
+    fn settle_among_rests(&mut self, index: usize, limits: &AxisArrays) {
+        if self.nodes[index].rests {
+            self.nodes[index] = self.nodes[index].narrowed();
+            return;
+        }
+        let node = self.widened(index);
+        let rests = !self.is_clearly_quicker_eased(&node) && self.is_quicker_at_rest(&node, limits);
+        self.nodes[index] = if rests { node.narrowed() } else { node };
     }
 
     /// The largest half width up to `most` with which a node and all nodes in its reach, were
@@ -433,8 +445,9 @@ impl Smoother {
         while self.nodes.front().is_some_and(|node| {
             node.at + 2.0 * WIDEST < leg.end() && self.nodes_gone < self.unsettled
         }) {
-            self.nodes.pop_front();
+            let node = self.nodes.pop_front();
             self.nodes_gone += 1;
+            self.resting -= usize::from(node.is_some_and(|node| node.rests));
         }
     }
 }

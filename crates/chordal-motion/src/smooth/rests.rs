@@ -6,6 +6,8 @@
 //! is quicker to rest at all its joints, the axes do. No answer depends on the direction of the
 //! path or on how its lines are cut.
 
+use std::collections::VecDeque;
+
 use crate::cell::AxisArrays;
 use crate::smooth::leg::Leg;
 use crate::smooth::{CLEAREST, Node, Smoother};
@@ -25,8 +27,11 @@ impl Smoother {
             if !ends && node.is_slow() && !self.is_known_around(&node) {
                 break;
             }
-            let rests = self.is_quicker_at_rest(&node, limits);
-            self.nodes[index] = Node { rests, tried: node.half(), ..node };
+            let clear = self.is_clearly_quicker_eased(&node);
+            let rests = !clear && self.is_quicker_at_rest(&node, limits);
+            let tried = if clear { 0.0 } else { node.half() };
+            self.nodes[index] = Node { rests, tried, ..node };
+            self.resting += usize::from(rests);
             self.judged += 1;
         }
     }
@@ -45,8 +50,12 @@ impl Smoother {
         }
         let legs = self.nodes[to - 1].leg - self.nodes[from].leg;
         if legs < MOST_LEGS && self.nodes.range(from..to).any(|node| self.may_lose(node)) {
+            let rests =
+                |nodes: &VecDeque<Node>| nodes.range(from..to).filter(|node| node.rests).count();
+            let before = rests(&self.nodes);
             self.rest_where_quicker(from, to, limits);
             self.nodes.range_mut(from..to).for_each(|node| node.weighed = true);
+            self.resting += rests(&self.nodes) - before;
         }
         self.weighed = to + self.nodes_gone;
         true
@@ -180,9 +189,25 @@ impl Smoother {
 
     /// The legs that a node's correction goes over are known, or long enough.
     fn is_known_around(&self, node: &Node) -> bool {
+        if self.legs.back().is_some_and(|last| last.from > node.at + node.half()) {
+            return true;
+        }
         let first = node.leg - self.legs_gone;
         let after = covering(self.legs.range(first..), node.half());
         first + after.legs < self.legs.len() || after.way >= node.step.ways()[1] + node.half()
+    }
+
+    /// The axes pass an eased node faster than they get to be on any leg in its reach, between
+    /// rests.
+    pub(super) fn is_clearly_quicker_eased(&self, node: &Node) -> bool {
+        let half = node.half();
+        let speed = node.step.speed_within(node.kink_half, node.bend_half);
+        let slower =
+            |leg: &Leg| leg.feed <= speed || leg.head.effort.rise(0.0, leg.length / 2.0) <= speed;
+        let first = node.leg - self.legs_gone;
+        let before = covering(self.legs.range(..first).rev(), half);
+        let after = covering(self.legs.range(first..), half);
+        self.legs.range(first - before.legs..first + after.legs).all(slower)
     }
 
     /// Whether the axes had better rest at a node, given its widths: between its legs alone, from
