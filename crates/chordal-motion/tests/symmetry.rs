@@ -192,3 +192,23 @@ fn a_short_corner_is_no_slower_with_more_room() {
     let times = [time(Corner::Stop), within(0.01), within(0.1)];
     assert!(times.windows(2).all(|pair| pair[1] < pair[0]), "{times:?}");
 }
+
+#[test]
+fn times_without_a_path_are_those_with_one() {
+    for seed in 0..16 {
+        let mut dice = Dice(seed + 2100);
+        let limits = random_limits(&mut dice);
+        let mix = Mix { curves: seed % 2 == 1, rotary: seed % 3 == 2, turn: 1.0, ..MIX };
+        let moves = random_path(&mut dice, &mix);
+        let mut planner = Planner::of_times(limits);
+        let mut time = 0.0;
+        let mut take = |step: Step<'_, _>| {
+            if let Step::Stretch(stretch) = step {
+                time += stretch.duration_s() - stretch.overlap_s;
+            }
+        };
+        moves.iter().for_each(|motion| planner.push(motion, &mut take).unwrap());
+        planner.finish(&mut take);
+        same("without a path", seed, time_of(&plan(&moves, limits, Level::Fast)), time);
+    }
+}
