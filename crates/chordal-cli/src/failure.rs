@@ -1,5 +1,4 @@
 use std::io;
-use std::process::ExitCode;
 
 use chordal::machine::MachineError;
 
@@ -12,12 +11,6 @@ pub enum Verdict {
     Problems,
     /// Wrong use, or a file that cannot be read or written.
     Trouble,
-}
-
-impl From<Verdict> for ExitCode {
-    fn from(verdict: Verdict) -> ExitCode {
-        ExitCode::from(verdict as u8)
-    }
 }
 
 /// Why something could not be done at all. Problems of programs are diagnostics, not this.

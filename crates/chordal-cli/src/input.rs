@@ -184,6 +184,11 @@ impl Text {
         Text::new(name, bytes)
     }
 
+    /// A text that is in memory already.
+    pub fn of(name: &str, bytes: Vec<u8>) -> Result<Text, Failure> {
+        Text::new(name.to_string(), Bytes::Owned(bytes))
+    }
+
     /// The name for people.
     pub fn name(&self) -> &str {
         &self.name

@@ -34,15 +34,19 @@ pub enum Chosen {
 impl Chosen {
     /// What was recognized and by what, in a line; nothing where the user said the machine.
     pub fn told(&self, file: &str, title: &str) -> Option<String> {
-        let why = match self {
+        self.why(title).map(|why| format!("{file}: {why}; --machine chooses another\n"))
+    }
+
+    /// The same without the file and what to do.
+    pub fn why(&self, title: &str) -> Option<String> {
+        Some(match self {
             Chosen::Given | Chosen::Folder(_) => return None,
             Chosen::Ending => format!("taken for {title} by the ending of its name"),
             Chosen::Recognized(found) => match found.evidence.first() {
                 Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
                 None => format!("taken for {title}, since nothing in the text tells"),
             },
-        };
-        Some(format!("{file}: {why}; --machine chooses another\n"))
+        })
     }
 }
 
@@ -102,7 +106,7 @@ fn folders(input: &Input) -> Vec<PathBuf> {
 }
 
 /// What a program is run on when only its control is known.
-fn builtin_of(control: ControlName) -> Machine {
+pub(crate) fn builtin_of(control: ControlName) -> Machine {
     let name = match control {
         ControlName::Fadal => "fadal-4020",
         ControlName::Haas => "haas-vf2",
@@ -113,13 +117,13 @@ fn builtin_of(control: ControlName) -> Machine {
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
-fn from_file(path: &Path) -> Result<Machine, Failure> {
+pub(crate) fn from_file(path: &Path) -> Result<Machine, Failure> {
     let name = path.to_string_lossy();
     let text = read_text(path).map_err(|error| Failure::read(&*name, &error))?;
     of_text(&name, &text)
 }
 
-fn of_text(name: &str, text: &str) -> Result<Machine, Failure> {
+pub(crate) fn of_text(name: &str, text: &str) -> Result<Machine, Failure> {
     let load = |file: &str| read_text(Path::new(file)).map_err(|error| error.to_string());
     Machine::from_toml(name, text, &load).map_err(Failure::Machine)
 }
@@ -170,7 +174,7 @@ fn of_folder(path: &Path) -> Result<Machine, Failure> {
 }
 
 /// Everything that the command line says of a machine, whichever it is.
-fn finish(mut machine: Machine, common: &Common) -> Result<Machine, Failure> {
+pub(crate) fn finish(mut machine: Machine, common: &Common) -> Result<Machine, Failure> {
     let assign = |machine: &mut Machine| {
         let errors: Vec<MachineError> =
             common.set.iter().filter_map(|assignment| machine.set(assignment).err()).collect();

@@ -40,9 +40,14 @@ impl Loaded {
         self.job_on(self.machine.clone())
     }
 
+    /// The program's text.
+    pub fn text(&self) -> &[u8] {
+        self.texts[0].bytes()
+    }
+
     /// Bytes of the program's text.
     pub fn size(&self) -> usize {
-        self.texts[0].bytes().len()
+        self.text().len()
     }
 
     /// Its machine.
@@ -70,7 +75,17 @@ fn load(
     common: &Common,
     folders: &mut Folders,
 ) -> Result<Loaded, Failure> {
-    let text = Text::read(input)?;
+    load_text(Text::read(input)?, input, given, common, folders)
+}
+
+/// The same with the text of the input at hand.
+pub(crate) fn load_text(
+    text: Text,
+    input: &Input,
+    given: Option<&Machine>,
+    common: &Common,
+    folders: &mut Folders,
+) -> Result<Loaded, Failure> {
     let (machine, chosen) = match given {
         Some(machine) => (machine.clone(), Chosen::Given),
         None => machine::choose(input, text.bytes(), common)?,

@@ -6,6 +6,7 @@
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
 //! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
+//! | commands, path, chords, setpoints | record batches of Arrow | [`columns`] |
 //! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
@@ -19,6 +20,7 @@
 
 mod canon;
 mod chords;
+pub mod columns;
 mod command_csv;
 mod command_json;
 mod contour_ranges;
@@ -35,6 +37,7 @@ mod worked;
 
 pub use canon::Canon;
 pub use chords::ChordWriter;
+pub use columns::column_reference;
 pub use command_csv::CommandCsv;
 pub use command_json::CommandJsonLines;
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};

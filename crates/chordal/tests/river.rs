@@ -35,6 +35,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
     ("chordal-cli", &["chordal", "chordal-calc", "chordal-export"]),
+    ("chordal-python", &["chordal", "chordal-export", "chordal-cli"]),
 ];
 
 #[test]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, DataType, Field, Schema};
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use chordal::motion::Sample;
 use parquet::arrow::ArrowWriter;
 use parquet::basic::Compression;
@@ -21,9 +21,9 @@ const BATCH: usize = 1 << 13;
 /// Rows of a group of a Parquet file: what a reader reads at once, about 10 MB.
 const ROWS_OF_A_GROUP: usize = 1 << 17;
 
-/// Rows not yet handed on, by column.
+/// Gathers setpoints, one row each, and gives them as a batch when it is asked.
 #[derive(Debug)]
-struct Rows {
+pub struct SampleColumns {
     schema: Arc<Schema>,
     columns: Vec<Column>,
     values: Vec<Vec<f64>>,
@@ -43,17 +43,18 @@ fn metadata(head: &SampleHead) -> Vec<(String, String)> {
     .into()
 }
 
-impl Rows {
-    fn new(head: &SampleHead) -> Rows {
+impl SampleColumns {
+    /// Columns for setpoints.
+    pub fn new(head: &SampleHead) -> SampleColumns {
         let columns = head.columns();
         let field = |column: &Column| {
-            let unit = HashMap::from([("unit".to_string(), column.unit.clone())]);
+            let unit = HashMap::from([("unit".to_string(), column.unit.to_string())]);
             Field::new(&column.name, DataType::Float64, false).with_metadata(unit)
         };
         let mut fields: Vec<Field> = columns.iter().map(field).collect();
         fields.push(Field::new("line", DataType::UInt32, false));
         let about = metadata(head).into_iter().collect();
-        Rows {
+        SampleColumns {
             schema: Arc::new(Schema::new_with_metadata(fields, about)),
             values: vec![Vec::with_capacity(BATCH); columns.len()],
             columns,
@@ -61,16 +62,34 @@ impl Rows {
         }
     }
 
-    /// Takes a row; true when they should be handed on.
-    fn push(&mut self, sample: &Sample, line: u32) -> bool {
+    /// Takes a setpoint of a block on this line.
+    pub fn sample(&mut self, sample: &Sample, line: u32) {
         for (values, column) in self.values.iter_mut().zip(&self.columns) {
             values.push(column.of(sample));
         }
         self.lines.push(line);
-        self.lines.len() >= BATCH
     }
 
-    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+    /// Rows gathered since the last batch.
+    pub fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The columns, with their units and what they come from.
+    pub fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    /// True when a file should be given what there is.
+    fn is_full(&self) -> bool {
+        self.rows() >= BATCH
+    }
+
+    /// The rows gathered so far; the next begin anew.
+    ///
+    /// # Errors
+    /// None that the rows themselves could cause.
+    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let fresh = || Vec::with_capacity(BATCH);
         let mut arrays: Vec<ArrayRef> = Vec::with_capacity(self.values.len() + 1);
         for values in &mut self.values {
@@ -84,13 +103,13 @@ impl Rows {
 
 /// A Parquet file: groups of rows, each column compressed.
 pub(super) struct ParquetFile<W: Write + Send> {
-    rows: Rows,
+    rows: SampleColumns,
     out: ArrowWriter<W>,
 }
 
 impl<W: Write + Send> ParquetFile<W> {
     pub fn new(out: W, head: &SampleHead) -> io::Result<ParquetFile<W>> {
-        let rows = Rows::new(head);
+        let rows = SampleColumns::new(head);
         let about = metadata(head).into_iter().map(|(key, value)| KeyValue::new(key, value));
         let properties = WriterProperties::builder()
             .set_created_by(concat!("chordal ", env!("CARGO_PKG_VERSION")).to_string())
@@ -106,7 +125,8 @@ impl<W: Write + Send> ParquetFile<W> {
     }
 
     pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
-        if self.rows.push(sample, line) { self.hand_on() } else { Ok(()) }
+        self.rows.sample(sample, line);
+        if self.rows.is_full() { self.hand_on() } else { Ok(()) }
     }
 
     pub fn finish(mut self) -> io::Result<W> {
@@ -122,19 +142,20 @@ impl<W: Write + Send> ParquetFile<W> {
 
 /// An Arrow IPC file: the columns as they lie in memory.
 pub(super) struct ArrowFile<W: Write> {
-    rows: Rows,
+    rows: SampleColumns,
     out: FileWriter<W>,
 }
 
 impl<W: Write> ArrowFile<W> {
     pub fn new(out: W, head: &SampleHead) -> io::Result<ArrowFile<W>> {
-        let rows = Rows::new(head);
+        let rows = SampleColumns::new(head);
         let out = FileWriter::try_new(out, &rows.schema).map_err(of_arrow)?;
         Ok(ArrowFile { rows, out })
     }
 
     pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
-        if self.rows.push(sample, line) { self.hand_on() } else { Ok(()) }
+        self.rows.sample(sample, line);
+        if self.rows.is_full() { self.hand_on() } else { Ok(()) }
     }
 
     pub fn finish(mut self) -> io::Result<W> {

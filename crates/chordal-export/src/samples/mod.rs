@@ -18,12 +18,14 @@ mod text;
 use std::io::{self, Write};
 
 use chordal::Job;
+use chordal::control::AxisMask;
 use chordal::machine::Axis;
 use chordal::motion::Sample;
 
 use columns::{ArrowFile, ParquetFile};
 use text::TextRows;
 
+pub use columns::SampleColumns;
 pub use digest::sha256_hex;
 
 /// The version of the columns and of what they mean.
@@ -71,36 +73,62 @@ impl SampleHead {
         }
     }
 
-    /// The columns between `time_s` and `line`.
+    /// The columns of doubles.
     fn columns(&self) -> Vec<Column> {
-        let axes = Axis::ALL.into_iter().filter(|axis| {
-            let index = *axis as usize;
-            index < 3 || self.rotary[index - 3]
-        });
-        let mut columns = vec![Column::new("time_s", "s", Value::Time)];
-        for axis in axes {
-            let letter = axis.letter().to_ascii_lowercase();
-            let unit = if axis.is_rotary() { "deg" } else { "mm" };
-            let names = [
-                (format!("{letter}_{unit}"), unit.to_string()),
-                (format!("{letter}_vel_{unit}_per_s"), format!("{unit}/s")),
-                (format!("{letter}_acc_{unit}_per_s2"), format!("{unit}/s^2")),
-            ];
-            for (order, (name, unit)) in names.into_iter().enumerate() {
-                let value = Value::Axis { axis: axis as usize, order };
-                columns.push(Column { name, unit, value });
-            }
-        }
-        columns.push(Column::new("speed_mm_per_s", "mm/s", Value::Speed));
-        columns
+        let mut axes = AxisMask::LINEAR;
+        (3..6).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
+        columns_of(axes)
     }
+}
+
+/// The columns of doubles, those before `line`, for a machine with these axes.
+fn columns_of(axes: AxisMask) -> Vec<Column> {
+    let mut columns = vec![Column::new("time_s", "s", Value::Time)];
+    for axis in axes.iter() {
+        let letter = axis.letter().to_ascii_lowercase();
+        let (unit, units) = match axis.is_rotary() {
+            false => ("mm", ["mm", "mm/s", "mm/s^2"]),
+            true => ("deg", ["deg", "deg/s", "deg/s^2"]),
+        };
+        let names = [
+            format!("{letter}_{unit}"),
+            format!("{letter}_vel_{unit}_per_s"),
+            format!("{letter}_acc_{unit}_per_s2"),
+        ];
+        for (order, (name, unit)) in names.into_iter().zip(units).enumerate() {
+            let value = Value::Axis { axis: axis as usize, order };
+            columns.push(Column { name, unit, value });
+        }
+    }
+    columns.push(Column::new("speed_mm_per_s", "mm/s", Value::Speed));
+    columns
+}
+
+/// Name, unit and meaning of the columns of doubles, for a machine with these axes.
+pub(crate) fn sample_columns(
+    axes: AxisMask,
+) -> impl Iterator<Item = (String, &'static str, String)> {
+    columns_of(axes).into_iter().map(|column| {
+        let meaning = match column.value {
+            Value::Time => "from the start".to_string(),
+            Value::Speed => "speed of the tool along X, Y and Z".to_string(),
+            Value::Axis { axis, order } => {
+                let what = ["place", "velocity", "acceleration"][order];
+                format!(
+                    "{what} of {}, going on evenly where offsets jump",
+                    Axis::ALL[axis].letter()
+                )
+            }
+        };
+        (column.name, column.unit, meaning)
+    })
 }
 
 /// A column of doubles.
 #[derive(Clone, Debug)]
 struct Column {
     name: String,
-    unit: String,
+    unit: &'static str,
     value: Value,
 }
 
@@ -116,8 +144,8 @@ enum Value {
 }
 
 impl Column {
-    fn new(name: &str, unit: &str, value: Value) -> Column {
-        Column { name: name.into(), unit: unit.into(), value }
+    fn new(name: &str, unit: &'static str, value: Value) -> Column {
+        Column { name: name.into(), unit, value }
     }
 
     /// Its value, in its unit.

@@ -1,0 +1,135 @@
+//! The `chordal` command: arguments and files in, text and files out.
+//!
+//! The command is a library, so that another shell can offer it and can load programs as it does
+//! ([`load`]). One file per subcommand; `input` finds and reads programs, `machine` chooses what runs
+//! them, `beside` looks for subprograms, `output` writes files whole or not at all.
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a shell: files, terminal and clock are its business, so that they are nobody else's"
+)]
+
+mod beside;
+mod calc;
+mod calibrate;
+mod check;
+mod chords;
+mod commands;
+mod comp_range;
+mod completions;
+mod explain;
+mod failure;
+mod input;
+pub mod load;
+mod machine;
+mod machines;
+mod numbers;
+mod options;
+mod output;
+mod path;
+mod run;
+mod sample;
+mod session;
+mod sheet;
+mod summary;
+mod terminal;
+mod time;
+
+use std::ffi::OsString;
+
+use clap::{ColorChoice, Parser, Subcommand};
+
+use crate::failure::{Failure, Verdict};
+use crate::terminal::Terminal;
+
+const ABOUT: &str = "Runs CNC programs exactly as their control would";
+
+const LONG_ABOUT: &str = "\
+Runs CNC programs exactly as their control would: Fadal, Haas, Fanuc, Mitsubishi, LinuxCNC.
+
+Chordal reads the program with the rules of one control, says where that control would stop
+and why, and gives the exact path of the tool. It finds out from the text which control a
+program was written for; say --machine when you know better.";
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal run part.nc                        what it does, how long, where it would stop
+  chordal run part.nc -o part.svg            the same, and a picture
+  chordal time part.nc                       how long it takes, where and why
+  chordal check archive/                     problems of every program in a folder
+  chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
+  chordal explain CH401                      what a message means
+  chordal explain M17 --machine fadal-4020   what a code does
+  chordal machines haas-vf2                  a machine and its control's settings
+
+Exit code: 0 clean, 1 problems in the program, 2 wrong use or a file that cannot be read.";
+
+#[derive(Parser)]
+#[command(name = "chordal", version, about = ABOUT, long_about = LONG_ABOUT, after_help = EXAMPLES)]
+#[command(propagate_version = true, subcommand_required = true, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+
+    /// When to use colours; by itself on a terminal, unless NO_COLOR is set
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    #[arg(hide_default_value = true, display_order = 100)]
+    color: ColorChoice,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Args),
+    Time(time::Args),
+    Calibrate(calibrate::Args),
+    Check(check::Args),
+    Commands(commands::Args),
+    Path(path::Args),
+    CompRange(comp_range::Args),
+    Chords(chords::Args),
+    Sample(sample::Args),
+    Calc(Box<calc::Args>),
+    Explain(explain::Args),
+    Machines(machines::Args),
+    Completions(completions::Args),
+}
+
+impl Command {
+    fn carry_out(self, terminal: Terminal) -> Result<Verdict, Failure> {
+        match self {
+            Command::Run(args) => run::run(args, terminal),
+            Command::Time(args) => time::run(&args, terminal),
+            Command::Calibrate(args) => calibrate::run(&args),
+            Command::Check(args) => check::run(args, terminal),
+            Command::Commands(args) => commands::run(&args, terminal),
+            Command::Path(args) => path::run(&args, terminal),
+            Command::CompRange(args) => comp_range::run(&args),
+            Command::Chords(args) => chords::run(&args, terminal),
+            Command::Sample(args) => sample::run(&args, terminal),
+            Command::Calc(args) => calc::run(&args),
+            Command::Explain(args) => explain::run(&args),
+            Command::Machines(args) => machines::run(&args),
+            Command::Completions(args) => completions::run(&args),
+        }
+    }
+}
+
+/// Runs the command with its arguments, of which the first is its own name, and says what the
+/// process should end with: 0 clean, 1 problems in a program, 2 wrong use.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(told) => {
+            // There is nobody to tell when even that cannot be written.
+            let _ = told.print();
+            return u8::try_from(told.exit_code()).unwrap_or(2);
+        }
+    };
+    let terminal = Terminal::new(cli.color);
+    let verdict = cli.command.carry_out(terminal).unwrap_or_else(|failure| {
+        terminal.failure(&failure);
+        failure.verdict()
+    });
+    verdict as u8
+}

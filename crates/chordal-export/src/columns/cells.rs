@@ -1,0 +1,217 @@
+//! Columns that grow: what a row does not say is a gap.
+
+use std::sync::Arc;
+
+use arrow_array::builder::StringBuilder;
+use arrow_array::types::{Int8Type, Int16Type};
+use arrow_array::{
+    ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int8Array, Int16Array, StringArray,
+    UInt32Array,
+};
+use arrow_buffer::{BooleanBufferBuilder, NullBufferBuilder, ScalarBuffer};
+use arrow_schema::ArrowError;
+
+/// Doubles. A gap is null, and NaN to who looks at the numbers alone.
+#[derive(Debug)]
+pub(super) struct Numbers {
+    values: Vec<f64>,
+    nulls: NullBufferBuilder,
+}
+
+impl Numbers {
+    pub fn new() -> Numbers {
+        Numbers { values: Vec::new(), nulls: NullBufferBuilder::new(0) }
+    }
+
+    /// The value of a row, where it is a number; rows before it that got none are gaps.
+    #[inline]
+    pub fn put(&mut self, row: usize, value: f64) {
+        if value.is_finite() {
+            self.fill(row);
+            self.values.push(value);
+            self.nulls.append_non_null();
+        }
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        self.fill(rows);
+        let values = ScalarBuffer::from(std::mem::take(&mut self.values));
+        Arc::new(Float64Array::new(values, self.nulls.finish()))
+    }
+
+    #[inline]
+    fn fill(&mut self, rows: usize) {
+        let gaps = rows - self.values.len();
+        if gaps > 0 {
+            self.values.resize(rows, f64::NAN);
+            self.nulls.append_n_nulls(gaps);
+        }
+    }
+}
+
+/// Whole numbers from 0.
+#[derive(Debug)]
+pub(super) struct Integers {
+    values: Vec<u32>,
+    nulls: NullBufferBuilder,
+}
+
+impl Integers {
+    pub fn new() -> Integers {
+        Integers { values: Vec::new(), nulls: NullBufferBuilder::new(0) }
+    }
+
+    pub fn put(&mut self, row: usize, value: u32) {
+        self.fill(row);
+        self.values.push(value);
+        self.nulls.append_non_null();
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        self.fill(rows);
+        let values = ScalarBuffer::from(std::mem::take(&mut self.values));
+        Arc::new(UInt32Array::new(values, self.nulls.finish()))
+    }
+
+    fn fill(&mut self, rows: usize) {
+        let gaps = rows - self.values.len();
+        if gaps > 0 {
+            self.values.resize(rows, 0);
+            self.nulls.append_n_nulls(gaps);
+        }
+    }
+}
+
+/// Words of a small set.
+#[derive(Debug)]
+pub(super) struct Words {
+    words: &'static [&'static str],
+    keys: Vec<i8>,
+    nulls: NullBufferBuilder,
+}
+
+impl Words {
+    pub fn new(words: &'static [&'static str]) -> Words {
+        Words { words, keys: Vec::new(), nulls: NullBufferBuilder::new(0) }
+    }
+
+    /// The word of a row, by its place in the set.
+    #[inline]
+    pub fn put(&mut self, row: usize, word: usize) {
+        self.fill(row);
+        self.keys.push(word as i8);
+        self.nulls.append_non_null();
+    }
+
+    /// The word itself; one that is not of the set leaves a gap.
+    pub fn put_word(&mut self, row: usize, word: &str) {
+        if let Some(place) = self.words.iter().position(|own| *own == word) {
+            self.put(row, place);
+        }
+    }
+
+    pub fn take(&mut self, rows: usize) -> Result<ArrayRef, ArrowError> {
+        self.fill(rows);
+        let keys = ScalarBuffer::from(std::mem::take(&mut self.keys));
+        let keys = Int8Array::new(keys, self.nulls.finish());
+        let words = Arc::new(StringArray::from(self.words.to_vec()));
+        Ok(Arc::new(DictionaryArray::<Int8Type>::try_new(keys, words)?))
+    }
+
+    #[inline]
+    fn fill(&mut self, rows: usize) {
+        let gaps = rows - self.keys.len();
+        if gaps > 0 {
+            self.keys.resize(rows, 0);
+            self.nulls.append_n_nulls(gaps);
+        }
+    }
+}
+
+/// Which text a row comes from.
+#[derive(Debug)]
+pub(super) struct Files {
+    names: Arc<StringArray>,
+    keys: Vec<i16>,
+}
+
+impl Files {
+    pub fn of(job: &chordal::Job) -> Files {
+        let names: Vec<&str> = job.sources().iter().map(|(_, source)| source.name()).collect();
+        Files { names: Arc::new(StringArray::from(names)), keys: Vec::new() }
+    }
+
+    #[inline]
+    pub fn push(&mut self, file: chordal::diagnostics::FileId) {
+        self.keys.push(file.0 as i16);
+    }
+
+    pub fn take(&mut self) -> Result<ArrayRef, ArrowError> {
+        let keys = Int16Array::from(std::mem::take(&mut self.keys));
+        Ok(Arc::new(DictionaryArray::<Int16Type>::try_new(keys, self.names.clone())?))
+    }
+}
+
+/// Yes and no.
+#[derive(Debug)]
+pub(super) struct Flags {
+    values: BooleanBufferBuilder,
+    nulls: NullBufferBuilder,
+}
+
+impl Flags {
+    pub fn new() -> Flags {
+        Flags { values: BooleanBufferBuilder::new(0), nulls: NullBufferBuilder::new(0) }
+    }
+
+    #[inline]
+    pub fn put(&mut self, row: usize, value: bool) {
+        self.fill(row);
+        self.values.append(value);
+        self.nulls.append_non_null();
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        self.fill(rows);
+        Arc::new(BooleanArray::new(self.values.finish(), self.nulls.finish()))
+    }
+
+    #[inline]
+    fn fill(&mut self, rows: usize) {
+        let gaps = rows - self.values.len();
+        if gaps > 0 {
+            self.values.append_n(gaps, false);
+            self.nulls.append_n_nulls(gaps);
+        }
+    }
+}
+
+/// Text.
+#[derive(Debug)]
+pub(super) struct Texts {
+    builder: StringBuilder,
+    rows: usize,
+}
+
+impl Texts {
+    pub fn new() -> Texts {
+        Texts { builder: StringBuilder::with_capacity(0, 0), rows: 0 }
+    }
+
+    pub fn put(&mut self, row: usize, text: &str) {
+        self.fill(row);
+        self.builder.append_value(text);
+        self.rows += 1;
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        self.fill(rows);
+        self.rows = 0;
+        Arc::new(self.builder.finish())
+    }
+
+    fn fill(&mut self, rows: usize) {
+        self.builder.append_nulls(rows - self.rows);
+        self.rows = rows;
+    }
+}

@@ -1,0 +1,121 @@
+//! Chords as columns.
+
+use std::sync::Arc;
+
+use arrow_array::{RecordBatch, UInt32Array};
+use arrow_schema::{ArrowError, SchemaRef};
+use chordal::control::AxisMask;
+use chordal::geometry::{ChordError, ParamCurve, Placement};
+use chordal::{Job, Segment, SegmentKind};
+
+use super::cells::{Files, Numbers, Words};
+use super::field::{Cell, Column, places, schema};
+use super::path::{KINDS, kind_key};
+
+/// Name and version of the columns of chords.
+pub const CHORD_COLUMNS: &str = "chordal.chord-columns/1";
+
+/// Gathers the chords of a path, one row each. Lines and rapids are one chord without error.
+#[derive(Debug)]
+pub struct ChordColumns {
+    schema: SchemaRef,
+    tolerance_mm: f64,
+    placement: Placement,
+    rows: usize,
+    line: Vec<u32>,
+    file: Files,
+    kind: Words,
+    tool: Vec<u32>,
+    numbers: [Numbers; 8],
+}
+
+pub(super) fn columns() -> Vec<Column> {
+    let mut columns = vec![
+        Column::new("line", Cell::Integer, "", "line of the block, from 1"),
+        Column::new("file", Cell::File, "", "the text that the block is in"),
+        Column::new("kind", Cell::Word, "", "what the chord belongs to"),
+        Column::new("tool", Cell::Integer, "", "the tool in the spindle"),
+    ];
+    let places = |end, meaning| places(AxisMask::LINEAR, end, Cell::Number, meaning);
+    columns.extend(places("from", "where the chord begins, frame of the run"));
+    columns.extend(places("to", "where the chord ends, frame of the run"));
+    columns.push(Column::new("length_mm", Cell::Number, "mm", "length of the chord"));
+    let error = "how far the curve may be from the chord";
+    columns.push(Column::new("error_mm", Cell::Number, "mm", error));
+    columns
+}
+
+impl ChordColumns {
+    /// Columns for chords within a tolerance, mm.
+    pub fn new(job: &Job, tolerance_mm: f64, placement: Placement) -> ChordColumns {
+        let word = match placement {
+            Placement::Inscribed => "inscribed",
+            Placement::Balanced => "balanced",
+        };
+        let more = [("tolerance_mm", tolerance_mm.to_string()), ("placement", word.to_string())];
+        ChordColumns {
+            schema: schema(job, CHORD_COLUMNS, &columns(), &more),
+            tolerance_mm,
+            placement,
+            rows: 0,
+            line: Vec::new(),
+            file: Files::of(job),
+            kind: Words::new(KINDS),
+            tool: Vec::new(),
+            numbers: std::array::from_fn(|_| Numbers::new()),
+        }
+    }
+
+    /// Rows gathered since the last batch.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The columns, with their units and what they come from.
+    pub fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    /// Takes the chords of a segment.
+    ///
+    /// # Errors
+    /// A tolerance that is not above zero, and a curve that cannot be cut into chords.
+    pub fn segment(&mut self, segment: &Segment) -> Result<(), ChordError> {
+        let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
+        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
+        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
+        let mut from = segment.curve.start();
+        for to in chords.skip(1) {
+            let [a, b] = [from, to].map(|point| point.to_array());
+            let length = (to - from).length();
+            let values = [a[0], a[1], a[2], b[0], b[1], b[2], length, error_mm];
+            for (column, value) in self.numbers.iter_mut().zip(values) {
+                column.put(self.rows, value);
+            }
+            self.line.push(segment.origin.line);
+            self.file.push(segment.origin.span.file);
+            self.kind.put(self.rows, kind_key(segment.kind));
+            self.tool.push(segment.tool);
+            self.rows += 1;
+            from = to;
+        }
+        Ok(())
+    }
+
+    /// The rows gathered so far; the next begin anew.
+    ///
+    /// # Errors
+    /// None that the rows themselves could cause.
+    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        let rows = std::mem::take(&mut self.rows);
+        let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
+        let mut arrays = vec![
+            Arc::new(integers(&mut self.line)) as _,
+            self.file.take()?,
+            self.kind.take(rows)?,
+            Arc::new(integers(&mut self.tool)) as _,
+        ];
+        arrays.extend(self.numbers.iter_mut().map(|column| column.take(rows)));
+        RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}

@@ -1,0 +1,413 @@
+//! Commands as columns.
+
+use std::sync::Arc;
+
+use arrow_array::{RecordBatch, UInt32Array};
+use arrow_schema::{ArrowError, SchemaRef};
+use chordal::control::{ArcShape, AxisMask, Feed, FeedMode, Move, PathMode, Position, Units};
+use chordal::geometry::ParamCurve;
+use chordal::path::curve_of;
+use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
+
+use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
+use super::field::{Cell, Column, axes_of, of_axis, places, schema};
+use crate::motion::{feed_mode_word, path_feed, plane_word, side_word, spindle_word};
+
+/// Name and version of the columns of commands as programmed.
+pub const COMMAND_COLUMNS: &str = "chordal.command-columns/1";
+
+/// Name and version of the columns of commands of the tool centre.
+pub const TOOL_PATH_COLUMNS: &str = "chordal.tool-path-columns/1";
+
+const KINDS: &[&str] = &[
+    "rapid",
+    "line",
+    "arc",
+    "spiral",
+    "dwell",
+    "tool",
+    "tool_select",
+    "tool_length",
+    "compensation",
+    "corner_arc",
+    "spindle",
+    "coolant",
+    "stop",
+    "probed",
+    "end",
+    "units",
+    "plane",
+    "feed_mode",
+    "feed_rate",
+    "path_mode",
+    "work_offset",
+    "message",
+    "print",
+    "idle",
+];
+const PLANES: &[&str] = &["xy", "zx", "yz"];
+const DIRECTIONS: &[&str] = &["cw", "ccw"];
+const SIDES: &[&str] = &["off", "left", "right"];
+
+/// Gathers commands, one row each, as programmed or as of the tool centre.
+#[derive(Debug)]
+pub struct CommandColumns<'a> {
+    schema: SchemaRef,
+    sources: &'a SourceMap<'a>,
+    extended: &'static str,
+    axes: Vec<usize>,
+    of_path: bool,
+    rows: usize,
+    line: Vec<u32>,
+    file: Files,
+    kind: Words,
+    from: Vec<Numbers>,
+    to: Vec<Numbers>,
+    arc: ArcCells,
+    length: Numbers,
+    feed: Numbers,
+    seconds: Numbers,
+    number: Integers,
+    state: Texts,
+    rpm: Numbers,
+    value: Numbers,
+    text: Texts,
+    side: Words,
+    radius: Numbers,
+    inserted: Flags,
+}
+
+#[derive(Debug)]
+struct ArcCells {
+    plane: Words,
+    center: [Numbers; 2],
+    direction: Words,
+    sweep: Numbers,
+    radii: [Numbers; 2],
+}
+
+/// The columns of commands, those of the tool centre with what compensation did.
+pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
+    use Cell::{File, FlagOrGap, Integer, IntegerOrGap, NumberOrGap, TextOrGap, Word, WordOrGap};
+    let column = Column::new;
+    let mut columns = vec![
+        column("line", Integer, "", "line of the block, from 1"),
+        column("file", File, "", "the text that the block is in"),
+        column("kind", Word, "", "what the command does"),
+    ];
+    columns.extend(places(axes, "from", NumberOrGap, "where a move begins, program coordinates"));
+    columns.extend(places(axes, "to", NumberOrGap, "where a move ends, program coordinates"));
+    columns.extend([
+        column("plane", WordOrGap, "", "plane of an arc, or the new plane"),
+        column("center_a_mm", NumberOrGap, "mm", "centre of an arc, first axis of its plane"),
+        column("center_b_mm", NumberOrGap, "mm", "centre of an arc, second axis of its plane"),
+        column("direction", WordOrGap, "", "sense of an arc"),
+        column("sweep_deg", NumberOrGap, "deg", "angle of an arc, without its sign"),
+        column("radius_from_mm", NumberOrGap, "mm", "radius at the start of an arc"),
+        column("radius_to_mm", NumberOrGap, "mm", "radius at the end of an arc"),
+        column("length_mm", NumberOrGap, "mm", "length of a cut"),
+        column("feed_mm_per_min", NumberOrGap, "mm/min", "feed along a cut, whatever F counts"),
+        column("seconds", NumberOrGap, "s", "how long a dwell is"),
+        column("number", IntegerOrGap, "", "number of a tool or of an offset"),
+        column("state", TextOrGap, "", "what the spindle, a mode or a switch becomes"),
+        column("rpm", NumberOrGap, "rev/min", "speed of the spindle"),
+        column("value", NumberOrGap, "", "length or radius of an offset, mm; F in its own unit"),
+        column("text", TextOrGap, "", "a message, a printed line, the name of a work offset"),
+    ]);
+    if of_path {
+        columns.extend([
+            column("compensation", WordOrGap, "", "side of cutter compensation of a cut"),
+            column("cutter_radius_mm", NumberOrGap, "mm", "radius by which a cut is offset"),
+            column("inserted", FlagOrGap, "", "a move that compensation put in"),
+        ]);
+    }
+    columns
+}
+
+impl<'a> CommandColumns<'a> {
+    /// Columns for commands as programmed.
+    pub fn new(job: &'a Job<'a>) -> CommandColumns<'a> {
+        CommandColumns::with(job, false)
+    }
+
+    /// Columns for commands of the tool centre.
+    pub fn of_path(job: &'a Job<'a>) -> CommandColumns<'a> {
+        CommandColumns::with(job, true)
+    }
+
+    fn with(job: &'a Job<'a>, of_path: bool) -> CommandColumns<'a> {
+        let axes = axes_of(job);
+        let name = if of_path { TOOL_PATH_COLUMNS } else { COMMAND_COLUMNS };
+        let axes_listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
+        let numbers = || axes_listed.iter().map(|_| Numbers::new()).collect::<Vec<_>>();
+        CommandColumns {
+            schema: schema(job, name, &columns(axes, of_path), &[]),
+            sources: job.sources(),
+            extended: job.control().table.extended_offset_code,
+            of_path,
+            rows: 0,
+            line: Vec::new(),
+            file: Files::of(job),
+            kind: Words::new(KINDS),
+            from: numbers(),
+            to: numbers(),
+            arc: ArcCells::new(),
+            length: Numbers::new(),
+            feed: Numbers::new(),
+            seconds: Numbers::new(),
+            number: Integers::new(),
+            state: Texts::new(),
+            rpm: Numbers::new(),
+            value: Numbers::new(),
+            text: Texts::new(),
+            side: Words::new(SIDES),
+            radius: Numbers::new(),
+            inserted: Flags::new(),
+            axes: axes_listed,
+        }
+    }
+
+    /// Rows gathered since the last batch.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The columns, with their units and what they come from.
+    pub fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    /// Takes a command of the tool centre.
+    pub fn path_command(&mut self, path: PathCommand<'_>) {
+        if path.command.kind.feed().is_some() {
+            self.side.put_word(self.rows, side_word(path.side));
+            self.radius.put(self.rows, path.cutter_radius_mm);
+        }
+        if path.command.kind.motion().is_some() {
+            self.inserted.put(self.rows, path.inserted);
+        }
+        self.command(path.command);
+    }
+
+    /// Takes a command.
+    #[inline]
+    pub fn command(&mut self, command: &Command) {
+        let kind = match &command.kind {
+            CommandKind::Rapid { motion, .. } => {
+                self.ends(motion);
+                "rapid"
+            }
+            CommandKind::Line { motion, feed } => self.cut("line", motion, None, feed),
+            CommandKind::Arc { motion, shape, feed } => self.cut("arc", motion, Some(shape), feed),
+            CommandKind::Spiral { motion, shape, feed } => {
+                self.cut("spiral", motion, Some(shape), feed)
+            }
+            CommandKind::Message(range) => {
+                let words = self.sources.words(range.in_file(command.origin.span.file));
+                self.text.put(self.rows, &words);
+                "message"
+            }
+            other => self.state(other),
+        };
+        self.kind.put_word(self.rows, kind);
+        self.line.push(command.origin.line);
+        self.file.push(command.origin.span.file);
+        self.rows += 1;
+    }
+
+    /// The rows gathered so far; the next begin anew.
+    ///
+    /// # Errors
+    /// None that the rows themselves could cause.
+    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        let rows = std::mem::take(&mut self.rows);
+        let lines = UInt32Array::from(std::mem::take(&mut self.line));
+        let mut arrays = vec![Arc::new(lines) as _, self.file.take()?, self.kind.take(rows)?];
+        arrays.extend(self.from.iter_mut().map(|column| column.take(rows)));
+        arrays.extend(self.to.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.arc.plane.take(rows)?);
+        arrays.extend(self.arc.center.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.arc.direction.take(rows)?);
+        arrays.push(self.arc.sweep.take(rows));
+        arrays.extend(self.arc.radii.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.length.take(rows));
+        arrays.push(self.feed.take(rows));
+        arrays.push(self.seconds.take(rows));
+        arrays.push(self.number.take(rows));
+        arrays.push(self.state.take(rows));
+        arrays.push(self.rpm.take(rows));
+        arrays.push(self.value.take(rows));
+        arrays.push(self.text.take(rows));
+        if self.of_path {
+            arrays.push(self.side.take(rows)?);
+            arrays.push(self.radius.take(rows));
+            arrays.push(self.inserted.take(rows));
+        }
+        RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+
+    #[inline]
+    fn cut(
+        &mut self,
+        kind: &'static str,
+        motion: &Move,
+        shape: Option<&ArcShape>,
+        feed: &Feed,
+    ) -> &'static str {
+        self.ends(motion);
+        let row = self.rows;
+        if let Some(shape) = shape {
+            self.arc.put(row, shape);
+        }
+        let curve = curve_of(motion, shape);
+        let length = curve.length();
+        self.length.put(row, length);
+        let feed = path_feed(feed, motion, &curve, length);
+        // The feed of rotary axes alone is no length.
+        if !feed.rotary {
+            self.feed.put(row, feed.per_minute);
+        }
+        kind
+    }
+
+    #[inline]
+    fn ends(&mut self, motion: &Move) {
+        let row = self.rows;
+        let put = |columns: &mut [Numbers], position: &Position| {
+            for (column, axis) in columns.iter_mut().zip(&self.axes) {
+                column.put(row, of_axis(*axis, position[*axis]));
+            }
+        };
+        put(&mut self.from, &motion.from);
+        put(&mut self.to, &motion.to);
+    }
+
+    /// Commands that move nothing.
+    fn state(&mut self, kind: &CommandKind) -> &'static str {
+        let row = self.rows;
+        match kind {
+            CommandKind::Dwell { seconds } => {
+                self.seconds.put(row, *seconds);
+                "dwell"
+            }
+            CommandKind::Tool { number } => {
+                self.number.put(row, *number);
+                "tool"
+            }
+            CommandKind::ToolSelect { number } => {
+                self.number.put(row, *number);
+                "tool_select"
+            }
+            CommandKind::ToolLength { number, length_mm, .. } => {
+                self.offset(*number, *length_mm);
+                "tool_length"
+            }
+            CommandKind::Compensation { side, number, radius_mm, .. } => {
+                self.offset(*number, *radius_mm);
+                self.state.put(row, side_word(*side));
+                "compensation"
+            }
+            CommandKind::Spindle { state, rpm } => {
+                self.state.put(row, spindle_word(*state));
+                self.rpm.put(row, *rpm);
+                "spindle"
+            }
+            CommandKind::WorkOffset { name, .. } => {
+                self.text.put(row, &name.key(self.extended));
+                "work_offset"
+            }
+            CommandKind::Output { text } => {
+                self.text.put(row, text);
+                "print"
+            }
+            other => self.mode(other),
+        }
+    }
+
+    fn offset(&mut self, number: Option<u32>, value: Option<f64>) {
+        if let Some(number) = number {
+            self.number.put(self.rows, number);
+        }
+        self.value.put(self.rows, value.unwrap_or(f64::NAN));
+    }
+
+    /// Commands that change what later ones mean, and switches.
+    fn mode(&mut self, kind: &CommandKind) -> &'static str {
+        let row = self.rows;
+        match kind {
+            CommandKind::Coolant(coolant) => {
+                let valves = [
+                    (coolant.mist, "mist"),
+                    (coolant.flood, "flood"),
+                    (coolant.through_tool, "through_tool"),
+                ];
+                let open: Vec<&str> =
+                    valves.iter().filter(|valve| valve.0).map(|valve| valve.1).collect();
+                self.state.put(row, &if open.is_empty() { "off".into() } else { open.join("+") });
+                "coolant"
+            }
+            CommandKind::Stop { optional } => {
+                self.state.put(row, if *optional { "optional" } else { "always" });
+                "stop"
+            }
+            CommandKind::Probed { hit } => {
+                self.state.put(row, if *hit { "hit" } else { "nothing" });
+                "probed"
+            }
+            CommandKind::Units(units) => {
+                self.state.put(row, if *units == Units::Inch { "in" } else { "mm" });
+                "units"
+            }
+            CommandKind::Plane(plane) => {
+                self.arc.plane.put_word(row, plane_word(*plane));
+                "plane"
+            }
+            CommandKind::FeedMode(mode) => {
+                self.state.put(row, feed_mode_word(*mode));
+                "feed_mode"
+            }
+            CommandKind::FeedRate { value, mode } => {
+                let per_minute = if *mode == FeedMode::PerRevolution { 1.0 } else { 60.0 };
+                self.value.put(row, value * per_minute);
+                self.state.put(row, feed_mode_word(*mode));
+                "feed_rate"
+            }
+            CommandKind::PathMode(mode) => {
+                let (word, tolerance) = match mode {
+                    PathMode::ExactPath => ("exact_path", None),
+                    PathMode::ExactStop => ("exact_stop", None),
+                    PathMode::Continuous { tolerance_mm } => ("continuous", *tolerance_mm),
+                };
+                self.state.put(row, word);
+                self.value.put(row, tolerance.unwrap_or(f64::NAN));
+                "path_mode"
+            }
+            CommandKind::CornerArc { .. } => "corner_arc",
+            CommandKind::End => "end",
+            // Moves and texts are taken before this is asked.
+            _ => "idle",
+        }
+    }
+}
+
+impl ArcCells {
+    fn new() -> ArcCells {
+        ArcCells {
+            plane: Words::new(PLANES),
+            center: [Numbers::new(), Numbers::new()],
+            direction: Words::new(DIRECTIONS),
+            sweep: Numbers::new(),
+            radii: [Numbers::new(), Numbers::new()],
+        }
+    }
+
+    fn put(&mut self, row: usize, shape: &ArcShape) {
+        self.plane.put_word(row, plane_word(shape.plane));
+        self.center[0].put(row, shape.center[0]);
+        self.center[1].put(row, shape.center[1]);
+        self.direction.put(row, usize::from(shape.sweep >= 0.0));
+        self.sweep.put(row, shape.sweep.abs().to_degrees());
+        self.radii[0].put(row, shape.radius_from);
+        self.radii[1].put(row, shape.radius_to);
+    }
+}

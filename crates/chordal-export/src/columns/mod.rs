@@ -1,0 +1,20 @@
+//! Commands, path, chords and setpoints as columns: Arrow record batches.
+//!
+//! A builder takes what a run pushes and gives a batch whenever it is asked, so that a caller
+//! holds as many rows as it wants: all of them, or a group of a file. Lengths are mm, angles
+//! degrees, feeds mm/min, times s; every field says its unit, and the schema says its version,
+//! the program, the SHA-256 of its text, the machine and the control.
+
+mod cells;
+mod chords;
+mod commands;
+mod field;
+mod path;
+mod reference;
+
+pub use chords::{CHORD_COLUMNS, ChordColumns};
+pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
+pub use path::{PATH_COLUMNS, PathColumns};
+pub use reference::column_reference;
+
+pub use crate::samples::SampleColumns;

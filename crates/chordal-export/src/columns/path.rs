@@ -1,0 +1,217 @@
+//! The exact path as columns: enough to make every curve again.
+
+use std::sync::Arc;
+
+use arrow_array::{RecordBatch, UInt32Array};
+use arrow_schema::{ArrowError, SchemaRef};
+use chordal::control::AxisMask;
+use chordal::geometry::{Curve, ParamCurve, Vec3};
+use chordal::{Job, Segment, SegmentKind};
+
+use super::cells::{Files, Flags, Numbers, Words};
+use super::field::{Cell, Column, axes_of, of_axis, places, schema};
+
+/// Name and version of the columns of the exact path.
+pub const PATH_COLUMNS: &str = "chordal.path-columns/1";
+
+pub(super) const KINDS: &[&str] = &["rapid", "line", "arc", "spiral"];
+
+pub(super) fn kind_key(kind: SegmentKind) -> usize {
+    match kind {
+        SegmentKind::Rapid => 0,
+        SegmentKind::Line => 1,
+        SegmentKind::Arc => 2,
+        SegmentKind::Spiral => 3,
+    }
+}
+
+/// Gathers the pieces of the exact path, one row each.
+#[derive(Debug)]
+pub struct PathColumns {
+    schema: SchemaRef,
+    axes: Vec<usize>,
+    rows: usize,
+    line: Vec<u32>,
+    file: Files,
+    kind: Words,
+    tool: Vec<u32>,
+    known: Flags,
+    from: Vec<Numbers>,
+    to: Vec<Numbers>,
+    center: [Numbers; 3],
+    normal: [Numbers; 3],
+    radii: [Numbers; 2],
+    sweep: Numbers,
+    rise: Numbers,
+    length: Numbers,
+    seconds: Numbers,
+}
+
+pub(super) fn columns(axes: AxisMask) -> Vec<Column> {
+    use Cell::{File, Flag, Integer, Number, NumberOrGap, Word};
+    let column = Column::new;
+    let mut columns = vec![
+        column("line", Integer, "", "line of the block, from 1"),
+        column("file", File, "", "the text that the block is in"),
+        column("kind", Word, "", "what the piece is"),
+        column("tool", Integer, "", "the tool in the spindle"),
+        column("known", Flag, "", "both ends are known relative to the part"),
+    ];
+    columns.extend(places(axes, "from", Number, "where the piece begins, frame of the run"));
+    columns.extend(places(axes, "to", Number, "where the piece ends, frame of the run"));
+    for letter in ["x", "y", "z"] {
+        let name = format!("{letter}_center_mm");
+        columns.push(column(&name, NumberOrGap, "mm", "centre at the height of the start"));
+    }
+    for letter in ["x", "y", "z"] {
+        let name = format!("{letter}_axis");
+        columns.push(column(&name, NumberOrGap, "", "unit vector of the axis of turning"));
+    }
+    columns.extend([
+        column("radius_from_mm", NumberOrGap, "mm", "radius at the start"),
+        column("radius_to_mm", NumberOrGap, "mm", "radius at the end"),
+        column("sweep_deg", NumberOrGap, "deg", "angle about the axis, counter-clockwise above 0"),
+        column("rise_mm", NumberOrGap, "mm", "movement along the axis"),
+        column("length_mm", Number, "mm", "length of the curve"),
+        column("seconds", NumberOrGap, "s", "time without acceleration, where a feed is known"),
+    ]);
+    columns
+}
+
+/// What a curve that turns has beside its ends.
+struct Turn {
+    center: Vec3,
+    normal: Vec3,
+    radii: [f64; 2],
+    sweep: f64,
+    rise: f64,
+}
+
+fn turn_of(curve: &Curve) -> Option<Turn> {
+    match curve {
+        Curve::Line(_) => None,
+        Curve::Arc(arc) => Some(Turn {
+            center: arc.center,
+            normal: arc.w,
+            radii: [arc.radius; 2],
+            sweep: arc.sweep,
+            rise: arc.rise,
+        }),
+        Curve::Spiral(spiral) => Some(Turn {
+            center: spiral.center,
+            normal: spiral.w,
+            radii: [spiral.radius_start, spiral.radius_end],
+            sweep: spiral.sweep,
+            rise: spiral.rise,
+        }),
+    }
+}
+
+impl PathColumns {
+    /// Columns for the path of a job.
+    pub fn new(job: &Job) -> PathColumns {
+        let axes = axes_of(job);
+        let listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
+        let numbers = || listed.iter().map(|_| Numbers::new()).collect::<Vec<_>>();
+        let three = || std::array::from_fn(|_| Numbers::new());
+        PathColumns {
+            schema: schema(job, PATH_COLUMNS, &columns(axes), &[]),
+            rows: 0,
+            line: Vec::new(),
+            file: Files::of(job),
+            kind: Words::new(KINDS),
+            tool: Vec::new(),
+            known: Flags::new(),
+            from: numbers(),
+            to: numbers(),
+            center: three(),
+            normal: three(),
+            radii: [Numbers::new(), Numbers::new()],
+            sweep: Numbers::new(),
+            rise: Numbers::new(),
+            length: Numbers::new(),
+            seconds: Numbers::new(),
+            axes: listed,
+        }
+    }
+
+    /// Rows gathered since the last batch.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The columns, with their units and what they come from.
+    pub fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    /// Takes a piece of path; one with a coordinate that is no number is left out.
+    pub fn segment(&mut self, segment: &Segment) {
+        let row = self.rows;
+        let (start, end) = (segment.curve.start().to_array(), segment.curve.end().to_array());
+        if !(start.iter().chain(&end).all(|v| v.is_finite()) && segment.length_mm.is_finite()) {
+            return;
+        }
+        let put = |columns: &mut [Numbers], linear: [f64; 3], rotary: [f64; 3]| {
+            for (column, axis) in columns.iter_mut().zip(&self.axes) {
+                let value = if *axis < 3 { linear[*axis] } else { rotary[*axis - 3] };
+                column.put(row, of_axis(*axis, value));
+            }
+        };
+        put(&mut self.from, start, segment.rotary_from);
+        put(&mut self.to, end, segment.rotary_to);
+        if let Some(turn) = turn_of(&segment.curve) {
+            for (column, value) in self.center.iter_mut().zip(turn.center.to_array()) {
+                column.put(row, value);
+            }
+            for (column, value) in self.normal.iter_mut().zip(turn.normal.to_array()) {
+                column.put(row, value);
+            }
+            for (column, value) in self.radii.iter_mut().zip(turn.radii) {
+                column.put(row, value);
+            }
+            self.sweep.put(row, turn.sweep.to_degrees());
+            self.rise.put(row, turn.rise);
+        }
+        self.length.put(row, segment.length_mm);
+        if segment.duration_s > 0.0 {
+            self.seconds.put(row, segment.duration_s);
+        }
+        self.line.push(segment.origin.line);
+        self.file.push(segment.origin.span.file);
+        self.kind.put(row, kind_key(segment.kind));
+        self.tool.push(segment.tool);
+        self.known.put(row, segment.known);
+        self.rows += 1;
+    }
+
+    /// The rows gathered so far; the next begin anew.
+    ///
+    /// # Errors
+    /// None that the rows themselves could cause.
+    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        let rows = std::mem::take(&mut self.rows);
+        let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
+        let mut arrays = vec![
+            Arc::new(integers(&mut self.line)) as _,
+            self.file.take()?,
+            self.kind.take(rows)?,
+            Arc::new(integers(&mut self.tool)) as _,
+            self.known.take(rows),
+        ];
+        let groups = [
+            &mut self.from[..],
+            &mut self.to[..],
+            &mut self.center[..],
+            &mut self.normal[..],
+            &mut self.radii[..],
+        ];
+        for column in groups.into_iter().flatten() {
+            arrays.push(column.take(rows));
+        }
+        for column in [&mut self.sweep, &mut self.rise, &mut self.length, &mut self.seconds] {
+            arrays.push(column.take(rows));
+        }
+        RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}

@@ -1,0 +1,61 @@
+//! `chordal._chordal`: what the Python package `chordal` is built on.
+//!
+//! This module is small and plain; what people use is written in Python around it
+//! (`python/chordal`). Everything that takes long lets go of the interpreter lock. Results of many
+//! rows are [`table::Table`]s: Arrow columns that other libraries read where they lie.
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a shell: it loads programs for Python"
+)]
+
+mod curve;
+mod error;
+mod machine;
+mod motion;
+mod program;
+mod table;
+
+use pyo3::prelude::*;
+
+/// Runs the command `chordal` with its arguments, of which the first is its own name, and
+/// returns its exit code.
+#[pyfunction]
+fn main(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
+    py.detach(|| chordal_cli::run(arguments))
+}
+
+/// What a diagnostic, a G or M code or a letter means is told by the command; this is the list
+/// of diagnostics: code, name, severity, summary and explanation of each.
+#[pyfunction]
+fn codes() -> Vec<(&'static str, &'static str, &'static str, &'static str, &'static str)> {
+    let row = |code: &chordal::Code| {
+        let info = code.info();
+        (info.id, info.name, info.severity.word(), info.summary, info.explanation)
+    };
+    chordal::Code::ALL.iter().map(row).collect()
+}
+
+#[pymodule]
+fn _chordal(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<machine::Machine>()?;
+    module.add_class::<program::Program>()?;
+    module.add_class::<table::Table>()?;
+    module.add_class::<table::Block>()?;
+    module.add_class::<curve::Curve>()?;
+    module.add_class::<motion::Motion>()?;
+    module.add_function(wrap_pyfunction!(main, module)?)?;
+    module.add_function(wrap_pyfunction!(codes, module)?)?;
+    module.add_function(wrap_pyfunction!(machine::builtin_machines, module)?)?;
+    module.add_function(wrap_pyfunction!(program::load_file, module)?)?;
+    module.add_function(wrap_pyfunction!(program::load_text, module)?)?;
+    module.add_function(wrap_pyfunction!(curve::line, module)?)?;
+    module.add_function(wrap_pyfunction!(curve::arc_from_center, module)?)?;
+    module.add_function(wrap_pyfunction!(curve::arc_through, module)?)?;
+    module.add_function(wrap_pyfunction!(curve::arc_from_radius, module)?)?;
+    module.add_function(wrap_pyfunction!(curve::spiral, module)?)?;
+    module.add_function(wrap_pyfunction!(motion::plan, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,173 @@
+//! The planner and the sampler, alone.
+
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
+use arrow_schema::{DataType, Field, Schema};
+use chordal::motion::{
+    AxisLimit, Corner, Level, Limits, Move, MoveError, MoveKind, Planner, PlannerOptions, Sample,
+    Sampler, Step, Stretch,
+};
+use pyo3::prelude::*;
+
+use crate::curve::Curve;
+use crate::error;
+use crate::program::{level, period, too_many};
+use crate::table::Table;
+
+/// A planned motion: stretches of path with their law of time. It never changes.
+#[pyclass(frozen, module = "chordal._chordal")]
+pub struct Motion {
+    steps: Vec<Kept>,
+    duration_s: f64,
+}
+
+enum Kept {
+    Stretch(Stretch),
+    Wait { seconds: f64, tag: u64 },
+}
+
+impl Kept {
+    fn step(&self) -> Step<'_> {
+        match self {
+            Kept::Stretch(stretch) => Step::Stretch(stretch),
+            Kept::Wait { seconds, tag } => Step::Wait { seconds: *seconds, tag: *tag },
+        }
+    }
+}
+
+/// A move as Python gives it: curve, rotary axes from and to (rad), speed (mm/s or rad/s, `None`
+/// for as fast as the axes can), corner tolerance (mm; `None` for a stop, 0 for exact) and the
+/// rotary one (rad), whether it is a rapid. Without a curve: a wait, s, in place of the speed.
+type Given = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, bool);
+
+/// Plans moves that join on to each other, from rest to rest.
+#[pyfunction]
+#[pyo3(signature = (moves, limits, level_word))]
+pub fn plan(
+    py: Python<'_>,
+    moves: Vec<Given>,
+    limits: Vec<Option<(f64, f64, f64)>>,
+    level_word: &str,
+) -> PyResult<Motion> {
+    let level = level(py, level_word)?;
+    let mut axes = [None; 6];
+    for (axis, limit) in axes.iter_mut().zip(limits) {
+        *axis =
+            limit.map(|(velocity, acceleration, jerk)| AxisLimit { velocity, acceleration, jerk });
+    }
+    let limits = Limits::new(axes).map_err(|error| error::usage(py, &error.to_string(), None))?;
+    let planned = py.detach(|| planned(&moves, limits, level));
+    planned.map_err(|(index, error)| {
+        error::usage(py, &format!("move {index} cannot be planned: {error}"), None)
+    })
+}
+
+fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usize, MoveError)> {
+    let mut planner = Planner::new(limits, PlannerOptions::new(level));
+    let mut steps: Vec<Kept> = Vec::new();
+    let mut keep = |step: Step<'_>| {
+        steps.push(match step {
+            Step::Stretch(stretch) => Kept::Stretch(stretch.clone()),
+            Step::Wait { seconds, tag } => Kept::Wait { seconds, tag },
+        });
+    };
+    for (index, given) in moves.iter().enumerate() {
+        let (curve, rotary_from, rotary_to, number, tolerance, rotary_rad, rapid) = *given;
+        let tag = index as u64;
+        let Some(Curve(curve)) = curve else {
+            let seconds = number.unwrap_or(0.0);
+            if !(seconds >= 0.0 && seconds.is_finite()) {
+                return Err((index, MoveError::NotFinite));
+            }
+            planner.wait(seconds, tag, &mut keep);
+            continue;
+        };
+        let corner = match tolerance {
+            None => Corner::Stop,
+            Some(0.0) => Corner::Exact,
+            Some(linear_mm) => Corner::Within { linear_mm, rotary_rad },
+        };
+        let motion = Move {
+            curve,
+            rotary_from,
+            rotary_to,
+            speed: number.unwrap_or(f64::INFINITY),
+            corner,
+            kind: if rapid { MoveKind::Rapid } else { MoveKind::Cut },
+            tag,
+        };
+        planner.push(&motion, &mut keep).map_err(|error| (index, error))?;
+    }
+    planner.finish(&mut keep);
+    let mut clock = Sampler::new(1.0).at_most(0);
+    steps.iter().for_each(|step| clock.push(step.step(), |_| {}));
+    Ok(Motion { duration_s: clock.time_s(), steps })
+}
+
+/// The setpoints of the planner alone, in mm and rad, with the jerk.
+struct Columns {
+    time: Vec<f64>,
+    axes: Vec<Vec<f64>>,
+    tags: Vec<u32>,
+}
+
+const NAMES: [&str; 4] = ["position", "velocity", "acceleration", "jerk"];
+
+impl Columns {
+    fn new() -> Columns {
+        Columns { time: Vec::new(), axes: vec![Vec::new(); 24], tags: Vec::new() }
+    }
+
+    fn push(&mut self, sample: &Sample) {
+        self.time.push(sample.time_s);
+        let orders = [sample.position, sample.velocity, sample.acceleration, sample.jerk];
+        for (column, value) in self.axes.iter_mut().zip(orders.into_iter().flatten()) {
+            column.push(value);
+        }
+        self.tags.push(sample.tag as u32);
+    }
+
+    fn table(self) -> Result<Table, arrow_schema::ArrowError> {
+        let mut fields = vec![Field::new("time_s", DataType::Float64, false)];
+        let mut arrays: Vec<ArrayRef> = vec![Arc::new(Float64Array::from(self.time))];
+        let names =
+            NAMES.iter().flat_map(|name| "xyzabc".chars().map(move |l| format!("{l}_{name}")));
+        for (name, values) in names.zip(self.axes) {
+            fields.push(Field::new(name, DataType::Float64, false));
+            arrays.push(Arc::new(Float64Array::from(values)));
+        }
+        fields.push(Field::new("move", DataType::UInt32, false));
+        arrays.push(Arc::new(UInt32Array::from(self.tags)));
+        let about = [("chordal.schema".to_string(), "chordal.motion-columns/1".to_string())];
+        let schema = Schema::new_with_metadata(fields, about.into());
+        Table::new(RecordBatch::try_new(Arc::new(schema), arrays)?)
+    }
+}
+
+#[pymethods]
+impl Motion {
+    /// How long it takes, s.
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.duration_s
+    }
+
+    /// Setpoints at a period, s: the first is the start, the last the end.
+    fn sample(&self, py: Python<'_>, period_s: f64, max_samples: u64) -> PyResult<Table> {
+        let period_s = period(py, period_s)?;
+        let table = py.detach(|| {
+            let mut columns = Columns::new();
+            let mut sampler = Sampler::new(period_s).at_most(max_samples);
+            for kept in &self.steps {
+                sampler.push(kept.step(), |sample| columns.push(sample));
+            }
+            if sampler.is_exhausted() {
+                return None;
+            }
+            sampler.finish(|sample| columns.push(sample));
+            Some(columns.table().map_err(error::inside))
+        });
+        table.unwrap_or_else(|| Err(too_many(py, max_samples, self.duration_s)))
+    }
+}

@@ -1,0 +1,443 @@
+//! Programs: loaded once, asked for anything.
+
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+use chordal::geometry::Placement;
+use chordal::machine::ControlName;
+use chordal::motion::{
+    Level, LimitError, MotionOptions, PlanSink, Sampler, Sources, Step, StepSource,
+};
+use chordal::time::Effort;
+use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
+use chordal_cli::load::{self, Failure, Loaded, Request};
+use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, SampleColumns};
+use chordal_export::{Plot, PlotOptions, SampleHead, TimeDocument, report, sha256_hex, time_json};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error;
+use crate::machine::Machine;
+use crate::table::Table;
+
+/// A program with its machine and its subprograms. It never changes; every question runs it.
+#[pyclass(frozen, module = "chordal._chordal")]
+pub struct Program {
+    loaded: Loaded,
+    report: OnceLock<Report>,
+}
+
+/// What the planner was told, and what it could not take.
+type Planned = (u64, u64, Vec<(u32, String)>, Vec<String>);
+
+/// Loads a file. What is not said is as the folder's `chordal.toml` or the text says.
+#[pyfunction]
+#[pyo3(signature = (path, *, machine, control, set, tools, program, block_delete, max_blocks))]
+#[allow(clippy::too_many_arguments, reason = "keywords of Python")]
+pub fn load_file(
+    py: Python<'_>,
+    path: PathBuf,
+    machine: Option<&Bound<'_, Machine>>,
+    control: Option<&str>,
+    set: Vec<String>,
+    tools: Option<PathBuf>,
+    program: Option<u32>,
+    block_delete: bool,
+    max_blocks: Option<u64>,
+) -> PyResult<Program> {
+    let (machine, control) = chosen(py, machine, control)?;
+    let request = Request { machine, control, set, tools, program, block_delete, max_blocks };
+    made(py, py.detach(|| load::file(&path, &request)))
+}
+
+/// Loads a text under a name that messages show.
+#[pyfunction]
+#[pyo3(signature = (text, name, *, machine, control, set, tools, program, block_delete, max_blocks))]
+#[allow(clippy::too_many_arguments, reason = "keywords of Python")]
+pub fn load_text(
+    py: Python<'_>,
+    text: &[u8],
+    name: &str,
+    machine: Option<&Bound<'_, Machine>>,
+    control: Option<&str>,
+    set: Vec<String>,
+    tools: Option<PathBuf>,
+    program: Option<u32>,
+    block_delete: bool,
+    max_blocks: Option<u64>,
+) -> PyResult<Program> {
+    let (machine, control) = chosen(py, machine, control)?;
+    let request = Request { machine, control, set, tools, program, block_delete, max_blocks };
+    let text = text.to_vec();
+    made(py, py.detach(|| load::text(name, text, &request)))
+}
+
+fn chosen(
+    py: Python<'_>,
+    machine: Option<&Bound<'_, Machine>>,
+    control: Option<&str>,
+) -> PyResult<(Option<chordal::Machine>, Option<ControlName>)> {
+    let control: Option<ControlName> = control
+        .map(|name| {
+            name.parse().map_err(|error: chordal::machine::UnknownControl| {
+                error::usage(py, &error.to_string(), None)
+            })
+        })
+        .transpose()?;
+    Ok((machine.map(|machine| machine.get().0.clone()), control))
+}
+
+fn made(py: Python<'_>, loaded: Result<Loaded, Failure>) -> PyResult<Program> {
+    match loaded {
+        Ok(loaded) => Ok(Program { loaded, report: OnceLock::new() }),
+        Err(failure) => Err(error::of_failure(py, &failure)),
+    }
+}
+
+/// How hard the planner tries, by its word.
+pub fn level(py: Python<'_>, word: &str) -> PyResult<Level> {
+    match word {
+        "fast" => Ok(Level::Fast),
+        "best" => Ok(Level::Best),
+        other => {
+            let message = format!("there is no level `{other}`");
+            Err(error::usage(py, &message, Some("the levels are `fast` and `best`")))
+        }
+    }
+}
+
+/// A period that a sampler takes.
+pub fn period(py: Python<'_>, seconds: f64) -> PyResult<f64> {
+    if seconds > 0.0 && seconds.is_finite() {
+        return Ok(seconds);
+    }
+    let message = format!("a period of {seconds} s is not above zero");
+    Err(error::usage(py, &message, Some("the period is in seconds: 0.001 is a millisecond")))
+}
+
+/// More setpoints than asked for at most.
+pub fn too_many(py: Python<'_>, most: u64, seconds: f64) -> PyErr {
+    let message = format!("more than {most} setpoints: the run takes {seconds:.3} s or longer");
+    error::usage(py, &message, Some("give a longer period, or a larger max_samples"))
+}
+
+fn wrong_limit(py: Python<'_>, error: &LimitError) -> PyErr {
+    error::usage(py, &error.to_string(), Some("correct it in the machine"))
+}
+
+/// Sees nothing of a run.
+struct Unwatched;
+
+impl Watch for Unwatched {}
+
+/// Gathers the commands of a run.
+struct Commands<'a> {
+    columns: CommandColumns<'a>,
+    of_path: bool,
+}
+
+impl Watch for Commands<'_> {
+    fn programmed(&mut self, command: &Command) {
+        if !self.of_path {
+            self.columns.command(command);
+        }
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, _: &[Segment]) {
+        if self.of_path {
+            self.columns.path_command(path);
+        }
+    }
+}
+
+/// Gathers the setpoints of a run.
+struct Setpoints {
+    sampler: Sampler,
+    columns: SampleColumns,
+}
+
+impl PlanSink for Setpoints {
+    fn step(&mut self, step: Step<'_>, _: &Sources) {
+        let Setpoints { sampler, columns } = self;
+        sampler.push(step, |sample| columns.sample(sample, StepSource::line_of(sample.tag)));
+    }
+}
+
+impl Program {
+    /// Runs something on the job, without the interpreter lock.
+    fn ask<T: Send>(
+        &self,
+        py: Python<'_>,
+        question: impl FnOnce(&Job<'_>) -> PyResult<T> + Send,
+    ) -> PyResult<T> {
+        py.detach(|| {
+            let job = self.loaded.job().map_err(|failure| failure.to_string());
+            job.map_err(error::inside).and_then(|job| question(&job))
+        })
+    }
+
+    /// The report of a run, made once.
+    fn told<'s>(&'s self, job: &Job<'_>) -> &'s Report {
+        self.report.get_or_init(|| job.report())
+    }
+}
+
+#[pymethods]
+impl Program {
+    /// The name that messages show.
+    #[getter]
+    fn name(&self) -> &str {
+        self.loaded.name()
+    }
+
+    /// The text, as the control reads it.
+    #[getter]
+    fn text<'py>(&self, py: Python<'py>) -> Bound<'py, pyo3::types::PyBytes> {
+        pyo3::types::PyBytes::new(py, self.loaded.text())
+    }
+
+    /// The SHA-256 of the text in hexadecimal.
+    #[getter]
+    fn sha256(&self, py: Python<'_>) -> String {
+        py.detach(|| sha256_hex(self.loaded.text()))
+    }
+
+    /// The machine.
+    #[getter]
+    fn machine(&self) -> Machine {
+        Machine(self.loaded.machine().clone())
+    }
+
+    /// Why this machine, in a line; `None` where the caller said it.
+    #[getter]
+    fn recognized(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        self.ask(py, |job| {
+            let told = self.loaded.chosen.why(job.control().table.title);
+            Ok(told)
+        })
+    }
+
+    /// The problems as the JSON of `chordal check --format json`, and each as text for people.
+    fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<String>)> {
+        self.ask(py, |job| {
+            let told = self.told(job);
+            let sources = job.sources();
+            let drawn = told.diagnostics.iter().map(|each| report::one(each, sources, false));
+            Ok((report::json(told, sources, self.loaded.name()), drawn.collect()))
+        })
+    }
+
+    /// The lines that the program prints (DPRNT).
+    fn output(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.ask(py, |job| Ok(self.told(job).output.clone()))
+    }
+
+    /// What the run comes to.
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.ask(py, |job| {
+            self.told(job);
+            Ok(())
+        })?;
+        let empty = Summary::default();
+        summary_dict(py, self.report.get().map_or(&empty, |report| &report.summary))
+    }
+
+    /// Commands as programmed, or those of the tool centre.
+    fn commands(&self, py: Python<'_>, of_path: bool) -> PyResult<Table> {
+        self.ask(py, |job| {
+            let columns =
+                if of_path { CommandColumns::of_path(job) } else { CommandColumns::new(job) };
+            let mut commands = Commands { columns, of_path };
+            let told = job.report_watched(&mut commands);
+            let _ = self.report.set(told);
+            commands.columns.take().and_then(Table::new).map_err(error::inside)
+        })
+    }
+
+    /// The exact path.
+    fn path(&self, py: Python<'_>) -> PyResult<Table> {
+        self.ask(py, |job| {
+            let mut columns = PathColumns::new(job);
+            job.path(|segment| columns.segment(segment));
+            columns.take().and_then(Table::new).map_err(error::inside)
+        })
+    }
+
+    /// The path as chords.
+    fn chords(&self, py: Python<'_>, tolerance: f64, balanced: bool) -> PyResult<Table> {
+        let placement = if balanced { Placement::Balanced } else { Placement::Inscribed };
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            let message = format!("a chord tolerance of {tolerance} mm is not above zero");
+            return Err(error::usage(py, &message, None));
+        }
+        self.ask(py, |job| {
+            let mut columns = ChordColumns::new(job, tolerance, placement);
+            let mut done = Ok(());
+            job.path(|segment| {
+                if done.is_ok() {
+                    done = columns.segment(segment);
+                }
+            });
+            done.map_err(error::value)?;
+            columns.take().and_then(Table::new).map_err(error::inside)
+        })
+    }
+
+    /// The setpoints of the axes, and what the planner was told.
+    fn trajectory(
+        &self,
+        py: Python<'_>,
+        period_s: f64,
+        level_word: &str,
+        max_samples: u64,
+    ) -> PyResult<(Table, Planned)> {
+        let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
+        let options = MotionOptions { level, ..MotionOptions::default() };
+        let planned = self.ask(py, |job| {
+            let columns = SampleColumns::new(&SampleHead::of(job, period_s));
+            let sampler = Sampler::new(period_s).at_most(max_samples);
+            let mut setpoints = Setpoints { sampler, columns };
+            let motion = match job.plan(&options, &mut setpoints) {
+                Ok(motion) => motion,
+                Err(error) => return Ok(Err(error)),
+            };
+            let Setpoints { sampler, mut columns } = setpoints;
+            if sampler.is_exhausted() {
+                return Ok(Ok(Err(sampler.time_s())));
+            }
+            sampler.finish(|sample| columns.sample(sample, StepSource::line_of(sample.tag)));
+            let table = columns.take().and_then(Table::new).map_err(error::inside)?;
+            let refused = motion.refused.iter();
+            let refused = refused.map(|each| (each.source.origin.line, each.error.to_string()));
+            let assumed = motion.limits.assumed.iter();
+            let assumed =
+                assumed.map(|each| format!("{} of {}", each.quantity, each.axis.letter()));
+            let told =
+                (motion.moves, motion.cuts_without_feed, refused.collect(), assumed.collect());
+            Ok(Ok(Ok((table, told))))
+        })?;
+        let sampled = planned.map_err(|error| wrong_limit(py, &error))?;
+        sampled.map_err(|seconds| too_many(py, max_samples, seconds))
+    }
+
+    /// The time as the JSON of `chordal time --format json`.
+    #[pyo3(signature = (level_word, feed_override, rapid_override, what_if, bound))]
+    fn time(
+        &self,
+        py: Python<'_>,
+        level_word: &str,
+        feed_override: Option<f64>,
+        rapid_override: Option<f64>,
+        what_if: bool,
+        bound: bool,
+    ) -> PyResult<String> {
+        let level = level(py, level_word)?;
+        let options =
+            MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
+        let timed =
+            self.ask(py, |job| Ok(time_of(job, self.told(job), &options, what_if, bound)))?;
+        timed.map_err(|error| wrong_limit(py, &error))
+    }
+
+    /// The picture of the path as SVG.
+    fn svg(&self, py: Python<'_>, width: u32, height: u32, dark: bool) -> PyResult<String> {
+        self.ask(py, |job| {
+            let (plot, options) = self.plot(job, width, height, dark);
+            Ok(plot.svg(&options))
+        })
+    }
+
+    /// The picture of the path as PNG.
+    fn png(&self, py: Python<'_>, width: u32, height: u32, dark: bool) -> PyResult<Vec<u8>> {
+        self.ask(py, |job| {
+            let (plot, options) = self.plot(job, width, height, dark);
+            plot.png(&options).map_err(error::value)
+        })
+    }
+}
+
+impl Program {
+    fn plot(&self, job: &Job<'_>, width: u32, height: u32, dark: bool) -> (Plot, PlotOptions) {
+        let mut plot = Plot::new(job);
+        let told = job.report_with(|_, segments| {
+            segments.iter().for_each(|segment| plot.segment(segment));
+        });
+        plot.set_inch(told.summary.inch);
+        let options = PlotOptions {
+            title: self.loaded.name().to_string(),
+            subtitle: job.machine().title.clone(),
+            width_px: width,
+            height_px: height,
+            dark,
+        };
+        (plot, options)
+    }
+}
+
+/// How much work the reference may be: some ten seconds, whatever the program.
+fn effort() -> Effort {
+    Effort { most_nodes: 4_000, total_nodes: 12_000, ..Effort::default() }
+}
+
+fn time_of(
+    job: &Job<'_>,
+    report: &Report,
+    options: &MotionOptions,
+    what_if: bool,
+    bound: bool,
+) -> Result<String, LimitError> {
+    let (_, timed) = job.report_timed(options, u64::MAX, &mut Unwatched);
+    // No program has more moves than that.
+    let Some(timed) = timed? else { return Ok(String::from("{}")) };
+    let changes = if what_if { job.what_if(options, &job.changes())? } else { Vec::new() };
+    let least = bound.then(|| job.least(options, effort())).transpose()?;
+    let document = TimeDocument {
+        timed: &timed,
+        level: options.level,
+        what_if: &changes,
+        least: least.as_ref(),
+    };
+    Ok(time_json(&document, report, job))
+}
+
+fn summary_dict<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("inch", summary.inch)?;
+    for (name, count) in [
+        ("lines", summary.lines),
+        ("arcs", summary.arcs),
+        ("helices", summary.helices),
+        ("spirals", summary.spirals),
+        ("rapids", summary.rapids),
+        ("dwells", summary.dwells),
+        ("cuts_without_time", summary.cuts_without_time),
+    ] {
+        dict.set_item(name, count)?;
+    }
+    for (name, value) in [
+        ("feed_length_mm", summary.feed_length_mm),
+        ("rapid_length_mm", summary.rapid_length_mm),
+        ("feed_time_s", summary.feed_time_s),
+        ("rapid_time_s", summary.rapid_time_s),
+        ("dwell_time_s", summary.dwell_time_s),
+    ] {
+        dict.set_item(name, value)?;
+    }
+    let travels: Vec<_> = summary
+        .axes
+        .iter()
+        .map(|axis| {
+            let scale = if "XYZ".contains(axis.letter) { 1.0 } else { 1f64.to_degrees() };
+            let scaled = |(low, high): (f64, f64)| (low * scale, high * scale);
+            (axis.letter, scaled(axis.range), axis.cut_range.map(scaled), axis.way * scale)
+        })
+        .collect();
+    dict.set_item("axes", travels)?;
+    let tools: Vec<_> = summary
+        .tools
+        .iter()
+        .map(|tool| (tool.number, tool.feed_length_mm, tool.feed_time_s, tool.rapid_time_s))
+        .collect();
+    dict.set_item("tools", tools)?;
+    Ok(dict)
+}

@@ -1,0 +1,59 @@
+"""Run an NC program the way its control would run it: exact path, exact time, every alarm.
+
+>>> import chordal
+>>> program = chordal.loads("G21 G90 S900 M3\\nG1 X0 Y0 F100.\\nG3 X10. Y10. R10.\\nM30\\n",
+...                         machine="haas-vf2")
+>>> program.summary.arcs
+1
+>>> program.diagnostics
+()
+
+Everything of many rows is a :class:`Table` of Arrow columns, which pyarrow, Polars, pandas and
+DuckDB read where they lie, and which gives NumPy arrays. Lengths are millimetres, angles degrees,
+times seconds, feeds mm/min, whatever the program's units; every column names its unit.
+
+Threads run at the same time: whatever takes long lets go of the interpreter lock.
+"""
+
+from __future__ import annotations
+
+from . import geometry, motion
+from ._chordal import __version__
+from ._machine import Machine, builtin_machines
+from ._program import Program, load, loads
+from ._summary import AxisTravel, Summary, ToolUse
+from ._table import Chords, Moves, Table, Trajectory
+from ._time import BlockTime, Time, ToolTime
+from .diagnostics import Diagnostic, Fix, Label, Place, codes
+from .errors import ChordalError, MachineError, MachineProblem, ProgramError, UsageError
+
+__all__ = [
+    "AxisTravel",
+    "BlockTime",
+    "ChordalError",
+    "Chords",
+    "Diagnostic",
+    "Fix",
+    "Label",
+    "Machine",
+    "MachineError",
+    "MachineProblem",
+    "Moves",
+    "Place",
+    "Program",
+    "ProgramError",
+    "Summary",
+    "Table",
+    "Time",
+    "ToolTime",
+    "ToolUse",
+    "Trajectory",
+    "UsageError",
+    "__version__",
+    "builtin_machines",
+    "codes",
+    "geometry",
+    "load",
+    "loads",
+    "motion",
+]

@@ -1,0 +1,119 @@
+"""Machines: built-in ones, those of files, and those of dictionaries."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+from . import _chordal, _toml
+
+__all__ = ["Machine", "MachineLike", "builtin_machines", "machine_of"]
+
+
+class Machine:
+    """A machine: its control, axes, limits, tools, offsets and settings. It never changes.
+
+    Quantities are text with their unit, as ``"0.5 in"``; ``chordal machines --schema`` lists the keys.
+    """
+
+    __slots__ = ("_machine",)
+
+    def __init__(self, machine: _chordal.Machine) -> None:
+        self._machine = machine
+
+    @classmethod
+    def named(cls, name: str) -> Machine:
+        """A built-in machine, as ``haas-vf2``, or the machine of a file.
+
+        Raises :class:`~chordal.UsageError` for a name that nothing has, and
+        :class:`~chordal.MachineError` for a file that is wrong.
+        """
+        return cls(_chordal.Machine.named(name))
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Machine:
+        """The machine of a TOML file."""
+        with open(path, "rb"):
+            pass  # the system's own word for a file that is not there
+        return cls(_chordal.Machine.from_file(os.fspath(path)))
+
+    @classmethod
+    def from_toml(cls, text: str, name: str = "<machine>") -> Machine:
+        """The machine of a TOML text; ``name`` is what messages call the text."""
+        return cls(_chordal.Machine.from_toml(text, name))
+
+    @classmethod
+    def from_dict(cls, machine: Mapping[str, object], name: str = "<machine>") -> Machine:
+        """The machine of a dictionary that is built like a machine file.
+
+        >>> own = Machine.from_dict({
+        ...     "inherits": "haas-vf2",
+        ...     "tools": {1: {"diameter": "0.75 in", "length": "4.1 in"}},
+        ...     "settings": {"Setting 162": "on"},
+        ... })
+        >>> own.control
+        'haas'
+        """
+        return cls.from_toml(_toml.document(machine), name)
+
+    @property
+    def name(self) -> str:
+        """The name it is called by."""
+        return self._machine.name
+
+    @property
+    def title(self) -> str:
+        """The name for people."""
+        return self._machine.title
+
+    @property
+    def control(self) -> str:
+        """Whose rules its programs are read by: fadal, haas, fanuc, mitsubishi or linuxcnc."""
+        return self._machine.control
+
+    @property
+    def axes(self) -> str:
+        """The axes it has, as ``XYZA``."""
+        return self._machine.axes
+
+    def to_toml(self) -> str:
+        """The whole machine as a machine file."""
+        return self._machine.to_toml()
+
+    def replace(self, changes: Mapping[str, object]) -> Machine:
+        """The machine with other values, as ``{"tools": {5: {"diameter": "0.5 in"}}}``."""
+        return Machine(self._machine.with_set(_toml.assignments(changes)))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Machine) and self._machine == other._machine
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.control))
+
+    def __reduce__(self) -> tuple[object, tuple[str, str]]:
+        return Machine.from_toml, (self.to_toml(), self.name)
+
+    def __repr__(self) -> str:
+        return f"<Machine {self.name}: {self.title}, control {self.control}, axes {self.axes}>"
+
+
+#: What stands for a machine: itself, a built-in name, a file, or a dictionary.
+MachineLike = Machine | str | os.PathLike[str] | Mapping[str, object]
+
+
+def machine_of(given: MachineLike) -> Machine:
+    """The machine that something stands for."""
+    match given:
+        case Machine():
+            return given
+        case str():
+            return Machine.named(given)
+        case Mapping():
+            return Machine.from_dict(given)
+        case _:
+            return Machine.from_file(given)
+
+
+def builtin_machines() -> tuple[str, ...]:
+    """The names of the built-in machines."""
+    return tuple(_chordal.builtin_machines())

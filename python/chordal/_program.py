@@ -1,0 +1,267 @@
+"""Programs: loaded once, asked for anything."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Literal, TypedDict
+
+from . import _chordal, _notebook, _summary, _time, _toml, diagnostics
+from ._machine import Machine, MachineLike, machine_of
+from ._summary import Summary
+from ._table import Chords, Moves, Trajectory
+from ._time import Time
+from .diagnostics import Diagnostic
+from .errors import ProgramError, UsageError
+
+__all__ = ["Program", "load", "loads"]
+
+#: The controls whose rules a program can be read by.
+ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
+
+#: Tools: the file of a LinuxCNC tool table, or tools by number with the keys of a machine file.
+Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
+
+#: Most setpoints that are made unless more are asked for.
+MOST_SAMPLES = 100_000_000
+
+
+class _Request(TypedDict):
+    machine: _chordal.Machine | None
+    control: str | None
+    set: list[str]
+    tools: str | None
+    program: int | None
+    block_delete: bool
+    max_blocks: int | None
+
+
+def load(
+    path: str | os.PathLike[str],
+    machine: MachineLike | None = None,
+    *,
+    control: ControlName | None = None,
+    tools: Tools | None = None,
+    settings: Mapping[str, object] | None = None,
+    program: int | None = None,
+    block_delete: bool = False,
+    max_blocks: int | None = None,
+    strict: bool = False,
+) -> Program:
+    """Load a program of a file, with the subprograms that lie beside it.
+
+    ``machine`` is a :class:`~chordal.Machine`, a built-in name, a machine file or a dictionary. Without
+    it ``control`` takes the typical machine of a control; without that too, ``chordal.toml`` in the
+    program's folder says, or else the control is recognized from the text
+    (:attr:`Program.recognized`). ``tools`` and ``settings`` come on top of the machine's own:
+    ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``.
+
+    ``program`` runs only the program of this number, ``block_delete`` leaves out the blocks that
+    start with ``/``, ``max_blocks`` is how many blocks may be carried out in calls, repeats and jumps
+    before a program counts as endless.
+
+    Problems of the program are its :attr:`~Program.diagnostics`. With ``strict`` a program with errors
+    raises :class:`~chordal.ProgramError`. A file that cannot be read raises :class:`OSError`, a wrong
+    machine :class:`~chordal.MachineError`, and what makes no sense :class:`~chordal.UsageError`.
+    """
+    with open(path, "rb"):
+        pass  # the system's own word for a file that is not there
+    request = _request(machine, control, tools, settings, program, block_delete, max_blocks)
+    return _made(_chordal.load_file(os.fspath(path), **request), strict)
+
+
+def loads(
+    text: str | bytes,
+    machine: MachineLike | None = None,
+    *,
+    name: str = "<program>",
+    control: ControlName | None = None,
+    tools: Tools | None = None,
+    settings: Mapping[str, object] | None = None,
+    program: int | None = None,
+    block_delete: bool = False,
+    max_blocks: int | None = None,
+    strict: bool = False,
+) -> Program:
+    """Load a program of a text. ``name`` is what messages call it; the rest is as in :func:`load`."""
+    # What is no character stays a byte that is none of a program's.
+    data = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else bytes(text)
+    request = _request(machine, control, tools, settings, program, block_delete, max_blocks)
+    return _made(_chordal.load_text(data, name, **request), strict)
+
+
+def _request(
+    machine: MachineLike | None,
+    control: ControlName | None,
+    tools: Tools | None,
+    settings: Mapping[str, object] | None,
+    program: int | None,
+    block_delete: bool,
+    max_blocks: int | None,
+) -> _Request:
+    if machine is not None and control is not None:
+        raise UsageError(
+            "both a machine and a control are given",
+            "a machine has its control; give one of the two",
+        )
+    changes = _toml.assignments(settings or {}, "settings")
+    table: str | None = None
+    if isinstance(tools, Mapping):
+        changes += _toml.assignments({str(number): tool for number, tool in tools.items()}, "tools")
+    elif tools is not None:
+        table = os.fspath(tools)
+    return {
+        "machine": None if machine is None else machine_of(machine)._machine,
+        "control": control,
+        "set": changes,
+        "tools": table,
+        "program": program,
+        "block_delete": block_delete,
+        "max_blocks": max_blocks,
+    }
+
+
+def _made(program: _chordal.Program, strict: bool) -> Program:
+    made = Program(program)
+    if strict:
+        made.raise_errors()
+    return made
+
+
+class Program:
+    """A program with its machine. It never changes; load it with :func:`load` or :func:`loads`.
+
+    Each question runs the program, without the interpreter lock; problems and the summary are
+    kept. In a notebook it shows its picture, its summary and its problems.
+    """
+
+    def __init__(self, program: _chordal.Program) -> None:
+        self._program = program
+
+    @property
+    def name(self) -> str:
+        """The name that messages show."""
+        return self._program.name
+
+    @property
+    def text(self) -> bytes:
+        """The text, as the control reads it."""
+        return self._program.text
+
+    @cached_property
+    def sha256(self) -> str:
+        """The SHA-256 of the text in hexadecimal."""
+        return self._program.sha256
+
+    @cached_property
+    def machine(self) -> Machine:
+        """The machine that runs it."""
+        return Machine(self._program.machine)
+
+    @property
+    def control(self) -> str:
+        """Whose rules it is read by."""
+        return self.machine.control
+
+    @property
+    def recognized(self) -> str | None:
+        """Why this machine was taken; ``None`` where the caller or the folder said it."""
+        return self._program.recognized
+
+    @cached_property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Its problems, by place. Of each code the first 200 are kept."""
+        return diagnostics.of_json(*self._program.problems())
+
+    @property
+    def errors(self) -> tuple[Diagnostic, ...]:
+        """The problems at which the control would stop, or do something else than the text says."""
+        return tuple(each for each in self.diagnostics if each.severity == "error")
+
+    def raise_errors(self) -> None:
+        """Raise :class:`~chordal.ProgramError` where the program has errors."""
+        if self.errors:
+            raise ProgramError(self.name, self.diagnostics)
+
+    @cached_property
+    def summary(self) -> Summary:
+        """What the run comes to."""
+        return _summary.of_dict(self._program.summary())
+
+    @cached_property
+    def output(self) -> tuple[str, ...]:
+        """The lines that the program prints (DPRNT), in order."""
+        return tuple(self._program.output())
+
+    def commands(self) -> Moves:
+        """What the control makes of the program, as written: a row for each command."""
+        return Moves(self._program.commands(False))
+
+    def tool_path(self) -> Moves:
+        """The same of the tool centre, after cutter compensation."""
+        return Moves(self._program.commands(True))
+
+    def path(self) -> Moves:
+        """The exact path of the tool, a row for each curve, in one frame for the whole run."""
+        return Moves(self._program.path())
+
+    def chords(
+        self, tolerance: float, placement: Literal["inscribed", "balanced"] = "inscribed"
+    ) -> Chords:
+        """The path as straight chords that stay within a tolerance, mm.
+
+        ``inscribed`` chords have their corners on the curve; ``balanced`` ones lie on both sides of it,
+        and are √2 fewer.
+        """
+        if placement not in ("inscribed", "balanced"):
+            raise UsageError(
+                f"there is no placement {placement!r}", "chords are `inscribed` or `balanced`"
+            )
+        return Chords(self._program.chords(tolerance, placement == "balanced"))
+
+    def time(
+        self,
+        level: Literal["fast", "best"] = "fast",
+        *,
+        feed_override: float | None = None,
+        rapid_override: float | None = None,
+        what_if: bool = False,
+        bound: bool = False,
+    ) -> Time:
+        """The time on its machine, with velocity, acceleration and jerk of every axis held.
+
+        Overrides are parts: 0.5 is half. ``what_if`` times it with other overrides and path modes too,
+        ``bound`` computes the least possible time, which may take a minute.
+        """
+        told = self._program.time(level, feed_override, rapid_override, what_if, bound)
+        return _time.of_json(told)
+
+    def trajectory(
+        self,
+        period: float,
+        level: Literal["fast", "best"] = "fast",
+        *,
+        max_samples: int = MOST_SAMPLES,
+    ) -> Trajectory:
+        """The setpoints of the axes every ``period`` seconds. More than ``max_samples`` of them are
+        a :class:`~chordal.UsageError`."""
+        table, planned = self._program.trajectory(period, level, max_samples)
+        return Trajectory(table, period, planned)
+
+    def svg(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> str:
+        """The planned views of the path as SVG, px."""
+        return self._program.svg(width, height, dark)
+
+    def png(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> bytes:
+        """The planned views of the path as PNG, px; from 200 to 16384 px each way."""
+        return bytes(self._program.png(width, height, dark))
+
+    def __repr__(self) -> str:
+        return f"<Program {self.name} on {self.machine.name}>"
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def _repr_html_(self) -> str:
+        return _notebook.program_html(self)

@@ -1,0 +1,105 @@
+"""The time of a program, and where it goes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class ToolTime:
+    """The time of one tool, s."""
+
+    tool: int
+    changes: int
+    total_s: float
+    cutting_s: float
+    rapid_s: float
+    other_s: float
+    lost_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class BlockTime:
+    """The time of one block, all its runs together, s."""
+
+    line: int
+    #: The file, where it is not the program's own.
+    file: str | None
+    text: str
+    runs: int
+    time_s: float
+    #: What its moves take beyond their length at feed or rapid speed.
+    lost_s: float
+    #: Why it takes its time.
+    reason: str
+    #: Why it loses time, where it does.
+    loses_by: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Time:
+    """The time that a program takes on its machine, velocity, acceleration and jerk held, s."""
+
+    total_s: float
+    cutting_s: float
+    rapid_s: float
+    #: Tool changes, the spindle, dwells.
+    other_s: float
+    #: What the moves take beyond their length at feed or rapid speed.
+    lost_s: float
+    #: Length over feed, and of rapids over rapid speed.
+    at_feed_s: float
+    moves: int
+    tool_changes: int
+    #: The times of waiting by their reason.
+    waits: dict[str, float]
+    tools: tuple[ToolTime, ...]
+    #: The blocks that take the most time, most first.
+    longest_blocks: tuple[BlockTime, ...]
+    #: The blocks that lose the most time, most first.
+    costliest_blocks: tuple[BlockTime, ...]
+    #: The least time while velocity and acceleration are held, where it was asked.
+    bound_s: float | None
+    #: Everything, as ``chordal time --format json`` tells it.
+    document: dict[str, Any]
+
+    def __str__(self) -> str:
+        return (
+            f"{self.total_s:.3f} s: {self.cutting_s:.3f} s of cuts, {self.rapid_s:.3f} s of "
+            f"rapids, {self.other_s:.3f} s of the rest"
+        )
+
+
+def of_json(text: str) -> Time:
+    """A time from what the compiled module tells."""
+    told: dict[str, Any] = json.loads(text)
+    tools = tuple(ToolTime(**each) for each in told["tools"])
+    longest, costliest = (
+        tuple(_block(each) for each in told[name]) for name in ("longest_blocks", "costliest_blocks")
+    )
+    names = ("total_s", "cutting_s", "rapid_s", "other_s", "lost_s", "at_feed_s", "moves")
+    return Time(
+        **{name: told[name] for name in names},
+        tool_changes=told["tool_changes"],
+        waits=told["waits"],
+        tools=tools,
+        longest_blocks=longest,
+        costliest_blocks=costliest,
+        bound_s=told.get("bound_s"),
+        document=told,
+    )
+
+
+def _block(told: dict[str, Any]) -> BlockTime:
+    return BlockTime(
+        line=told["line"],
+        file=told.get("file"),
+        text=told["text"],
+        runs=told["runs"],
+        time_s=told["time_s"],
+        lost_s=told["lost_s"],
+        reason=told["reason"],
+        loses_by=told.get("loses_by"),
+    )

@@ -1,0 +1,160 @@
+"""Problems of a program: where, what, what the control would show, and what to do."""
+
+from __future__ import annotations
+
+import html
+import json
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from . import _chordal
+
+__all__ = ["CodeInfo", "Diagnostic", "Fix", "Label", "Place", "codes"]
+
+_COLOURS = {"error": "#b3261e", "warning": "#8a6100", "note": "#2f5d8a"}
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Words of a text. Lines and columns count from 1, columns in characters; ends are one past
+    the last. ``start`` and ``end`` are offsets in bytes."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Words of a text with something to say about them."""
+
+    #: The words; ``None`` for the program as a whole.
+    place: Place | None
+    #: What to say; may be empty.
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A replacement of some words."""
+
+    #: What it does, as an order.
+    title: str
+    #: The words that come.
+    replacement: str
+    #: ``safe`` keeps what was certainly meant; at ``unsafe`` a person must look.
+    applicability: Literal["safe", "unsafe"]
+    #: The file whose bytes from ``start`` to ``end`` go.
+    file: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A block that called."""
+
+    file: str | None
+    line: int | None
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One problem of a program."""
+
+    #: Stable number, as ``CH401``; ``chordal explain CH401`` tells more.
+    code: str
+    #: Stable name, as ``radius-mismatch``.
+    name: str
+    #: How bad it is here.
+    severity: Literal["error", "warning", "note"]
+    #: One sentence with the measured numbers in the program's units.
+    message: str
+    #: The words that cause it.
+    primary: Label
+    #: Other words that matter.
+    secondary: tuple[Label, ...]
+    #: What the control itself would show.
+    alarm: str | None
+    #: Further facts.
+    notes: tuple[str, ...]
+    #: What to do.
+    help: str | None
+    #: A replacement that does it.
+    fix: Fix | None
+    #: The calls through which the block was reached, innermost first.
+    calls: tuple[Call, ...]
+    #: All of it as text, with the words underlined.
+    text: str
+
+    @property
+    def line(self) -> int | None:
+        """The line of the words that cause it, from 1."""
+        return None if self.primary.place is None else self.primary.place.line
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return problems_html((self,))
+
+
+@dataclass(frozen=True, slots=True)
+class CodeInfo:
+    """What there is to know of a code."""
+
+    code: str
+    name: str
+    severity: str
+    summary: str
+    explanation: str
+
+
+def codes() -> tuple[CodeInfo, ...]:
+    """All codes of diagnostics, in order."""
+    return tuple(CodeInfo(*row) for row in _chordal.codes())
+
+
+def problems_html(diagnostics: tuple[Diagnostic, ...]) -> str:
+    """Problems for a notebook: the text of each, in the colour of its severity."""
+    style = "white-space:pre;overflow-x:auto;margin:0 0 .6em;padding:.2em .8em;line-height:1.35"
+    return "".join(
+        f'<pre style="{style};border-left:3px solid {_COLOURS[each.severity]}">'
+        f"{html.escape(each.text.rstrip())}</pre>"
+        for each in diagnostics
+    )
+
+
+def of_json(document: str, drawn: list[str]) -> tuple[Diagnostic, ...]:
+    """Problems from what the compiled module tells."""
+    objects = json.loads(document)["diagnostics"]
+    return tuple(_of_object(each, text) for each, text in zip(objects, drawn, strict=True))
+
+
+def _of_object(told: dict[str, Any], text: str) -> Diagnostic:
+    fix = told["fix"]
+    return Diagnostic(
+        code=told["code"],
+        name=told["name"],
+        severity=told["severity"],
+        message=told["message"],
+        primary=_label(told),
+        secondary=tuple(_label(each) for each in told["secondary"]),
+        alarm=told["alarm"],
+        notes=tuple(told["notes"]),
+        help=told["help"],
+        fix=None if fix is None else Fix(**fix),
+        calls=tuple(Call(**each) for each in told["calls"]),
+        text=text,
+    )
+
+
+def _label(told: dict[str, Any]) -> Label:
+    names = ("file", "line", "column", "end_line", "end_column", "start", "end")
+    place = None if told["line"] is None else Place(**{name: told[name] for name in names})
+    return Label(place, told["label"])

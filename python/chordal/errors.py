@@ -1,0 +1,103 @@
+"""What can go wrong, as exceptions with the facts inside.
+
+Problems of a *program* are no exceptions: a program with problems still has a path and a time, and
+its :attr:`~chordal.Program.diagnostics` tell them. They become a :class:`ProgramError` where you ask
+for it, with ``load(..., strict=True)`` or :meth:`chordal.Program.raise_errors`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .diagnostics import Diagnostic
+
+__all__ = ["ChordalError", "MachineError", "MachineProblem", "ProgramError", "UsageError"]
+
+
+class ChordalError(Exception):
+    """What all exceptions of this package are."""
+
+
+class UsageError(ChordalError, ValueError):
+    """A request that does not go, and what does."""
+
+    #: What does not go.
+    message: str
+    #: What to do instead, where there is something to say.
+    help: str | None
+
+    def __init__(self, message: str, help: str | None = None) -> None:
+        super().__init__(message, help)
+        self.message = message
+        self.help = help
+
+    def __str__(self) -> str:
+        return self.message if self.help is None else f"{self.message}\nhelp: {self.help}"
+
+
+@dataclass(frozen=True, slots=True)
+class MachineProblem:
+    """One thing that is wrong with a machine file, a dictionary or a tool table."""
+
+    #: The file, or what stands for it.
+    file: str
+    #: The line, from 1; ``None`` where something is missing altogether.
+    line: int | None
+    #: What is wrong.
+    message: str
+    #: What to write instead.
+    help: str | None
+    #: The words that are wrong.
+    underlined: str
+    #: All of it as text, with the words underlined.
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class MachineError(ChordalError, ValueError):
+    """A machine that cannot be used."""
+
+    #: Everything that is wrong with it.
+    problems: tuple[MachineProblem, ...]
+
+    def __init__(self, problems: tuple[MachineProblem, ...]) -> None:
+        super().__init__(problems)
+        self.problems = problems
+
+    def __str__(self) -> str:
+        return "the machine cannot be used\n" + "".join(each.text for each in self.problems)
+
+
+class ProgramError(ChordalError):
+    """A program with errors, raised where the caller asked for it."""
+
+    #: The name of the program.
+    name: str
+    #: All its problems, warnings and notes too, by place.
+    diagnostics: tuple[Diagnostic, ...]
+
+    def __init__(self, name: str, diagnostics: tuple[Diagnostic, ...]) -> None:
+        super().__init__(name, diagnostics)
+        self.name = name
+        self.diagnostics = diagnostics
+
+    def __str__(self) -> str:
+        errors = [each for each in self.diagnostics if each.severity == "error"]
+        count = "1 error" if len(errors) == 1 else f"{len(errors)} errors"
+        return f"{self.name}: {count}\n" + "\n".join(each.text for each in errors)
+
+
+def machine_error(
+    problems: list[tuple[str, int | None, str, str | None, str, str]],
+) -> MachineError:
+    """The exception for problems as the compiled module tells them."""
+    return MachineError(tuple(MachineProblem(*each) for each in problems))
+
+
+def usage_error(message: str, help: str | None) -> UsageError:
+    """The exception for a request that does not go."""
+    return UsageError(message, help)
