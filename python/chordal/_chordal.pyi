@@ -5,6 +5,27 @@ from os import PathLike
 from typing import Any, Literal, TypeAlias, final
 
 
+__all__ = [
+    "Block",
+    "Curve",
+    "Machine",
+    "Motion",
+    "Program",
+    "Table",
+    "__version__",
+    "arc_from_center",
+    "arc_from_radius",
+    "arc_through",
+    "builtin_machines",
+    "codes",
+    "line",
+    "load_file",
+    "load_text",
+    "main",
+    "plan",
+    "spiral",
+]
+
 __version__: str
 
 _Point: TypeAlias = tuple[float, float, float]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Literal, TypedDict
+from typing import TYPE_CHECKING, Literal, TypedDict
 
 from . import _chordal, _notebook, _summary, _time, _toml, diagnostics
 from ._machine import Machine, MachineLike, machine_of
@@ -15,10 +15,11 @@ from ._time import Time
 from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
-__all__ = ["Program", "load", "loads"]
+if TYPE_CHECKING:
+    #: The controls whose rules a program can be read by.
+    _ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
 
-#: The controls whose rules a program can be read by.
-ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
+__all__ = ["Program", "load", "loads"]
 
 #: Tools: the file of a LinuxCNC tool table, or tools by number with the keys of a machine file.
 Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
@@ -41,7 +42,7 @@ def load(
     path: str | os.PathLike[str],
     machine: MachineLike | None = None,
     *,
-    control: ControlName | None = None,
+    control: _ControlName | None = None,
     tools: Tools | None = None,
     settings: Mapping[str, object] | None = None,
     program: int | None = None,
@@ -76,7 +77,7 @@ def loads(
     machine: MachineLike | None = None,
     *,
     name: str = "<program>",
-    control: ControlName | None = None,
+    control: _ControlName | None = None,
     tools: Tools | None = None,
     settings: Mapping[str, object] | None = None,
     program: int | None = None,
@@ -93,7 +94,7 @@ def loads(
 
 def _request(
     machine: MachineLike | None,
-    control: ControlName | None,
+    control: _ControlName | None,
     tools: Tools | None,
     settings: Mapping[str, object] | None,
     program: int | None,

@@ -60,8 +60,8 @@ def _table(table: Mapping[str, object], path: tuple[str, ...], lines: list[str])
             inner.append((name, what))
         else:
             lines.append(f"{key(name)} = {value(what)}")
-    for name, below in inner:
-        here = (*path, key(name))
+    for below_name, below in inner:
+        here = (*path, key(below_name))
         lines.append(f"[{'.'.join(here)}]")
         _table(below, here, lines)
 

@@ -14,13 +14,17 @@ Lengths are mm, angles radians, points are three numbers X Y Z. A curve is asked
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Literal, final
+from typing import TYPE_CHECKING, Literal, final
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _chordal
 from .errors import UsageError
+
+if TYPE_CHECKING:
+    #: A plane, with the order of its axes in which counter-clockwise is seen.
+    _PlaneName = Literal["xy", "zx", "yz"]
 
 __all__ = ["Curve", "Point", "PointLike", "arc", "arc_through", "helix", "line", "spiral"]
 
@@ -29,9 +33,6 @@ Point = tuple[float, float, float]
 
 #: Three numbers, as a tuple, a list or an array.
 PointLike = Sequence[float] | npt.NDArray[np.floating]
-
-#: A plane, with the order of its axes in which counter-clockwise is seen.
-PlaneName = Literal["xy", "zx", "yz"]
 
 
 @final
@@ -145,7 +146,7 @@ def arc(
     center: tuple[float, float] | None = None,
     radius: float | None = None,
     clockwise: bool = False,
-    plane: PlaneName = "xy",
+    plane: _PlaneName = "xy",
     extra_turns: int = 0,
     tolerance: float = 1e-9,
 ) -> Curve:

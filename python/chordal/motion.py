@@ -113,7 +113,7 @@ class Path:
         center: tuple[float, float] | None = None,
         radius: float | None = None,
         clockwise: bool = False,
-        plane: geometry.PlaneName = "xy",
+        plane: geometry._PlaneName = "xy",
         speed: float | None = None,
         tolerance: float | None = None,
     ) -> Path:

@@ -79,9 +79,11 @@ impl Sampler {
         self
     }
 
-    /// Whether there would have been more setpoints than it may make.
+    /// Whether what was pushed so far has more setpoints than it may make.
     pub fn is_exhausted(&self) -> bool {
-        self.index >= self.most && self.next_s() < self.now_s
+        // The number of the last one, which is not made before the end is known.
+        let last = (self.now_s / self.period_s - SAME).ceil();
+        last >= self.most as f64
     }
 
     /// When what was pushed so far is over, s.

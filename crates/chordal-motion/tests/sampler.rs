@@ -139,6 +139,26 @@ fn a_wait_for_ever_ends_at_the_budget() {
     assert_eq!(count, 500);
 }
 
+#[test]
+fn a_budget_that_the_last_setpoint_exceeds_is_told() {
+    // Nothing is handed on before the end, so the number of setpoints tells.
+    let line = line([0.0; 6], X, 20.0, 1);
+    let needed = (line.duration_s() / 0.001).ceil() as u64 + 1;
+    for (most, exhausted) in [(needed, false), (needed - 1, true), (10, true)] {
+        let mut sampler = Sampler::new(0.001).at_most(most);
+        sampler.push(Step::Stretch(&line), |_| {});
+        assert_eq!(sampler.is_exhausted(), exhausted, "{most} of {needed}");
+        let mut last = Sample::default();
+        let mut count = 0;
+        sampler.finish(|sample| {
+            last = *sample;
+            count += 1;
+        });
+        assert_eq!(count, most);
+        assert_eq!(last.position[0] == 20.0, !exhausted);
+    }
+}
+
 /// Differences of positions are velocities, and so on, to the order of the period squared.
 fn derivatives_agree(samples: &[Sample], period_s: f64, jerk: f64) {
     for triple in samples.windows(3) {

@@ -41,6 +41,13 @@ impl Kept {
 /// rotary one (rad), whether it is a rapid. Without a curve: a wait, s, in place of the speed.
 type Given = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, bool);
 
+/// Ends that are nearer than this are one point, mm or rad: rounding of the curves' ends.
+const SAME_POINT: f64 = 1e-6;
+
+fn largest_difference(a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
+}
+
 /// Plans moves that join on to each other, from rest to rest.
 #[pyfunction]
 #[pyo3(signature = (moves, limits, level_word))]
@@ -72,6 +79,7 @@ fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usi
             Step::Wait { seconds, tag } => Kept::Wait { seconds, tag },
         });
     };
+    let mut at: Option<[f64; 6]> = None;
     for (index, given) in moves.iter().enumerate() {
         let (curve, rotary_from, rotary_to, number, tolerance, rotary_rad, rapid) = *given;
         let tag = index as u64;
@@ -97,7 +105,13 @@ fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usi
             kind: if rapid { MoveKind::Rapid } else { MoveKind::Cut },
             tag,
         };
+        // After a wait the planner would let a move begin anywhere; here the axes would jump.
+        let gap = at.map_or(0.0, |at| largest_difference(&at, &motion.from()));
+        if gap > SAME_POINT {
+            return Err((index, MoveError::Gap(gap)));
+        }
         planner.push(&motion, &mut keep).map_err(|error| (index, error))?;
+        at = Some(motion.to());
     }
     planner.finish(&mut keep);
     let mut clock = Sampler::new(1.0).at_most(0);

@@ -1,0 +1,111 @@
+//! Columns: the page that documents them, and batches of any size.
+
+#![allow(clippy::disallowed_methods, reason = "reads the page that it checks")]
+
+use arrow_array::RecordBatch;
+use arrow_array::cast::AsArray;
+use arrow_array::types::Float64Type;
+use chordal::geometry::Placement;
+use chordal::{Command, Job, Machine, Source, SourceMap};
+use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns};
+
+const PART: &str = "G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nT2 M6\nG1 Z-1. F100.\nX10.\n\
+                    G3 X20. Y10. I0 J10. F50.\nG4 P2.\n#1=3.\nDPRNT[X#1[32]]\nM30\n";
+
+fn job() -> Job<'static> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", PART.as_bytes()));
+    let machine = Machine::from_builtin("haas-vf2").expect("a built-in machine");
+    Job::new(sources, machine).expect("its settings are known")
+}
+
+fn numbers(batch: &RecordBatch, name: &str) -> Vec<Option<f64>> {
+    let column = batch.column_by_name(name).expect(name);
+    column.as_primitive::<Float64Type>().iter().collect()
+}
+
+#[test]
+fn the_page_is_that_of_the_code() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/columns.md");
+    let page = std::fs::read_to_string(path).expect("docs/columns.md");
+    assert!(
+        page == chordal_export::column_reference(),
+        "run `cargo run -p chordal-export --example columns > docs/columns.md`"
+    );
+}
+
+/// Rows of commands in batches of a size.
+fn batches(size: usize) -> Vec<RecordBatch> {
+    let job = job();
+    let mut columns = CommandColumns::new(&job);
+    let mut batches = Vec::new();
+    job.report_of_commands(|command: &Command| {
+        columns.command(command);
+        if columns.rows() == size {
+            batches.push(columns.take().expect("a batch"));
+        }
+    });
+    batches.push(columns.take().expect("a batch"));
+    batches
+}
+
+#[test]
+fn rows_are_the_same_in_batches_of_any_size() {
+    let whole = batches(usize::MAX);
+    assert_eq!(whole.len(), 1);
+    let rows = whole[0].num_rows();
+    for size in [1, 2, 3, 7] {
+        let mut from = 0;
+        for batch in batches(size) {
+            assert_eq!(batch.schema(), whole[0].schema());
+            let part = whole[0].slice(from, batch.num_rows());
+            for (column, expected) in batch.columns().iter().zip(part.columns()) {
+                assert_eq!(column.as_ref(), expected.as_ref());
+            }
+            from += batch.num_rows();
+        }
+        assert_eq!(from, rows);
+    }
+}
+
+#[test]
+fn a_gap_is_null_and_not_a_number() {
+    let whole = &batches(usize::MAX)[0];
+    let seconds = numbers(whole, "seconds");
+    assert_eq!(seconds.iter().flatten().collect::<Vec<_>>(), [&2.0]);
+    let column = whole.column_by_name("seconds").expect("a column");
+    let column = column.as_primitive::<Float64Type>();
+    assert_eq!(column.null_count() + 1, column.len());
+    assert!(
+        column.iter().zip(column.values()).all(|(cell, value)| cell.is_some() != value.is_nan())
+    );
+    let sweeps: Vec<f64> = numbers(whole, "sweep_deg").into_iter().flatten().collect();
+    assert_eq!(sweeps, [90.0]);
+}
+
+#[test]
+fn the_path_and_its_chords_join() {
+    let job = job();
+    let (mut path, mut chords) =
+        (PathColumns::new(&job), ChordColumns::new(&job, 0.01, Placement::Inscribed));
+    job.path(|segment| {
+        path.segment(segment);
+        chords.segment(segment).expect("a curve of this size has chords");
+    });
+    let (path, chords) = (path.take().expect("a batch"), chords.take().expect("a batch"));
+    for batch in [&path, &chords] {
+        for axis in ["x", "y", "z"] {
+            let from = numbers(batch, &format!("{axis}_from_mm"));
+            let to = numbers(batch, &format!("{axis}_to_mm"));
+            assert_eq!(from[1..], to[..to.len() - 1]);
+        }
+    }
+    let length: f64 = numbers(&path, "length_mm").into_iter().flatten().sum();
+    let of_chords: f64 = numbers(&chords, "length_mm").into_iter().flatten().sum();
+    assert!(of_chords < length && of_chords > length - 0.1);
+    assert_eq!(
+        chords.schema().metadata()["chordal.tolerance_mm"],
+        "0.01",
+        "a tolerance is told with its chords"
+    );
+}
