@@ -30,7 +30,8 @@ def main(file: str) -> None:
     for name, address in addresses.items():
         same = "the same memory" if address == addresses["pyarrow"] else "a copy"
         print(f"{name:32} {address:#x}  {same}")
-    print("duckdb counts", duckdb.sql("select count(*) from arrow").fetchall(), "rows of it in place")
+    count = duckdb.sql("select count(*) from arrow")
+    print("duckdb counts in place:", count)
 
 
 if __name__ == "__main__":

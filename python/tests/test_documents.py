@@ -46,8 +46,10 @@ def test_the_example(examples: Path) -> None:
     assert "thread-mill.nc" in done.stdout and " s   " in done.stdout
 
 
-def test_the_notebook(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    notebook = nbformat.read(ROOT / "python" / "examples" / "program.ipynb", as_version=4)
+def test_the_notebook(tmp_path: Path) -> None:
+    notebook = nbformat.read(  # type: ignore[no-untyped-call]
+        ROOT / "python" / "examples" / "program.ipynb", as_version=4
+    )
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     resources = {"metadata": {"path": str(tmp_path)}}
     done = NotebookClient(notebook, timeout=120, resources=resources).execute()
@@ -60,7 +62,10 @@ def test_the_notebook(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_command() -> None:
     command = Path(sys.executable).with_name("chordal")
-    run = lambda *words: subprocess.run([command, *words], capture_output=True, text=True)  # noqa: E731
+
+    def run(*words: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([command, *words], capture_output=True, text=True)
+
     version = run("--version")
     assert (version.returncode, version.stdout) == (0, f"chordal {chordal.__version__}\n")
     part = ROOT / "examples" / "haas" / "thread-mill.nc"

@@ -292,7 +292,8 @@ impl Program {
         max_samples: u64,
     ) -> PyResult<(Table, Planned)> {
         let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
-        let options = MotionOptions { level, ..MotionOptions::default() };
+        // Setpoints are places: a rapid goes the way that the machine goes.
+        let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
         let planned = self.ask(py, |job| {
             let columns = SampleColumns::new(&SampleHead::of(job, period_s));
             let sampler = Sampler::new(period_s).at_most(max_samples);
