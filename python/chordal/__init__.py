@@ -8,8 +8,8 @@
 >>> program.diagnostics
 ()
 
-Everything of many rows is a :class:`Table` of Arrow columns, which pyarrow, Polars, pandas and
-DuckDB read where they lie, and which gives NumPy arrays. Lengths are millimetres, angles degrees,
+Everything of many rows is a :class:`Table` of Arrow columns, which pyarrow, Polars and DuckDB read
+where they lie, and which gives NumPy arrays. Lengths are millimetres, angles degrees,
 times seconds, feeds mm/min, whatever the program's units; every column names its unit.
 
 Threads run at the same time: whatever takes long lets go of the interpreter lock.

@@ -16,8 +16,8 @@ _SHOWN = 8
 class Table:
     """Rows and columns. It never changes.
 
-    ``pyarrow.table(t)``, ``polars.DataFrame(t)``, ``duckdb.from_arrow(pyarrow.table(t))`` and
-    ``pandas.DataFrame.from_arrow(t)`` read it through ``__arrow_c_stream__`` without copying numbers.
+    ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` read it through ``__arrow_c_stream__`` without copying
+    numbers, and DuckDB queries what pyarrow has read; ``pandas.DataFrame.from_arrow(t)`` copies.
     ``t["x_to_mm"]`` is a NumPy array on the same memory. Arrays are read-only, and keep the
     memory alive.
     """
