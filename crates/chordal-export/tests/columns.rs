@@ -2,9 +2,9 @@
 
 #![allow(clippy::disallowed_methods, reason = "reads the page that it checks")]
 
-use arrow_array::RecordBatch;
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
+use arrow_array::{Array, RecordBatch};
 use chordal::geometry::Placement;
 use chordal::{Command, Job, Machine, Source, SourceMap};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns};
