@@ -1,14 +1,17 @@
-use std::io::Write;
+use std::io;
 use std::path::PathBuf;
 
 use chordal::geometry::Placement;
 use chordal::machine::{Dimension, parse_quantity};
+use chordal::{Job, Segment};
 use chordal_export::ChordWriter;
+use chordal_export::columns::{ChordColumns, ColumnFile, ColumnFormat};
 use clap::ValueEnum;
 
-use crate::commands::{buffered, keep, tell};
+use crate::commands::tell;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
+use crate::out::{Out, RowFormat, format_of, keep, trouble};
 use crate::session::load_one;
 use crate::terminal::Terminal;
 
@@ -16,7 +19,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal chords part.nc --tolerance 0.01mm
   chordal chords part.nc --tolerance 0.0005in --placement balanced
-  chordal chords part.nc --format jsonl > chords.jsonl
+  chordal chords part.nc -o chords.jsonl          by the ending: .csv, .jsonl, .parquet, .arrow
 
 A tolerance is the largest distance between the exact curve and its chord. Inscribed chords have
 their ends on the curve; balanced ones lie as far outside as inside, and are √2 times fewer.";
@@ -36,9 +39,13 @@ pub struct Args {
     #[arg(long, value_enum, default_value = "inscribed")]
     placement: Lie,
 
-    /// How chords are written
-    #[arg(long, value_enum, default_value = "csv")]
-    format: Format,
+    /// Writes a file, its format by its ending; without it, standard output
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// How chords are written, where no ending says it; CSV to standard output
+    #[arg(long, value_enum)]
+    format: Option<RowFormat>,
 
     #[command(flatten)]
     common: Common,
@@ -52,12 +59,13 @@ enum Lie {
     Balanced,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// Comma-separated, one row a chord
-    Csv,
-    /// JSON lines, one object a chord
-    Jsonl,
+impl Lie {
+    fn inside(self) -> Placement {
+        match self {
+            Lie::Inscribed => Placement::Inscribed,
+            Lie::Balanced => Placement::Balanced,
+        }
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -71,22 +79,53 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
+enum Writer {
+    Text(ChordWriter<Out>),
+    Columns(Box<ColumnFile<Out, ChordColumns>>),
+}
+
+impl Writer {
+    fn new(out: Out, format: RowFormat, args: &Args, job: &Job) -> io::Result<Writer> {
+        let (tolerance, placement) = (args.tolerance, args.placement.inside());
+        let columns = |out, format| {
+            let file = ColumnFile::new(out, format, ChordColumns::new(job, tolerance, placement))?;
+            Ok(Writer::Columns(Box::new(file)))
+        };
+        match format {
+            RowFormat::Csv => ChordWriter::csv(out, tolerance, placement).map(Writer::Text),
+            RowFormat::Jsonl => ChordWriter::jsonl(out, tolerance, placement).map(Writer::Text),
+            RowFormat::Parquet => columns(out, ColumnFormat::Parquet),
+            RowFormat::Arrow => columns(out, ColumnFormat::Arrow),
+        }
+    }
+
+    fn segment(&mut self, segment: &Segment) -> io::Result<()> {
+        match self {
+            Writer::Text(out) => out.segment(segment),
+            Writer::Columns(out) => out.segment(segment),
+        }
+    }
+
+    fn finish(self) -> io::Result<Out> {
+        match self {
+            Writer::Text(out) => out.finish(),
+            Writer::Columns(out) => out.finish(),
+        }
+    }
+}
+
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let path = args.output.as_deref();
+    let format = format_of(args.format, path, RowFormat::Csv, "chords")?;
+    let out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let placement = match args.placement {
-        Lie::Inscribed => Placement::Inscribed,
-        Lie::Balanced => Placement::Balanced,
-    };
-    let mut writer = match args.format {
-        Format::Csv => ChordWriter::csv(buffered(), args.tolerance, placement),
-        Format::Jsonl => ChordWriter::jsonl(buffered(), args.tolerance, placement),
-    }?;
+    let told = |error| trouble(path, error);
+    let mut writer = Writer::new(out, format, args, &job).map_err(told)?;
     let mut done = Ok(());
     let report = job.report_with(|_, segments| {
         keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
     });
-    done?;
-    writer.finish()?.flush()?;
+    done.and_then(|()| writer.finish()).map_err(told)?.put()?;
     Ok(tell(&report, &loaded, &job, terminal))
 }

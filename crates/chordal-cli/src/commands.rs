@@ -1,12 +1,14 @@
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io;
 use std::path::PathBuf;
 
 use chordal::{Command, Job, Report, Severity};
+use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, report};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
+use crate::out::{self, Out, keep, trouble};
 use crate::session::{Loaded, load_one};
 use crate::terminal::Terminal;
 
@@ -16,6 +18,7 @@ Examples:
   chordal commands part.nc --format canon         as LinuxCNC's rs274 prints them
   chordal commands part.nc | jq 'select(.kind == \"arc\")'
   chordal commands part.nc --machine fadal-4020 > fadal.jsonl
+  chordal commands part.nc -o part.parquet        columns (.parquet, .arrow; docs/columns.md)
 
 Lengths are millimetres, angles degrees, feeds mm/min, whatever the program's units; positions
 are program coordinates at the tool tip; `line` is the line of the file. Problems go to standard
@@ -28,9 +31,13 @@ pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// How commands are written
-    #[arg(long, value_enum, default_value = "jsonl")]
-    format: Format,
+    /// Writes a file, its format by its ending; without it, standard output
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// How commands are written, where no ending says it; JSON lines to standard output
+    #[arg(long, value_enum)]
+    format: Option<Format>,
 
     #[command(flatten)]
     common: Common,
@@ -44,22 +51,42 @@ enum Format {
     Canon,
     /// Comma-separated, one row a command
     Csv,
+    /// Apache Parquet
+    Parquet,
+    /// Arrow IPC file (Feather)
+    Arrow,
+}
+
+impl out::Format for Format {
+    fn columns(self) -> Option<ColumnFormat> {
+        match self {
+            Format::Jsonl | Format::Canon | Format::Csv => None,
+            Format::Parquet => Some(ColumnFormat::Parquet),
+            Format::Arrow => Some(ColumnFormat::Arrow),
+        }
+    }
 }
 
 enum Writer<'a> {
-    Jsonl(CommandJsonLines<'a, Buffered>),
-    Canon(Canon<'a, Buffered>),
-    Csv(Box<CommandCsv<Buffered>>),
+    Jsonl(CommandJsonLines<'a, Out>),
+    Canon(Canon<'a, Out>),
+    Csv(Box<CommandCsv<Out>>),
+    Columns(Box<ColumnFile<Out, CommandColumns<'a>>>),
 }
 
 impl<'a> Writer<'a> {
-    fn new(format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let out = buffered();
-        Ok(match format {
-            Format::Jsonl => Writer::Jsonl(CommandJsonLines::new(out, job)?),
-            Format::Canon => Writer::Canon(Canon::new(out, job)?),
-            Format::Csv => Writer::Csv(Box::new(CommandCsv::new(out, job)?)),
-        })
+    fn new(out: Out, format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
+        let columns = |out, format| {
+            let file = ColumnFile::new(out, format, CommandColumns::new(job))?;
+            Ok(Writer::Columns(Box::new(file)))
+        };
+        match format {
+            Format::Jsonl => Ok(Writer::Jsonl(CommandJsonLines::new(out, job)?)),
+            Format::Canon => Ok(Writer::Canon(Canon::new(out, job)?)),
+            Format::Csv => Ok(Writer::Csv(Box::new(CommandCsv::new(out, job)?))),
+            Format::Parquet => columns(out, ColumnFormat::Parquet),
+            Format::Arrow => columns(out, ColumnFormat::Arrow),
+        }
     }
 
     fn command(&mut self, command: &Command) -> io::Result<()> {
@@ -67,64 +94,32 @@ impl<'a> Writer<'a> {
             Writer::Jsonl(out) => out.command(command),
             Writer::Canon(out) => out.command(command),
             Writer::Csv(out) => out.command(command),
+            Writer::Columns(out) => out.put(|rows| rows.command(command)),
         }
     }
 
-    fn finish(self) -> io::Result<()> {
+    fn finish(self) -> io::Result<Out> {
         match self {
-            Writer::Jsonl(out) => out.finish()?,
-            Writer::Canon(out) => out.finish()?,
-            Writer::Csv(out) => out.finish()?,
+            Writer::Jsonl(out) => out.finish(),
+            Writer::Canon(out) => out.finish(),
+            Writer::Csv(out) => out.finish(),
+            Writer::Columns(out) => out.finish(),
         }
-        .flush()
     }
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let path = args.output.as_deref();
+    let format = out::format_of(args.format, path, Format::Jsonl, "commands")?;
+    let out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let mut writer = Writer::new(args.format, &job)?;
+    let told = |error| trouble(path, error);
+    let mut writer = Writer::new(out, format, &job).map_err(told)?;
     let mut done = Ok(());
     let report = job.report_of_commands(|command| keep(&mut done, || writer.command(command)));
-    done?;
-    writer.finish()?;
+    done.and_then(|()| writer.finish()).map_err(told)?.put()?;
     Ok(tell(&report, &loaded, &job, terminal))
-}
-
-/// Standard output of a run that streams. A run cannot be stopped from within, and what
-/// streams has nothing to clean up: when nobody reads any more (`| head`) the process ends
-/// here, quietly, however the writers above would wrap the error.
-pub struct Stream(Stdout);
-
-impl Write for Stream {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.write(bytes).inspect_err(end_if_closed)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.0.flush().inspect_err(end_if_closed)
-    }
-}
-
-fn end_if_closed(error: &io::Error) {
-    if error.kind() == io::ErrorKind::BrokenPipe {
-        std::process::exit(0);
-    }
-}
-
-/// Standard output for many small writes.
-pub type Buffered = BufWriter<Stream>;
-
-/// Standard output for many small writes.
-pub fn buffered() -> Buffered {
-    BufWriter::with_capacity(1 << 16, Stream(io::stdout()))
-}
-
-/// Another failure of the output, as a full disk, is for the end of the run: the first counts.
-pub fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
-    if first.is_ok() {
-        *first = next();
-    }
 }
 
 /// What was recognized, and the problems, on standard error, where they are in nobody's way.

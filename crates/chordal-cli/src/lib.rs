@@ -26,6 +26,7 @@ mod machine;
 mod machines;
 mod numbers;
 mod options;
+mod out;
 mod output;
 mod path;
 mod run;

@@ -1,5 +1,5 @@
-use std::io::{self, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::PathBuf;
 
 use chordal::machine::{Dimension, parse_quantity};
 use chordal::motion::{
@@ -9,11 +9,10 @@ use chordal::{Job, Report, Severity};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter, report};
 use clap::ValueEnum;
 
-use crate::commands::{Buffered, buffered, keep};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted, duration, grouped, short};
 use crate::options::Common;
-use crate::output::{self, Draft};
+use crate::out::{Out, RowFormat, format_of, keep, trouble};
 use crate::session::load_one;
 use crate::terminal::{BOLD, Terminal, style};
 
@@ -48,9 +47,9 @@ pub struct Args {
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How setpoints are written, where no ending says it
+    /// How setpoints are written, where no ending says it; CSV to standard output
     #[arg(long, value_enum)]
-    format: Option<Format>,
+    format: Option<RowFormat>,
 
     /// How hard the planner tries
     #[arg(long, value_enum, default_value = "fast")]
@@ -65,18 +64,6 @@ pub struct Args {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// Comma-separated, one row a setpoint
-    Csv,
-    /// JSON lines: a header, then one object a setpoint
-    Jsonl,
-    /// Apache Parquet
-    Parquet,
-    /// Arrow IPC file (Feather)
-    Arrow,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Effort {
     /// In one pass
     Fast,
@@ -84,36 +71,12 @@ enum Effort {
     Best,
 }
 
-impl Format {
-    const ENDINGS: [(&str, Format); 4] = [
-        ("csv", Format::Csv),
-        ("jsonl", Format::Jsonl),
-        ("parquet", Format::Parquet),
-        ("arrow", Format::Arrow),
-    ];
-
-    fn of(path: &Path) -> Result<Format, Failure> {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let found = Format::ENDINGS.iter().find(|(own, _)| Some(*own) == ending.as_deref());
-        found.map(|(_, format)| *format).ok_or_else(|| {
-            Failure::wrong(
-                format!("the ending of {} says no format of setpoints", path.display()),
-                "the endings are .csv, .jsonl, .parquet, .arrow; or give --format",
-            )
-        })
-    }
-
-    fn inside(self) -> SampleFormat {
-        match self {
-            Format::Csv => SampleFormat::Csv,
-            Format::Jsonl => SampleFormat::Jsonl,
-            Format::Parquet => SampleFormat::Parquet,
-            Format::Arrow => SampleFormat::Arrow,
-        }
-    }
-
-    fn is_binary(self) -> bool {
-        matches!(self, Format::Parquet | Format::Arrow)
+fn inside(format: RowFormat) -> SampleFormat {
+    match format {
+        RowFormat::Csv => SampleFormat::Csv,
+        RowFormat::Jsonl => SampleFormat::Jsonl,
+        RowFormat::Parquet => SampleFormat::Parquet,
+        RowFormat::Arrow => SampleFormat::Arrow,
     }
 }
 
@@ -132,28 +95,6 @@ fn period(text: &str) -> Result<f64, String> {
             Some(help) => format!("{error}; {help}"),
             None => error.to_string(),
         }),
-    }
-}
-
-/// Where setpoints go.
-enum Out {
-    File(Draft),
-    Standard(Buffered),
-}
-
-impl Write for Out {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            Out::File(out) => out.write(bytes),
-            Out::Standard(out) => out.write(bytes),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Out::File(out) => out.flush(),
-            Out::Standard(out) => out.flush(),
-        }
     }
 }
 
@@ -206,18 +147,15 @@ impl PlanSink for Setpoints {
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let format = match (args.format, &args.output) {
-        (Some(format), _) => format,
-        (None, Some(path)) => Format::of(path)?,
-        (None, None) => Format::Csv,
-    };
-    let out = open(args.output.as_deref(), &args.file, format)?;
+    let path = args.output.as_deref();
+    let format = format_of(args.format, path, RowFormat::Csv, "setpoints")?;
+    let out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let head = SampleHead::of(&job, args.period);
-    let told = |error: io::Error| trouble(args.output.as_deref(), error);
+    let told = |error| trouble(path, error);
     let rows = Rows {
-        writer: SampleWriter::new(out, format.inside(), &head).map_err(told)?,
+        writer: SampleWriter::new(out, inside(format), &head).map_err(told)?,
         done: Ok(()),
         period_s: args.period,
         count: 0,
@@ -233,10 +171,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     }
     sampler.finish(|sample| rows.take(sample));
     rows.done.map_err(told)?;
-    let out = rows.writer.finish().map_err(told)?;
-    if let (Out::File(draft), Some(path)) = (out, &args.output) {
-        output::put(draft, path).map_err(|error| Failure::write(path.to_string_lossy(), &error))?;
-    }
+    rows.writer.finish().map_err(told)?.put()?;
 
     let report = job.report();
     terminal
@@ -262,39 +197,6 @@ fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionRep
     job.plan(&options, setpoints).map_err(|error| {
         Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
     })
-}
-
-/// The output, opened before a long run. Columns are nothing for a terminal.
-fn open(path: Option<&Path>, program: &Path, format: Format) -> Result<Out, Failure> {
-    let Some(path) = path else {
-        if format.is_binary() && io::stdout().is_terminal() {
-            return Err(Failure::wrong(
-                "a terminal cannot show this format",
-                "write a file with -o, or let another program read the output",
-            ));
-        }
-        return Ok(Out::Standard(buffered()));
-    };
-    if path.canonicalize().is_ok_and(|path| program.canonicalize().is_ok_and(|own| own == path)) {
-        return Err(Failure::wrong(
-            format!("{} is the program", path.display()),
-            "give the output another name",
-        ));
-    }
-    let draft = || {
-        if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-            std::fs::create_dir_all(parent)?;
-        }
-        output::draft(path)
-    };
-    draft().map(Out::File).map_err(|error| trouble(Some(path), error))
-}
-
-fn trouble(path: Option<&Path>, error: io::Error) -> Failure {
-    match path {
-        Some(path) => Failure::write(path.to_string_lossy(), &error),
-        None => Failure::Out(error),
-    }
 }
 
 fn too_many(args: &Args, seconds: f64) -> Failure {

@@ -6,7 +6,7 @@
 //! | chords | CSV, JSON lines | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`Dxf`] |
 //! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
-//! | commands, path, chords, setpoints | record batches of Arrow | [`columns`] |
+//! | commands, path, chords, setpoints | record batches of Arrow, Parquet, Arrow files | [`columns`] |
 //! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |

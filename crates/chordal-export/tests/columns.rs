@@ -7,7 +7,7 @@ use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use chordal::geometry::Placement;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns};
+use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows};
 
 const PART: &str = "G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nT2 M6\nG1 Z-1. F100.\nX10.\n\
                     G3 X20. Y10. I0 J10. F50.\nG4 P2.\n#1=3.\nDPRNT[X#1[32]]\nM30\n";

@@ -19,6 +19,7 @@ fn head(rotary: [bool; 3]) -> SampleHead {
         program: "O\"1.nc".into(),
         program_sha256: "ab".repeat(32),
         machine: "haas-vf2".into(),
+        control: "haas".into(),
     }
 }
 

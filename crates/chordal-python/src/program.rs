@@ -11,7 +11,7 @@ use chordal::motion::{
 use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_cli::load::{self, Failure, Loaded, Request};
-use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, SampleColumns};
+use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{Plot, PlotOptions, SampleHead, TimeDocument, report, sha256_hex, time_json};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,15 +1,17 @@
 //! Chords as columns.
 
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use arrow_array::{RecordBatch, UInt32Array};
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::control::AxisMask;
-use chordal::geometry::{ChordError, ParamCurve, Placement};
+use chordal::geometry::{ChordError, ParamCurve, Placement, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
 use super::cells::{Files, Numbers, Words};
 use super::field::{Cell, Column, places, schema};
+use super::file::{ColumnFile, Rows};
 use super::path::{KINDS, kind_key};
 
 /// Name and version of the columns of chords.
@@ -66,47 +68,51 @@ impl ChordColumns {
         }
     }
 
-    /// Rows gathered since the last batch.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The columns, with their units and what they come from.
-    pub fn schema(&self) -> &SchemaRef {
-        &self.schema
-    }
-
     /// Takes the chords of a segment.
     ///
     /// # Errors
     /// A tolerance that is not above zero, and a curve that cannot be cut into chords.
     pub fn segment(&mut self, segment: &Segment) -> Result<(), ChordError> {
-        let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
-        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
-        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
-        let mut from = segment.curve.start();
-        for to in chords.skip(1) {
-            let [a, b] = [from, to].map(|point| point.to_array());
-            let length = (to - from).length();
-            let values = [a[0], a[1], a[2], b[0], b[1], b[2], length, error_mm];
-            for (column, value) in self.numbers.iter_mut().zip(values) {
-                column.put(self.rows, value);
-            }
-            self.line.push(segment.origin.line);
-            self.file.push(segment.origin.span.file);
-            self.kind.put(self.rows, kind_key(segment.kind));
-            self.tool.push(segment.tool);
-            self.rows += 1;
-            from = to;
+        for ends in self.cut(segment)? {
+            self.chord(segment, ends);
         }
         Ok(())
     }
 
-    /// The rows gathered so far; the next begin anew.
-    ///
-    /// # Errors
-    /// None that the rows themselves could cause.
-    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+    /// The ends of the chords of a segment.
+    fn cut(&self, segment: &Segment) -> Result<impl Iterator<Item = [Vec3; 2]> + use<>, ChordError> {
+        let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
+        let mut from = segment.curve.start();
+        Ok(chords.skip(1).map(move |to| [std::mem::replace(&mut from, to), to]))
+    }
+
+    fn chord(&mut self, segment: &Segment, [from, to]: [Vec3; 2]) {
+        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
+        let error_mm = if straight { 0.0 } else { self.tolerance_mm };
+        let [a, b] = [from, to].map(|point| point.to_array());
+        let length = (to - from).length();
+        let values = [a[0], a[1], a[2], b[0], b[1], b[2], length, error_mm];
+        for (column, value) in self.numbers.iter_mut().zip(values) {
+            column.put(self.rows, value);
+        }
+        self.line.push(segment.origin.line);
+        self.file.push(segment.origin.span.file);
+        self.kind.put(self.rows, kind_key(segment.kind));
+        self.tool.push(segment.tool);
+        self.rows += 1;
+    }
+}
+
+impl Rows for ChordColumns {
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
         let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
         let mut arrays = vec![
@@ -117,5 +123,19 @@ impl ChordColumns {
         ];
         arrays.extend(self.numbers.iter_mut().map(|column| column.take(rows)));
         RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}
+
+impl<W: Write + Send> ColumnFile<W, ChordColumns> {
+    /// Writes the chords of a segment; they are handed on as they come, since one arc may have
+    /// a million.
+    ///
+    /// # Errors
+    /// Those of the output, and [`io::ErrorKind::InvalidData`] for a curve that cannot be cut
+    /// into chords.
+    pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
+        let chords = self.gathered().cut(segment);
+        let mut chords = chords.map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        chords.try_for_each(|ends| self.put(|rows| rows.chord(segment, ends)))
     }
 }

@@ -11,6 +11,7 @@ use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
 use super::field::{Cell, Column, axes_of, of_axis, places, schema};
+use super::file::Rows;
 use crate::motion::{feed_mode_word, path_feed, plane_word, side_word, spindle_word};
 
 /// Name and version of the columns of commands as programmed.
@@ -167,16 +168,6 @@ impl<'a> CommandColumns<'a> {
         }
     }
 
-    /// Rows gathered since the last batch.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The columns, with their units and what they come from.
-    pub fn schema(&self) -> &SchemaRef {
-        &self.schema
-    }
-
     /// Takes a command of the tool centre.
     pub fn path_command(&mut self, path: PathCommand<'_>) {
         if path.command.kind.feed().is_some() {
@@ -213,37 +204,6 @@ impl<'a> CommandColumns<'a> {
         self.line.push(command.origin.line);
         self.file.push(command.origin.span.file);
         self.rows += 1;
-    }
-
-    /// The rows gathered so far; the next begin anew.
-    ///
-    /// # Errors
-    /// None that the rows themselves could cause.
-    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
-        let rows = std::mem::take(&mut self.rows);
-        let lines = UInt32Array::from(std::mem::take(&mut self.line));
-        let mut arrays = vec![Arc::new(lines) as _, self.file.take()?, self.kind.take(rows)?];
-        arrays.extend(self.from.iter_mut().map(|column| column.take(rows)));
-        arrays.extend(self.to.iter_mut().map(|column| column.take(rows)));
-        arrays.push(self.arc.plane.take(rows)?);
-        arrays.extend(self.arc.center.iter_mut().map(|column| column.take(rows)));
-        arrays.push(self.arc.direction.take(rows)?);
-        arrays.push(self.arc.sweep.take(rows));
-        arrays.extend(self.arc.radii.iter_mut().map(|column| column.take(rows)));
-        arrays.push(self.length.take(rows));
-        arrays.push(self.feed.take(rows));
-        arrays.push(self.seconds.take(rows));
-        arrays.push(self.number.take(rows));
-        arrays.push(self.state.take(rows));
-        arrays.push(self.rpm.take(rows));
-        arrays.push(self.value.take(rows));
-        arrays.push(self.text.take(rows));
-        if self.of_path {
-            arrays.push(self.side.take(rows)?);
-            arrays.push(self.radius.take(rows));
-            arrays.push(self.inserted.take(rows));
-        }
-        RecordBatch::try_new(self.schema.clone(), arrays)
     }
 
     #[inline]
@@ -387,6 +347,43 @@ impl<'a> CommandColumns<'a> {
             // Moves and texts are taken before this is asked.
             _ => "idle",
         }
+    }
+}
+
+impl Rows for CommandColumns<'_> {
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        let rows = std::mem::take(&mut self.rows);
+        let lines = UInt32Array::from(std::mem::take(&mut self.line));
+        let mut arrays = vec![Arc::new(lines) as _, self.file.take()?, self.kind.take(rows)?];
+        arrays.extend(self.from.iter_mut().map(|column| column.take(rows)));
+        arrays.extend(self.to.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.arc.plane.take(rows)?);
+        arrays.extend(self.arc.center.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.arc.direction.take(rows)?);
+        arrays.push(self.arc.sweep.take(rows));
+        arrays.extend(self.arc.radii.iter_mut().map(|column| column.take(rows)));
+        arrays.push(self.length.take(rows));
+        arrays.push(self.feed.take(rows));
+        arrays.push(self.seconds.take(rows));
+        arrays.push(self.number.take(rows));
+        arrays.push(self.state.take(rows));
+        arrays.push(self.rpm.take(rows));
+        arrays.push(self.value.take(rows));
+        arrays.push(self.text.take(rows));
+        if self.of_path {
+            arrays.push(self.side.take(rows)?);
+            arrays.push(self.radius.take(rows));
+            arrays.push(self.inserted.take(rows));
+        }
+        RecordBatch::try_new(self.schema.clone(), arrays)
     }
 }
 

@@ -108,14 +108,24 @@ pub(super) fn schema(
 ) -> SchemaRef {
     let program = job.sources().get(FileId(0));
     let about = [
-        ("schema", name.to_string()),
-        ("version", env!("CARGO_PKG_VERSION").to_string()),
         ("program", program.map_or_else(String::new, |source| source.name().to_string())),
         ("program_sha256", sha256_hex(program.map_or(&[][..], |source| source.text()))),
         ("machine", job.machine().name.clone()),
         ("control", job.machine().control.as_str().to_string()),
     ];
-    let about = about.into_iter().chain(more.iter().cloned());
+    schema_of(name, about, columns, more)
+}
+
+/// The same where the program, its digest, the machine and the control are known otherwise.
+pub(super) fn schema_of(
+    name: &str,
+    about: [(&str, String); 4],
+    columns: &[Column],
+    more: &[(&str, String)],
+) -> SchemaRef {
+    let own =
+        [("schema", name.to_string()), ("version", env!("CARGO_PKG_VERSION").to_string())];
+    let about = own.into_iter().chain(about).chain(more.iter().cloned());
     let metadata = about.map(|(key, value)| (format!("chordal.{key}"), value)).collect();
     let fields: Vec<Field> = columns.iter().map(Column::field).collect();
     Arc::new(Schema::new_with_metadata(fields, metadata))

@@ -1,7 +1,7 @@
 //! Commands, path, chords and setpoints as columns: Arrow record batches.
 //!
-//! A builder takes what a run pushes and gives a batch whenever it is asked, so that a caller
-//! holds as many rows as it wants: all of them, or a group of a file. Lengths are mm, angles
+//! A builder ([`Rows`]) takes what a run pushes and gives a batch whenever it is asked, so that a
+//! caller holds as many rows as it wants: all of them, or a group of a file ([`ColumnFile`]). Lengths are mm, angles
 //! degrees, feeds mm/min, times s; every field says its unit, and the schema says its version,
 //! the program, the SHA-256 of its text, the machine and the control.
 
@@ -9,12 +9,14 @@ mod cells;
 mod chords;
 mod commands;
 mod field;
+mod file;
 mod path;
 mod reference;
+mod samples;
 
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
+pub use file::{ColumnFile, ColumnFormat, Rows};
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
-
-pub use crate::samples::SampleColumns;
+pub use samples::SampleColumns;

@@ -10,6 +10,7 @@ use chordal::{Job, Segment, SegmentKind};
 
 use super::cells::{Files, Flags, Numbers, Words};
 use super::field::{Cell, Column, axes_of, of_axis, places, schema};
+use super::file::Rows;
 
 /// Name and version of the columns of the exact path.
 pub const PATH_COLUMNS: &str = "chordal.path-columns/1";
@@ -135,16 +136,6 @@ impl PathColumns {
         }
     }
 
-    /// Rows gathered since the last batch.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The columns, with their units and what they come from.
-    pub fn schema(&self) -> &SchemaRef {
-        &self.schema
-    }
-
     /// Takes a piece of path; one with a coordinate that is no number is left out.
     pub fn segment(&mut self, segment: &Segment) {
         let row = self.rows;
@@ -184,12 +175,18 @@ impl PathColumns {
         self.known.put(row, segment.known);
         self.rows += 1;
     }
+}
 
-    /// The rows gathered so far; the next begin anew.
-    ///
-    /// # Errors
-    /// None that the rows themselves could cause.
-    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+impl Rows for PathColumns {
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
         let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
         let mut arrays = vec![

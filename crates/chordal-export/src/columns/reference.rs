@@ -17,9 +17,8 @@ What `chordal` gives as Arrow columns, in the Python package and in files.
 This page is made from the code (`chordal_export::column_reference`); a test holds the two together.
 
 Every field carries its unit in the metadata key `unit`. The schema carries, under `chordal.` keys,
-`schema` (name and version, as below), `program` and `program_sha256` (the name and the SHA-256 of its
-text) and `machine`; all but setpoints also `version` of Chordal and `control`; setpoints `period_s`, chords
-`tolerance_mm` and `placement`. Rotary axes A, B and C are columns only where the machine has them. A gap
+`schema` (name and version, as below), `version` of Chordal, `program` and `program_sha256` (the name and the
+SHA-256 of its text), `machine` and `control`; setpoints also `period_s`, chords `tolerance_mm` and `placement`. Rotary axes A, B and C are columns only where the machine has them. A gap
 is null in Arrow; in a NumPy array of numbers it is NaN.
 ";
 

@@ -3,7 +3,7 @@
 //! | format | is | here |
 //! |---|---|---|
 //! | CSV, JSON lines | text, nine decimals | `text.rs` |
-//! | Parquet, Arrow | columns of doubles, for analysis | `columns.rs` |
+//! | Parquet, Arrow | columns of doubles, for analysis | [`crate::columns`] |
 //!
 //! All formats have the same columns: `time_s`; `x_mm`, `x_vel_mm_per_s`, `x_acc_mm_per_s2` and the
 //! same of Y and Z; `a_deg`, `a_vel_deg_per_s`, `a_acc_deg_per_s2` and the same of B and C, of the
@@ -11,7 +11,6 @@
 //! `line`. Which axes there are must be known before the first setpoint, because nothing is held
 //! back: the machine says, not the program.
 
-mod columns;
 mod digest;
 mod text;
 
@@ -22,10 +21,9 @@ use chordal::control::AxisMask;
 use chordal::machine::Axis;
 use chordal::motion::Sample;
 
-use columns::{ArrowFile, ParquetFile};
+use crate::columns::{ColumnFile, ColumnFormat, SampleColumns};
 use text::TextRows;
 
-pub use columns::SampleColumns;
 pub use digest::sha256_hex;
 
 /// The version of the columns and of what they mean.
@@ -57,6 +55,8 @@ pub struct SampleHead {
     pub program_sha256: String,
     /// The machine.
     pub machine: String,
+    /// The control, as machine files name it.
+    pub control: String,
 }
 
 impl SampleHead {
@@ -70,20 +70,26 @@ impl SampleHead {
             program: program.map_or_else(String::new, |source| source.name().to_string()),
             program_sha256: sha256_hex(text),
             machine: job.machine().name.clone(),
+            control: job.machine().control.as_str().to_string(),
         }
     }
 
     /// The columns of doubles.
-    fn columns(&self) -> Vec<Column> {
+    pub(crate) fn columns(&self) -> Vec<Setpoint> {
+        columns_of(self.axes())
+    }
+
+    /// The axes that are columns.
+    pub(crate) fn axes(&self) -> AxisMask {
         let mut axes = AxisMask::LINEAR;
         (3..6).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
-        columns_of(axes)
+        axes
     }
 }
 
 /// The columns of doubles, those before `line`, for a machine with these axes.
-fn columns_of(axes: AxisMask) -> Vec<Column> {
-    let mut columns = vec![Column::new("time_s", "s", Value::Time)];
+fn columns_of(axes: AxisMask) -> Vec<Setpoint> {
+    let mut columns = vec![Setpoint::new("time_s", "s", Value::Time)];
     for axis in axes.iter() {
         let letter = axis.letter().to_ascii_lowercase();
         let (unit, units) = match axis.is_rotary() {
@@ -97,10 +103,10 @@ fn columns_of(axes: AxisMask) -> Vec<Column> {
         ];
         for (order, (name, unit)) in names.into_iter().zip(units).enumerate() {
             let value = Value::Axis { axis: axis as usize, order };
-            columns.push(Column { name, unit, value });
+            columns.push(Setpoint { name, unit, value });
         }
     }
-    columns.push(Column::new("speed_mm_per_s", "mm/s", Value::Speed));
+    columns.push(Setpoint::new("speed_mm_per_s", "mm/s", Value::Speed));
     columns
 }
 
@@ -126,7 +132,7 @@ pub(crate) fn sample_columns(
 
 /// A column of doubles.
 #[derive(Clone, Debug)]
-struct Column {
+pub(crate) struct Setpoint {
     name: String,
     unit: &'static str,
     value: Value,
@@ -143,14 +149,14 @@ enum Value {
     Speed,
 }
 
-impl Column {
-    fn new(name: &str, unit: &'static str, value: Value) -> Column {
-        Column { name: name.into(), unit, value }
+impl Setpoint {
+    fn new(name: &str, unit: &'static str, value: Value) -> Setpoint {
+        Setpoint { name: name.into(), unit, value }
     }
 
     /// Its value, in its unit.
     #[inline]
-    fn of(&self, sample: &Sample) -> f64 {
+    pub(crate) fn of(&self, sample: &Sample) -> f64 {
         match self.value {
             Value::Time => sample.time_s,
             Value::Speed => {
@@ -176,8 +182,7 @@ pub struct SampleWriter<W: Write + Send>(Kind<W>);
 #[derive(Debug)]
 enum Kind<W: Write + Send> {
     Text(TextRows<W>),
-    Parquet(Box<ParquetFile<W>>),
-    Arrow(Box<ArrowFile<W>>),
+    Columns(Box<ColumnFile<W, SampleColumns>>),
 }
 
 impl<W: Write + Send> SampleWriter<W> {
@@ -186,12 +191,14 @@ impl<W: Write + Send> SampleWriter<W> {
     /// # Errors
     /// Those of the output.
     pub fn new(out: W, format: SampleFormat, head: &SampleHead) -> io::Result<SampleWriter<W>> {
-        Ok(SampleWriter(match format {
-            SampleFormat::Csv => Kind::Text(TextRows::csv(out, head)?),
-            SampleFormat::Jsonl => Kind::Text(TextRows::jsonl(out, head)?),
-            SampleFormat::Parquet => Kind::Parquet(Box::new(ParquetFile::new(out, head)?)),
-            SampleFormat::Arrow => Kind::Arrow(Box::new(ArrowFile::new(out, head)?)),
-        }))
+        let columns = match format {
+            SampleFormat::Csv => return Ok(SampleWriter(Kind::Text(TextRows::csv(out, head)?))),
+            SampleFormat::Jsonl => return Ok(SampleWriter(Kind::Text(TextRows::jsonl(out, head)?))),
+            SampleFormat::Parquet => ColumnFormat::Parquet,
+            SampleFormat::Arrow => ColumnFormat::Arrow,
+        };
+        let file = ColumnFile::new(out, columns, SampleColumns::new(head))?;
+        Ok(SampleWriter(Kind::Columns(Box::new(file))))
     }
 
     /// Writes a setpoint of a block on this line.
@@ -201,8 +208,7 @@ impl<W: Write + Send> SampleWriter<W> {
     pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
         match &mut self.0 {
             Kind::Text(out) => out.sample(sample, line),
-            Kind::Parquet(out) => out.sample(sample, line),
-            Kind::Arrow(out) => out.sample(sample, line),
+            Kind::Columns(out) => out.put(|rows| rows.sample(sample, line)),
         }
     }
 
@@ -213,8 +219,7 @@ impl<W: Write + Send> SampleWriter<W> {
     pub fn finish(self) -> io::Result<W> {
         let mut out = match self.0 {
             Kind::Text(out) => out.finish(),
-            Kind::Parquet(out) => out.finish(),
-            Kind::Arrow(out) => out.finish(),
+            Kind::Columns(out) => out.finish(),
         }?;
         out.flush()?;
         Ok(out)

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use chordal::motion::Sample;
 
-use super::{Column, SAMPLE_SCHEMA, SampleHead};
+use super::{SAMPLE_SCHEMA, SampleHead, Setpoint};
 use crate::json::Object;
 use crate::number::{push_finite, push_integer, push_number};
 
@@ -15,7 +15,7 @@ const BLOCK: usize = 1 << 16;
 pub(super) struct TextRows<W> {
     out: W,
     rows: Vec<u8>,
-    columns: Vec<Column>,
+    columns: Vec<Setpoint>,
     /// What stands before the value of each column in a JSON object; empty for CSV.
     names: Vec<Vec<u8>>,
 }
@@ -42,11 +42,12 @@ impl<W: Write> TextRows<W> {
         }
         header.number("period_s", head.period_s);
         header.text("machine", &head.machine);
+        header.text("control", &head.control);
         header.text("program", &head.program);
         header.word("program_sha256", &head.program_sha256);
         header.close();
         rows.push(b'\n');
-        let name = |(index, column): (usize, &Column)| {
+        let name = |(index, column): (usize, &Setpoint)| {
             format!("{}\"{}\":", if index == 0 { '{' } else { ',' }, column.name).into_bytes()
         };
         let names = columns.iter().enumerate().map(name).collect();

@@ -1,0 +1,180 @@
+//! Where rows go: a file, whole or not at all, or standard output as a stream.
+
+use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
+use std::path::{Path, PathBuf};
+
+use chordal_export::columns::ColumnFormat;
+use clap::ValueEnum;
+
+use crate::failure::Failure;
+use crate::output::{self, Draft};
+
+/// How rows are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum RowFormat {
+    /// Comma-separated, a row each
+    Csv,
+    /// JSON lines: a header, then an object each
+    Jsonl,
+    /// Apache Parquet
+    Parquet,
+    /// Arrow IPC file (Feather)
+    Arrow,
+}
+
+/// A format that the ending of a file's name can ask for: its name is the ending.
+pub trait Format: ValueEnum + Copy + PartialEq {
+    /// The format of columns that this is, if it is one.
+    fn columns(self) -> Option<ColumnFormat>;
+}
+
+impl Format for RowFormat {
+    fn columns(self) -> Option<ColumnFormat> {
+        match self {
+            RowFormat::Csv | RowFormat::Jsonl => None,
+            RowFormat::Parquet => Some(ColumnFormat::Parquet),
+            RowFormat::Arrow => Some(ColumnFormat::Arrow),
+        }
+    }
+}
+
+/// The format that is asked for: by `--format`, by the ending, or else the one of standard
+/// output. `rows` says what is written, for messages.
+pub fn format_of<F: Format>(
+    said: Option<F>,
+    path: Option<&Path>,
+    streamed: F,
+    rows: &str,
+) -> Result<F, Failure> {
+    let Some(path) = path else { return Ok(said.unwrap_or(streamed)) };
+    let name = path.display();
+    let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
+    let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
+    match (said, meant) {
+        (Some(said), Some(meant)) if said != meant => Err(Failure::wrong(
+            format!("--format says {}, and the name of {name} another format", word(said)),
+            format!("leave --format out, or end the name with .{}", word(said)),
+        )),
+        (Some(format), _) | (None, Some(format)) => Ok(format),
+        (None, None) => {
+            let endings: Vec<String> =
+                F::value_variants().iter().map(|format| format!(".{}", word(*format))).collect();
+            Err(Failure::wrong(
+                format!("the ending of {name} says no format of {rows}"),
+                format!("the endings are {}; or give --format", endings.join(", ")),
+            ))
+        }
+    }
+}
+
+fn word<F: ValueEnum>(format: F) -> String {
+    format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_string())
+}
+
+/// Where rows go.
+pub enum Out {
+    /// A file under a passing name, and the name that it gets.
+    File(Draft, PathBuf),
+    /// Standard output.
+    Standard(Buffered),
+}
+
+impl Out {
+    /// Opens the output before a long run. No program is written over, and a terminal is
+    /// given no columns.
+    pub fn open(path: Option<&Path>, program: &Path, format: impl Format) -> Result<Out, Failure> {
+        let Some(path) = path else {
+            if format.columns().is_some() && io::stdout().is_terminal() {
+                return Err(Failure::wrong(
+                    "a terminal cannot show this format",
+                    "write a file with -o, or let another program read the output",
+                ));
+            }
+            return Ok(Out::Standard(buffered()));
+        };
+        let own = program.canonicalize();
+        if own.is_ok_and(|own| path.canonicalize().is_ok_and(|path| path == own)) {
+            return Err(Failure::wrong(
+                format!("{} is the program", path.display()),
+                "give the output another name",
+            ));
+        }
+        let draft = || {
+            if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+                std::fs::create_dir_all(parent)?;
+            }
+            output::draft(path)
+        };
+        let draft = draft().map_err(|error| trouble(Some(path), error))?;
+        Ok(Out::File(draft, path.to_path_buf()))
+    }
+
+    /// Puts a file in its place.
+    pub fn put(self) -> Result<(), Failure> {
+        match self {
+            Out::File(draft, path) => {
+                output::put(draft, &path).map_err(|error| trouble(Some(&path), error))
+            }
+            Out::Standard(mut out) => Ok(out.flush()?),
+        }
+    }
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Out::File(out, _) => out.write(bytes),
+            Out::Standard(out) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Out::File(out, _) => out.flush(),
+            Out::Standard(out) => out.flush(),
+        }
+    }
+}
+
+/// What could not be written, by the name that the user gave.
+pub fn trouble(path: Option<&Path>, error: io::Error) -> Failure {
+    match path {
+        Some(path) => Failure::write(path.to_string_lossy(), &error),
+        None => Failure::Out(error),
+    }
+}
+
+/// Standard output of a run that streams. A run cannot be stopped from within, and what
+/// streams has nothing to clean up: when nobody reads any more (`| head`) the process ends
+/// here, quietly, however the writers above would wrap the error.
+pub struct Stream(Stdout);
+
+impl Write for Stream {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes).inspect_err(end_if_closed)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush().inspect_err(end_if_closed)
+    }
+}
+
+fn end_if_closed(error: &io::Error) {
+    if error.kind() == io::ErrorKind::BrokenPipe {
+        std::process::exit(0);
+    }
+}
+
+/// Standard output for many small writes.
+pub type Buffered = BufWriter<Stream>;
+
+fn buffered() -> Buffered {
+    BufWriter::with_capacity(1 << 16, Stream(io::stdout()))
+}
+
+/// Another failure of the output, as a full disk, is for the end of the run: the first counts.
+pub fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
+    if first.is_ok() {
+        *first = next();
+    }
+}

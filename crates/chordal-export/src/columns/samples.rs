@@ -1,0 +1,73 @@
+//! Setpoints as columns.
+
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
+use arrow_schema::{ArrowError, SchemaRef};
+use chordal::motion::Sample;
+
+use super::field::{Cell, Column, schema_of};
+use super::file::{BATCH, Rows};
+use crate::samples::{SAMPLE_SCHEMA, SampleHead, Setpoint, sample_columns};
+
+/// Gathers setpoints, one row each, and gives them as a batch when it is asked.
+#[derive(Debug)]
+pub struct SampleColumns {
+    schema: SchemaRef,
+    columns: Vec<Setpoint>,
+    values: Vec<Vec<f64>>,
+    lines: Vec<u32>,
+}
+
+impl SampleColumns {
+    /// Columns for setpoints.
+    pub fn new(head: &SampleHead) -> SampleColumns {
+        let mut columns: Vec<Column> = sample_columns(head.axes())
+            .map(|(name, unit, meaning)| Column { name, cell: Cell::Number, unit, meaning })
+            .collect();
+        columns.push(Column::new("line", Cell::Integer, "", "line of the block, from 1"));
+        let more = [("period_s", head.period_s.to_string())];
+        let about = [
+            ("program", head.program.clone()),
+            ("program_sha256", head.program_sha256.clone()),
+            ("machine", head.machine.clone()),
+            ("control", head.control.clone()),
+        ];
+        let of = head.columns();
+        SampleColumns {
+            schema: schema_of(SAMPLE_SCHEMA, about, &columns, &more),
+            values: vec![Vec::with_capacity(BATCH); of.len()],
+            columns: of,
+            lines: Vec::with_capacity(BATCH),
+        }
+    }
+
+    /// Takes a setpoint of a block on this line.
+    pub fn sample(&mut self, sample: &Sample, line: u32) {
+        for (values, column) in self.values.iter_mut().zip(&self.columns) {
+            values.push(column.of(sample));
+        }
+        self.lines.push(line);
+    }
+}
+
+impl Rows for SampleColumns {
+    fn rows(&self) -> usize {
+        self.lines.len()
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        let mut arrays: Vec<ArrayRef> = Vec::with_capacity(self.values.len() + 1);
+        for values in &mut self.values {
+            let fresh = Vec::with_capacity(BATCH);
+            arrays.push(Arc::new(Float64Array::from(std::mem::replace(values, fresh))));
+        }
+        let lines = std::mem::replace(&mut self.lines, Vec::with_capacity(BATCH));
+        arrays.push(Arc::new(UInt32Array::from(lines)));
+        RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}
