@@ -2,12 +2,16 @@
 
 #![allow(clippy::disallowed_methods, reason = "reads the page that it checks")]
 
+use std::io::{self, Write};
+
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use chordal::geometry::Placement;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows};
+use chordal_export::columns::{
+    ChordColumns, ColumnFile, ColumnFormat, CommandColumns, PathColumns, Rows,
+};
 
 const PART: &str = "G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nT2 M6\nG1 Z-1. F100.\nX10.\n\
                     G3 X20. Y10. I0 J10. F50.\nG4 P2.\n#1=3.\nDPRNT[X#1[32]]\nM30\n";
@@ -65,6 +69,54 @@ fn rows_are_the_same_in_batches_of_any_size() {
             from += batch.num_rows();
         }
         assert_eq!(from, rows);
+    }
+}
+
+/// An output that is full after so many bytes.
+struct Full(usize);
+
+impl Write for Full {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.0 < bytes.len() {
+            return Err(io::Error::new(io::ErrorKind::StorageFull, "no room"));
+        }
+        self.0 -= bytes.len();
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Rows until the output is full, if it ever is.
+fn fill(room: usize, format: ColumnFormat) -> io::Result<usize> {
+    let job = job();
+    let mut file = ColumnFile::new(Full(room), format, PathColumns::new(&job))?;
+    let mut done = Ok(());
+    for _ in 0..20_000 {
+        job.path(|segment| {
+            if done.is_ok() {
+                done = file.put(|rows| rows.segment(segment));
+            }
+        });
+        if done.is_err() {
+            break;
+        }
+    }
+    done?;
+    file.finish().map(|out| room - out.0)
+}
+
+#[test]
+fn a_full_output_is_told_as_such() {
+    for format in [ColumnFormat::Parquet, ColumnFormat::Arrow] {
+        let bytes = fill(usize::MAX, format).expect("room for all");
+        for room in [0, 3, bytes / 2, bytes - 1] {
+            let error = fill(room, format).expect_err("no room");
+            assert_eq!(error.kind(), io::ErrorKind::StorageFull, "{format:?} {room}: {error}");
+        }
+        assert_eq!(fill(bytes, format).expect("just room"), bytes);
     }
 }
 

@@ -80,7 +80,10 @@ impl ChordColumns {
     }
 
     /// The ends of the chords of a segment.
-    fn cut(&self, segment: &Segment) -> Result<impl Iterator<Item = [Vec3; 2]> + use<>, ChordError> {
+    fn cut(
+        &self,
+        segment: &Segment,
+    ) -> Result<impl Iterator<Item = [Vec3; 2]> + use<>, ChordError> {
         let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
         let mut from = segment.curve.start();
         Ok(chords.skip(1).map(move |to| [std::mem::replace(&mut from, to), to]))
@@ -135,7 +138,8 @@ impl<W: Write + Send> ColumnFile<W, ChordColumns> {
     /// into chords.
     pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
         let chords = self.gathered().cut(segment);
-        let mut chords = chords.map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        let mut chords =
+            chords.map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         chords.try_for_each(|ends| self.put(|rows| rows.chord(segment, ends)))
     }
 }

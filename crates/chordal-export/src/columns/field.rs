@@ -123,8 +123,7 @@ pub(super) fn schema_of(
     columns: &[Column],
     more: &[(&str, String)],
 ) -> SchemaRef {
-    let own =
-        [("schema", name.to_string()), ("version", env!("CARGO_PKG_VERSION").to_string())];
+    let own = [("schema", name.to_string()), ("version", env!("CARGO_PKG_VERSION").to_string())];
     let about = own.into_iter().chain(about).chain(more.iter().cloned());
     let metadata = about.map(|(key, value)| (format!("chordal.{key}"), value)).collect();
     let fields: Vec<Field> = columns.iter().map(Column::field).collect();

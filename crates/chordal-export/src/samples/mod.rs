@@ -193,7 +193,9 @@ impl<W: Write + Send> SampleWriter<W> {
     pub fn new(out: W, format: SampleFormat, head: &SampleHead) -> io::Result<SampleWriter<W>> {
         let columns = match format {
             SampleFormat::Csv => return Ok(SampleWriter(Kind::Text(TextRows::csv(out, head)?))),
-            SampleFormat::Jsonl => return Ok(SampleWriter(Kind::Text(TextRows::jsonl(out, head)?))),
+            SampleFormat::Jsonl => {
+                return Ok(SampleWriter(Kind::Text(TextRows::jsonl(out, head)?)));
+            }
             SampleFormat::Parquet => ColumnFormat::Parquet,
             SampleFormat::Arrow => ColumnFormat::Arrow,
         };
