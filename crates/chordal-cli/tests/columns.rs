@@ -18,7 +18,7 @@ use serde_json::Value;
 
 /// Arcs, compensation, a dwell, a tool, printed text, both ends of a program.
 const PART: &str = "O1 (PLATE)\nG21 G17 G40 G90 G94\nT2 M6\nS900 M3 M8\nG0 X-20. Y0\nG43 H2 Z5.\nG1 Z-1. F100.\n\
-                    G41 D2 X0\nY40.\nG2 X10. Y50. I10. J0\nG1 X50.\nG3 X60. Y60. I0 J10.\nG40 X80.\nG4 P2.\n#1=3.\n\
+                    G41 D2 X0\nY40.\nG2 X10. Y50. I10. J0\nG1 X50.\nG3 X60. Y60. I0 J10.\nG1 G40 X80.\nG4 P2.\n#1=3.\n\
                     DPRNT[X#1[32]]\nG0 Z5. M5\nM30\n";
 
 const TABLE: [&str; 4] = ["-m", "haas-vf2", "--set", "tools.2.diameter=\"6 mm\""];
