@@ -1,6 +1,7 @@
 //! Columns as a file: Parquet and Arrow, written as the rows come.
 
 use std::io::{self, Write};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use arrow_array::RecordBatch;
 use arrow_ipc::writer::FileWriter;
@@ -51,8 +52,39 @@ pub struct ColumnFile<W: Write + Send, R> {
 }
 
 enum Out<W: Write + Send> {
-    Parquet(Box<ArrowWriter<W>>),
+    Parquet(Box<ArrowWriter<Lent<W>>>, Lent<W>),
     Arrow(Box<FileWriter<W>>),
+}
+
+/// An output lent to a Parquet writer, which otherwise gives it back with its last error put into
+/// words only.
+struct Lent<W>(Arc<Mutex<W>>);
+
+impl<W> Lent<W> {
+    fn lend(&self) -> Lent<W> {
+        Lent(Arc::clone(&self.0))
+    }
+
+    fn with<T>(&self, what: impl FnOnce(&mut W) -> T) -> T {
+        what(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The output, once nobody else has it.
+    fn back(self) -> io::Result<W> {
+        let whole = Arc::into_inner(self.0);
+        let whole = whole.ok_or_else(|| io::Error::other("the output is still being written"))?;
+        Ok(whole.into_inner().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl<W: Write> Write for Lent<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.with(|out| out.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.with(W::flush)
+    }
 }
 
 impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
@@ -64,8 +96,10 @@ impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
         let schema = rows.schema();
         let out = match format {
             ColumnFormat::Parquet => {
-                let writer = ArrowWriter::try_new(out, schema.clone(), Some(properties(schema)));
-                Out::Parquet(Box::new(writer.map_err(of_parquet)?))
+                let out = Lent(Arc::new(Mutex::new(out)));
+                let made =
+                    ArrowWriter::try_new(out.lend(), schema.clone(), Some(properties(schema)));
+                Out::Parquet(Box::new(made.map_err(of_parquet)?), out)
             }
             ColumnFormat::Arrow => {
                 Out::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
@@ -93,7 +127,11 @@ impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
             self.hand_on()?;
         }
         let mut out = match self.out {
-            Out::Parquet(out) => out.into_inner().map_err(of_parquet)?,
+            Out::Parquet(mut writer, out) => {
+                writer.finish().map_err(of_parquet)?;
+                drop(writer);
+                out.back()?
+            }
             Out::Arrow(mut out) => {
                 out.finish().map_err(of_arrow)?;
                 out.into_inner().map_err(of_arrow)?
@@ -111,7 +149,7 @@ impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
     fn hand_on(&mut self) -> io::Result<()> {
         let batch = self.rows.take().map_err(of_arrow)?;
         match &mut self.out {
-            Out::Parquet(out) => out.write(&batch).map_err(of_parquet),
+            Out::Parquet(out, _) => out.write(&batch).map_err(of_parquet),
             Out::Arrow(out) => out.write(&batch).map_err(of_arrow),
         }
     }
@@ -138,7 +176,7 @@ fn properties(schema: &SchemaRef) -> WriterProperties {
 impl<W: Write + Send> std::fmt::Debug for Out<W> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Out::Parquet(_) => "Parquet",
+            Out::Parquet(..) => "Parquet",
             Out::Arrow(_) => "Arrow",
         })
     }
