@@ -1,7 +1,7 @@
 //! Macro statements put together at random: no crash, no hang, no number that is not finite.
 
 use chordal::machine::{Machine, builtin_names};
-use chordal::{Job, RunOptions, Source, SourceMap};
+use chordal::{Code, Job, RunOptions, Source, SourceMap};
 use proptest::prelude::*;
 
 const PIECES: &[&str] = &[
@@ -114,5 +114,20 @@ proptest! {
             prop_assert!(range.start <= range.end && range.end as usize <= text.len());
             prop_assert!(!diagnostic.message.is_empty());
         }
+    }
+}
+
+#[test]
+fn a_jump_back_in_a_program_with_macros_is_counted() {
+    for (machine, text) in
+        [("haas-vf2", "N1 #1=#1+1\nM99 P1\n"), ("fadal-4020", "N1 G1 X1. F10.\n#V1=2\nM99 P1\n")]
+    {
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("endless", text.as_bytes()));
+        let machine = Machine::from_builtin(machine).expect("built in");
+        let options = RunOptions { max_repeated_blocks: 500 };
+        let job = Job::new(sources, machine).expect("a good machine").options(options);
+        let codes: Vec<_> = job.report().diagnostics.iter().map(|each| each.code).collect();
+        assert!(codes.contains(&Code::BudgetReached), "{text}: {codes:?}");
     }
 }

@@ -390,7 +390,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         match self.label(self.program, label) {
             Some(position) => {
-                self.reader.seek(position);
+                self.go_to(block, position);
                 Flow::Next
             }
             None => {

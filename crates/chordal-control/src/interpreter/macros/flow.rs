@@ -42,7 +42,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     /// Goes on at a place of this program. Blocks that are then met again are counted.
-    pub(super) fn go_to(&mut self, block: &Block, target: TextPosition) {
+    pub(in super::super) fn go_to(&mut self, block: &Block, target: TextPosition) {
         let here = self.origin.span.range;
         let _ = block;
         if target.offset <= here.start && self.frames.is_empty() {
