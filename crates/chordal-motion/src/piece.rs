@@ -43,16 +43,7 @@ impl Piece {
     /// The axes and their derivatives at `sigma` from the piece's start.
     #[inline]
     pub fn at(&self, sigma: f64) -> Jet {
-        let [x, d1, d2, d3] = &self.start;
-        let mut jet = [[0.0; 6]; 4];
-        for axis in 0..6 {
-            let second = d2[axis] + sigma * d3[axis];
-            jet[0][axis] = x[axis]
-                + sigma * (d1[axis] + sigma * (d2[axis] / 2.0 + sigma * (d3[axis] * SIXTH)));
-            jet[1][axis] = d1[axis] + sigma * (d2[axis] + sigma * (d3[axis] / 2.0));
-            jet[2][axis] = second;
-            jet[3][axis] = d3[axis];
-        }
+        let mut jet = ahead(&self.start, sigma, 6);
         if let Some((curve, from)) = &self.base {
             for (row, vector) in jet.iter_mut().zip(curve.jet_at(from + sigma)) {
                 for (value, part) in row.iter_mut().zip(vector.to_array()) {
@@ -62,6 +53,20 @@ impl Piece {
         }
         jet
     }
+}
+
+/// A jet of polynomials of the third degree, further on; axes from `count` on stay as they are.
+#[inline]
+pub(crate) fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
+    let [x, d1, d2, d3] = jet;
+    let mut next = *jet;
+    for axis in 0..count {
+        next[0][axis] =
+            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] * SIXTH)));
+        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
+        next[2][axis] = d2[axis] + way * d3[axis];
+    }
+    next
 }
 
 /// Without branches: it is asked at many a setpoint.

@@ -51,8 +51,8 @@ impl PathPart for Span {
 
 pub(crate) mod sealed {
     use super::Span;
-    use crate::piece::{Jet, Piece};
-    use crate::smooth::{Leg, Part, ahead, piece};
+    use crate::piece::{Jet, Piece, ahead};
+    use crate::smooth::{Leg, Part, piece};
 
     /// How parts of a path are kept.
     pub trait Keep: Sized {

@@ -10,7 +10,7 @@ use chordal_motion::{
 };
 use proptest::prelude::*;
 use support::cut;
-use support::watch::Watch;
+use support::watch::{ROUNDING, Watch};
 
 fn machine() -> Limits {
     let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
@@ -192,10 +192,26 @@ fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<
     (watch, points)
 }
 
+/// What rounding does to each coordinate: beside its own, that of the way along the path, whose
+/// last bits a rotary axis turns into a larger angle the more it turns by the mm.
+fn rounding(moves: &[Move]) -> Axes {
+    let lengths: Vec<f64> = moves.iter().map(|motion| motion.curve.length()).collect();
+    let way: f64 = lengths.iter().sum();
+    let mut rounding = ROUNDING;
+    for (motion, length) in moves.iter().zip(&lengths) {
+        for (axis, rounding) in rounding[3..].iter_mut().enumerate() {
+            let turn = (motion.rotary_to[axis] - motion.rotary_from[axis]).abs();
+            // The start of the phase, the start of the piece and the step from the one to the other.
+            *rounding = rounding.max(ROUNDING[0] + 3.0 * f64::EPSILON * way * turn / length);
+        }
+    }
+    rounding
+}
+
 fn check(drafts: &[Draft], events: &[Event], options: StreamOptions) -> Result<(), TestCaseError> {
     let moves = moves(drafts);
     let (watch, points) = run(&moves, events, options);
-    watch.check(options.period_s, &machine());
+    watch.check(options.period_s, &machine(), &rounding(&moves));
     let end = points.last().expect("an end");
     let target = moves[moves.len() - 1].to();
     for (end, target) in end.position.iter().zip(&target) {
@@ -280,8 +296,19 @@ impl Walk {
     }
 }
 
+/// A longer run: `CHORDAL_ROUNDS=20000 cargo test --release -p chordal-motion --test random_streams`.
+fn config() -> ProptestConfig {
+    let cases = option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok()).unwrap_or(64);
+    ProptestConfig {
+        cases,
+        max_shrink_iters: 150,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, max_shrink_iters: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn limits_and_path_hold_whatever_is_done(

@@ -167,10 +167,15 @@ impl Step {
 }
 
 impl Slow {
+    /// Half width of the wider correction.
+    pub fn half(&self) -> f64 {
+        self.halves.0.max(self.halves.1)
+    }
+
     /// The quickest way to pass it between legs on which the full speed is reached.
     pub fn between_long(&self) -> Passing {
         let Slow { step, halves, overlap } = self;
-        let width = 2.0 * halves.0.max(halves.1);
+        let width = 2.0 * self.half();
         let ease = step.loss(step.speed_within(halves.0, halves.1), width);
         let rest = step.loss(0.0, 0.0);
         let overlapped = overlap.map_or(f64::INFINITY, |overlap| {
@@ -185,7 +190,7 @@ impl Slow {
     /// The quickest, given what each takes, s.
     pub fn quickest(&self, ease: f64, rest: f64, overlapped: f64) -> Passing {
         if ease <= rest.min(overlapped) {
-            Passing::Ease(self.step, self.halves.0.max(self.halves.1))
+            Passing::Ease(self.step, self.half())
         } else if overlapped < rest {
             Passing::Rest(self.overlap)
         } else {

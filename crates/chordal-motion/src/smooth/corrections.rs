@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use crate::Axes;
-use crate::piece::Jet;
+use crate::piece::{Jet, ahead};
 use crate::smooth::Node;
 use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
 
@@ -182,18 +182,4 @@ fn sum<'a>(from: f64, until: f64, nodes: impl Iterator<Item = &'a Node>) -> Jet 
         take(&node.step.bend, node.bend_half, bend);
     }
     jet
-}
-
-/// A jet of polynomials of the third degree, further on.
-#[inline]
-pub fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
-    let [x, d1, d2, d3] = jet;
-    let mut next = *jet;
-    for axis in 0..count {
-        next[0][axis] =
-            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] / 6.0)));
-        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
-        next[2][axis] = d2[axis] + way * d3[axis];
-    }
-    next
 }

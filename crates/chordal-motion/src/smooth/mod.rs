@@ -10,7 +10,6 @@ mod rests;
 mod trial;
 
 pub use corner::{Joint, Overlap, Passing, Slow, overlap_time};
-pub use corrections::ahead;
 pub use leg::{Leg, Part};
 pub use pieces::piece;
 
@@ -164,7 +163,7 @@ pub struct Released {
 impl Held {
     /// More length would change nothing.
     fn is_long(&self) -> bool {
-        let half = self.slow.halves.0.max(self.slow.halves.1);
+        let half = self.slow.half();
         self.leg.curve.is_some() || self.leg.length >= half + self.slow.step.ways()[1]
     }
 }
@@ -231,7 +230,7 @@ impl Smoother {
     pub fn release(&mut self, limits: &AxisArrays) -> Option<Released> {
         let Held { mut leg, parts, corner, slow } = self.held.take()?;
         leg.place(self.length);
-        let half = slow.halves.0.max(slow.halves.1);
+        let half = slow.half();
         let ways = slow.step.ways();
         let passing = match self.legs.back() {
             Some(last) if last.length.min(leg.length) >= half => {

@@ -4,9 +4,9 @@ use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
-use crate::piece::{Jet, Piece};
+use crate::piece::{Jet, Piece, ahead};
 use crate::smooth::Row;
-use crate::smooth::corrections::{Corrections, ahead};
+use crate::smooth::corrections::Corrections;
 use crate::smooth::leg::{Leg, Part, cuts, turning};
 use crate::span::PathPart;
 

@@ -101,6 +101,7 @@ impl Smoother {
         let leg = &self.legs[node.leg - self.legs_gone];
         let half = node.half();
         leg.curve.is_none()
+            // What the axes need takes a root to find, and most legs are too short anyway.
             && leg.length >= 2.0 * half
             && leg.length >= 2.0 * (half + node.step.ways()[1])
     }
@@ -197,16 +198,20 @@ impl Smoother {
         first + after.legs < self.legs.len() || after.way >= node.step.ways()[1] + node.half()
     }
 
+    /// The legs before and from the leg `first` on that a correction of this half width goes over.
+    fn covering_sides(&self, first: usize, half: f64) -> [Covering; 2] {
+        let before = covering(self.legs.range(..first).rev(), half);
+        [before, covering(self.legs.range(first..), half)]
+    }
+
     /// The axes pass an eased node faster than they get to be on any leg in its reach, between
     /// rests.
     pub(super) fn is_clearly_quicker_eased(&self, node: &Node) -> bool {
-        let half = node.half();
         let speed = node.step.speed_within(node.kink_half, node.bend_half);
         let slower =
             |leg: &Leg| leg.feed <= speed || leg.head.effort.rise(0.0, leg.length / 2.0) <= speed;
         let first = node.leg - self.legs_gone;
-        let before = covering(self.legs.range(..first).rev(), half);
-        let after = covering(self.legs.range(first..), half);
+        let [before, after] = self.covering_sides(first, node.half());
         self.legs.range(first - before.legs..first + after.legs).all(slower)
     }
 
@@ -219,8 +224,7 @@ impl Smoother {
         }
         let first = node.leg - self.legs_gone;
         let [way_before, way_after] = node.step.ways().map(|way| way + half);
-        let before = covering(self.legs.range(..first).rev(), half);
-        let after = covering(self.legs.range(first..), half);
+        let [before, after] = self.covering_sides(first, half);
         let long = before.way >= way_before && after.way >= way_after;
         if long && node.step.is_even() {
             return node.step.is_quicker_at_rest(kink_half, bend_half);

@@ -2,12 +2,15 @@
 
 use chordal_motion::{Axes, Limits, Setpoint};
 
+/// What rounding does to coordinates of some hundred mm or rad.
+pub const ROUNDING: Axes = [1e-13; 6];
+
 /// Largest differences of setpoints by time, over limits.
 #[derive(Debug, Default)]
 pub struct Watch {
     last: Vec<Axes>,
-    /// Ratios of velocity, acceleration and jerk to their limits, by differences.
-    pub worst: [f64; 3],
+    /// Ratios of velocity, acceleration and jerk of each axis to their limits, by differences.
+    pub worst: [Axes; 3],
     /// Ratios of the velocity and acceleration that come with the setpoint.
     pub told: [f64; 2],
 }
@@ -28,7 +31,8 @@ impl Watch {
             let mut take = |row: usize, value: Option<f64>, limit: f64| {
                 if let Some(value) = value {
                     let share = value.abs() / period_s.powi(row as i32 + 1) / limit;
-                    self.worst[row] = self.worst[row].max(share);
+                    let worst = &mut self.worst[row][axis];
+                    *worst = worst.max(share);
                 }
             };
             let (Some(d), Some(c)) = (d, c) else { continue };
@@ -40,18 +44,17 @@ impl Watch {
         }
     }
 
-    /// Fails when a limit was broken by more than a relative 1e-6 and what rounding does to
-    /// differences of coordinates of some hundred mm.
-    pub fn check(&self, period_s: f64, limits: &Limits) {
-        let least = limits.axis(0).expect("an X axis");
-        let rounding = 1e-13;
-        let slack = [
-            rounding / period_s / least.velocity,
-            4.0 * rounding / period_s.powi(2) / least.acceleration,
-            8.0 * rounding / period_s.powi(3) / least.jerk,
-        ];
-        for (worst, slack) in self.worst.iter().zip(slack) {
-            assert!(*worst <= 1.0 + 1e-6 + slack, "{self:?}");
+    /// Fails when a limit was broken by more than a relative 1e-6 and what `rounding` of each
+    /// coordinate does to its differences: their weights add up to 2, 4 and 8.
+    pub fn check(&self, period_s: f64, limits: &Limits, rounding: &Axes) {
+        for (axis, rounding) in rounding.iter().enumerate() {
+            let Some(limit) = limits.axis(axis) else { continue };
+            let limits = [limit.velocity, limit.acceleration, limit.jerk];
+            for (row, (worst, limit)) in self.worst.iter().zip(limits).enumerate() {
+                let order = row as i32 + 1;
+                let slack = rounding * 2.0_f64.powi(order) / period_s.powi(order) / limit;
+                assert!(worst[axis] <= 1.0 + 1e-6 + slack, "axis {axis}: {self:?}");
+            }
         }
         for told in self.told {
             assert!(told <= 1.0 + 1e-6, "{self:?}");
