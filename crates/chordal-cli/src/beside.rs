@@ -24,6 +24,11 @@ const HEAD: u64 = 4096;
 pub struct Folders(BTreeMap<PathBuf, Folder>);
 
 impl Folders {
+    /// How many folders are remembered.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// The files that hold the programs which a text calls, and those which they call, as far
     /// as they lie in the same folder. Files that cannot be read are passed over: then the
     /// subprogram is missing, and the run says so.

@@ -116,7 +116,8 @@ pub fn may_be_program(path: &Path) -> bool {
     !has_other_ending(path) && head(path, SAMPLE).is_ok_and(|sample| looks_like_program(&sample))
 }
 
-fn has_other_ending(path: &Path) -> bool {
+/// The ending of its name says that a file is no program.
+pub fn has_other_ending(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
 }
@@ -130,7 +131,7 @@ pub fn head(path: &Path, size: u64) -> io::Result<Vec<u8>> {
 
 /// Some line starts as a block does: a letter with a number, a program head, a percent sign.
 /// Only asked of files that nobody named.
-fn looks_like_program(sample: &[u8]) -> bool {
+pub fn looks_like_program(sample: &[u8]) -> bool {
     let decoded = decode(sample);
     !decoded.binary
         && decoded.text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
@@ -197,6 +198,16 @@ impl Text {
     /// The text.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes[self.start..]
+    }
+
+    /// Its name and its text.
+    pub fn into_parts(self) -> (String, Vec<u8>) {
+        let mut bytes = match self.bytes {
+            Bytes::Owned(bytes) => bytes,
+            Bytes::Mapped(map) => map.to_vec(),
+        };
+        bytes.drain(..self.start);
+        (self.name, bytes)
     }
 
     /// Gives a program without a head the number that its file's name says. The head comes

@@ -10,6 +10,7 @@
     reason = "a shell: files, terminal and clock are its business, so that they are nobody else's"
 )]
 
+mod archive;
 mod beside;
 mod calc;
 mod calibrate;
@@ -59,6 +60,8 @@ Examples:
   chordal run part.nc -o part.svg            the same, and a picture
   chordal time part.nc                       how long it takes, where and why
   chordal check archive/                     problems of every program in a folder
+  chordal archive check archive/ --out results.parquet
+                                             all of a folder tree as one table
   chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -85,6 +88,7 @@ enum Command {
     Time(time::Args),
     Calibrate(calibrate::Args),
     Check(check::Args),
+    Archive(archive::Args),
     Commands(commands::Args),
     Path(path::Args),
     CompRange(comp_range::Args),
@@ -103,6 +107,7 @@ impl Command {
             Command::Time(args) => time::run(&args, terminal),
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
+            Command::Archive(args) => archive::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),

@@ -12,6 +12,7 @@ use crate::machine;
 use crate::options::Common;
 use crate::session;
 
+pub use crate::archive::Disk;
 pub use crate::failure::Failure;
 pub use crate::machine::Chosen;
 pub use crate::session::Loaded;
@@ -37,7 +38,7 @@ pub struct Request {
 }
 
 impl Request {
-    fn common(&self) -> Common {
+    pub(crate) fn common(&self) -> Common {
         Common {
             machine: None,
             set: self.set.clone(),
@@ -49,7 +50,7 @@ impl Request {
     }
 
     /// The machine, where one is said.
-    fn given(&self, common: &Common) -> Result<Option<Machine>, Failure> {
+    pub(crate) fn given(&self, common: &Common) -> Result<Option<Machine>, Failure> {
         let typical = || self.control.map(machine::builtin_of);
         let machine = self.machine.clone().or_else(typical);
         machine.map(|machine| machine::finish(machine, common)).transpose()

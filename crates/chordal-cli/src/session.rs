@@ -45,6 +45,12 @@ impl Loaded {
         self.texts[0].bytes()
     }
 
+    /// Names and texts, the machine and the budgets.
+    pub(crate) fn into_parts(self) -> (Vec<(String, Vec<u8>)>, Machine, RunOptions) {
+        let texts = self.texts.into_iter().map(Text::into_parts).collect();
+        (texts, self.machine, self.options)
+    }
+
     /// Bytes of the program's text.
     pub fn size(&self) -> usize {
         self.text().len()

@@ -5,6 +5,7 @@ use chordal_control::{
 use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
+use chordal_syntax::ProgramHead;
 
 use crate::compensated::Compensated;
 use crate::motion::{
@@ -31,7 +32,25 @@ pub struct Job<'a> {
     machine: Machine,
     control: Control,
     options: RunOptions,
-    program: Option<u32>,
+    program: Option<Chosen>,
+}
+
+/// Which program of the first text is run.
+#[derive(Clone, Copy, Debug)]
+enum Chosen {
+    /// The one of this number.
+    Number(u32),
+    /// The one at this place among the programs of the text.
+    Place(usize),
+}
+
+/// A program of the first text, as [`Job::programs`] tells it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TextProgram {
+    /// Its head and its range in the text.
+    pub head: ProgramHead,
+    /// A run begins with it; others are run where they are called.
+    pub is_main: bool,
 }
 
 /// What a run tells beside its commands.
@@ -68,8 +87,31 @@ impl<'a> Job<'a> {
 
     /// Runs only the program of this number.
     pub fn program(mut self, number: Option<u32>) -> Job<'a> {
-        self.program = number;
+        self.program = number.map(Chosen::Number);
         self
+    }
+
+    /// Runs only the program at this place of [`Job::programs`], numbered or not. Where there is
+    /// none, nothing is run.
+    pub fn program_at(mut self, place: usize) -> Job<'a> {
+        self.program = Some(Chosen::Place(place));
+        self
+    }
+
+    /// The programs of the first text in order, with those that a run begins with marked. A text
+    /// without any head is one program.
+    pub fn programs(&self) -> Vec<TextProgram> {
+        let lexicon = &self.control.table.lexicon;
+        let library = Library::new(&self.sources, lexicon);
+        let mains = library.mains(lexicon, &self.control.alias_programs());
+        let programs = library.programs().iter().take_while(|program| program.file == FileId(0));
+        programs
+            .enumerate()
+            .map(|(place, program)| TextProgram {
+                head: program.head,
+                is_main: mains.binary_search(&place).is_ok(),
+            })
+            .collect()
     }
 
     /// Other budgets than the usual ones.
@@ -109,9 +151,15 @@ impl<'a> Job<'a> {
             return Vec::new();
         }
         let library = Library::new(&self.sources, &self.control.table.lexicon);
-        library.duplicate_diagnostics().for_each(|diagnostic| sink.diagnostic(diagnostic));
+        let told = library.duplicate_diagnostics().filter(|each| self.is_about(&library, each));
+        told.for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mains = match self.program {
-            Some(number) => library.find(number, FileId(0)).into_iter().collect(),
+            Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
+            Some(Chosen::Place(place)) => {
+                let programs = library.programs();
+                let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
+                is_there.then_some(place).into_iter().collect()
+            }
             None => {
                 let called = self.control.alias_programs();
                 library.mains(&self.control.table.lexicon, &called)
@@ -138,6 +186,16 @@ impl<'a> Job<'a> {
             ));
         }
         outcomes
+    }
+
+    /// False for problems of a program's head where only another program is run.
+    fn is_about(&self, library: &Library, diagnostic: &Diagnostic) -> bool {
+        let Some(Chosen::Place(place)) = self.program else { return true };
+        let at = diagnostic.primary.span.range.start;
+        library
+            .programs()
+            .get(place)
+            .is_some_and(|program| at >= program.head.start.offset && at < program.head.end)
     }
 
     fn is_readable<S: Sink>(&self, sink: &mut S) -> bool {

@@ -39,5 +39,5 @@ pub use chordal_path::{
     ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
-pub use job::{Job, JobError, Report, Watch};
+pub use job::{Job, JobError, Report, TextProgram, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

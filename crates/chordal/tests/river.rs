@@ -34,8 +34,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
-    ("chordal-cli", &["chordal", "chordal-calc", "chordal-export"]),
-    ("chordal-python", &["chordal", "chordal-export", "chordal-cli"]),
+    ("chordal-archive", &["chordal", "chordal-export"]),
+    ("chordal-cli", &["chordal", "chordal-calc", "chordal-export", "chordal-archive"]),
+    ("chordal-python", &["chordal", "chordal-export", "chordal-archive", "chordal-cli"]),
 ];
 
 #[test]

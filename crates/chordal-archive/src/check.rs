@@ -1,0 +1,410 @@
+//! A file's rows.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use chordal::control::EndReason;
+use chordal::diagnostics::{Diagnostic, FileId};
+use chordal::motion::MotionOptions;
+use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
+use chordal_export::sha256_hex;
+
+use crate::columns::ARCHIVE_COLUMNS;
+use crate::row::{FileRecord, Problem, Ran, Row};
+
+/// Most problems of a program whose text is kept; all are counted.
+const MOST_PROBLEMS: usize = 20;
+
+/// Most bytes that are gone through for the programs of one file, each of which looks for its
+/// subprograms in the whole text. A file beyond is run as one.
+const MOST_SEARCHED: u64 = 1 << 33;
+
+/// A file with everything that its run depends on.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// Names and texts: the program's, as a control reads it, then those of its subprograms.
+    pub texts: Vec<(String, Vec<u8>)>,
+    /// What it is run on.
+    pub machine: Machine,
+    /// Why this machine, in a line or a word.
+    pub chosen: String,
+    /// Budgets.
+    pub options: RunOptions,
+}
+
+/// Where files come from and what they are run on. Errors are a line for people.
+pub trait Loader {
+    /// The name alone says that the file is no program, so that it is not even read.
+    fn is_other_by_name(&self, path: &Path) -> bool;
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// What the system says.
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, String>;
+
+    /// True when the content may be a program.
+    fn may_be_program(&self, bytes: &[u8]) -> bool;
+
+    /// The machine of a program and the texts of its subprograms.
+    ///
+    /// # Errors
+    /// A machine file or an assignment that is wrong.
+    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String>;
+}
+
+/// What is asked of every program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Plans the motion, for times with acceleration and jerk.
+    pub plan: bool,
+}
+
+/// What the rows of a file depend on, as a digest: version of Chordal and of the columns, options,
+/// machine, the file and the files of its subprograms.
+pub fn file_key(file_sha256: &str, prepared: &Prepared, options: Options) -> String {
+    let budget = prepared.options.max_repeated_blocks;
+    let mut about = format!(
+        "{ARCHIVE_COLUMNS}\n{}\n{}\n{budget}\n{file_sha256}\n{}\n",
+        env!("CARGO_PKG_VERSION"),
+        options.plan,
+        prepared.chosen,
+    );
+    about.push_str(&sha256_hex(prepared.machine.to_toml().as_bytes()));
+    for (name, text) in prepared.texts.iter().skip(1) {
+        about.push_str(&format!("\n{name}\n{}", sha256_hex(text)));
+    }
+    sha256_hex(about.as_bytes())
+}
+
+/// The rows of a file, or nothing where they are known: `is_known` is asked with their key.
+///
+/// Nothing that a file holds ends this: what cannot be read or run is a row that says so.
+pub fn check_file(
+    loader: &mut impl Loader,
+    path: &Path,
+    options: Options,
+    is_known: impl FnOnce(&str) -> bool,
+) -> Option<FileRecord> {
+    match gather(loader, path, options) {
+        Gathered::Program { key, about, prepared } => {
+            let is_new = !is_known(&key);
+            is_new.then(|| FileRecord { rows: rows(&prepared, options), ..about.record(key) })
+        }
+        Gathered::Other(record) => (!is_known(&record.key)).then_some(record),
+    }
+}
+
+/// Size and digest of a file.
+struct About {
+    bytes: u64,
+    sha256: String,
+}
+
+impl About {
+    fn record(self, key: String) -> FileRecord {
+        FileRecord { key, file_bytes: self.bytes, file_sha256: Some(self.sha256), rows: Vec::new() }
+    }
+}
+
+/// A file before anything is run.
+enum Gathered {
+    Program { key: String, about: About, prepared: Box<Prepared> },
+    Other(FileRecord),
+}
+
+fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
+    if loader.is_other_by_name(path) {
+        return Gathered::Other(other(
+            None,
+            "other",
+            "skipped",
+            "its name says that it is no program",
+        ));
+    }
+    let bytes = match loader.read(path) {
+        Ok(bytes) => bytes,
+        Err(message) => {
+            let key = sha256_hex(format!("unreadable\n{message}").as_bytes());
+            return Gathered::Other(FileRecord::unreadable(key, message));
+        }
+    };
+    let about = About { bytes: bytes.len() as u64, sha256: sha256_hex(&bytes) };
+    let sample = &bytes[..bytes.len().min(1 << 16)];
+    if bytes.iter().all(|byte| byte.is_ascii_whitespace() || matches!(byte, 0 | b'%')) {
+        return Gathered::Other(other(
+            Some(about),
+            "empty",
+            "failed",
+            "there is no word in the file",
+        ));
+    }
+    if chordal::syntax::decode(sample).binary {
+        let message = "the file holds binary data, not an NC program";
+        return Gathered::Other(other(Some(about), "binary", "failed", message));
+    }
+    if !loader.may_be_program(sample) {
+        let message = "no line of the file begins as a block does";
+        return Gathered::Other(other(Some(about), "other", "skipped", message));
+    }
+    match loader.prepare(path, bytes) {
+        Ok(prepared) => Gathered::Program {
+            key: file_key(&about.sha256, &prepared, options),
+            about,
+            prepared: Box::new(prepared),
+        },
+        Err(message) => Gathered::Other(other(Some(about), "program", "failed", &message)),
+    }
+}
+
+/// A file of which no program is run.
+fn other(about: Option<About>, kind: &str, status: &str, message: &str) -> FileRecord {
+    let about = about.unwrap_or(About { bytes: 0, sha256: String::new() });
+    let described = format!("{ARCHIVE_COLUMNS}\n{kind}\n{}\n{message}", about.sha256);
+    let row = Row {
+        kind: kind.into(),
+        status: status.into(),
+        message: Some(message.into()),
+        ..Row::default()
+    };
+    let mut record = about.record(sha256_hex(described.as_bytes()));
+    record.file_sha256 = record.file_sha256.filter(|digest| !digest.is_empty());
+    record.rows.push(row);
+    record
+}
+
+/// A row for each program of a file.
+fn rows(prepared: &Prepared, options: Options) -> Vec<Row> {
+    let whole = TextProgram {
+        head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::FANUC_STYLE)[0],
+        is_main: true,
+    };
+    let found = guarded(|| job(prepared).map(|job| job.programs()));
+    let programs = match found {
+        Ok(programs) => programs,
+        Err(message) => return vec![failed(prepared, &whole, 0, message)],
+    };
+    let mains = programs.iter().filter(|program| program.is_main).count() as u64;
+    if mains * prepared.texts[0].1.len() as u64 > MOST_SEARCHED {
+        let mut row = one(prepared, &whole, None, options);
+        let message = format!("{mains} programs in one file were run as one; split the file");
+        row.message = row.message.or(Some(message));
+        return vec![row];
+    }
+    let alone = programs.len() == 1;
+    programs
+        .iter()
+        .enumerate()
+        .map(|(place, program)| one(prepared, program, (!alone).then_some(place), options))
+        .collect()
+}
+
+/// The row of a program; without a place, of all that the file runs.
+fn one(prepared: &Prepared, program: &TextProgram, place: Option<usize>, options: Options) -> Row {
+    if !program.is_main {
+        let message = "run where it is called".to_string();
+        let row = described(prepared, program, place.unwrap_or(0));
+        return Row {
+            kind: "subprogram".into(),
+            status: "called".into(),
+            message: Some(message),
+            ..row
+        };
+    }
+    match guarded(|| run(prepared, place, options)) {
+        Ok((ran, message)) => {
+            let [errors, warnings, _] = ran.counts;
+            let status = match (errors, warnings) {
+                _ if ran.end == "budget" => "stopped",
+                (1.., _) => "errors",
+                (_, 1..) => "warnings",
+                _ => "ok",
+            };
+            let row = described(prepared, program, place.unwrap_or(0));
+            Row { status: status.into(), message, ran: Some(ran), ..row }
+        }
+        Err(message) => failed(prepared, program, place.unwrap_or(0), message),
+    }
+}
+
+fn failed(prepared: &Prepared, program: &TextProgram, place: usize, message: String) -> Row {
+    let row = described(prepared, program, place);
+    Row { status: "failed".into(), message: Some(message), ..row }
+}
+
+/// What is known of a program without running it.
+fn described(prepared: &Prepared, program: &TextProgram, place: usize) -> Row {
+    let text = &prepared.texts[0].1;
+    let head = program.head;
+    let start = head.start.offset as usize;
+    // The program that stands for the whole file has an empty range.
+    let end = if head.end == 0 { text.len() } else { head.end as usize };
+    let own = text.get(start..end).unwrap_or_default();
+    Row {
+        kind: "program".into(),
+        program: head.number,
+        place: place as u32,
+        line: head.start.line,
+        lines: lines(own),
+        bytes: own.len() as u64,
+        sha256: Some(sha256_hex(own)),
+        control: Some(prepared.machine.control.as_str().into()),
+        machine: Some(prepared.machine.name.clone()),
+        chosen: Some(prepared.chosen.clone()),
+        ..Row::default()
+    }
+}
+
+/// Lines of a text, ended by LF, CR or both; a last one without an end counts.
+fn lines(text: &[u8]) -> u64 {
+    let mut count = 0;
+    let mut last = b'\n';
+    for &byte in text {
+        if byte == b'\r' || (byte == b'\n' && last != b'\r') {
+            count += 1;
+        }
+        last = byte;
+    }
+    count + u64::from(!matches!(last, b'\n' | b'\r'))
+}
+
+/// What a question gives; a panic inside is an error like any other.
+pub(crate) fn guarded<T>(question: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(question)).unwrap_or_else(|payload| {
+        let told = payload.downcast_ref::<String>().map(String::as_str);
+        let told = told.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
+        Err(format!("Chordal itself failed on it: {told}; please report the program"))
+    })
+}
+
+pub(crate) fn job(prepared: &Prepared) -> Result<Job<'_>, String> {
+    let mut sources = SourceMap::new();
+    for (name, text) in &prepared.texts {
+        sources.add(Source::new(name.as_str(), text.as_slice()));
+    }
+    let job = Job::new(sources, prepared.machine.clone()).map_err(|error| error.to_string())?;
+    Ok(job.options(prepared.options.clone()))
+}
+
+/// Sees nothing of a run.
+struct Unwatched;
+
+impl Watch for Unwatched {}
+
+/// What a run comes to, and why it was not planned, where it should have been.
+fn run(
+    prepared: &Prepared,
+    place: Option<usize>,
+    options: Options,
+) -> Result<(Ran, Option<String>), String> {
+    let mut job = job(prepared)?;
+    if let Some(place) = place {
+        job = job.program_at(place);
+    }
+    if !options.plan {
+        return Ok((ran(&job, &job.report(), None), None));
+    }
+    let motion = MotionOptions::default();
+    let (report, timed) = job.report_timed(&motion, u64::MAX, &mut Unwatched);
+    Ok(match timed {
+        Ok(timed) => {
+            let times = timed.map(|timed| timed.time.times);
+            let planned = times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]);
+            (ran(&job, &report, planned), None)
+        }
+        Err(error) => (ran(&job, &report, None), Some(format!("there is no time: {error}"))),
+    })
+}
+
+fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
+    let summary = &report.summary;
+    let mut travel = [None; 6];
+    for axis in &summary.axes {
+        if let Some(place) = "XYZABC".find(axis.letter) {
+            let (low, high) = axis.range;
+            let of = |value: f64| if place < 3 { value } else { value.to_degrees() };
+            travel[place] = Some((of(low), of(high)));
+        }
+    }
+    let counts = report.counts;
+    let (codes, problems) = problems(job, report);
+    Ran {
+        end: end_word(report).into(),
+        inch: summary.inch,
+        blocks: report.outcomes.iter().map(|outcome| outcome.blocks).sum(),
+        cuts: summary.lines + summary.arcs + summary.helices + summary.spirals,
+        rapids: summary.rapids,
+        tools: summary.tools.iter().map(|tool| tool.number).collect(),
+        travel,
+        cut_length_mm: summary.feed_length_mm,
+        rapid_length_mm: summary.rapid_length_mm,
+        at_feed_s: summary.total_time_s(),
+        planned,
+        counts: [counts.errors, counts.warnings, counts.notes],
+        codes,
+        problems,
+    }
+}
+
+/// How a run ended; of several programs, the one that ended worst.
+fn end_word(report: &Report) -> &'static str {
+    let words = [
+        (EndReason::Budget, "budget"),
+        (EndReason::Alarm, "alarm"),
+        (EndReason::LostJump, "lost jump"),
+        (EndReason::EndOfText, "end of text"),
+        (EndReason::Repeats, "repeats"),
+        (EndReason::ProgramEnd, "program end"),
+    ];
+    let ended = |reason: EndReason| report.outcomes.iter().any(|outcome| outcome.end == reason);
+    words.iter().find(|(reason, _)| ended(*reason)).map_or("not run", |(_, word)| word)
+}
+
+/// The codes and the first problems, gravest first and then by place.
+fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<Problem>) {
+    let mut by_weight: Vec<&Diagnostic> = report.diagnostics.iter().collect();
+    by_weight.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
+    let mut codes: Vec<String> = Vec::new();
+    for diagnostic in &by_weight {
+        let code = diagnostic.code.info().id;
+        if !codes.iter().any(|own| own == code) {
+            codes.push(code.into());
+        }
+    }
+    let problem = |diagnostic: &&Diagnostic| Problem {
+        severity: diagnostic.severity.word().into(),
+        code: diagnostic.code.info().id.into(),
+        line: line_of(job, diagnostic),
+        message: diagnostic.message.clone(),
+    };
+    (codes, by_weight.iter().take(MOST_PROBLEMS).map(problem).collect())
+}
+
+fn line_of(job: &Job<'_>, diagnostic: &Diagnostic) -> u32 {
+    let span = diagnostic.primary.span;
+    match job.sources().get(FileId(0)) {
+        Some(source) if span.file == FileId(0) => source.line_of(span.range.start),
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::lines;
+
+    #[test]
+    fn lines_end_in_all_three_ways() {
+        for (text, count) in [
+            ("", 0),
+            ("a", 1),
+            ("a\n", 1),
+            ("a\nb", 2),
+            ("a\r\nb\r\n", 2),
+            ("a\rb\r", 2),
+            ("\n\n", 2),
+            ("\r\r\n\n", 3),
+        ] {
+            assert_eq!(lines(text.as_bytes()), count, "{text:?}");
+        }
+    }
+}

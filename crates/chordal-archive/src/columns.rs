@@ -1,0 +1,337 @@
+//! The columns of the table of an archive.
+
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::sync::Arc;
+
+use arrow_array::builder::{
+    BooleanBuilder, Float64Builder, ListBuilder, StringBuilder, StructBuilder, UInt32Builder,
+    UInt64Builder,
+};
+use arrow_array::{ArrayRef, RecordBatch};
+use arrow_schema::{ArrowError, DataType, Field, Fields, Schema, SchemaRef};
+
+use crate::row::{FileRecord, Ran, Row};
+
+/// Name and version of the columns.
+pub const ARCHIVE_COLUMNS: &str = "chordal.archive-columns/1";
+
+/// What a column holds. Every one may have gaps but `Always`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    TextAlways,
+    Text,
+    CountAlways,
+    Count,
+    Number,
+    Flag,
+    Numbers,
+    Words,
+    Problems,
+}
+
+const COLUMNS: &[(&str, Holds, &str, &str)] = {
+    use Holds::*;
+    &[
+        ("path", TextAlways, "", "the file, under the name of the folder that was given"),
+        (
+            "kind",
+            TextAlways,
+            "",
+            "`program`; `subprogram` (another program of the file calls it); `empty`, `binary`, \
+             `other` (no program by its name or content), `unreadable`",
+        ),
+        (
+            "status",
+            TextAlways,
+            "",
+            "`ok`, `warnings`, `errors`; `stopped` (its budget was used up: perhaps endless); \
+             `called` (run where it is called); `skipped` (no program); `failed` (not run: see \
+             `message`)",
+        ),
+        ("message", Text, "", "why it was not run, or has no time"),
+        ("program", Count, "", "program number"),
+        ("place", CountAlways, "", "place among the programs of the file, from 0"),
+        ("line", CountAlways, "", "line of the file that it begins on, from 1"),
+        ("lines", CountAlways, "", "lines of its text"),
+        ("bytes", CountAlways, "byte", "size of its text"),
+        ("sha256", Text, "", "SHA-256 of its text as the control reads it"),
+        ("file_bytes", CountAlways, "byte", "size of the file"),
+        ("file_sha256", Text, "", "SHA-256 of the file"),
+        ("control", Text, "", "the control whose rules it was read by"),
+        ("machine", Text, "", "the machine it was run on"),
+        ("chosen", Text, "", "why this machine"),
+        ("end", Text, "", "how the run ended"),
+        ("inch", Flag, "", "the units of its last block are inches"),
+        ("blocks", Count, "", "blocks carried out, repeats counted"),
+        ("cuts", Count, "", "cutting moves"),
+        ("rapids", Count, "", "rapid moves"),
+        ("tools", Numbers, "", "tools in the order of their first use; 0 before any change"),
+        ("x_min_mm", Number, "mm", "lowest X, frame of the run"),
+        ("x_max_mm", Number, "mm", "highest X, frame of the run"),
+        ("y_min_mm", Number, "mm", "lowest Y"),
+        ("y_max_mm", Number, "mm", "highest Y"),
+        ("z_min_mm", Number, "mm", "lowest Z"),
+        ("z_max_mm", Number, "mm", "highest Z"),
+        ("a_min_deg", Number, "deg", "lowest A"),
+        ("a_max_deg", Number, "deg", "highest A"),
+        ("b_min_deg", Number, "deg", "lowest B"),
+        ("b_max_deg", Number, "deg", "highest B"),
+        ("c_min_deg", Number, "deg", "lowest C"),
+        ("c_max_deg", Number, "deg", "highest C"),
+        ("cut_length_mm", Number, "mm", "length of the cuts"),
+        ("rapid_length_mm", Number, "mm", "length of the rapids"),
+        ("at_feed_s", Number, "s", "length over feed and waits, without acceleration"),
+        ("time_s", Number, "s", "time with acceleration and jerk; a gap where it was not planned"),
+        ("cutting_s", Number, "s", "part of it that cuts"),
+        ("rapid_s", Number, "s", "part of it in rapids"),
+        ("other_s", Number, "s", "part of it in dwells, tool changes, spindle"),
+        ("errors", Count, "", "errors"),
+        ("warnings", Count, "", "warnings"),
+        ("notes", Count, "", "notes"),
+        ("codes", Words, "", "the codes that occurred, gravest first"),
+        ("problems", Problems, "", "the first 20 problems, gravest first"),
+    ]
+};
+
+/// The fields of a problem; its line is 0 in a text beside the file.
+fn problem_fields() -> Fields {
+    Fields::from(vec![
+        Field::new("severity", DataType::Utf8, true),
+        Field::new("code", DataType::Utf8, true),
+        Field::new("line", DataType::UInt32, true),
+        Field::new("message", DataType::Utf8, true),
+    ])
+}
+
+impl Holds {
+    fn data_type(self) -> DataType {
+        let list = |item| DataType::List(Arc::new(Field::new("item", item, true)));
+        match self {
+            Holds::TextAlways | Holds::Text => DataType::Utf8,
+            Holds::CountAlways | Holds::Count => DataType::UInt64,
+            Holds::Number => DataType::Float64,
+            Holds::Flag => DataType::Boolean,
+            Holds::Numbers => list(DataType::UInt32),
+            Holds::Words => list(DataType::Utf8),
+            Holds::Problems => list(DataType::Struct(problem_fields())),
+        }
+    }
+
+    fn has_gaps(self) -> bool {
+        !matches!(self, Holds::TextAlways | Holds::CountAlways)
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Holds::TextAlways => "utf8",
+            Holds::Text => "utf8, or a gap",
+            Holds::CountAlways => "uint64",
+            Holds::Count => "uint64, or a gap",
+            Holds::Number => "float64, or a gap",
+            Holds::Flag => "bool, or a gap",
+            Holds::Numbers => "list of uint32, or a gap",
+            Holds::Words => "list of utf8, or a gap",
+            Holds::Problems => "list of {severity, code, line, message}, or a gap",
+        }
+    }
+}
+
+/// The columns, with their units.
+pub(crate) fn schema() -> SchemaRef {
+    let field = |(name, holds, unit, _): &(&str, Holds, &str, &str)| {
+        let field = Field::new(*name, holds.data_type(), holds.has_gaps());
+        match *unit {
+            "" => field,
+            unit => field.with_metadata(HashMap::from([("unit".to_string(), unit.to_string())])),
+        }
+    };
+    let fields: Vec<Field> = COLUMNS.iter().map(field).collect();
+    Arc::new(Schema::new_with_metadata(fields, about().into_iter().collect()))
+}
+
+/// What the file says about itself.
+pub(crate) fn about() -> [(String, String); 2] {
+    [("schema", ARCHIVE_COLUMNS), ("version", env!("CARGO_PKG_VERSION"))]
+        .map(|(key, value)| (format!("chordal.{key}"), value.to_string()))
+}
+
+/// The columns as a table of Markdown: a section of `docs/archives.md`.
+pub fn archive_reference() -> String {
+    let mut page =
+        format!("`{ARCHIVE_COLUMNS}`\n\n| column | type | unit | |\n|---|---|---|---|\n");
+    for (name, holds, unit, meaning) in COLUMNS {
+        let _ = writeln!(page, "| `{name}` | {} | {unit} | {meaning} |", holds.word());
+    }
+    page
+}
+
+/// Texts of which the columns are known to hold the type.
+enum Cells {
+    Text(StringBuilder),
+    Count(UInt64Builder),
+    Number(Float64Builder),
+    Flag(BooleanBuilder),
+    Numbers(ListBuilder<UInt32Builder>),
+    Words(ListBuilder<StringBuilder>),
+    Problems(Box<ListBuilder<StructBuilder>>),
+}
+
+impl Cells {
+    fn of(holds: Holds) -> Cells {
+        match holds {
+            Holds::TextAlways | Holds::Text => Cells::Text(StringBuilder::new()),
+            Holds::CountAlways | Holds::Count => Cells::Count(UInt64Builder::new()),
+            Holds::Number => Cells::Number(Float64Builder::new()),
+            Holds::Flag => Cells::Flag(BooleanBuilder::new()),
+            Holds::Numbers => Cells::Numbers(ListBuilder::new(UInt32Builder::new())),
+            Holds::Words => Cells::Words(ListBuilder::new(StringBuilder::new())),
+            Holds::Problems => {
+                let item = StructBuilder::from_fields(problem_fields(), 0);
+                Cells::Problems(Box::new(ListBuilder::new(item)))
+            }
+        }
+    }
+
+    fn finish(&mut self) -> ArrayRef {
+        match self {
+            Cells::Text(cells) => Arc::new(cells.finish()),
+            Cells::Count(cells) => Arc::new(cells.finish()),
+            Cells::Number(cells) => Arc::new(cells.finish()),
+            Cells::Flag(cells) => Arc::new(cells.finish()),
+            Cells::Numbers(cells) => Arc::new(cells.finish()),
+            Cells::Words(cells) => Arc::new(cells.finish()),
+            Cells::Problems(cells) => Arc::new(cells.finish()),
+        }
+    }
+}
+
+/// Gathers rows.
+pub(crate) struct ArchiveColumns {
+    schema: SchemaRef,
+    cells: Vec<Cells>,
+    rows: usize,
+}
+
+/// What a row says in a column.
+enum Said<'a> {
+    Text(Option<&'a str>),
+    Count(Option<u64>),
+    Number(Option<f64>),
+    Flag(Option<bool>),
+    Tools(Option<&'a [u32]>),
+    Codes(Option<&'a [String]>),
+    Problems(Option<&'a Ran>),
+}
+
+impl ArchiveColumns {
+    pub fn new() -> ArchiveColumns {
+        let cells = COLUMNS.iter().map(|(_, holds, ..)| Cells::of(*holds)).collect();
+        ArchiveColumns { schema: schema(), cells, rows: 0 }
+    }
+
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    pub fn push(&mut self, path: &str, file: &FileRecord, row: &Row) {
+        for ((name, ..), cells) in COLUMNS.iter().zip(&mut self.cells) {
+            put(cells, said(name, path, file, row));
+        }
+        self.rows += 1;
+    }
+
+    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        self.rows = 0;
+        RecordBatch::try_new(
+            self.schema.clone(),
+            self.cells.iter_mut().map(Cells::finish).collect(),
+        )
+    }
+}
+
+fn said<'a>(column: &str, path: &'a str, file: &'a FileRecord, row: &'a Row) -> Said<'a> {
+    let ran = row.ran.as_ref();
+    let count = |of: fn(&Ran) -> u64| Said::Count(ran.map(of));
+    let number = |of: &dyn Fn(&Ran) -> Option<f64>| Said::Number(ran.and_then(of));
+    let text = |text: &'a Option<String>| Said::Text(text.as_deref());
+    match column {
+        "path" => Said::Text(Some(path)),
+        "kind" => Said::Text(Some(&row.kind)),
+        "status" => Said::Text(Some(&row.status)),
+        "message" => text(&row.message),
+        "program" => Said::Count(row.program.map(u64::from)),
+        "place" => Said::Count(Some(row.place.into())),
+        "line" => Said::Count(Some(row.line.into())),
+        "lines" => Said::Count(Some(row.lines)),
+        "bytes" => Said::Count(Some(row.bytes)),
+        "sha256" => text(&row.sha256),
+        "file_bytes" => Said::Count(Some(file.file_bytes)),
+        "file_sha256" => text(&file.file_sha256),
+        "control" => text(&row.control),
+        "machine" => text(&row.machine),
+        "chosen" => text(&row.chosen),
+        "end" => Said::Text(ran.map(|ran| ran.end.as_str())),
+        "inch" => Said::Flag(ran.map(|ran| ran.inch)),
+        "blocks" => count(|ran| ran.blocks),
+        "cuts" => count(|ran| ran.cuts),
+        "rapids" => count(|ran| ran.rapids),
+        "tools" => Said::Tools(ran.map(|ran| ran.tools.as_slice())),
+        "cut_length_mm" => number(&|ran| Some(ran.cut_length_mm)),
+        "rapid_length_mm" => number(&|ran| Some(ran.rapid_length_mm)),
+        "at_feed_s" => number(&|ran| Some(ran.at_feed_s)),
+        "time_s" => number(&|ran| ran.planned.map(|times| times.iter().sum())),
+        "cutting_s" => number(&|ran| ran.planned.map(|times| times[0])),
+        "rapid_s" => number(&|ran| ran.planned.map(|times| times[1])),
+        "other_s" => number(&|ran| ran.planned.map(|times| times[2])),
+        "errors" => count(|ran| ran.counts[0]),
+        "warnings" => count(|ran| ran.counts[1]),
+        "notes" => count(|ran| ran.counts[2]),
+        "codes" => Said::Codes(ran.map(|ran| ran.codes.as_slice())),
+        "problems" => Said::Problems(ran),
+        // `x_min_mm` and the like.
+        travel => {
+            let axis = travel.chars().next().and_then(|letter| "xyzabc".find(letter)).unwrap_or(0);
+            let is_low = travel.contains("_min_");
+            number(&|ran| ran.travel[axis].map(|(low, high)| if is_low { low } else { high }))
+        }
+    }
+}
+
+fn put(cells: &mut Cells, said: Said) {
+    match (cells, said) {
+        (Cells::Text(cells), Said::Text(text)) => cells.append_option(text),
+        (Cells::Count(cells), Said::Count(count)) => cells.append_option(count),
+        (Cells::Number(cells), Said::Number(number)) => {
+            cells.append_option(number.filter(|number| number.is_finite()));
+        }
+        (Cells::Flag(cells), Said::Flag(flag)) => cells.append_option(flag),
+        (Cells::Numbers(cells), Said::Tools(tools)) => {
+            let tools = tools.map(|tools| tools.iter().copied().map(Some));
+            cells.append_option(tools);
+        }
+        (Cells::Words(cells), Said::Codes(codes)) => {
+            cells.append_option(codes.map(|codes| codes.iter().map(Some)));
+        }
+        (Cells::Problems(cells), Said::Problems(ran)) => put_problems(cells, ran),
+        // The tests fill every column: a column and what is said in it are of one kind.
+        _ => unreachable!("a column holds what the table of columns says"),
+    }
+}
+
+fn put_problems(cells: &mut ListBuilder<StructBuilder>, ran: Option<&Ran>) {
+    for problem in ran.iter().flat_map(|ran| &ran.problems) {
+        let row = cells.values();
+        let texts = [(0, &problem.severity), (1, &problem.code), (3, &problem.message)];
+        for (field, text) in texts {
+            if let Some(cells) = row.field_builder::<StringBuilder>(field) {
+                cells.append_value(text);
+            }
+        }
+        if let Some(cells) = row.field_builder::<UInt32Builder>(2) {
+            cells.append_value(problem.line);
+        }
+        row.append(true);
+    }
+    cells.append(ran.is_some());
+}

@@ -1,0 +1,111 @@
+//! The comparison as a table.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array};
+use arrow_schema::{DataType, Field, Schema};
+use parquet::arrow::ArrowWriter;
+
+use super::DiffRow;
+use crate::table::{of_arrow, of_parquet, properties};
+
+/// Name and version of the columns.
+pub const DIFF_COLUMNS: &str = "chordal.diff-columns/1";
+
+const COLUMNS: &[(&str, &str, &str, &str)] = &[
+    ("path", "utf8", "", "the file, below the two folders"),
+    (
+        "status",
+        "utf8",
+        "",
+        "`same`, `text`, `functions`, `feeds`, `path`, `other`, `unreadable`, `missing`, `new`",
+    ),
+    ("message", "utf8, or a gap", "", "why it could not be compared, or only in part"),
+    ("released_sha256", "utf8, or a gap", "", "SHA-256 of the released file"),
+    ("returned_sha256", "utf8, or a gap", "", "SHA-256 of the returned file"),
+    ("released_line", "uint32, or a gap", "", "line where the released one first differs"),
+    ("returned_line", "uint32, or a gap", "", "line where the returned one first differs"),
+    ("feeds_differ", "bool, or a gap", "", "feeds or spindle speeds differ"),
+    (
+        "functions_differ",
+        "bool, or a gap",
+        "",
+        "tools, offsets, coolant, dwells, stops or path modes differ",
+    ),
+    ("distance_min_mm", "float64, or a gap", "mm", "the paths are at least this far apart"),
+    ("distance_max_mm", "float64, or a gap", "mm", "and at most this"),
+    ("released_at_feed_s", "float64, or a gap", "s", "time of the released one at feed"),
+    ("returned_at_feed_s", "float64, or a gap", "s", "time of the returned one at feed"),
+];
+
+/// The columns as a table of Markdown: a section of `docs/archives.md`.
+pub fn diff_reference() -> String {
+    let mut page = format!("`{DIFF_COLUMNS}`\n\n| column | type | unit | |\n|---|---|---|---|\n");
+    for (name, kind, unit, meaning) in COLUMNS {
+        page.push_str(&format!("| `{name}` | {kind} | {unit} | {meaning} |\n"));
+    }
+    page
+}
+
+fn schema() -> Schema {
+    let field = |(name, kind, unit, _): &(&str, &str, &str, &str)| {
+        let data = match kind.split(',').next() {
+            Some("uint32") => DataType::UInt32,
+            Some("bool") => DataType::Boolean,
+            Some("float64") => DataType::Float64,
+            _ => DataType::Utf8,
+        };
+        let unit = (!unit.is_empty()).then(|| ("unit".to_string(), (*unit).to_string()));
+        Field::new(*name, data, kind.contains("gap")).with_metadata(unit.into_iter().collect())
+    };
+    Schema::new(COLUMNS.iter().map(field).collect::<Vec<_>>())
+}
+
+/// Writes a comparison as Parquet.
+///
+/// # Errors
+/// Where nothing can be written.
+pub fn write_table<W: Write + Send>(rows: &[DiffRow], out: W) -> io::Result<W> {
+    let schema = Arc::new(schema());
+    let about = [("schema", DIFF_COLUMNS), ("version", env!("CARGO_PKG_VERSION"))]
+        .map(|(key, value)| (format!("chordal.{key}"), value.to_string()));
+    let writer = ArrowWriter::try_new(out, schema.clone(), Some(properties(about)));
+    let mut writer = writer.map_err(of_parquet)?;
+    for rows in rows.chunks(1 << 14) {
+        let batch = RecordBatch::try_new(schema.clone(), arrays(rows)).map_err(of_arrow)?;
+        writer.write(&batch).map_err(of_parquet)?;
+        writer.flush().map_err(of_parquet)?;
+    }
+    writer.into_inner().map_err(of_parquet)
+}
+
+fn arrays(rows: &[DiffRow]) -> Vec<ArrayRef> {
+    let texts = |of: &dyn Fn(&DiffRow) -> Option<String>| -> ArrayRef {
+        Arc::new(rows.iter().map(of).collect::<StringArray>())
+    };
+    let lines = |of: &dyn Fn(&DiffRow) -> Option<u32>| -> ArrayRef {
+        Arc::new(rows.iter().map(of).collect::<UInt32Array>())
+    };
+    let flags = |of: &dyn Fn(&DiffRow) -> Option<bool>| -> ArrayRef {
+        Arc::new(rows.iter().map(of).collect::<BooleanArray>())
+    };
+    let numbers = |of: &dyn Fn(&DiffRow) -> Option<f64>| -> ArrayRef {
+        Arc::new(rows.iter().map(of).collect::<Float64Array>())
+    };
+    vec![
+        texts(&|row| Some(row.path.clone())),
+        texts(&|row| Some(row.status.word().into())),
+        texts(&|row| row.message.clone()),
+        texts(&|row| row.released_sha256.clone()),
+        texts(&|row| row.returned_sha256.clone()),
+        lines(&|row| row.lines.map(|lines| lines.0)),
+        lines(&|row| row.lines.map(|lines| lines.1)),
+        flags(&|row| row.feeds_differ),
+        flags(&|row| row.functions_differ),
+        numbers(&|row| row.distance_mm.map(|mm| mm.0)),
+        numbers(&|row| row.distance_mm.map(|mm| mm.1)),
+        numbers(&|row| row.at_feed_s.map(|s| s.0)),
+        numbers(&|row| row.at_feed_s.map(|s| s.1)),
+    ]
+}

@@ -1,0 +1,256 @@
+//! What came back from the machines, held against what was released.
+//!
+//! "Same motion" is proved, not sampled: the exact curves, rapids and rotary axes of both runs are
+//! equal number for number and in the same order. Where they differ, the distance is the Hausdorff
+//! distance of the two paths as sets of points (cuts to cuts, rapids to rapids), enclosed in an
+//! interval no wider than the tolerance asked for, up to the rounding of doubles: see
+//! [`distance`].
+
+mod columns;
+mod distance;
+mod motion;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use chordal_export::sha256_hex;
+use serde::Serialize;
+
+use crate::check::{Loader, guarded, job};
+use crate::run::Progress;
+use crate::walk::walk;
+use motion::Motion;
+
+pub use columns::{DIFF_COLUMNS, diff_reference, write_table};
+pub use distance::{Piece, Within, distance};
+
+/// What became of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// The same bytes.
+    Same,
+    /// Another text with the same motion, feeds, speeds and functions.
+    Text,
+    /// The same motion, other tools, offsets, coolant, dwells, stops or path modes.
+    Functions,
+    /// The same motion with other feeds or spindle speeds.
+    Feeds,
+    /// Another motion.
+    Path,
+    /// Differs, and is no program.
+    Other,
+    /// At least one of the two cannot be read or run.
+    Unreadable,
+    /// Released and not returned.
+    Missing,
+    /// Returned and never released.
+    New,
+}
+
+impl Status {
+    /// All of them, in the order in which they are told.
+    pub const ALL: [Status; 9] = [
+        Status::Same,
+        Status::Text,
+        Status::Functions,
+        Status::Feeds,
+        Status::Path,
+        Status::Other,
+        Status::Unreadable,
+        Status::Missing,
+        Status::New,
+    ];
+
+    /// The word for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Same => "same",
+            Status::Text => "text",
+            Status::Functions => "functions",
+            Status::Feeds => "feeds",
+            Status::Path => "path",
+            Status::Other => "other",
+            Status::Unreadable => "unreadable",
+            Status::Missing => "missing",
+            Status::New => "new",
+        }
+    }
+}
+
+/// A file of the two archives.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DiffRow {
+    /// Its path below the folders.
+    pub path: String,
+    /// What became of it.
+    pub status: Status,
+    /// Why it could not be compared, or only in part.
+    pub message: Option<String>,
+    /// SHA-256 of the released file.
+    pub released_sha256: Option<String>,
+    /// SHA-256 of the returned file.
+    pub returned_sha256: Option<String>,
+    /// Lines of both where they first differ: in what the status says.
+    pub lines: Option<(u32, u32)>,
+    /// Feeds or spindle speeds differ.
+    pub feeds_differ: Option<bool>,
+    /// Tools, offsets, coolant, dwells, stops or path modes differ.
+    pub functions_differ: Option<bool>,
+    /// The distance of the paths is at least and at most this, mm.
+    pub distance_mm: Option<(f64, f64)>,
+    /// Time at feed of the released and of the returned program, s.
+    pub at_feed_s: Option<(f64, f64)>,
+}
+
+impl DiffRow {
+    fn new(path: &str, status: Status) -> DiffRow {
+        DiffRow {
+            path: path.into(),
+            status,
+            message: None,
+            released_sha256: None,
+            returned_sha256: None,
+            lines: None,
+            feeds_differ: None,
+            functions_differ: None,
+            distance_mm: None,
+            at_feed_s: None,
+        }
+    }
+}
+
+/// Compares the files of two folders that have the same path below them, with as many threads as
+/// there are `jobs`. Rows come in the order of paths. Distances are found within `tolerance_mm`.
+pub fn compare_all<L: Loader>(
+    released: &Path,
+    returned: &Path,
+    jobs: usize,
+    tolerance_mm: f64,
+    loader: impl Fn() -> L + Sync,
+    progress: &dyn Progress,
+) -> Vec<DiffRow> {
+    let pairs = pairs(released, returned);
+    let rows = Mutex::new(vec![None; pairs.len()]);
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.max(1) {
+            scope.spawn(|| {
+                let mut loader = loader();
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((name, pair)) = pairs.get(index) else { break };
+                    let row = compare(&mut loader, name, pair, tolerance_mm);
+                    progress.file(0, true);
+                    rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[index] =
+                        Some(row);
+                }
+            });
+        }
+    });
+    let rows = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    rows.into_iter().flatten().collect()
+}
+
+/// The files of a name: released and returned.
+type Pair = [Option<PathBuf>; 2];
+
+fn pairs(released: &Path, returned: &Path) -> Vec<(String, Pair)> {
+    let mut pairs: BTreeMap<Vec<u8>, (String, Pair)> = BTreeMap::new();
+    for (side, folder) in [released, returned].into_iter().enumerate() {
+        for entry in walk(&[folder.to_path_buf()], &[]) {
+            let below = entry.path.strip_prefix(folder).unwrap_or(&entry.path).to_path_buf();
+            let key = below.as_os_str().as_encoded_bytes().to_vec();
+            let name = below.to_string_lossy().into_owned();
+            pairs.entry(key).or_insert((name, [None, None])).1[side] = Some(entry.path);
+        }
+    }
+    pairs.into_values().collect()
+}
+
+fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, tolerance_mm: f64) -> DiffRow {
+    let (released, returned) = match pair {
+        [Some(released), Some(returned)] => (released, returned),
+        [Some(_), None] => return DiffRow::new(name, Status::Missing),
+        _ => return DiffRow::new(name, Status::New),
+    };
+    let mut row = DiffRow::new(name, Status::Unreadable);
+    let texts = (loader.read(released), loader.read(returned));
+    let digest = |text: &Result<Vec<u8>, String>| text.as_ref().ok().map(|text| sha256_hex(text));
+    (row.released_sha256, row.returned_sha256) = (digest(&texts.0), digest(&texts.1));
+    let (before, after) = match texts {
+        (Ok(before), Ok(after)) => (before, after),
+        (Err(message), _) | (_, Err(message)) => {
+            row.message = Some(message);
+            return row;
+        }
+    };
+    if before == after {
+        row.status = Status::Same;
+        return row;
+    }
+    row.lines = Some(first_line(&before, &after));
+    let is_other = |loader: &mut _, path: &Path, text: &[u8]| is_no_program(loader, path, text);
+    match (is_other(loader, released, &before), is_other(loader, returned, &after)) {
+        (true, true) => {
+            row.status = Status::Other;
+            return row;
+        }
+        (false, false) => {}
+        (first, _) => {
+            let which = if first { "released" } else { "returned" };
+            row.message = Some(format!("the {which} file holds no program"));
+            return row;
+        }
+    }
+    let both = [(released, before), (returned, after)].map(|(path, text)| {
+        let prepared = loader.prepare(path, text)?;
+        guarded(|| Ok(Motion::of(&job(&prepared)?)))
+    });
+    match both {
+        [Ok(before), Ok(after)] => judge(row, &before, &after, tolerance_mm),
+        [Err(message), _] | [_, Err(message)] => {
+            row.message = Some(message);
+            row
+        }
+    }
+}
+
+fn is_no_program(loader: &mut impl Loader, path: &Path, text: &[u8]) -> bool {
+    let sample = &text[..text.len().min(1 << 16)];
+    loader.is_other_by_name(path)
+        || chordal::syntax::decode(sample).binary
+        || !loader.may_be_program(sample)
+}
+
+fn judge(mut row: DiffRow, before: &Motion, after: &Motion, tolerance_mm: f64) -> DiffRow {
+    row.feeds_differ = Some(!before.has_feeds_of(after));
+    row.functions_differ = Some(before.functions != after.functions);
+    row.at_feed_s = Some((before.time_s, after.time_s));
+    if let Some(lines) = before.first_other(after) {
+        row.status = Status::Path;
+        row.lines = Some(lines);
+        let found = before.distance_to(after, tolerance_mm);
+        row.distance_mm = found.map(|within| (within.low, within.high));
+        row.message = (found.is_none()).then(|| {
+            "the paths have no distance: one lacks cuts or rapids, or rotary axes move".into()
+        });
+    } else if row.feeds_differ == Some(true) {
+        row.status = Status::Feeds;
+        row.lines = before.first_other_feed(after).or(row.lines);
+    } else if row.functions_differ == Some(true) {
+        row.status = Status::Functions;
+    } else {
+        row.status = Status::Text;
+    }
+    row
+}
+
+/// The line on which two texts first differ; the same in both.
+fn first_line(before: &[u8], after: &[u8]) -> (u32, u32) {
+    let same = before.iter().zip(after).take_while(|(a, b)| a == b).count();
+    let line = 1 + before[..same].iter().filter(|byte| **byte == b'\n').count() as u32;
+    (line, line)
+}

@@ -1,0 +1,143 @@
+//! What a program does, to be held against what another does.
+
+use chordal::control::{Command, CommandKind, Feed};
+use chordal::{Job, PathCommand, Segment, SegmentKind, Watch};
+
+use super::distance::{Piece, Within, distance};
+
+/// The run of a program.
+#[derive(Debug, Default)]
+pub struct Motion {
+    moves: Vec<Moved>,
+    /// Spindle commands, each with the number of moves before it.
+    speeds: Vec<(usize, String)>,
+    /// Other functions, likewise.
+    pub functions: Vec<(usize, String)>,
+    /// Length over feed and waits, s.
+    pub time_s: f64,
+}
+
+/// A move of the tool centre.
+#[derive(Clone, Copy, Debug)]
+struct Moved {
+    piece: Piece,
+    rotary: ([f64; 3], [f64; 3]),
+    feed: Option<Feed>,
+    known: bool,
+    line: u32,
+}
+
+impl Moved {
+    fn is(&self, other: &Moved) -> bool {
+        self.piece == other.piece && self.rotary == other.rotary && self.known == other.known
+    }
+
+    fn has_feed_of(&self, other: &Moved) -> bool {
+        let bits = |feed: &Option<Feed>| {
+            feed.as_ref().map(|feed| {
+                let numbers = (feed.value.to_bits(), feed.spindle_rev_per_s.to_bits());
+                (numbers, feed.mode, feed.along)
+            })
+        };
+        bits(&self.feed) == bits(&other.feed)
+    }
+
+    fn turns(&self) -> bool {
+        self.rotary.0 != self.rotary.1
+    }
+}
+
+impl Watch for Motion {
+    fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
+        self.note(path.command);
+        for segment in segments {
+            self.moves.push(Moved {
+                piece: Piece { is_rapid: segment.kind == SegmentKind::Rapid, curve: segment.curve },
+                rotary: (segment.rotary_from, segment.rotary_to),
+                feed: path.command.kind.feed().copied(),
+                known: segment.known,
+                line: segment.origin.line,
+            });
+        }
+    }
+}
+
+impl Motion {
+    /// Runs a job.
+    pub fn of(job: &Job) -> Motion {
+        let mut motion = Motion::default();
+        let report = job.report_watched(&mut motion);
+        motion.time_s = report.summary.total_time_s();
+        motion
+    }
+
+    fn note(&mut self, command: &Command) {
+        use CommandKind as Kind;
+        let at = self.moves.len();
+        match &command.kind {
+            kind if kind.motion().is_some() => {}
+            // Words that only say how the moves are to be read are in the moves already; what is
+            // shown to the operator is text.
+            Kind::Units(_)
+            | Kind::Plane(_)
+            | Kind::FeedMode(_)
+            | Kind::FeedRate { .. }
+            | Kind::Compensation { .. }
+            | Kind::CornerArc { .. }
+            | Kind::Idle
+            | Kind::Message(_) => {}
+            // Where a control puts its offsets is the table's business; which it takes is said.
+            Kind::WorkOffset { name, .. } => self.functions.push((at, format!("{name:?}"))),
+            kind @ Kind::Spindle { .. } => self.speeds.push((at, format!("{kind:?}"))),
+            kind => self.functions.push((at, format!("{kind:?}"))),
+        }
+    }
+
+    /// The lines of the first moves that differ; nothing where all moves are the same.
+    pub fn first_other(&self, other: &Motion) -> Option<(u32, u32)> {
+        self.first_where(other, |a, b| !a.is(b))
+    }
+
+    /// The lines of the first moves whose feeds differ.
+    pub fn first_other_feed(&self, other: &Motion) -> Option<(u32, u32)> {
+        self.first_where(other, |a, b| !a.has_feed_of(b))
+    }
+
+    /// All moves have the feeds of the other's, as far as both have moves, and the spindle turns
+    /// alike.
+    pub fn has_feeds_of(&self, other: &Motion) -> bool {
+        let mut both = self.moves.iter().zip(&other.moves);
+        both.all(|(a, b)| a.has_feed_of(b)) && self.speeds == other.speeds
+    }
+
+    fn first_where(
+        &self,
+        other: &Motion,
+        differ: impl Fn(&Moved, &Moved) -> bool,
+    ) -> Option<(u32, u32)> {
+        let common = self.moves.len().min(other.moves.len());
+        let at = (0..common)
+            .find(|at| differ(&self.moves[*at], &other.moves[*at]))
+            .or_else(|| (self.moves.len() != other.moves.len()).then_some(common))?;
+        let line = |moves: &[Moved]| moves.get(at).or(moves.last()).map_or(0, |moved| moved.line);
+        Some((line(&self.moves), line(&other.moves)))
+    }
+
+    /// How far the paths are from each other; nothing where a rotary axis moves, where a place is
+    /// not known, or where only one of the two cuts or has rapids.
+    pub fn distance_to(&self, other: &Motion, tolerance_mm: f64) -> Option<Within> {
+        let has_place = |motion: &Motion| {
+            motion.moves.iter().all(|moved| !moved.turns() && (moved.known || moved.piece.is_rapid))
+        };
+        if !(has_place(self) && has_place(other)) {
+            return None;
+        }
+        let of = |motion: &Motion, rapid: bool| -> Vec<Piece> {
+            let moves = motion.moves.iter().filter(|moved| moved.known);
+            moves.map(|moved| moved.piece).filter(|piece| piece.is_rapid == rapid).collect()
+        };
+        let cuts = distance(&of(self, false), &of(other, false), tolerance_mm)?;
+        let rapids = distance(&of(self, true), &of(other, true), tolerance_mm)?;
+        Some(cuts.or(rapids))
+    }
+}

@@ -1,0 +1,281 @@
+//! What of an archive is done: shards that only grow, each record with its checksum.
+//!
+//! A shard is written by one worker, a record with one call. What a killed run leaves is whole
+//! records and perhaps a torn one at the end, which nobody reads. A later run writes shards of its
+//! own beside the old ones. The folder goes when the table is in its place.
+//!
+//! A record is the length of its payload and the payload's CRC-32 (four bytes each, low byte
+//! first), then the payload: place-independent, so it names its file.
+
+use std::collections::HashMap;
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use crate::error::ArchiveError;
+use crate::row::FileRecord;
+use crate::table::TableFile;
+
+/// No record is this long: a length beyond is a torn or foreign file.
+const LONGEST: u32 = 1 << 30;
+
+/// Where a record stands.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    shard: u32,
+    offset: u64,
+    /// What the record was made of, shortened: enough to see that it is another's.
+    key: u64,
+}
+
+/// The journal of one table.
+#[derive(Debug)]
+pub struct Journal {
+    out: PathBuf,
+    folder: PathBuf,
+    /// Files of the archive in their order, as the table names them.
+    names: Vec<String>,
+    places: Mutex<Vec<Option<Place>>>,
+    next_shard: Mutex<u32>,
+}
+
+/// A shard that a worker writes.
+#[derive(Debug)]
+pub struct Shard {
+    file: File,
+    path: PathBuf,
+    number: u32,
+    offset: u64,
+}
+
+/// A record as bytes: what a worker elsewhere sends back.
+pub fn record_of(name: &str, record: &FileRecord) -> Vec<u8> {
+    // Texts and numbers only, so there is nothing that could not be written.
+    let payload = postcard::to_stdvec(&(name, record)).unwrap_or_default();
+    let mut bytes = Vec::with_capacity(payload.len() + 8);
+    bytes.extend_from_slice(&(payload.len() as u32).to_le_bytes());
+    bytes.extend_from_slice(&crc32fast::hash(&payload).to_le_bytes());
+    bytes.extend_from_slice(&payload);
+    bytes
+}
+
+impl Journal {
+    /// The folder beside a table in which its journal stands.
+    pub fn folder_of(out: &Path) -> PathBuf {
+        let mut name = out.file_name().map_or_else(OsString::new, OsString::from);
+        name.push(".journal");
+        out.with_file_name(name)
+    }
+
+    /// Opens the journal of a table, with what an earlier run did. `names` are the files of the
+    /// archive in the order of the table; records of other files are passed over.
+    ///
+    /// # Errors
+    /// A folder that cannot be made or read.
+    pub fn open(out: &Path, names: Vec<String>) -> Result<Journal, ArchiveError> {
+        let folder = Journal::folder_of(out);
+        fs::create_dir_all(&folder).map_err(ArchiveError::write(&folder))?;
+        let mut shards = shards(&folder).map_err(ArchiveError::write(&folder))?;
+        shards.sort_unstable();
+        let next = shards.last().map_or(0, |last| last + 1);
+        let mut places = vec![None; names.len()];
+        let order: HashMap<&str, usize> =
+            names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        for shard in shards {
+            // A shard that cannot be read holds nothing: its files are done again.
+            let _ = each_record(&shard_path(&folder, shard), |offset, name, record| {
+                if let Some(index) = order.get(name) {
+                    places[*index] = Some(Place { shard, offset, key: short(&record.key) });
+                }
+            });
+        }
+        drop(order);
+        Ok(Journal {
+            out: out.to_path_buf(),
+            folder,
+            names,
+            places: Mutex::new(places),
+            next_shard: Mutex::new(next),
+        })
+    }
+
+    /// The files of the archive, in order.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// How many files have a record.
+    pub fn done(&self) -> usize {
+        self.places().iter().flatten().count()
+    }
+
+    /// The key of the record that a file has, shortened to 16 digits.
+    pub fn key(&self, index: usize) -> Option<String> {
+        let place = self.places().get(index).copied().flatten();
+        place.map(|place| format!("{:016x}", place.key))
+    }
+
+    /// True when a file has a record of this key.
+    pub fn has_key(&self, index: usize, key: &str) -> bool {
+        self.places()[index].is_some_and(|place| place.key == short(key))
+    }
+
+    /// A new shard for a worker.
+    ///
+    /// # Errors
+    /// A file that cannot be made.
+    pub fn shard(&self) -> Result<Shard, ArchiveError> {
+        let mut next = self.next_shard.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let number = *next;
+        *next += 1;
+        let path = shard_path(&self.folder, number);
+        let file = OpenOptions::new().write(true).create_new(true).open(&path);
+        Ok(Shard { file: file.map_err(ArchiveError::write(&path))?, path, number, offset: 0 })
+    }
+
+    /// Writes the record of a file. A record made elsewhere counts only where it is whole and
+    /// names the file.
+    ///
+    /// # Errors
+    /// A full or broken disk, and a record that is none.
+    pub fn put(&self, shard: &mut Shard, index: usize, bytes: &[u8]) -> Result<(), ArchiveError> {
+        let Some(name) = self.names.get(index) else {
+            return Err(self.missing(index));
+        };
+        let key = match whole(bytes) {
+            Some((own, record)) if own == *name => short(&record.key),
+            _ => return Err(self.missing(index)),
+        };
+        shard.file.write_all(bytes).map_err(ArchiveError::write(&shard.path))?;
+        let place = Place { shard: shard.number, offset: shard.offset, key };
+        shard.offset += bytes.len() as u64;
+        self.places()[index] = Some(place);
+        Ok(())
+    }
+
+    /// Brings all records into the table, in order, puts it in its place and takes the journal
+    /// away.
+    ///
+    /// # Errors
+    /// A file without a record, and a disk that is full.
+    pub fn finish(self, see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
+        self.write_table(see)?;
+        fs::remove_dir_all(&self.folder).map_err(ArchiveError::write(&self.folder))
+    }
+
+    fn write_table(&self, mut see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
+        let failed = ArchiveError::write(&self.out);
+        // In the journal's folder, so that one that a killed run leaves goes with it.
+        let mut builder = tempfile::Builder::new();
+        builder.prefix("table-");
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let draft = builder.tempfile_in(&self.folder).map_err(&failed)?;
+        let mut table = TableFile::new(draft).map_err(&failed)?;
+        let mut readers: HashMap<u32, File> = HashMap::new();
+        let places = self.places();
+        for (index, name) in self.names.iter().enumerate() {
+            let place = places[index].ok_or_else(|| self.missing(index))?;
+            let record = self.read(&mut readers, place).map_err(|_| self.missing(index))?;
+            let (own, record) = record.ok_or_else(|| self.missing(index))?;
+            if own != *name {
+                return Err(self.missing(index));
+            }
+            see(name, &record);
+            table.file(name, &record).map_err(&failed)?;
+        }
+        let draft = table.finish().map_err(&failed)?;
+        draft.as_file().sync_all().map_err(&failed)?;
+        draft.persist(&self.out).map_err(|error| failed(error.error))?;
+        Ok(())
+    }
+
+    fn read(
+        &self,
+        readers: &mut HashMap<u32, File>,
+        place: Place,
+    ) -> io::Result<Option<(String, FileRecord)>> {
+        let file = match readers.entry(place.shard) {
+            std::collections::hash_map::Entry::Occupied(open) => open.into_mut(),
+            std::collections::hash_map::Entry::Vacant(free) => {
+                free.insert(File::open(shard_path(&self.folder, place.shard))?)
+            }
+        };
+        file.seek(SeekFrom::Start(place.offset))?;
+        let mut bytes = vec![0; 8];
+        file.read_exact(&mut bytes)?;
+        let length = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+        if length >= LONGEST {
+            return Ok(None);
+        }
+        bytes.resize(8 + length as usize, 0);
+        file.read_exact(&mut bytes[8..])?;
+        Ok(whole(&bytes))
+    }
+
+    fn places(&self) -> std::sync::MutexGuard<'_, Vec<Option<Place>>> {
+        self.places.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn missing(&self, index: usize) -> ArchiveError {
+        let file = self.names.get(index).cloned().unwrap_or_default();
+        ArchiveError::Journal { path: self.folder.clone(), file }
+    }
+}
+
+/// The first 64 bits of a key.
+fn short(key: &str) -> u64 {
+    key.get(..16).and_then(|digits| u64::from_str_radix(digits, 16).ok()).unwrap_or(0)
+}
+
+fn shard_path(folder: &Path, number: u32) -> PathBuf {
+    folder.join(format!("shard-{number:06}"))
+}
+
+/// The numbers of the shards of a folder.
+fn shards(folder: &Path) -> io::Result<Vec<u32>> {
+    let mut numbers = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let name = entry?.file_name();
+        let number =
+            name.to_str().and_then(|name| name.strip_prefix("shard-")?.parse::<u32>().ok());
+        numbers.extend(number);
+    }
+    Ok(numbers)
+}
+
+/// A record whose length, checksum and form are right.
+fn whole(bytes: &[u8]) -> Option<(String, FileRecord)> {
+    let (head, payload) = bytes.split_at_checked(8)?;
+    let length = u32::from_le_bytes(head[..4].try_into().ok()?);
+    let sum = u32::from_le_bytes(head[4..].try_into().ok()?);
+    if length as usize != payload.len() || crc32fast::hash(payload) != sum {
+        return None;
+    }
+    postcard::from_bytes(payload).ok()
+}
+
+/// Hands on the whole records of a shard up to the first torn one.
+fn each_record(path: &Path, mut take: impl FnMut(u64, &str, &FileRecord)) -> io::Result<()> {
+    let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
+    let mut offset = 0;
+    let mut bytes = Vec::new();
+    loop {
+        bytes.resize(8, 0);
+        reader.read_exact(&mut bytes)?;
+        let length = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+        if length >= LONGEST {
+            return Ok(());
+        }
+        let read = reader.by_ref().take(u64::from(length)).read_to_end(&mut bytes)?;
+        if read != length as usize {
+            return Ok(());
+        }
+        let Some((name, record)) = whole(&bytes) else { return Ok(()) };
+        take(offset, &name, &record);
+        offset += bytes.len() as u64;
+        bytes.clear();
+    }
+}

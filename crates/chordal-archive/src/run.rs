@@ -1,0 +1,132 @@
+//! An archive by the threads of one machine.
+
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use crate::check::{Loader, Options, check_file};
+use crate::error::ArchiveError;
+use crate::journal::{Journal, record_of};
+use crate::row::FileRecord;
+use crate::walk::Entry;
+
+/// Hears how far it is; from several threads.
+pub trait Progress: Sync {
+    /// A file is done; `anew` unless an earlier run did it. Bytes are those of the file.
+    fn file(&self, bytes: u64, anew: bool);
+}
+
+/// What an archive comes to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Done {
+    /// Files that got a row.
+    pub files: u64,
+    /// Rows.
+    pub rows: u64,
+    /// Programs that were run.
+    pub programs: u64,
+    /// Programs with errors, or stopped by their budget.
+    pub with_errors: u64,
+    /// Programs with warnings only.
+    pub with_warnings: u64,
+    /// Files and programs that could not be run.
+    pub failed: u64,
+    /// Files that are no programs.
+    pub skipped: u64,
+    /// Files that an earlier run had done.
+    pub resumed: u64,
+}
+
+impl Done {
+    /// Counts a file.
+    pub fn add(&mut self, record: &FileRecord) {
+        self.files += 1;
+        for row in &record.rows {
+            self.rows += 1;
+            self.programs += u64::from(row.ran.is_some());
+            let sum = match row.status.as_str() {
+                "errors" | "stopped" => &mut self.with_errors,
+                "warnings" => &mut self.with_warnings,
+                "failed" => &mut self.failed,
+                "skipped" => &mut self.skipped,
+                _ => continue,
+            };
+            *sum += 1;
+        }
+    }
+}
+
+/// Checks all files with as many threads as there are `jobs`, each with a loader of its own, and
+/// writes the table. What an earlier run with the same result did is not done again, where the
+/// file, what it is run on and Chordal are the same.
+///
+/// # Errors
+/// Where the journal or the table cannot be written. What is done stays done.
+pub fn check_all<L: Loader>(
+    entries: &[Entry],
+    out: &Path,
+    jobs: usize,
+    options: Options,
+    loader: impl Fn() -> L + Sync,
+    progress: &dyn Progress,
+) -> Result<Done, ArchiveError> {
+    let names = entries.iter().map(|entry| entry.path.to_string_lossy().into_owned()).collect();
+    let journal = Journal::open(out, names)?;
+    let resumed = AtomicUsize::new(0);
+    let next = AtomicUsize::new(0);
+    let stop = AtomicBool::new(false);
+    let failure: Mutex<Option<ArchiveError>> = Mutex::new(None);
+    let work = || {
+        let mut loader = loader();
+        let mut shard = journal.shard()?;
+        while !stop.load(Ordering::Relaxed) {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(entry) = entries.get(index) else { break };
+            let is_known = |key: &str| journal.has_key(index, key);
+            match done(&mut loader, entry, options, is_known) {
+                Some(record) => {
+                    let name = &journal.names()[index];
+                    journal.put(&mut shard, index, &record_of(name, &record))?;
+                    progress.file(record.file_bytes, true);
+                }
+                None => {
+                    resumed.fetch_add(1, Ordering::Relaxed);
+                    progress.file(0, false);
+                }
+            }
+        }
+        Ok(())
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.max(1) {
+            scope.spawn(|| {
+                if let Err(error) = work() {
+                    stop.store(true, Ordering::Relaxed);
+                    let mut first =
+                        failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                    first.get_or_insert(error);
+                }
+            });
+        }
+    });
+    let failure = failure.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if let Some(error) = failure {
+        return Err(error);
+    }
+    let mut done = Done::default();
+    journal.finish(|_, record| done.add(record))?;
+    done.resumed = resumed.into_inner() as u64;
+    Ok(done)
+}
+
+fn done(
+    loader: &mut impl Loader,
+    entry: &Entry,
+    options: Options,
+    is_known: impl FnOnce(&str) -> bool,
+) -> Option<FileRecord> {
+    match &entry.failure {
+        Some(message) => Some(FileRecord::unreadable(String::new(), message.clone())),
+        None => check_file(loader, &entry.path, options, is_known),
+    }
+}

@@ -1,0 +1,74 @@
+//! The files of an archive.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Something of an archive that gets a row.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Entry {
+    /// The file, under the name of the folder that was given; or a folder that cannot be read.
+    pub path: PathBuf,
+    /// Why a folder cannot be read.
+    pub failure: Option<String>,
+}
+
+/// All files of folder trees, and files that are named themselves, in the order of the bytes of
+/// their paths, each once. Names that begin with a point and links to folders are passed over, and
+/// so is what `leave_out` names.
+pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<Entry> {
+    let left_out: Vec<PathBuf> =
+        leave_out.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
+    let mut entries = Vec::new();
+    for argument in arguments {
+        if argument.is_dir() {
+            search(argument.clone(), &left_out, &mut entries);
+        } else {
+            entries.push(Entry { path: argument.clone(), failure: None });
+        }
+    }
+    entries.sort_by(|a, b| bytes(&a.path).cmp(bytes(&b.path)));
+    entries.dedup_by(|a, b| a.path == b.path);
+    entries
+}
+
+fn bytes(path: &Path) -> &[u8] {
+    path.as_os_str().as_encoded_bytes()
+}
+
+fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<Entry>) {
+    // A list instead of calls: a tree may be deep.
+    let mut folders = vec![folder];
+    while let Some(folder) = folders.pop() {
+        let listed = match fs::read_dir(&folder) {
+            Ok(listed) => listed,
+            Err(error) => {
+                let failure = Some(format!("cannot read the folder: {error}"));
+                entries.push(Entry { path: folder, failure });
+                continue;
+            }
+        };
+        for found in listed.flatten() {
+            if found.file_name().as_encoded_bytes().starts_with(b".") {
+                continue;
+            }
+            let path = found.path();
+            let Ok(kind) = found.file_type() else { continue };
+            if is_left_out(&path, left_out) {
+                continue;
+            }
+            if kind.is_dir() {
+                folders.push(path);
+            } else if kind.is_file() || path.is_file() {
+                entries.push(Entry { path, failure: None });
+            }
+        }
+    }
+}
+
+/// Asked of every file, so the name is compared before the system is asked for the whole path.
+fn is_left_out(path: &Path, left_out: &[PathBuf]) -> bool {
+    left_out.iter().any(|own| {
+        own.file_name() == path.file_name()
+            && fs::canonicalize(path).is_ok_and(|whole| whole == *own)
+    })
+}

@@ -1,0 +1,101 @@
+use std::path::{Path, PathBuf};
+
+use chordal_archive::{ArchiveError, Done, Journal, Options, check_all, walk};
+
+use super::progress::Meter;
+use super::{Disk, Machines, jobs};
+use crate::failure::{Failure, Verdict};
+use crate::numbers::{counted, grouped};
+use crate::terminal::{BOLD, Terminal, style};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal archive check archive/ --out results.parquet
+  chordal archive check released/ returned/ --out results.parquet --machine haas-vf2
+  chordal archive check archive/ --out results.parquet --jobs 4 --no-plan
+
+Every file of the folders gets a row, and every program of a file that holds several. Interrupted and
+started again with the same --out, it goes on where it was. The same archive gives the same table,
+byte for byte, whatever the number of jobs. docs/archives.md lists the columns.
+
+Exit code: 0 clean, 1 problems in a program, 2 wrong use or a table that cannot be written.";
+
+/// Checks every program of folder trees into one table
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// Folders of programs, or programs
+    #[arg(required = true, value_name = "DIR")]
+    folders: Vec<PathBuf>,
+
+    /// The table, as Parquet; written whole or not at all
+    #[arg(long, short, value_name = "FILE.parquet")]
+    out: PathBuf,
+
+    /// How many files are worked on at the same time; as many as there are processors
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<usize>,
+
+    /// Leaves out the times with acceleration and jerk: three times as fast, or more
+    #[arg(long)]
+    no_plan: bool,
+
+    /// Tells how far it is on standard error, also where that is no terminal
+    #[arg(long)]
+    progress: bool,
+
+    #[command(flatten)]
+    machines: Machines,
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let disk = Disk::new(&args.machines.request()?, &args.folders)?;
+    keep_programs(&args.out)?;
+    let found = walk(&args.folders, &[args.out.clone(), Journal::folder_of(&args.out)]);
+    if found.is_empty() {
+        return Err(Failure::wrong("there is no file in the folders", "name a folder of programs"));
+    }
+    let meter = Meter::new(found.len(), args.progress, terminal);
+    let options = Options { plan: !args.no_plan };
+    let jobs = jobs(args.jobs);
+    let done = check_all(&found, &args.out, jobs, options, || disk.again(), &meter);
+    meter.finish();
+    let done = done.map_err(failure)?;
+    terminal.tell(&text(&done, &args.out, terminal));
+    let is_clean = done.with_errors + done.with_warnings + done.failed == 0;
+    Ok(if is_clean { Verdict::Clean } else { Verdict::Problems })
+}
+
+/// The table is a Parquet file, so that a slip of the keyboard does not take a program's place.
+pub fn keep_programs(out: &Path) -> Result<(), Failure> {
+    let ending = out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
+    if ending && !out.is_dir() {
+        return Ok(());
+    }
+    let message = format!("the table cannot be {}", out.display());
+    Err(Failure::wrong(message, "give it a name that ends in .parquet"))
+}
+
+pub fn failure(error: ArchiveError) -> Failure {
+    match error {
+        ArchiveError::Write { path, error } => Failure::write(path.to_string_lossy(), &error),
+        other => Failure::Use { message: other.to_string(), help: None },
+    }
+}
+
+fn text(done: &Done, out: &Path, terminal: Terminal) -> String {
+    let parts = [
+        (done.with_errors, "with errors"),
+        (done.with_warnings, "with warnings"),
+        (done.failed, "that could not be run"),
+        (done.skipped, "other files"),
+        (done.resumed, "files done before"),
+    ];
+    let parts = parts.iter().filter(|(count, _)| *count > 0);
+    let parts: Vec<String> =
+        parts.map(|(count, what)| format!("{} {what}", grouped(*count))).collect();
+    let programs = style(terminal.err, BOLD, counted(done.programs, "program", "programs"));
+    let files = counted(done.files, "file", "files");
+    let more = if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) };
+    format!("{programs} in {files}{more}\n{}\n", out.display())
+}

@@ -1,0 +1,130 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chordal::Machine;
+use chordal::control::Control;
+use chordal_archive::{Loader, Prepared};
+
+use crate::beside::Folders;
+use crate::failure::Failure;
+use crate::input::{self, Input, Text};
+use crate::load::Request;
+use crate::machine::Chosen;
+use crate::options::Common;
+use crate::session;
+
+/// Folders that a worker remembers: an archive goes from one to the next.
+const MOST_FOLDERS: usize = 64;
+
+/// Files are read into memory, not mapped: one that is shortened meanwhile must not end the run.
+const LARGEST: u64 = u32::MAX as u64;
+
+/// The files of a disk, as the command loads them.
+pub struct Disk {
+    given: Option<Machine>,
+    common: Common,
+    /// The folders of the command line: `chordal.toml` counts up to there.
+    roots: Vec<PathBuf>,
+    folders: Folders,
+    /// How the beginning of paths is told: from, to.
+    renamed: Option<(String, String)>,
+}
+
+impl Disk {
+    /// A loader of files in folders.
+    ///
+    /// # Errors
+    /// A machine that cannot be used.
+    pub fn new(request: &Request, roots: &[PathBuf]) -> Result<Disk, Failure> {
+        let common = request.common();
+        let given = request.given(&common)?;
+        let (roots, folders) = (roots.to_vec(), Folders::default());
+        Ok(Disk { given, common, roots, folders, renamed: None })
+    }
+
+    /// The same, and paths that begin in one way are told as if they began in another: files that
+    /// were brought from elsewhere are told by where they come from.
+    pub fn renamed(self, from: String, to: String) -> Disk {
+        let renamed = (!from.is_empty()).then_some((from, to));
+        Disk { renamed, ..self }
+    }
+
+    fn told(&self, text: String) -> String {
+        match &self.renamed {
+            Some((from, to)) => text.replace(from, to),
+            None => text,
+        }
+    }
+
+    /// The same for another worker.
+    pub fn again(&self) -> Disk {
+        Disk {
+            given: self.given.clone(),
+            common: self.common.clone(),
+            roots: self.roots.clone(),
+            folders: Folders::default(),
+            renamed: self.renamed.clone(),
+        }
+    }
+
+    fn input(&self, path: &Path) -> Input {
+        let above = self.roots.iter().filter(|root| root.is_dir() && path.starts_with(root));
+        let root = above.max_by_key(|root| root.as_os_str().len()).cloned();
+        Input { path: Some(path.to_path_buf()), root }
+    }
+}
+
+impl Loader for Disk {
+    fn is_other_by_name(&self, path: &Path) -> bool {
+        input::has_other_ending(path)
+    }
+
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, String> {
+        let size = fs::metadata(path).map(|about| about.len());
+        if size.is_ok_and(|size| size > LARGEST) {
+            return Err("it is larger than 4 GiB; split the program".into());
+        }
+        let failure = |error| Failure::read(path.to_string_lossy(), &error).to_string();
+        fs::read(path).map_err(|error| self.told(failure(error)))
+    }
+
+    fn may_be_program(&self, bytes: &[u8]) -> bool {
+        input::looks_like_program(bytes)
+    }
+
+    fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
+        if self.folders.len() > MOST_FOLDERS {
+            self.folders = Folders::default();
+        }
+        let input = self.input(path);
+        let text = Text::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
+        let given = self.given.as_ref();
+        let loaded = session::load_text(text, &input, given, &self.common, &mut self.folders);
+        let loaded = loaded.map_err(|failure| self.told(told(&failure)))?;
+        let (control, _) = Control::of(loaded.machine());
+        let chosen = match &loaded.chosen {
+            Chosen::Given => "given".into(),
+            Chosen::Folder(file) => self.told(file.to_string_lossy().into_owned()),
+            other => other.why(control.table.title).unwrap_or_default(),
+        };
+        let (mut texts, machine, options) = loaded.into_parts();
+        for (name, _) in &mut texts {
+            *name = self.told(std::mem::take(name));
+        }
+        Ok(Prepared { texts, machine, chosen, options })
+    }
+}
+
+/// A failure in a line, with the first thing that is wrong with a machine.
+fn told(failure: &Failure) -> String {
+    match failure {
+        Failure::Machine(errors) => {
+            let first = errors.first().map(|error| {
+                let line = error.line().map_or_else(String::new, |line| format!(":{line}"));
+                format!(": {}{line}: {}", error.file, error.message)
+            });
+            format!("{failure}{}", first.unwrap_or_default())
+        }
+        other => other.to_string(),
+    }
+}

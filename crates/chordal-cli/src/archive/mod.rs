@@ -1,0 +1,88 @@
+//! Whole archives.
+
+mod check;
+mod diff;
+mod disk;
+mod progress;
+
+pub use disk::Disk;
+
+use std::path::PathBuf;
+
+use chordal::machine::ControlName;
+
+use crate::failure::{Failure, Verdict};
+use crate::load::{self, Request};
+use crate::terminal::Terminal;
+
+/// Checks whole archives of programs, and compares them
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand)]
+enum Command {
+    Check(check::Args),
+    Diff(diff::Args),
+}
+
+/// What the programs of an archive are run on.
+#[derive(clap::Args, Clone, Debug)]
+#[command(next_help_heading = "Machine")]
+struct Machines {
+    /// The machine of all programs: a built-in name or a machine file
+    ///
+    /// Without it, `chordal.toml` in a program's folder says, and else the control is recognized
+    /// from each program.
+    #[arg(long, short, value_name = "NAME|FILE.toml", conflicts_with = "control")]
+    machine: Option<String>,
+
+    /// The control of all programs, on a typical machine of it
+    #[arg(long, value_name = "NAME")]
+    control: Option<ControlName>,
+
+    /// Overrides any key of the machine, as `tools.5.diameter="0.5 in"`
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+
+    /// Tools from a LinuxCNC tool table, in the machine's units at power-on
+    #[arg(long, value_name = "tool.tbl")]
+    tools: Option<PathBuf>,
+
+    /// Block delete: leaves out the blocks that start with `/`
+    #[arg(long)]
+    block_delete: bool,
+
+    /// Most blocks carried out in calls, repeats and jumps before a program counts as endless
+    #[arg(long, value_name = "N")]
+    max_blocks: Option<u64>,
+}
+
+impl Machines {
+    fn request(&self) -> Result<Request, Failure> {
+        Ok(Request {
+            machine: self.machine.as_deref().map(load::machine).transpose()?,
+            control: self.control,
+            set: self.set.clone(),
+            tools: self.tools.clone(),
+            program: None,
+            block_delete: self.block_delete,
+            max_blocks: self.max_blocks,
+        })
+    }
+}
+
+/// As many threads as were asked for, or as the machine has.
+fn jobs(asked: Option<usize>) -> usize {
+    let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    asked.unwrap_or_else(all).max(1)
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    match &args.command {
+        Command::Check(args) => check::run(args, terminal),
+        Command::Diff(args) => diff::run(args, terminal),
+    }
+}
