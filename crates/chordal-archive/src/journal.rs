@@ -263,12 +263,14 @@ fn each_record(path: &Path, mut take: impl FnMut(u64, &str, &FileRecord)) -> io:
     let mut offset = 0;
     let mut bytes = Vec::new();
     loop {
-        bytes.resize(8, 0);
-        reader.read_exact(&mut bytes)?;
-        let length = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+        let mut head = [0; 8];
+        reader.read_exact(&mut head)?;
+        let length = u32::from_le_bytes([head[0], head[1], head[2], head[3]]);
         if length >= LONGEST {
             return Ok(());
         }
+        bytes.clear();
+        bytes.extend_from_slice(&head);
         let read = reader.by_ref().take(u64::from(length)).read_to_end(&mut bytes)?;
         if read != length as usize {
             return Ok(());
@@ -276,6 +278,5 @@ fn each_record(path: &Path, mut take: impl FnMut(u64, &str, &FileRecord)) -> io:
         let Some((name, record)) = whole(&bytes) else { return Ok(()) };
         take(offset, &name, &record);
         offset += bytes.len() as u64;
-        bytes.clear();
     }
 }

@@ -135,9 +135,8 @@ fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64) -> Option<Within> {
     let tree = RTree::bulk_load(to.iter().map(|piece| Leaf(piece.curve)).collect());
     let mut search = Search { from, tree, low: 0.0, asked: 0 };
     let mut parts = BinaryHeap::new();
-    for curve in 0..from.len() {
-        let length = from[curve].curve.length();
-        search.bound(curve, 0.0, length, tolerance_mm, &mut parts)?;
+    for (index, piece) in from.iter().enumerate() {
+        search.bound(index, 0.0, piece.curve.length(), tolerance_mm, &mut parts)?;
     }
     while let Some(part) = parts.pop() {
         if part.high <= search.low + tolerance_mm || search.asked >= MOST_ASKED {

@@ -36,7 +36,7 @@ pub struct Args {
     #[arg(long, short, value_name = "N")]
     jobs: Option<usize>,
 
-    /// Leaves out the times with acceleration and jerk: three times as fast, or more
+    /// Leaves out the times with acceleration and jerk, which is faster
     #[arg(long)]
     no_plan: bool,
 
