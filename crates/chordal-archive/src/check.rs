@@ -147,7 +147,7 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         let message = "no line of the file begins as a block does";
         return Gathered::Other(other(Some(about), "other", "skipped", message));
     }
-    match loader.prepare(path, bytes) {
+    match guarded(|| loader.prepare(path, bytes)) {
         Ok(prepared) => Gathered::Program {
             key: file_key(&about.sha256, &prepared, options),
             about,

@@ -10,6 +10,7 @@ use arrow_array::builder::{
 };
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, DataType, Field, Fields, Schema, SchemaRef};
+use chordal_export::columns::Rows;
 
 use crate::row::{FileRecord, Ran, Row};
 
@@ -138,7 +139,7 @@ impl Holds {
 }
 
 /// The columns, with their units.
-pub(crate) fn schema() -> SchemaRef {
+fn schema() -> SchemaRef {
     let field = |(name, holds, unit, _): &(&str, Holds, &str, &str)| {
         let field = Field::new(*name, holds.data_type(), holds.has_gaps());
         match *unit {
@@ -147,13 +148,13 @@ pub(crate) fn schema() -> SchemaRef {
         }
     };
     let fields: Vec<Field> = COLUMNS.iter().map(field).collect();
-    Arc::new(Schema::new_with_metadata(fields, about().into_iter().collect()))
+    Arc::new(Schema::new_with_metadata(fields, about(ARCHIVE_COLUMNS)))
 }
 
-/// What the file says about itself.
-pub(crate) fn about() -> [(String, String); 2] {
-    [("schema", ARCHIVE_COLUMNS), ("version", env!("CARGO_PKG_VERSION"))]
-        .map(|(key, value)| (format!("chordal.{key}"), value.to_string()))
+/// What a table says about itself.
+pub(crate) fn about(columns: &str) -> HashMap<String, String> {
+    let about = [("schema", columns), ("version", env!("CARGO_PKG_VERSION"))];
+    about.map(|(key, value)| (format!("chordal.{key}"), value.to_string())).into()
 }
 
 /// The columns as a table of Markdown: a section of `docs/archives.md`.
@@ -230,23 +231,27 @@ impl ArchiveColumns {
         ArchiveColumns { schema: schema(), cells, rows: 0 }
     }
 
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
     pub fn push(&mut self, path: &str, file: &FileRecord, row: &Row) {
         for ((name, ..), cells) in COLUMNS.iter().zip(&mut self.cells) {
             put(cells, said(name, path, file, row));
         }
         self.rows += 1;
     }
+}
 
-    pub fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+impl Rows for ArchiveColumns {
+    fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         self.rows = 0;
-        RecordBatch::try_new(
-            self.schema.clone(),
-            self.cells.iter_mut().map(Cells::finish).collect(),
-        )
+        let cells = self.cells.iter_mut().map(Cells::finish).collect();
+        RecordBatch::try_new(self.schema.clone(), cells)
     }
 }
 

@@ -1,8 +1,10 @@
 //! What of an archive is done: shards that only grow, each record with its checksum.
 //!
-//! A shard is written by one worker, a record with one call. What a killed run leaves is whole
-//! records and perhaps a torn one at the end, which nobody reads. A later run writes shards of its
-//! own beside the old ones. The folder goes when the table is in its place.
+//! A shard is written by one worker, a record with one call, so that a killed process loses the
+//! files under work and no other. A power cut may also take what the system had not brought to the
+//! disk: shards are synced every few seconds. What is left is whole records and perhaps a torn one
+//! or zeros at the end, which nobody reads. A later run writes shards of its own beside the old
+//! ones. The folder goes when the table is in its place.
 //!
 //! A record is the length of its payload and the payload's CRC-32 (four bytes each, low byte
 //! first), then the payload: place-independent, so it names its file.
@@ -10,16 +12,22 @@
 use std::collections::HashMap;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
+use chordal_export::columns::{ColumnFile, ColumnFormat};
+
+use crate::columns::ArchiveColumns;
 use crate::error::ArchiveError;
 use crate::row::FileRecord;
-use crate::table::TableFile;
 
 /// No record is this long: a length beyond is a torn or foreign file.
 const LONGEST: u32 = 1 << 30;
+
+/// How often a shard is brought to the disk: what a power cut may take from it.
+const SYNCED_EVERY: Duration = Duration::from_secs(5);
 
 /// Where a record stands.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +56,26 @@ pub struct Shard {
     path: PathBuf,
     number: u32,
     offset: u64,
+    synced: Instant,
+}
+
+impl Shard {
+    /// Adds a record and tells where it stands.
+    fn append(&mut self, bytes: &[u8]) -> io::Result<u64> {
+        let place = self.offset;
+        if let Err(error) = self.file.write_all(bytes) {
+            // What comes later must stand behind the last whole record.
+            self.file.set_len(place)?;
+            self.file.seek(SeekFrom::Start(place))?;
+            return Err(error);
+        }
+        self.offset += bytes.len() as u64;
+        if self.synced.elapsed() >= SYNCED_EVERY {
+            self.file.sync_data()?;
+            self.synced = Instant::now();
+        }
+        Ok(place)
+    }
 }
 
 /// A record as bytes: what a worker elsewhere sends back.
@@ -132,7 +160,8 @@ impl Journal {
         *next += 1;
         let path = shard_path(&self.folder, number);
         let file = OpenOptions::new().write(true).create_new(true).open(&path);
-        Ok(Shard { file: file.map_err(ArchiveError::write(&path))?, path, number, offset: 0 })
+        let file = file.map_err(ArchiveError::write(&path))?;
+        Ok(Shard { file, path, number, offset: 0, synced: Instant::now() })
     }
 
     /// Writes the record of a file. A record made elsewhere counts only where it is whole and
@@ -148,10 +177,8 @@ impl Journal {
             Some((own, record)) if own == *name => short(&record.key),
             _ => return Err(self.missing(index)),
         };
-        shard.file.write_all(bytes).map_err(ArchiveError::write(&shard.path))?;
-        let place = Place { shard: shard.number, offset: shard.offset, key };
-        shard.offset += bytes.len() as u64;
-        self.places()[index] = Some(place);
+        let offset = shard.append(bytes).map_err(ArchiveError::write(&shard.path))?;
+        self.places()[index] = Some(Place { shard: shard.number, offset, key });
         Ok(())
     }
 
@@ -173,7 +200,9 @@ impl Journal {
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let draft = builder.tempfile_in(&self.folder).map_err(&failed)?;
-        let mut table = TableFile::new(draft).map_err(&failed)?;
+        let columns = ArchiveColumns::new();
+        let table = ColumnFile::new(BufWriter::new(draft), ColumnFormat::Parquet, columns);
+        let mut table = table.map_err(&failed)?;
         let mut readers: HashMap<u32, File> = HashMap::new();
         let places = self.places();
         for (index, name) in self.names.iter().enumerate() {
@@ -184,12 +213,16 @@ impl Journal {
                 return Err(self.missing(index));
             }
             see(name, &record);
-            table.file(name, &record).map_err(&failed)?;
+            for row in &record.rows {
+                let put = table.put(|columns| columns.push(name, &record, row));
+                put.map_err(&failed)?;
+            }
         }
-        let draft = table.finish().map_err(&failed)?;
+        let draft = table.finish().map_err(&failed)?.into_inner();
+        let draft = draft.map_err(|error| failed(error.into_error()))?;
         draft.as_file().sync_all().map_err(&failed)?;
         draft.persist(&self.out).map_err(|error| failed(error.error))?;
-        Ok(())
+        sync_folder_of(&self.out).map_err(&failed)
     }
 
     fn read(
@@ -244,6 +277,18 @@ fn shards(folder: &Path) -> io::Result<Vec<u32>> {
         numbers.extend(number);
     }
     Ok(numbers)
+}
+
+/// Brings the names of a folder to the disk: the journal goes only when the table's name is there.
+fn sync_folder_of(file: &Path) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty());
+        File::open(parent.unwrap_or(Path::new(".")))?.sync_all()?;
+    }
+    #[cfg(not(unix))]
+    let _ = file;
+    Ok(())
 }
 
 /// A record whose length, checksum and form are right.

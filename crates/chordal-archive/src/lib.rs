@@ -20,7 +20,6 @@ mod error;
 mod journal;
 mod row;
 mod run;
-mod table;
 mod walk;
 
 pub use check::{Loader, Options, Prepared, check_file, file_key};
@@ -29,5 +28,4 @@ pub use error::ArchiveError;
 pub use journal::{Journal, Shard, record_of};
 pub use row::{FileRecord, Problem, Row};
 pub use run::{Done, Progress, check_all};
-pub use table::TableFile;
 pub use walk::{Entry, walk};

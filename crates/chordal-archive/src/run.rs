@@ -10,6 +10,9 @@ use crate::journal::{Journal, record_of};
 use crate::row::FileRecord;
 use crate::walk::Entry;
 
+/// Stack of a thread, as large as that of the process itself usually is.
+const STACK: usize = 8 << 20;
+
 /// Hears how far it is; from several threads.
 pub trait Progress: Sync {
     /// A file is done; `anew` unless an earlier run did it. Bytes are those of the file.
@@ -97,16 +100,11 @@ pub fn check_all<L: Loader>(
         }
         Ok(())
     };
-    std::thread::scope(|scope| {
-        for _ in 0..jobs.max(1) {
-            scope.spawn(|| {
-                if let Err(error) = work() {
-                    stop.store(true, Ordering::Relaxed);
-                    let mut first =
-                        failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                    first.get_or_insert(error);
-                }
-            });
+    with_jobs(jobs.min(entries.len()), || {
+        if let Err(error) = work() {
+            stop.store(true, Ordering::Relaxed);
+            let mut first = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            first.get_or_insert(error);
         }
     });
     let failure = failure.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -117,6 +115,20 @@ pub fn check_all<L: Loader>(
     journal.finish(|_, record| done.add(record))?;
     done.resumed = resumed.into_inner() as u64;
     Ok(done)
+}
+
+/// Lets several threads do the same work, which they share out among themselves: this one and as
+/// many more as the system gives.
+pub(crate) fn with_jobs(jobs: usize, work: impl Fn() + Sync) {
+    std::thread::scope(|scope| {
+        for _ in 1..jobs {
+            let thread = std::thread::Builder::new().stack_size(STACK);
+            if thread.spawn_scoped(scope, &work).is_err() {
+                break;
+            }
+        }
+        work();
+    });
 }
 
 fn done(

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array};
-use arrow_schema::{DataType, Field, Schema};
-use parquet::arrow::ArrowWriter;
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
+use chordal_export::columns::{ColumnFile, ColumnFormat, Rows};
 
 use super::DiffRow;
-use crate::table::{of_arrow, of_parquet, properties};
+use crate::columns::about;
 
 /// Name and version of the columns.
 pub const DIFF_COLUMNS: &str = "chordal.diff-columns/1";
@@ -48,7 +48,7 @@ pub fn diff_reference() -> String {
     page
 }
 
-fn schema() -> Schema {
+fn schema() -> SchemaRef {
     let field = |(name, kind, unit, _): &(&str, &str, &str, &str)| {
         let data = match kind.split(',').next() {
             Some("uint32") => DataType::UInt32,
@@ -59,7 +59,28 @@ fn schema() -> Schema {
         let unit = (!unit.is_empty()).then(|| ("unit".to_string(), (*unit).to_string()));
         Field::new(*name, data, kind.contains("gap")).with_metadata(unit.into_iter().collect())
     };
-    Schema::new(COLUMNS.iter().map(field).collect::<Vec<_>>())
+    let fields: Vec<Field> = COLUMNS.iter().map(field).collect();
+    Arc::new(Schema::new_with_metadata(fields, about(DIFF_COLUMNS)))
+}
+
+/// The rows that are not written yet.
+struct DiffColumns<'a> {
+    schema: SchemaRef,
+    rows: &'a [DiffRow],
+}
+
+impl Rows for DiffColumns<'_> {
+    fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn schema(&self) -> &SchemaRef {
+        &self.schema
+    }
+
+    fn take(&mut self) -> Result<RecordBatch, ArrowError> {
+        RecordBatch::try_new(self.schema.clone(), arrays(std::mem::take(&mut self.rows)))
+    }
 }
 
 /// Writes a comparison as Parquet.
@@ -67,17 +88,10 @@ fn schema() -> Schema {
 /// # Errors
 /// Where nothing can be written.
 pub fn write_table<W: Write + Send>(rows: &[DiffRow], out: W) -> io::Result<W> {
-    let schema = Arc::new(schema());
-    let about = [("schema", DIFF_COLUMNS), ("version", env!("CARGO_PKG_VERSION"))]
-        .map(|(key, value)| (format!("chordal.{key}"), value.to_string()));
-    let writer = ArrowWriter::try_new(out, schema.clone(), Some(properties(about)));
-    let mut writer = writer.map_err(of_parquet)?;
-    for rows in rows.chunks(1 << 14) {
-        let batch = RecordBatch::try_new(schema.clone(), arrays(rows)).map_err(of_arrow)?;
-        writer.write(&batch).map_err(of_parquet)?;
-        writer.flush().map_err(of_parquet)?;
-    }
-    writer.into_inner().map_err(of_parquet)
+    let columns = DiffColumns { schema: schema(), rows: &[] };
+    let mut table = ColumnFile::new(out, ColumnFormat::Parquet, columns)?;
+    table.put(|columns| columns.rows = rows)?;
+    table.finish()
 }
 
 fn arrays(rows: &[DiffRow]) -> Vec<ArrayRef> {

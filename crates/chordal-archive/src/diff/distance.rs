@@ -41,9 +41,11 @@ impl Within {
 /// Proved, up to the rounding of doubles: a place of one path is as far from the other as the
 /// nearest curve, which is found exactly, so the largest of them is a lower bound. The distance
 /// changes no faster than the place, so that half the length of a piece about a place bounds it
-/// from above; and from a straight line to a straight line it is largest at an end. Pieces are
-/// halved, the one with the highest bound first, until nothing is left above the lower bound by
-/// more than the tolerance. Where that takes too many places, the interval stays wider.
+/// from above; from a straight line to a straight line it is largest at an end, and on a curve that
+/// both paths have it is zero. Pieces are split, the one with the highest bound first, until
+/// nothing is left above the lower bound by more than the tolerance. Where that takes too many
+/// places, the interval stays wider. What rounding alone may make of nothing (see [`rounding`])
+/// counts as nothing.
 ///
 /// Says nothing about the order or direction in which the points are passed.
 pub fn distance(a: &[Piece], b: &[Piece], tolerance_mm: f64) -> Option<Within> {
@@ -53,9 +55,38 @@ pub fn distance(a: &[Piece], b: &[Piece], tolerance_mm: f64) -> Option<Within> {
     if a.is_empty() || b.is_empty() {
         return None;
     }
+    let rounding = rounding(a.iter().chain(b))?;
     let (head, tail) = common(a, b);
-    let there = one_way(&a[head..a.len() - tail], b, tolerance_mm)?;
-    Some(there.or(one_way(&b[head..b.len() - tail], a, tolerance_mm)?))
+    let there = one_way(&a[head..a.len() - tail], b, tolerance_mm, rounding)?;
+    Some(there.or(one_way(&b[head..b.len() - tail], a, tolerance_mm, rounding)?))
+}
+
+/// The largest distance that rounding may make of none between straight lines, mm; nothing where
+/// a coordinate is no number.
+///
+/// With u = 2^-53 and M the largest coordinate of both paths, a line is at most 2√3 M long.
+///
+/// | step | off by at most |
+/// |---|---|
+/// | the ends of the lines: inch to mm, and an offset added | 2u √3 M = 4 uM |
+/// | a place `a (1 - t) + b t`: two products, a sum and `1 - t`, each coordinate 5 uM | 9 uM |
+/// | the foot's `t`: differences 2u √3 M = 4 uM on the way; products, sums and a quotient 7u of 2√3 M | 29 uM |
+/// | the foot, as the place | 9 uM |
+/// | their difference, squares, sum and root | below 4 uM |
+///
+/// Together below 64 uM. Curves get the same number; where they need more, it is told as a distance.
+fn rounding<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<f64> {
+    let mut largest = 0.0f64;
+    for piece in pieces {
+        let bounds = piece.curve.bounds();
+        for value in bounds.min.to_array().into_iter().chain(bounds.max.to_array()) {
+            if !value.is_finite() {
+                return None;
+            }
+            largest = largest.max(value.abs());
+        }
+    }
+    Some(64.0 * (f64::EPSILON / 2.0) * largest)
 }
 
 /// How many pieces are the same at the beginning, and at the end behind those.
@@ -91,6 +122,10 @@ struct Part {
     from: f64,
     to: f64,
     high: f64,
+    /// Where it is split next.
+    split: f64,
+    /// It comes of a split that did not halve.
+    uneven: bool,
 }
 
 impl PartialEq for Part {
@@ -118,63 +153,84 @@ impl Ord for Part {
 struct Search<'a> {
     from: &'a [Piece],
     tree: RTree<Leaf>,
+    tolerance_mm: f64,
+    rounding: f64,
     low: f64,
     asked: usize,
+    parts: BinaryHeap<Part>,
 }
 
 /// How far the pieces of one path are from another path.
-fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64) -> Option<Within> {
-    let is_finite = |piece: &Piece| {
-        let bounds = piece.curve.bounds();
-        let corners = [bounds.min.to_array(), bounds.max.to_array()];
-        corners.iter().flatten().all(|value| value.is_finite())
-    };
-    if !from.iter().chain(to).all(is_finite) {
-        return None;
-    }
+fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64, rounding: f64) -> Option<Within> {
     let tree = RTree::bulk_load(to.iter().map(|piece| Leaf(piece.curve)).collect());
-    let mut search = Search { from, tree, low: 0.0, asked: 0 };
-    let mut parts = BinaryHeap::new();
+    let parts = BinaryHeap::new();
+    let mut search = Search { from, tree, tolerance_mm, rounding, low: 0.0, asked: 0, parts };
     for (index, piece) in from.iter().enumerate() {
-        search.bound(index, 0.0, piece.curve.length(), tolerance_mm, &mut parts)?;
+        search.ends(&piece.curve)?;
+        search.bound(index, 0.0, piece.curve.length(), false)?;
     }
-    while let Some(part) = parts.pop() {
+    while let Some(part) = search.parts.pop() {
         if part.high <= search.low + tolerance_mm || search.asked >= MOST_ASKED {
             return Some(Within { low: search.low, high: part.high.max(search.low) });
         }
         let middle = part.from + (part.to - part.from) / 2.0;
-        search.bound(part.curve, part.from, middle, tolerance_mm, &mut parts)?;
-        search.bound(part.curve, middle, part.to, tolerance_mm, &mut parts)?;
+        let uneven = !part.uneven && part.split != middle;
+        let split = if uneven { part.split } else { middle };
+        search.bound(part.curve, part.from, split, uneven)?;
+        search.bound(part.curve, split, part.to, uneven)?;
     }
     Some(Within { low: search.low, high: search.low })
 }
 
 impl Search<'_> {
+    /// The distance of a place from a curve.
+    fn from_curve(&self, curve: &Curve, place: Vec3) -> f64 {
+        let distance = curve.nearest(place).distance;
+        if distance <= self.rounding { 0.0 } else { distance }
+    }
+
+    /// Asks at the ends of a curve, which need not lie where the rest of it leads: the radii of an
+    /// arc may differ a little.
+    fn ends(&mut self, curve: &Curve) -> Option<()> {
+        if matches!(curve, Curve::Line(_)) {
+            return Some(());
+        }
+        for end in [curve.start(), curve.end()] {
+            self.asked += 1;
+            let nearest = self.tree.nearest_neighbor(end.to_array())?;
+            self.low = self.low.max(self.from_curve(&nearest.0, end));
+        }
+        Some(())
+    }
+
     /// Asks at the middle of a part, and keeps the part; nothing where a number is none.
-    fn bound(
-        &mut self,
-        index: usize,
-        from: f64,
-        to: f64,
-        tolerance_mm: f64,
-        parts: &mut BinaryHeap<Part>,
-    ) -> Option<()> {
+    fn bound(&mut self, index: usize, from: f64, to: f64, uneven: bool) -> Option<()> {
         let curve = &self.from[index].curve;
-        let middle = curve.point_at(from + (to - from) / 2.0);
+        let middle = from + (to - from) / 2.0;
+        let place = curve.point_at(middle);
         self.asked += 1;
-        let nearest = self.tree.nearest_neighbor(middle.to_array())?;
-        let here = nearest.0.nearest(middle).distance;
+        let nearest = self.tree.nearest_neighbor(place.to_array())?.0;
+        let here = self.from_curve(&nearest, place);
         self.low = self.low.max(here);
-        let mut high = here + (to - from) / 2.0;
-        if high > self.low + tolerance_mm
-            && let (Curve::Line(_), Curve::Line(other)) = (curve, &nearest.0)
+        let mut part = Part { curve: index, from, to, high: 0.0, split: middle, uneven };
+        if nearest != *curve {
+            part.high = here + (to - from) / 2.0;
+        }
+        if part.high > self.low + self.tolerance_mm
+            && let (Curve::Line(_), Curve::Line(_)) = (curve, &nearest)
         {
             // The distance from a line is convex along a line.
-            let end = |s: f64| other.nearest(curve.point_at(s)).distance;
-            high = high.min(end(from).max(end(to)).max(here));
+            let end = |s: f64| self.from_curve(&nearest, curve.point_at(s));
+            part.high = part.high.min(end(from).max(end(to)).max(here));
+            // Beside an end of the other line, another one is likely to be the nearest.
+            let feet = [nearest.start(), nearest.end()].map(|end| curve.nearest(end).s);
+            let inside = feet.into_iter().filter(|foot| from < *foot && *foot < to);
+            let off = |foot: &f64| (foot - middle).abs();
+            part.split = inside.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(middle);
         }
-        parts.push(Part { curve: index, from, to, high });
-        high.is_finite().then_some(())
+        let is_number = part.high.is_finite();
+        self.parts.push(part);
+        is_number.then_some(())
     }
 }
 
@@ -209,6 +265,49 @@ mod tests {
         let a = chain(&[[0.0, 0.0], [100.0, 0.0]]);
         let b = chain(&[[0.0, 0.0], [30.0, 0.0], [100.0, 0.0]]);
         assert_eq!(distance(&a, &b, 1e-9), Some(Within { low: 0.0, high: 0.0 }));
+    }
+
+    /// Cut at places that no double holds, far from the origin and along no axis.
+    #[test]
+    fn rounding_is_no_distance() {
+        for scale in [1e-3, 1.0, 25.4, 1e4] {
+            let ends = [[0.1 * scale, 0.7 * scale], [3.3 * scale, -2.9 * scale]];
+            let at = |t: f64| [0, 1].map(|axis| ends[0][axis] * (1.0 - t) + ends[1][axis] * t);
+            let a = chain(&ends);
+            let b = chain(&[at(0.0), at(0.1), at(0.3), at(1.0 / 3.0), at(0.9), at(1.0)]);
+            assert_eq!(distance(&a, &b, 1e-9), Some(Within { low: 0.0, high: 0.0 }), "{scale}");
+        }
+    }
+
+    /// A picometre on a part of a metre is more than rounding makes.
+    #[test]
+    fn a_small_distance_is_not_swallowed() {
+        let a = chain(&[[0.0, 0.0], [1000.0, 0.0]]);
+        let b = chain(&[[0.0, 0.0], [500.0, 1e-11], [1000.0, 0.0]]);
+        let found = distance(&a, &b, 1e-13).unwrap();
+        assert!((found.low - 1e-11).abs() < 1e-13, "{found:?}");
+    }
+
+    /// The end as it was programmed belongs to the path, too: radii of 10 and 10.05.
+    #[test]
+    fn an_arc_whose_end_lies_off_the_circle() {
+        let arc = |end: Vec3| {
+            let fit = chordal::geometry::arc_from_center(
+                chordal::geometry::Plane::Xy,
+                Vec3::new(10.0, 0.0, 0.0),
+                end,
+                (0.0, 0.0),
+                chordal::geometry::Direction::Ccw,
+                0,
+                0.1,
+            );
+            Piece { is_rapid: false, curve: fit.curve }
+        };
+        let a = [arc(Vec3::new(0.0, 10.0, 0.0))];
+        let b = [arc(Vec3::new(0.0, 10.05, 0.0))];
+        let found = distance(&a, &b, 1e-4).unwrap();
+        assert!(found.low <= 0.05 + 1e-9 && 0.05 - 1e-9 <= found.high, "{found:?}");
+        assert!(found.high - found.low <= 1e-4, "{found:?}");
     }
 
     #[test]

@@ -19,7 +19,7 @@ use chordal_export::sha256_hex;
 use serde::Serialize;
 
 use crate::check::{Loader, guarded, job};
-use crate::run::Progress;
+use crate::run::{Progress, with_jobs};
 use crate::walk::walk;
 use motion::Motion;
 
@@ -135,19 +135,14 @@ pub fn compare_all<L: Loader>(
     let pairs = pairs(released, returned);
     let rows = Mutex::new(vec![None; pairs.len()]);
     let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..jobs.max(1) {
-            scope.spawn(|| {
-                let mut loader = loader();
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some((name, pair)) = pairs.get(index) else { break };
-                    let row = compare(&mut loader, name, pair, tolerance_mm);
-                    progress.file(0, true);
-                    rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[index] =
-                        Some(row);
-                }
-            });
+    with_jobs(jobs.min(pairs.len()), || {
+        let mut loader = loader();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some((name, pair)) = pairs.get(index) else { break };
+            let row = compare(&mut loader, name, pair, tolerance_mm);
+            progress.file(0, true);
+            rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner)[index] = Some(row);
         }
     });
     let rows = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -206,8 +201,10 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, tolerance_mm: f64)
         }
     }
     let both = [(released, before), (returned, after)].map(|(path, text)| {
-        let prepared = loader.prepare(path, text)?;
-        guarded(|| Ok(Motion::of(&job(&prepared)?)))
+        guarded(|| {
+            let prepared = loader.prepare(path, text)?;
+            Ok(Motion::of(&job(&prepared)?))
+        })
     });
     match both {
         [Ok(before), Ok(after)] => judge(row, &before, &after, tolerance_mm),

@@ -49,8 +49,12 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let disk = Disk::new(&args.machines.request()?, &args.folders)?;
+    for argument in &args.folders {
+        // What is not there at all is a slip; what is there and cannot be read gets its row.
+        argument.metadata().map_err(|error| Failure::read(argument.to_string_lossy(), &error))?;
+    }
     keep_programs(&args.out)?;
+    let disk = Disk::new(&args.machines.request()?, &args.folders)?;
     let found = walk(&args.folders, &[args.out.clone(), Journal::folder_of(&args.out)]);
     if found.is_empty() {
         return Err(Failure::wrong("there is no file in the folders", "name a folder of programs"));
