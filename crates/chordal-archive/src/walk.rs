@@ -58,11 +58,16 @@ fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<Entry>) {
             }
             if kind.is_dir() {
                 folders.push(path);
-            } else if kind.is_file() || path.is_file() {
+            } else if kind.is_file() || (kind.is_symlink() && is_file_or_lost(&path)) {
                 entries.push(Entry { path, failure: None });
             }
         }
     }
+}
+
+/// A link to a file, or to nothing: that a program is missing shows when it is read.
+fn is_file_or_lost(link: &Path) -> bool {
+    fs::metadata(link).map_or(true, |about| about.is_file())
 }
 
 /// Asked of every file, so the name is compared before the system is asked for the whole path.

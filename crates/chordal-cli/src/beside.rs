@@ -131,9 +131,12 @@ fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {
     find_programs(text, lexicon).into_iter().filter_map(|head| head.number)
 }
 
-/// The files of a folder, and their first program numbers once a name did not tell.
+/// The files of a folder by what their names say, and their first program numbers once a name did
+/// not tell.
 struct Folder {
     files: Vec<PathBuf>,
+    numbers: BTreeMap<u32, Vec<PathBuf>>,
+    subroutines: BTreeMap<String, Vec<PathBuf>>,
     heads: Option<BTreeMap<u32, Vec<PathBuf>>>,
 }
 
@@ -150,23 +153,34 @@ impl Folder {
             .filter(|path| path.is_file())
             .collect();
         files.sort();
-        Folder { files, heads: None }
+        let mut numbers: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
+        let mut subroutines: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
+        for path in &files {
+            if let Some(number) = number_of_name(path) {
+                numbers.entry(number).or_default().push(path.clone());
+            }
+            if let Some(name) = subroutine_of_name(path) {
+                subroutines.entry(name).or_default().push(path.clone());
+            }
+        }
+        Folder { files, numbers, subroutines, heads: None }
     }
 
     /// The file of a subroutine of O words.
     fn subroutine(&self, name: &str, caller: &Path) -> Option<PathBuf> {
-        self.files.iter().find(|path| *path != caller && is_named_like(path, name)).cloned()
+        let named = self.subroutines.get(&name.to_ascii_lowercase())?;
+        named.iter().find(|path| *path != caller).cloned()
     }
 
     /// The file of a program other than its caller: by its name, or else by its first head, or
     /// else by its name alone, where it has no head at all.
     fn program(&mut self, number: u32, caller: &Path) -> Option<PathBuf> {
-        let files = &self.files;
-        let is_named = |path: &&PathBuf| *path != caller && number_of_name(path) == Some(number);
-        let named = || files.iter().filter(is_named);
+        let named =
+            || self.numbers.get(&number).into_iter().flatten().filter(|path| *path != caller);
         if let Some(path) = named().find(|path| first_head(path) == Some(number)) {
             return Some(path.clone());
         }
+        let files = &self.files;
         let heads = self.heads.get_or_insert_with(|| {
             let mut heads: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
             for path in files.iter().take(MOST_HEADS) {
@@ -184,15 +198,11 @@ impl Folder {
     }
 }
 
-/// True for a file that a control would take for the subroutine of a name.
-fn is_named_like(path: &Path, name: &str) -> bool {
-    let file = path.file_name().and_then(|file| file.to_str()).unwrap_or("");
-    let known = [".ngc", ".nc"].iter().find_map(|ending| {
-        let stem = file.len().checked_sub(ending.len())?;
-        let matches = file.get(stem..)?.eq_ignore_ascii_case(ending);
-        if matches { file.get(..stem) } else { None }
-    });
-    known.is_some_and(|stem| stem.eq_ignore_ascii_case(name))
+/// The subroutine that a control would look for in a file of this name, in small letters.
+fn subroutine_of_name(path: &Path) -> Option<String> {
+    let file = path.file_name()?.to_str()?.to_ascii_lowercase();
+    let stem = file.strip_suffix(".ngc").or_else(|| file.strip_suffix(".nc"))?;
+    Some(stem.to_string())
 }
 
 fn first_head(path: &Path) -> Option<u32> {
@@ -225,10 +235,10 @@ mod tests {
     #[test]
     fn files_of_subroutines() {
         for file in ["drill.ngc", "Drill.NGC", "drill.nc"] {
-            assert!(is_named_like(Path::new(file), "drill"), "{file}");
+            assert_eq!(subroutine_of_name(Path::new(file)).as_deref(), Some("drill"), "{file}");
         }
         for file in ["drill", "drills.ngc", "drill.txt", ".ngc", ""] {
-            assert!(!is_named_like(Path::new(file), "drill"), "{file}");
+            assert_ne!(subroutine_of_name(Path::new(file)).as_deref(), Some("drill"), "{file}");
         }
     }
 }

@@ -23,9 +23,9 @@ const SAMPLE: u64 = 16 * 1024;
 /// Endings of files that lie beside programs and are none, whatever they hold.
 const NOT_PROGRAMS: &[&str] = &[
     "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
-    "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet", "arrow",
-    "yaml", "yml", "ini", "hal", "tbl", "var", "log", "py", "rs", "js", "ts", "sh", "bat", "ps1", "zip", "gz",
-    "7z", "exe", "dll", "lock",
+    "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet",
+    "arrow", "yaml", "yml", "ini", "hal", "tbl", "var", "log", "py", "rs", "js", "ts", "sh", "bat",
+    "ps1", "zip", "gz", "7z", "exe", "dll", "lock",
 ];
 
 /// A program to run, as the command line names it.

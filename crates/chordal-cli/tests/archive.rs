@@ -323,7 +323,28 @@ fn wrong_use_is_told_and_nothing_is_written() {
         .run(&["archive", "check", "in", "--out", "r.parquet", "--control", "nobody"])
         .ends(2)
         .complains(&["nobody"]);
+    let missing = ["archive", "check", "in", "inn", "--out", "r.parquet"];
+    folder.run(&missing).ends(2).complains(&["cannot read inn: no such file or directory"]);
     assert!(!folder.path("r.parquet").exists());
+}
+
+/// A link to nothing is a program that is missing; a pipe would never end.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_told_or_left_out() {
+    let folder = Folder::new();
+    folder.write("in/part.nc", CLEAN);
+    std::os::unix::fs::symlink("lost", folder.path("in/link.nc")).unwrap();
+    let pipe = std::process::Command::new("mkfifo").arg(folder.path("in/pipe.nc")).status();
+    assert!(pipe.unwrap().success());
+    folder.run(&check(&["in/pipe.nc"])).ends(1).complains(&["2 that could not be run"]);
+    let table = read(folder.bytes("results.parquet"));
+    let told: Vec<_> =
+        (0..table.num_rows()).map(|row| (text(&table, "path", row), text(&table, "kind", row)));
+    let told: Vec<_> = told.collect();
+    let expected =
+        [("in/link.nc", "unreadable"), ("in/part.nc", "program"), ("in/pipe.nc", "unreadable")];
+    assert_eq!(told, expected);
 }
 
 #[test]

@@ -122,8 +122,8 @@ fn how(row: &DiffRow) -> String {
     if let Some((low, high)) = row.distance_mm {
         parts.push(if high == 0.0 {
             "the same points, cut or ordered otherwise".to_string()
-        } else if low == 0.0 {
-            format!("at most {high:.4} mm apart")
+        } else if low < 0.000_05 {
+            format!("at most {:.4} mm apart", high.max(0.0001))
         } else {
             format!("{low:.4} to {high:.4} mm apart")
         });

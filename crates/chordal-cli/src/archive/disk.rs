@@ -80,12 +80,16 @@ impl Loader for Disk {
     }
 
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, String> {
-        let size = fs::metadata(path).map(|about| about.len());
-        if size.is_ok_and(|size| size > LARGEST) {
+        let failure = |error| self.told(Failure::read(path.to_string_lossy(), &error).to_string());
+        let about = fs::metadata(path).map_err(failure)?;
+        if !about.is_file() {
+            // A pipe may never end.
+            return Err("it is a pipe or a device, not a file".into());
+        }
+        if about.len() > LARGEST {
             return Err("it is larger than 4 GiB; split the program".into());
         }
-        let failure = |error| Failure::read(path.to_string_lossy(), &error).to_string();
-        fs::read(path).map_err(|error| self.told(failure(error)))
+        fs::read(path).map_err(failure)
     }
 
     fn may_be_program(&self, bytes: &[u8]) -> bool {
