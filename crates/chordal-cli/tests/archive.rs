@@ -339,9 +339,8 @@ fn what_is_no_file_is_told_or_left_out() {
     assert!(pipe.unwrap().success());
     folder.run(&check(&["in/pipe.nc"])).ends(1).complains(&["2 that could not be run"]);
     let table = read(folder.bytes("results.parquet"));
-    let told: Vec<_> =
-        (0..table.num_rows()).map(|row| (text(&table, "path", row), text(&table, "kind", row)));
-    let told: Vec<_> = told.collect();
+    let told = |row| (text(&table, "path", row), text(&table, "kind", row));
+    let told: Vec<_> = (0..table.num_rows()).map(told).collect();
     let expected =
         [("in/link.nc", "unreadable"), ("in/part.nc", "program"), ("in/pipe.nc", "unreadable")];
     assert_eq!(told, expected);

@@ -184,7 +184,7 @@ fn one_way(from: &[Piece], to: &[Piece], tolerance_mm: f64, rounding: f64) -> Op
 
 impl Search<'_> {
     /// The distance of a place from a curve.
-    fn from_curve(&self, curve: &Curve, place: Vec3) -> f64 {
+    fn distance_of(&self, curve: &Curve, place: Vec3) -> f64 {
         let distance = curve.nearest(place).distance;
         if distance <= self.rounding { 0.0 } else { distance }
     }
@@ -198,7 +198,7 @@ impl Search<'_> {
         for end in [curve.start(), curve.end()] {
             self.asked += 1;
             let nearest = self.tree.nearest_neighbor(end.to_array())?;
-            self.low = self.low.max(self.from_curve(&nearest.0, end));
+            self.low = self.low.max(self.distance_of(&nearest.0, end));
         }
         Some(())
     }
@@ -210,7 +210,7 @@ impl Search<'_> {
         let place = curve.point_at(middle);
         self.asked += 1;
         let nearest = self.tree.nearest_neighbor(place.to_array())?.0;
-        let here = self.from_curve(&nearest, place);
+        let here = self.distance_of(&nearest, place);
         self.low = self.low.max(here);
         let mut part = Part { curve: index, from, to, high: 0.0, split: middle, uneven };
         if nearest != *curve {
@@ -220,7 +220,7 @@ impl Search<'_> {
             && let (Curve::Line(_), Curve::Line(_)) = (curve, &nearest)
         {
             // The distance from a line is convex along a line.
-            let end = |s: f64| self.from_curve(&nearest, curve.point_at(s));
+            let end = |s: f64| self.distance_of(&nearest, curve.point_at(s));
             part.high = part.high.min(end(from).max(end(to)).max(here));
             // Beside an end of the other line, another one is likely to be the nearest.
             let feet = [nearest.start(), nearest.end()].map(|end| curve.nearest(end).s);
