@@ -390,7 +390,7 @@ impl<S: Sink> Interpreter<'_, S> {
         }
         match self.label(self.program, label) {
             Some(position) => {
-                self.go_to(block, position);
+                self.go_to(position);
                 Flow::Next
             }
             None => {
@@ -398,6 +398,15 @@ impl<S: Sink> Interpreter<'_, S> {
                 Flow::End(EndReason::LostJump)
             }
         }
+    }
+
+    /// Goes on at a place of this program. Blocks that are then met again are counted.
+    pub(super) fn go_to(&mut self, target: TextPosition) {
+        let here = self.origin.span.range;
+        if target.offset <= here.start && self.frames.is_empty() {
+            self.repeat_until = self.repeat_until.max(here.end.max(1));
+        }
+        self.reader.seek(target);
     }
 
     /// Back to the caller, or once more through the called text.

@@ -31,7 +31,7 @@ impl<S: Sink> Interpreter<'_, S> {
         let line = block.line;
         let first = range.slice(self.reader.text()).first().copied().unwrap_or(b' ');
         if first.eq_ignore_ascii_case(&b'O') {
-            return self.flow_line(block, range);
+            return self.flow_line(range);
         }
         let mut pending = Vec::new();
         let mut words: Vec<Word> = Vec::new();

@@ -16,7 +16,7 @@ const MOST_LOOPS: usize = 127;
 
 impl<'a, S: Sink> Interpreter<'a, S> {
     /// GOTO: the block of that number nearest below, else the first from the top.
-    pub(super) fn goto(&mut self, block: &Block, range: TextRange, label: Option<Value>) -> Flow {
+    pub(super) fn goto(&mut self, range: TextRange, label: Option<Value>) -> Flow {
         let Some(label) = label else { return Flow::Next };
         let number = libm::round(label.unwrap_or(0.0));
         let here = self.origin.span.range.start;
@@ -37,18 +37,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             return Flow::End(EndReason::LostJump);
         };
         self.leave_loops(target);
-        self.go_to(block, target);
+        self.go_to(target);
         Flow::Next
-    }
-
-    /// Goes on at a place of this program. Blocks that are then met again are counted.
-    pub(in super::super) fn go_to(&mut self, block: &Block, target: TextPosition) {
-        let here = self.origin.span.range;
-        let _ = block;
-        if target.offset <= here.start && self.frames.is_empty() {
-            self.repeat_until = self.repeat_until.max(here.end.max(1));
-        }
-        self.reader.seek(target);
     }
 
     /// Loops that a jump leaves are over.
@@ -65,14 +55,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     /// WHILE and DO.
-    pub(super) fn while_loop(
-        &mut self,
-        block: &Block,
-        range: TextRange,
-        number: u32,
-        holds: bool,
-    ) -> Flow {
-        let _ = block;
+    pub(super) fn while_loop(&mut self, range: TextRange, number: u32, holds: bool) -> Flow {
         let rules = self.rules();
         if number == 0 || number > rules.last_loop {
             let last = rules.last_loop;
@@ -123,7 +106,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     /// END.
-    pub(super) fn end_of_loop(&mut self, block: &Block, range: TextRange, number: u32) -> Flow {
+    pub(super) fn end_of_loop(&mut self, range: TextRange, number: u32) -> Flow {
         let Some(at) = self.macros.loops.iter().rposition(|entry| entry.number == number) else {
             let message = format!("END{number} without a running DO{number}");
             let help = "a GOTO may leave a loop, but not jump into one";
@@ -138,7 +121,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.macros.loops.truncate(at + 1);
         }
         let head = self.macros.loops[at].head;
-        self.go_to(block, head);
+        self.go_to(head);
         Flow::Next
     }
 

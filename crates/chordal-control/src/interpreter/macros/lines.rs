@@ -92,7 +92,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 }
                 break;
             }
-            flow = self.line_statement(block, range, &parser, statement);
+            flow = self.line_statement(range, &parser, statement);
             break;
         }
         self.macros.parser = parser;
@@ -140,7 +140,6 @@ impl<'a, S: Sink> Interpreter<'a, S> {
 
     fn line_statement(
         &mut self,
-        block: &Block,
         range: TextRange,
         parser: &ExpressionParser<'a>,
         statement: LineStatement,
@@ -151,10 +150,10 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                     self.assign(parser, &target, Some(value));
                 }
             }
-            LineStatement::GotoLabel(label) => return self.goto_label(block, label),
+            LineStatement::GotoLabel(label) => return self.goto_label(label),
             LineStatement::GotoNumber(number) => {
                 let number = self.value_of(parser, number, self.line_purpose());
-                return self.goto(block, range, number);
+                return self.goto(range, number);
             }
             LineStatement::Start(number) => {
                 let Some(value) = self.line_value(parser, number) else { return Flow::Next };
@@ -182,7 +181,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     /// GOTO :LABEL.
-    fn goto_label(&mut self, block: &Block, label: TextRange) -> Flow {
+    fn goto_label(&mut self, label: TextRange) -> Flow {
         let name = normal(label.slice(self.reader.text()));
         let program = self.program;
         if !self.macros.lines.labels.contains_key(&program) {
@@ -191,7 +190,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         }
         let labels = self.macros.lines.labels.get(&program);
         if let Some(target) = labels.and_then(|labels| labels.get(&name)).copied() {
-            self.go_to(block, target);
+            self.go_to(target);
             return Flow::Next;
         }
         let shown = name.to_uppercase();

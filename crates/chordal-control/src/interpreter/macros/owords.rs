@@ -162,7 +162,7 @@ impl Index {
 
 impl<'a, S: Sink> Interpreter<'a, S> {
     /// A line of flow control.
-    pub(super) fn flow_line(&mut self, block: &Block, range: TextRange) -> Flow {
+    pub(super) fn flow_line(&mut self, range: TextRange) -> Flow {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let line = parse_o_word(&mut parser);
@@ -173,7 +173,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 self.report_structure(&line, "a computed O word can only call a subroutine");
                 Flow::Next
             }
-            Some(word) => self.structure(block, &mut parser, &line, word),
+            Some(word) => self.structure(&mut parser, &line, word),
             None => Flow::Next,
         };
         self.report_problems(&mut parser);
@@ -212,7 +212,6 @@ impl<'a, S: Sink> Interpreter<'a, S> {
 
     fn structure(
         &mut self,
-        block: &Block,
         parser: &mut ExpressionParser<'a>,
         line: &OWord,
         word: FlowWord,
@@ -225,35 +224,35 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             _ => false,
         };
         match word {
-            FlowWord::Sub => self.after(block, &index, line, row.close),
+            FlowWord::Sub => self.after(&index, line, row.close),
             FlowWord::If if holds => Flow::Next,
-            FlowWord::If => self.next_branch(block, parser, &index, line, row.next),
+            FlowWord::If => self.next_branch(parser, &index, line, row.next),
             // Reached from above: the branch before it was taken.
-            FlowWord::ElseIf | FlowWord::Else => self.after(block, &index, line, row.close),
+            FlowWord::ElseIf | FlowWord::Else => self.after(&index, line, row.close),
             FlowWord::Do => Flow::Next,
             FlowWord::EndIf if row.open != here => Flow::Next,
             FlowWord::While if row.open != here => match holds {
                 // The end of do … while.
-                true => self.after(block, &index, line, row.open),
+                true => self.after(&index, line, row.open),
                 false => Flow::Next,
             },
             FlowWord::While if holds => Flow::Next,
-            FlowWord::While => self.after(block, &index, line, row.close),
+            FlowWord::While => self.after(&index, line, row.close),
             FlowWord::EndWhile if row.open != here => {
-                self.go_to(block, index.lines[row.open].at);
+                self.go_to(index.lines[row.open].at);
                 Flow::Next
             }
-            FlowWord::Repeat => self.begin_repeat(block, parser, &index, line, here),
-            FlowWord::EndRepeat if row.open != here => self.end_repeat(block, &index, line, here),
+            FlowWord::Repeat => self.begin_repeat(parser, &index, line, here),
+            FlowWord::EndRepeat if row.open != here => self.end_repeat(&index, line, here),
             FlowWord::Break if row.open != here => {
                 self.drop_repeat(row.open);
-                self.after(block, &index, line, row.close)
+                self.after(&index, line, row.close)
             }
             FlowWord::Continue if row.open != here && row.close != NONE => {
                 if index.lines[row.open].word == FlowWord::Repeat {
                     self.report_structure(line, "continue belongs into while and do, not repeat");
                 }
-                self.go_to(block, index.lines[row.close].at);
+                self.go_to(index.lines[row.close].at);
                 Flow::Next
             }
             _ => {
@@ -264,10 +263,10 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 
     /// Goes on behind a line.
-    fn after(&mut self, block: &Block, index: &Index, line: &OWord, to: usize) -> Flow {
+    fn after(&mut self, index: &Index, line: &OWord, to: usize) -> Flow {
         match index.lines.get(to) {
             Some(row) => {
-                self.go_to(block, row.after);
+                self.go_to(row.after);
                 Flow::Next
             }
             None => {
@@ -280,7 +279,6 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     /// The condition of IF does not hold: on to the branch that does.
     fn next_branch(
         &mut self,
-        block: &Block,
         parser: &mut ExpressionParser<'a>,
         index: &Index,
         line: &OWord,
@@ -307,16 +305,15 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                 _ => false,
             };
             if taken {
-                return self.after(block, index, line, next);
+                return self.after(index, line, next);
             }
             next = row.next;
         }
-        self.after(block, index, line, NONE)
+        self.after(index, line, NONE)
     }
 
     fn begin_repeat(
         &mut self,
-        block: &Block,
         parser: &mut ExpressionParser<'a>,
         index: &Index,
         line: &OWord,
@@ -327,7 +324,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         // Half goes to the even number.
         let times = libm::rint(times);
         if times < 1.0 {
-            return self.after(block, index, line, index.lines[here].close);
+            return self.after(index, line, index.lines[here].close);
         }
         let depth = self.frames.len();
         let repeat = Repeat { depth, line: here, remaining: times as u64 };
@@ -335,7 +332,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         Flow::Next
     }
 
-    fn end_repeat(&mut self, block: &Block, index: &Index, line: &OWord, here: usize) -> Flow {
+    fn end_repeat(&mut self, index: &Index, line: &OWord, here: usize) -> Flow {
         let open = index.lines[here].open;
         let depth = self.frames.len();
         let repeats = &mut self.macros.owords.repeats;
@@ -346,7 +343,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             self.drop_repeat(open);
             return Flow::Next;
         }
-        self.after(block, index, line, open)
+        self.after(index, line, open)
     }
 
     /// A repeat is over, and those inside it.

@@ -48,7 +48,7 @@ impl<S: Sink> Interpreter<'_, S> {
                 }
             }
             let Some(range) = statement else { return Flow::Next };
-            let rest = match self.statement(block, range) {
+            let rest = match self.statement(range) {
                 Next::Rest(rest) => {
                     before = before.or(Some(range));
                     rest
@@ -90,7 +90,7 @@ impl<S: Sink> Interpreter<'_, S> {
         );
     }
 
-    fn statement(&mut self, block: &Block, range: TextRange) -> Next {
+    fn statement(&mut self, range: TextRange) -> Next {
         let mut parser = self.take_parser();
         parser.start(self.reader.text(), self.file, range);
         let statement = parse_statement(&mut parser);
@@ -118,7 +118,7 @@ impl<S: Sink> Interpreter<'_, S> {
                     _ if !holds => next = Next::Over(Flow::Next),
                     Branch::Goto(label) => {
                         let label = self.value_of(&parser, label, Purpose::VALUE);
-                        next = Next::Over(self.goto(block, range, label));
+                        next = Next::Over(self.goto(range, label));
                     }
                     Branch::Then => {
                         self.check_then(parser.rest());
@@ -129,7 +129,7 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             Statement::Goto(label) => {
                 let label = self.value_of(&parser, label, Purpose::VALUE);
-                next = Next::Over(self.goto(block, range, label));
+                next = Next::Over(self.goto(range, label));
             }
             Statement::While { condition, number } => {
                 let holds = match condition {
@@ -138,9 +138,9 @@ impl<S: Sink> Interpreter<'_, S> {
                         .value_of(&parser, condition, Purpose::CONDITION)
                         .is_some_and(|value| value.is_some_and(|value| value != 0.0)),
                 };
-                next = Next::Over(self.while_loop(block, range, number, holds));
+                next = Next::Over(self.while_loop(range, number, holds));
             }
-            Statement::End(number) => next = Next::Over(self.end_of_loop(block, range, number)),
+            Statement::End(number) => next = Next::Over(self.end_of_loop(range, number)),
             Statement::Output(output) => self.print(range, output),
         }
         self.macros.parser = parser;
