@@ -1,8 +1,8 @@
 """What the package is built on. Use ``chordal``, ``chordal.geometry`` and ``chordal.motion``."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, Literal, TypeAlias, TypedDict, final
 
 
 __all__ = [
@@ -30,6 +30,16 @@ __version__: str
 
 _Point: TypeAlias = tuple[float, float, float]
 _Planned: TypeAlias = tuple[int, int, list[tuple[int, str]], list[str]]
+
+class _Options(TypedDict):
+    machine: Machine | None
+    control: str | None
+    set: Sequence[str]
+    tools: str | PathLike[str] | None
+    program: int | None
+    block_delete: bool
+    max_blocks: int | None
+    shop_codes: Callable[..., tuple[str, float, str | None] | None] | None
 
 @final
 class Machine:
@@ -147,29 +157,8 @@ _GivenMove: TypeAlias = tuple[
 def main(arguments: Sequence[str]) -> int: ...
 def codes() -> list[tuple[str, str, str, str, str]]: ...
 def builtin_machines() -> list[str]: ...
-def load_file(
-    path: str | PathLike[str],
-    *,
-    machine: Machine | None,
-    control: str | None,
-    set: Sequence[str],
-    tools: str | PathLike[str] | None,
-    program: int | None,
-    block_delete: bool,
-    max_blocks: int | None,
-) -> Program: ...
-def load_text(
-    text: bytes,
-    name: str,
-    *,
-    machine: Machine | None,
-    control: str | None,
-    set: Sequence[str],
-    tools: str | PathLike[str] | None,
-    program: int | None,
-    block_delete: bool,
-    max_blocks: int | None,
-) -> Program: ...
+def load_file(path: str | PathLike[str], options: _Options) -> Program: ...
+def load_text(text: bytes, name: str, options: _Options) -> Program: ...
 def line(start: _Point, end: _Point) -> Curve: ...
 def arc_from_center(
     start: _Point,

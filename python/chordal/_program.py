@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal, TypedDict
+from typing import TYPE_CHECKING, Literal
 
-from . import _chordal, _notebook, _summary, _time, _toml, diagnostics
+from . import _chordal, _notebook, _shop, _summary, _time, _toml, diagnostics
 from ._machine import Machine, MachineLike, machine_of
+from ._shop import ShopCodes
 from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
@@ -16,6 +17,8 @@ from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
 if TYPE_CHECKING:
+    from ._chordal import _Options
+
     #: The controls whose rules a program can be read by.
     _ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
 
@@ -28,16 +31,6 @@ Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 MOST_SAMPLES = 100_000_000
 
 
-class _Request(TypedDict):
-    machine: _chordal.Machine | None
-    control: str | None
-    set: list[str]
-    tools: str | None
-    program: int | None
-    block_delete: bool
-    max_blocks: int | None
-
-
 def load(
     path: str | os.PathLike[str],
     machine: MachineLike | None = None,
@@ -48,6 +41,7 @@ def load(
     program: int | None = None,
     block_delete: bool = False,
     max_blocks: int | None = None,
+    shop_codes: ShopCodes | None = None,
     strict: bool = False,
 ) -> Program:
     """Load a program of a file, with the subprograms that lie beside it.
@@ -62,14 +56,21 @@ def load(
     start with ``/``, ``max_blocks`` is how many blocks may be carried out in calls, repeats and jumps
     before a program counts as endless.
 
+    ``shop_codes`` knows the M codes and the called programs that neither the control nor the files have:
+    a function that is given a :class:`~chordal.ShopCall`, or a dictionary from a code to seconds, to NC
+    blocks, or to such a function. It is asked once about each call, while the program is loaded; an
+    exception of it is raised here, with the block as a note.
+
     Problems of the program are its :attr:`~Program.diagnostics`. With ``strict`` a program with errors
     raises :class:`~chordal.ProgramError`. A file that cannot be read raises :class:`OSError`, a wrong
     machine :class:`~chordal.MachineError`, and what makes no sense :class:`~chordal.UsageError`.
     """
     with open(path, "rb"):
         pass  # the system's own word for a file that is not there
-    request = _request(machine, control, tools, settings, program, block_delete, max_blocks)
-    return _made(_chordal.load_file(os.fspath(path), **request), strict)
+    options = _options(
+        machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
+    )
+    return _made(_chordal.load_file(os.fspath(path), options), strict)
 
 
 def loads(
@@ -83,16 +84,19 @@ def loads(
     program: int | None = None,
     block_delete: bool = False,
     max_blocks: int | None = None,
+    shop_codes: ShopCodes | None = None,
     strict: bool = False,
 ) -> Program:
     """Load a program of a text. ``name`` is what messages call it; the rest is as in :func:`load`."""
     # What is no character stays a byte that is none of a program's.
     data = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else bytes(text)
-    request = _request(machine, control, tools, settings, program, block_delete, max_blocks)
-    return _made(_chordal.load_text(data, name, **request), strict)
+    options = _options(
+        machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
+    )
+    return _made(_chordal.load_text(data, name, options), strict)
 
 
-def _request(
+def _options(
     machine: MachineLike | None,
     control: _ControlName | None,
     tools: Tools | None,
@@ -100,7 +104,8 @@ def _request(
     program: int | None,
     block_delete: bool,
     max_blocks: int | None,
-) -> _Request:
+    shop_codes: ShopCodes | None,
+) -> _Options:
     if machine is not None and control is not None:
         raise UsageError(
             "both a machine and a control are given",
@@ -120,6 +125,7 @@ def _request(
         "program": program,
         "block_delete": block_delete,
         "max_blocks": max_blocks,
+        "shop_codes": None if shop_codes is None else _shop.hook(shop_codes),
     }
 
 

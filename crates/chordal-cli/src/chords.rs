@@ -79,13 +79,13 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-enum Writer {
+enum Writer<'a> {
     Text(ChordWriter<Out>),
-    Columns(Box<ColumnFile<Out, ChordColumns>>),
+    Columns(Box<ColumnFile<Out, ChordColumns<'a>>>),
 }
 
-impl Writer {
-    fn new(out: Out, format: RowFormat, args: &Args, job: &Job) -> io::Result<Writer> {
+impl<'a> Writer<'a> {
+    fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
         let (tolerance, placement) = (args.tolerance, args.placement.inside());
         let columns = |out, format| {
             let file = ColumnFile::new(out, format, ChordColumns::new(job, tolerance, placement))?;

@@ -2,8 +2,10 @@
 //! `chordal.toml` says or the text speaks for, subprograms beside the file, tool tables.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use chordal::Machine;
+use chordal::control::{Interrupt, ShopCodes};
 use chordal::machine::ControlName;
 
 use crate::beside::Folders;
@@ -19,7 +21,7 @@ pub use crate::session::Loaded;
 
 /// What a program is to run on, and what is otherwise than its machine says. Nothing said: the
 /// folder's `chordal.toml` says the machine, or the text does.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub struct Request {
     /// The machine.
     pub machine: Option<Machine>,
@@ -35,6 +37,11 @@ pub struct Request {
     pub block_delete: bool,
     /// Most blocks carried out in calls, repeats and jumps.
     pub max_blocks: Option<u64>,
+    /// Who knows the codes of the shop's own. It is asked once about each, while the program is
+    /// loaded.
+    pub shop_codes: Option<Arc<dyn ShopCodes>>,
+    /// Ends that asking early.
+    pub interrupt: Option<Interrupt>,
 }
 
 impl Request {
@@ -101,5 +108,10 @@ pub fn machine_text(name: &str, text: &str) -> Result<Machine, Failure> {
 fn load(text: Text, input: &Input, request: &Request) -> Result<Loaded, Failure> {
     let common = request.common();
     let given = request.given(&common)?;
-    session::load_text(text, input, given.as_ref(), &common, &mut Folders::default())
+    let mut loaded =
+        session::load_text(text, input, given.as_ref(), &common, &mut Folders::default())?;
+    if let Some(shop) = &request.shop_codes {
+        loaded.ask_shop(shop.clone(), request.interrupt.clone())?;
+    }
+    Ok(loaded)
 }

@@ -3,11 +3,12 @@
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
-use chordal::control::{Control, RunOptions};
+use chordal::control::{Control, Interrupt, RunOptions, ShopCodes, ShopRecord};
 use chordal::syntax::find_programs;
-use chordal::{Job, Machine, Source, SourceMap};
+use chordal::{Command, Diagnostic, Job, Machine, Sink, Source, SourceMap};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::beside::{self, Folders};
@@ -23,6 +24,8 @@ pub struct Loaded {
     texts: Vec<Text>,
     machine: Machine,
     options: RunOptions,
+    /// Names and blocks of what the shop answered, in the order of the run.
+    shop_texts: Vec<(String, String)>,
     /// The one program to run, where the command line names it.
     pub program: Option<u32>,
     /// Why this machine.
@@ -38,6 +41,27 @@ impl Loaded {
     /// The job, which borrows the texts.
     pub fn job(&self) -> Result<Job<'_>, Failure> {
         self.job_on(self.machine.clone())
+    }
+
+    /// Runs the program once, so that the shop is asked about each of its codes; every later
+    /// run finds these answers.
+    pub(crate) fn ask_shop(
+        &mut self,
+        shop: Arc<dyn ShopCodes>,
+        interrupt: Option<Interrupt>,
+    ) -> Result<(), Failure> {
+        self.options.shop_codes = Some(Arc::new(ShopRecord::new(shop)));
+        let job = self.job()?;
+        let job = match interrupt {
+            Some(interrupt) => job.interrupt(interrupt),
+            None => job,
+        };
+        job.run(&mut Unheard);
+        let texts = job.sources().appended().map(|source| {
+            (source.name().to_string(), String::from_utf8_lossy(source.text()).into_owned())
+        });
+        self.shop_texts = texts.collect();
+        Ok(())
     }
 
     /// The program's text.
@@ -67,11 +91,23 @@ impl Loaded {
         for text in &self.texts {
             sources.add(Source::new(text.name(), text.bytes()));
         }
+        // So that a place in them has its words before this job has run.
+        for (name, text) in &self.shop_texts {
+            sources.append(name, text);
+        }
         // The settings were checked with their places when the machine was chosen.
         let job = Job::new(sources, machine)
             .map_err(|error| Failure::Use { message: error.to_string(), help: None })?;
         Ok(job.program(self.program).options(self.options.clone()))
     }
+}
+
+/// Hears nothing of a run.
+struct Unheard;
+
+impl Sink for Unheard {
+    fn command(&mut self, _: &Command) {}
+    fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
 /// Loads a program, its machine and its subprograms.
@@ -110,7 +146,8 @@ pub(crate) fn load_text(
     if let Some(most) = common.max_blocks {
         options.max_repeated_blocks = most;
     }
-    Ok(Loaded { texts, machine, options, program: common.program, chosen })
+    let shop_texts = Vec::new();
+    Ok(Loaded { texts, machine, options, shop_texts, program: common.program, chosen })
 }
 
 /// Loads the one program of a command that takes one.

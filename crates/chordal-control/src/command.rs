@@ -3,6 +3,8 @@
 //! Lengths are millimetres, angles radians, time seconds. Positions are program
 //! coordinates: of the active work coordinate system, at the tool tip.
 
+use std::sync::Arc;
+
 use chordal_diagnostics::{Diagnostic, Span, TextRange};
 use chordal_geometry::Plane;
 use chordal_machine::Axis;
@@ -288,6 +290,8 @@ pub enum CommandKind {
     Dwell {
         /// For how long.
         seconds: f64,
+        /// For what, where it is a code of the shop's own.
+        label: Option<Arc<str>>,
     },
     /// A tool goes into the spindle.
     Tool {

@@ -5,7 +5,7 @@ use crate::controls;
 use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::{self, SettingError};
-use crate::table::{CodeRow, ControlTable};
+use crate::table::{Action, CodeRow, ControlTable};
 
 /// A control as one machine has it: its table, and the parameters after the machine file's
 /// settings.
@@ -27,7 +27,9 @@ impl Control {
     /// The control of a machine, with the settings that could not be taken.
     pub fn of(machine: &Machine) -> (Control, Vec<SettingError>) {
         let table = controls::table(machine.control);
-        let (parameters, errors) = settings::resolve(table.settings, &table.parameters, machine);
+        let (parameters, mut errors) =
+            settings::resolve(table.settings, &table.parameters, machine);
+        errors.extend(codes_of_both(table, machine));
         let mut axes = AxisMask::NONE;
         for (index, limits) in machine.axes.iter().enumerate() {
             let present: Option<&AxisLimits> = limits.as_ref();
@@ -78,6 +80,22 @@ impl Control {
     pub fn axes(&self) -> AxisMask {
         self.axes
     }
+}
+
+/// Codes that the machine file calls the shop's own, and the control carries out itself.
+fn codes_of_both(
+    table: &'static ControlTable,
+    machine: &Machine,
+) -> impl Iterator<Item = SettingError> {
+    machine.shop_codes.keys().filter_map(move |number| {
+        let row = table.m_code(number * 10).filter(|row| row.action != Action::NotSimulated)?;
+        let (title, what) = (table.title, row.title);
+        Some(SettingError {
+            name: format!("shop_codes.M{number}"),
+            message: format!("M{number} is no code of the shop's own: {title} has it ({what})"),
+            help: Some("take it out of the machine's `shop_codes`".to_string()),
+        })
+    })
 }
 
 /// The program of the first M code that calls a subprogram (Fanuc No. 6071).

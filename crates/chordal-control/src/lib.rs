@@ -22,6 +22,7 @@ mod path_modes;
 mod pocket;
 mod recognize;
 mod settings;
+mod shop;
 mod state;
 mod subs;
 pub mod table;
@@ -32,7 +33,7 @@ pub use compensation_settings::CompensationField;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;
-pub use interpreter::{EndReason, Outcome, RunOptions, initial_offset, run};
+pub use interpreter::{EndReason, Interrupt, Outcome, RunOptions, initial_offset, run};
 pub use library::{Library, Program, referenced_programs};
 pub use parameters::*;
 pub use path_modes::{PathField, PathRules, StartMode};
@@ -40,4 +41,5 @@ pub use recognize::{Recognition, recognize};
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, Field, Setting, SettingError, value_text,
 };
+pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
 pub use subs::called_subs;

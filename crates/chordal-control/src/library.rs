@@ -112,8 +112,8 @@ impl<'a> Library<'a> {
     }
 
     /// A reader of one program.
-    pub(crate) fn reader(&self, program: usize, lexicon: Lexicon) -> BlockReader<'a> {
-        let Program { file, head } = self.programs[program];
+    pub(crate) fn reader(&self, program: Program, lexicon: Lexicon) -> BlockReader<'a> {
+        let Program { file, head } = program;
         let mut reader = BlockReader::new(self.text(file), file, lexicon);
         reader.seek(head.start);
         reader.limit(head.end);

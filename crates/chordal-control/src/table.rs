@@ -157,6 +157,8 @@ pub enum Action {
     Probe {
         must_hit: bool,
     },
+    /// A code that the table does not have and the shop does.
+    ShopCode,
     /// Carried out without effect on path or time.
     NoEffect,
     /// The control carries it out and Chordal does not.

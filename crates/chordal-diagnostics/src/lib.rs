@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+mod appended;
 mod collect;
 mod diagnostic;
 mod registry;

@@ -268,7 +268,7 @@ fn slot(name: WorkName) -> u16 {
 /// The commands that need no state.
 fn simple(kind: &CommandKind) -> Option<String> {
     Some(match kind {
-        CommandKind::Dwell { seconds } => format!("DWELL({seconds:.6})"),
+        CommandKind::Dwell { seconds, .. } => format!("DWELL({seconds:.6})"),
         CommandKind::Tool { number } => format!("CHANGE_TOOL({number})"),
         CommandKind::ToolSelect { number } => format!("SELECT_TOOL({number})"),
         CommandKind::ToolLength { length_mm, .. } => {

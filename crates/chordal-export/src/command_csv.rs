@@ -123,7 +123,7 @@ impl<W: Write> CommandCsv<W> {
             CommandKind::Spiral { motion, shape, feed } => {
                 self.cut("spiral", motion, Some(shape), feed)
             }
-            CommandKind::Dwell { seconds } => {
+            CommandKind::Dwell { seconds, .. } => {
                 self.row[SECONDS] = number(*seconds);
                 "dwell"
             }

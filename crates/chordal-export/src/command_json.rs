@@ -247,9 +247,12 @@ fn write_shape(object: &mut Object, shape: &ArcShape) {
 /// Commands that move nothing.
 fn state(object: &mut Object, kind: &CommandKind) {
     match kind {
-        CommandKind::Dwell { seconds } => {
+        CommandKind::Dwell { seconds, label } => {
             object.word("kind", "dwell");
             object.number("seconds", *seconds);
+            if let Some(label) = label {
+                object.text("label", label);
+            }
         }
         CommandKind::Tool { number } => {
             object.word("kind", "tool");

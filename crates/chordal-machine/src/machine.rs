@@ -48,6 +48,8 @@ pub struct Machine {
     pub macros: Macros,
     /// What probe moves find.
     pub probe: Probe,
+    /// M codes that the shop has of its own, by number.
+    pub shop_codes: BTreeMap<u16, ShopCode>,
 }
 
 /// The limits of an axis: millimetres, or radians on a rotary axis.
@@ -145,6 +147,15 @@ pub struct Times {
     pub m_code_s: Option<f64>,
 }
 
+/// An M code that the control does not have and the machine takes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ShopCode {
+    /// How long the machine takes for it; `None`: no time.
+    pub time_s: Option<f64>,
+    /// What it is, for people.
+    pub label: Option<String>,
+}
+
 /// What macro programs find when the program starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Macros {
@@ -206,6 +217,7 @@ impl Machine {
             times: Times::default(),
             macros: Macros::default(),
             probe: Probe::default(),
+            shop_codes: BTreeMap::new(),
         }
     }
 

@@ -45,6 +45,13 @@ impl Machine {
         }
         self.write_motion(&mut out);
         self.write_times(&mut out);
+        for (number, code) in &self.shop_codes {
+            out.table(&format!("shop_codes.M{number}"));
+            out.quantity("time", code.time_s, Dimension::Time);
+            if let Some(label) = &code.label {
+                out.line("label", &string_text(label));
+            }
+        }
         self.write_macros(&mut out);
         match self.probe.hit {
             Some(hit) => {

@@ -5,7 +5,8 @@ mod common;
 use std::f64::consts::{FRAC_PI_6, PI};
 
 use chordal_machine::{
-    Axis, ControlName, Machine, RapidShape, SettingValue, Tool, WorkOffset, builtin, builtin_names,
+    Axis, ControlName, Machine, RapidShape, SettingValue, ShopCode, Tool, WorkOffset, builtin,
+    builtin_names,
 };
 use common::{machine, no_files, shown};
 use proptest::prelude::*;
@@ -116,6 +117,10 @@ tool_change = "0.1 min"
 "Setting 43" = 0x10
 "Setting 335" = true
 factor = 1.0
+[shop_codes.M120]
+time = "2500 ms"
+label = "part flip"
+[shop_codes.M0121]
 "#;
 
 #[test]
@@ -160,6 +165,9 @@ fn every_key() {
     assert!(m.switches.optional_stop);
     assert_eq!(m.clearance_mm, Some(2.54));
     assert_eq!(m.times.tool_change_s, Some(6.0));
+    let flip = ShopCode { time_s: Some(2.5), label: Some("part flip".into()) };
+    assert_eq!(m.shop_codes[&120], flip);
+    assert_eq!(m.shop_codes[&121], ShopCode::default());
     let setting = &m.settings["Setting 58"];
     assert_eq!(setting.value, SettingValue::Text("fanuc".into()));
     let location = setting.location.as_ref().expect("a place");

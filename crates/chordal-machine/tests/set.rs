@@ -52,6 +52,20 @@ fn other_values() {
 }
 
 #[test]
+fn a_shop_code_by_its_number() {
+    let code = |text: &str| after(text).shop_codes[&120].clone();
+    assert_eq!(code("shop_codes.M120.time=2.5 s").time_s, Some(2.5));
+    assert_eq!(code("shop_codes.m120.label=part flip").label.as_deref(), Some("part flip"));
+    for key in ["120", "G120", "M", "M6554", "M1.5"] {
+        let (message, _, help) = refused(&format!("shop_codes.\"{key}\".time=2 s"));
+        assert_eq!(message, format!("`{key}` is not an M code"));
+        assert!(help.is_some_and(|help| help.contains("shop_codes.M120")));
+    }
+    let (message, ..) = refused("shop_codes.M120.time=-1 s");
+    assert!(message.contains("not negative") || message.contains("below zero"), "{message}");
+}
+
+#[test]
 fn settings_by_any_name() {
     let value = |text: &str, name: &str| after(text).settings[name].value.clone();
     let text = |text: &str| SettingValue::Text(text.to_string());

@@ -15,6 +15,8 @@ mod error;
 mod machine;
 mod motion;
 mod program;
+mod shop;
+mod signals;
 mod table;
 
 use pyo3::prelude::*;

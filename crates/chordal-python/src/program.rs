@@ -1,10 +1,10 @@
 //! Programs: loaded once, asked for anything.
 
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
+use chordal::control::EndReason;
 use chordal::geometry::Placement;
-use chordal::machine::ControlName;
 use chordal::motion::{
     Level, LimitError, MotionOptions, PlanSink, Sampler, Sources, Step, StepSource,
 };
@@ -13,11 +13,14 @@ use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_cli::load::{self, Failure, Loaded, Request};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{Plot, PlotOptions, SampleHead, TimeDocument, report, sha256_hex, time_json};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error;
 use crate::machine::Machine;
+use crate::shop::Shop;
+use crate::signals::Signals;
 use crate::table::Table;
 
 /// A program with its machine and its subprograms. It never changes; every question runs it.
@@ -30,64 +33,64 @@ pub struct Program {
 /// What the planner was told, and what it could not take.
 type Planned = (u64, u64, Vec<(u32, String)>, Vec<String>);
 
-/// Loads a file. What is not said is as the folder's `chordal.toml` or the text says.
-#[pyfunction]
-#[pyo3(signature = (path, *, machine, control, set, tools, program, block_delete, max_blocks))]
-#[allow(clippy::too_many_arguments, reason = "keywords of Python")]
-pub fn load_file(
-    py: Python<'_>,
-    path: PathBuf,
-    machine: Option<&Bound<'_, Machine>>,
-    control: Option<&str>,
+/// What a program is to run on, and how; a dictionary of Python's.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Options {
+    machine: Option<Py<Machine>>,
+    control: Option<String>,
     set: Vec<String>,
     tools: Option<PathBuf>,
     program: Option<u32>,
     block_delete: bool,
     max_blocks: Option<u64>,
-) -> PyResult<Program> {
-    let (machine, control) = chosen(py, machine, control)?;
-    let request = Request { machine, control, set, tools, program, block_delete, max_blocks };
-    made(py, py.detach(|| load::file(&path, &request)))
+    shop_codes: Option<Py<PyAny>>,
+}
+
+impl Options {
+    fn request(self, py: Python<'_>, signals: &Arc<Signals>) -> PyResult<Request> {
+        let control = self.control.map(|name| {
+            name.parse().map_err(|error: chordal::machine::UnknownControl| {
+                error::usage(py, &error.to_string(), None)
+            })
+        });
+        let shop = self.shop_codes.map(|hook| Shop::new(hook, signals.clone()));
+        Ok(Request {
+            machine: self.machine.map(|machine| machine.get().0.clone()),
+            control: control.transpose()?,
+            set: self.set,
+            tools: self.tools,
+            program: self.program,
+            block_delete: self.block_delete,
+            max_blocks: self.max_blocks,
+            shop_codes: shop.map(|shop| Arc::new(shop) as _),
+            interrupt: Some(signals.interrupt()),
+        })
+    }
+}
+
+/// Loads a file. What is not said is as the folder's `chordal.toml` or the text says.
+#[pyfunction]
+pub fn load_file(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<Program> {
+    loaded(py, options, |request| load::file(&path, request))
 }
 
 /// Loads a text under a name that messages show.
 #[pyfunction]
-#[pyo3(signature = (text, name, *, machine, control, set, tools, program, block_delete, max_blocks))]
-#[allow(clippy::too_many_arguments, reason = "keywords of Python")]
-pub fn load_text(
-    py: Python<'_>,
-    text: &[u8],
-    name: &str,
-    machine: Option<&Bound<'_, Machine>>,
-    control: Option<&str>,
-    set: Vec<String>,
-    tools: Option<PathBuf>,
-    program: Option<u32>,
-    block_delete: bool,
-    max_blocks: Option<u64>,
-) -> PyResult<Program> {
-    let (machine, control) = chosen(py, machine, control)?;
-    let request = Request { machine, control, set, tools, program, block_delete, max_blocks };
+pub fn load_text(py: Python<'_>, text: &[u8], name: &str, options: Options) -> PyResult<Program> {
     let text = text.to_vec();
-    made(py, py.detach(|| load::text(name, text, &request)))
+    loaded(py, options, |request| load::text(name, text, request))
 }
 
-fn chosen(
+fn loaded(
     py: Python<'_>,
-    machine: Option<&Bound<'_, Machine>>,
-    control: Option<&str>,
-) -> PyResult<(Option<chordal::Machine>, Option<ControlName>)> {
-    let control: Option<ControlName> = control
-        .map(|name| {
-            name.parse().map_err(|error: chordal::machine::UnknownControl| {
-                error::usage(py, &error.to_string(), None)
-            })
-        })
-        .transpose()?;
-    Ok((machine.map(|machine| machine.get().0.clone()), control))
-}
-
-fn made(py: Python<'_>, loaded: Result<Loaded, Failure>) -> PyResult<Program> {
+    options: Options,
+    load: impl FnOnce(&Request) -> Result<Loaded, Failure> + Send,
+) -> PyResult<Program> {
+    let signals = Signals::new();
+    let request = options.request(py, &signals)?;
+    let loaded = py.detach(|| load(&request));
+    signals.raised()?;
     match loaded {
         Ok(loaded) => Ok(Program { loaded, report: OnceLock::new() }),
         Err(failure) => Err(error::of_failure(py, &failure)),
@@ -164,21 +167,36 @@ impl PlanSink for Setpoints {
 }
 
 impl Program {
-    /// Runs something on the job, without the interpreter lock.
+    /// Runs something on the job, without the interpreter lock. Ctrl-C ends it.
     fn ask<T: Send>(
         &self,
         py: Python<'_>,
         question: impl FnOnce(&Job<'_>) -> PyResult<T> + Send,
     ) -> PyResult<T> {
-        py.detach(|| {
-            let job = self.loaded.job().map_err(|failure| failure.to_string());
-            job.map_err(error::inside).and_then(|job| question(&job))
-        })
+        let signals = Signals::new();
+        let answer = py.detach(|| {
+            let job = self.loaded.job().map_err(|failure| error::inside(failure.to_string()))?;
+            question(&job.interrupt(signals.interrupt()))
+        });
+        signals.raised()?;
+        answer
     }
 
     /// The report of a run, made once.
-    fn told<'s>(&'s self, job: &Job<'_>) -> &'s Report {
-        self.report.get_or_init(|| job.report())
+    fn told<'s>(&'s self, job: &Job<'_>) -> PyResult<&'s Report> {
+        match self.report.get() {
+            Some(report) => Ok(report),
+            None => self.keep(job.report()),
+        }
+    }
+
+    /// Keeps the report of a run, unless it was ended early.
+    fn keep(&self, report: Report) -> PyResult<&Report> {
+        let ended = report.outcomes.iter().any(|outcome| outcome.end == EndReason::Interrupted);
+        if ended {
+            return Err(PyKeyboardInterrupt::new_err(()));
+        }
+        Ok(self.report.get_or_init(|| report))
     }
 }
 
@@ -220,7 +238,7 @@ impl Program {
     /// The problems as the JSON of `chordal check --format json`, and each as text for people.
     fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<String>)> {
         self.ask(py, |job| {
-            let told = self.told(job);
+            let told = self.told(job)?;
             let sources = job.sources();
             let drawn = told.diagnostics.iter().map(|each| report::one(each, sources, false));
             Ok((report::json(told, sources, self.loaded.name()), drawn.collect()))
@@ -229,15 +247,12 @@ impl Program {
 
     /// The lines that the program prints (DPRNT).
     fn output(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        self.ask(py, |job| Ok(self.told(job).output.clone()))
+        self.ask(py, |job| Ok(self.told(job)?.output.clone()))
     }
 
     /// What the run comes to.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.ask(py, |job| {
-            self.told(job);
-            Ok(())
-        })?;
+        self.ask(py, |job| self.told(job).map(|_| ()))?;
         let empty = Summary::default();
         summary_dict(py, self.report.get().map_or(&empty, |report| &report.summary))
     }
@@ -249,7 +264,7 @@ impl Program {
                 if of_path { CommandColumns::of_path(job) } else { CommandColumns::new(job) };
             let mut commands = Commands { columns, of_path };
             let told = job.report_watched(&mut commands);
-            let _ = self.report.set(told);
+            self.keep(told)?;
             commands.columns.take().and_then(Table::new).map_err(error::inside)
         })
     }
@@ -336,7 +351,7 @@ impl Program {
         let options =
             MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
         let timed =
-            self.ask(py, |job| Ok(time_of(job, self.told(job), &options, what_if, bound)))?;
+            self.ask(py, |job| Ok(time_of(job, self.told(job)?, &options, what_if, bound)))?;
         timed.map_err(|error| wrong_limit(py, &error))
     }
 

@@ -1,6 +1,6 @@
 use chordal_control::{
-    AxisMask, Command, CommandKind, Control, Library, Origin, Outcome, RunOptions, SettingError,
-    Sink, initial_offset,
+    AxisMask, Command, CommandKind, Control, Interrupt, Library, Origin, Outcome, RunOptions,
+    SettingError, Sink, initial_offset,
 };
 use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
@@ -117,6 +117,12 @@ impl<'a> Job<'a> {
     /// Other budgets than the usual ones.
     pub fn options(mut self, options: RunOptions) -> Job<'a> {
         self.options = options;
+        self
+    }
+
+    /// Ends a run early when it says so; the outcome is then `EndReason::Interrupted`.
+    pub fn interrupt(mut self, interrupt: Interrupt) -> Job<'a> {
+        self.options.interrupt = Some(interrupt);
         self
     }
 

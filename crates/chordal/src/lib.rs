@@ -32,7 +32,10 @@ pub use chordal_machine as machine;
 pub use chordal_path as path;
 pub use chordal_syntax as syntax;
 
-pub use chordal_control::{Command, CommandKind, Control, Outcome, RunOptions, Sink};
+pub use chordal_control::{
+    Command, CommandKind, Control, Outcome, RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes,
+    ShopRecord, Sink,
+};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_machine::Machine;
 pub use chordal_path::{

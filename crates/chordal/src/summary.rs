@@ -122,7 +122,7 @@ impl SummaryBuilder {
         match &command.kind {
             CommandKind::Units(units) => self.summary.inch = *units == Units::Inch,
             CommandKind::Tool { number } => self.tool = *number,
-            CommandKind::Dwell { seconds } => {
+            CommandKind::Dwell { seconds, .. } => {
                 self.summary.dwells += 1;
                 self.summary.dwell_time_s += seconds;
             }

@@ -240,7 +240,7 @@ fn happened(table: &Table, text: &str) -> (Vec<String>, Vec<&'static str>) {
         done.push(match &command.kind {
             CommandKind::Rapid { motion, .. } => way("rapid", to(motion)),
             CommandKind::Line { motion, .. } => way("line", to(motion)),
-            CommandKind::Dwell { seconds } => format!("dwell {seconds}"),
+            CommandKind::Dwell { seconds, .. } => format!("dwell {seconds}"),
             CommandKind::Stop { .. } => "stop".into(),
             CommandKind::Spindle { state, .. } => match state {
                 SpindleState::Off => "off".into(),

@@ -48,7 +48,9 @@ fn effects(machine: &str, setup: &str, block: &str) -> String {
             effects.push(words);
         }
         match &command.kind {
-            CommandKind::Dwell { seconds } => effects.push(format!("dwell {} s", number(*seconds))),
+            CommandKind::Dwell { seconds, .. } => {
+                effects.push(format!("dwell {} s", number(*seconds)))
+            }
             CommandKind::ToolLength { number: Some(n), .. } => effects.push(format!("length {n}")),
             CommandKind::WorkOffset { name, .. } => effects.push(format!("offset {name:?}")),
             _ => {}

@@ -68,6 +68,7 @@ impl<S: Sink> Interpreter<'_, S> {
     /// Finds the rows of all G and M words and judges how they go together.
     fn gather(&mut self, block: &Block, codes: &mut Vec<(&'static CodeRow, usize)>) {
         codes.clear();
+        self.shop.begin_block();
         self.check_repeated_words(block);
         for (at, word) in block.words.iter().enumerate() {
             if !matches!(word.letter, b'G' | b'M') {
@@ -76,7 +77,7 @@ impl<S: Sink> Interpreter<'_, S> {
             let Some(number) = self.literal(word) else { continue };
             let row = code_number(number).and_then(|code| match word.letter {
                 b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
-                _ => self.control.m_code(code),
+                _ => self.m_row(block, at, code),
             });
             match row {
                 Some(row) => codes.push((row, at)),
@@ -84,6 +85,15 @@ impl<S: Sink> Interpreter<'_, S> {
             }
         }
         self.check_groups(block, codes);
+    }
+
+    /// The row of an M code. What the table lacks or leaves out may be the shop's own.
+    fn m_row(&mut self, block: &Block, at: usize, code: u16) -> Option<&'static CodeRow> {
+        let row = self.control.m_code(code);
+        match row {
+            Some(row) if row.action != Action::NotSimulated => Some(row),
+            _ => self.shop_row(block, at, code).or(row),
+        }
     }
 
     /// Inch and millimetres may be chosen by G20 and G21, by G70 and G71, or by either.

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_syntax::{Block, BlockReader, Letters, Position as TextPosition, Word};
+use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
 
+use super::shop::Given;
 use super::{EndReason, Flow, Frame, Interpreter};
 use crate::command::Sink;
 use crate::table::{Action, LineRepeat, Subroutines};
@@ -224,7 +225,16 @@ impl<S: Sink> Interpreter<'_, S> {
             }
             program
         });
-        let Some(program) = found else { return self.report_missing_program(&word, number) };
+        let Some(program) = found else {
+            let given = Given { block: Some(block), arguments: &[] };
+            let packed = self.control.parameters.packed_calls && number > 9999;
+            let (asked, times) =
+                if packed { (number % 10_000, number / 10_000) } else { (number, repeats) };
+            if self.shop_program(&word, asked, times, given).is_none() {
+                self.report_missing_program(&word, number);
+            }
+            return;
+        };
         let start_label = table.call_start_label.filter(|letter| block.letters().has(*letter));
         let mut start = self.library.programs()[program].head.start;
         if let Some(letter) = start_label {
@@ -302,13 +312,13 @@ impl<S: Sink> Interpreter<'_, S> {
             );
             return false;
         }
-        let mut callee = self.library.reader(program, self.control.table.lexicon);
+        let mut callee = self.reader_of(program);
         callee.seek(start);
         let entered = self.paths.enter(self.path, self.origin.span);
         let path = std::mem::replace(&mut self.path, entered);
         let reader = std::mem::replace(&mut self.reader, callee);
         let caller = std::mem::replace(&mut self.program, program);
-        self.file = self.library.programs()[program].file;
+        self.file = self.program_at(program).file;
         self.frames.push(Frame {
             reader,
             program: caller,
@@ -320,6 +330,7 @@ impl<S: Sink> Interpreter<'_, S> {
             modal_calls: self.macros.active,
             own_locals: false,
             by_alias: false,
+            of_shop: false,
         });
         true
     }
@@ -431,7 +442,7 @@ impl<S: Sink> Interpreter<'_, S> {
         self.program = frame.program;
         self.path = frame.path;
         let callee_file = self.file;
-        self.file = self.library.programs()[self.program].file;
+        self.file = self.program_at(self.program).file;
         if let Some((block, label)) = label {
             match self.label(self.program, label) {
                 Some(position) => self.reader.seek(position),
@@ -447,6 +458,9 @@ impl<S: Sink> Interpreter<'_, S> {
 
     /// The text of a called program ended without a return.
     pub(super) fn text_ended_in_call(&mut self) {
+        if self.frames.last().is_some_and(|frame| frame.of_shop) {
+            return self.leave(None);
+        }
         let subroutine = self.frames.last().is_some_and(|frame| frame.subroutine);
         let code = if subroutine { "M17" } else { "M99" };
         let span = self.origin.span;
@@ -495,10 +509,8 @@ impl<S: Sink> Interpreter<'_, S> {
     }
 
     fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
-        let library = self.library;
-        let lexicon = self.control.table.lexicon;
+        let mut reader = self.reader_of(program);
         let labels = self.labels.entry(program).or_insert_with(|| {
-            let mut reader: BlockReader<'_> = library.reader(program, lexicon);
             let mut labels: HashMap<i64, Vec<TextPosition>> = HashMap::new();
             let mut block = Block::new();
             loop {

@@ -2,7 +2,7 @@
 //!
 //! One file per concern: `block` gathers the codes of a block and takes them in the order a
 //! control does; `judge` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
-//! tables; `calls` follows subprograms; `values` turns words into millimetres; `report`
+//! tables; `calls` follows subprograms; `shop` asks about codes of a shop's own; `values` turns words into millimetres; `report`
 //! builds the diagnostics.
 
 mod arc;
@@ -19,10 +19,13 @@ mod path_modes;
 mod pocket;
 mod reference;
 mod report;
+mod shop;
 mod spiral;
 mod values;
 
 use std::collections::HashMap;
+use std::fmt;
+use std::sync::Arc;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
 use chordal_machine::Machine;
@@ -32,23 +35,44 @@ use crate::command::{
     AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Side, Sink, WorkName,
 };
 use crate::control::Control;
-use crate::library::Library;
+use crate::library::{Library, Program};
 use crate::macros::rules::MacroForm;
 use crate::offsets::Offsets;
+use crate::shop::ShopCodes;
 use crate::state::State;
 use crate::table::CodeRow;
 
+/// True when a run should end early. It is asked every [`BLOCKS_PER_ASKING`] blocks.
+pub type Interrupt = Arc<dyn Fn() -> bool + Send + Sync>;
+
+/// So often is asked whether to go on: below a millisecond of reading, and nothing beside it.
+const BLOCKS_PER_ASKING: u64 = 1024;
+
 /// How a run is done.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct RunOptions {
     /// Most blocks carried out in calls, repeats and jumps. Blocks that are simply read one
     /// after the other are not counted: their number is that of the text.
     pub max_repeated_blocks: u64,
+    /// Who knows the codes and programs of the shop that nothing else knows.
+    pub shop_codes: Option<Arc<dyn ShopCodes>>,
+    /// Ends the run early.
+    pub interrupt: Option<Interrupt>,
 }
 
 impl Default for RunOptions {
     fn default() -> RunOptions {
-        RunOptions { max_repeated_blocks: 1_000_000 }
+        RunOptions { max_repeated_blocks: 1_000_000, shop_codes: None, interrupt: None }
+    }
+}
+
+impl fmt::Debug for RunOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RunOptions")
+            .field("max_repeated_blocks", &self.max_repeated_blocks)
+            .field("shop_codes", &self.shop_codes.is_some())
+            .field("interrupt", &self.interrupt.is_some())
+            .finish()
     }
 }
 
@@ -70,6 +94,8 @@ pub enum EndReason {
     Alarm,
     /// The budget was used up.
     Budget,
+    /// Who ran it wanted it to end.
+    Interrupted,
 }
 
 /// What a run leaves beside its commands.
@@ -111,6 +137,8 @@ struct Frame<'a> {
     own_locals: bool,
     /// It was called by a code that a setting makes a call.
     by_alias: bool,
+    /// The called text is the shop's answer: its end is a return.
+    of_shop: bool,
 }
 
 struct Interpreter<'a, S> {
@@ -150,6 +178,7 @@ struct Interpreter<'a, S> {
     message: Option<TextRange>,
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
+    shop: shop::ShopState,
 }
 
 /// Things that are told once, not for every block.
@@ -214,7 +243,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             options,
             sink,
             state: State::new(&control.parameters, offsets, home),
-            reader: library.reader(program, control.table.lexicon),
+            reader: library.reader(library.programs()[program], control.table.lexicon),
             program,
             file: library.programs()[program].file,
             frames: Vec::new(),
@@ -237,6 +266,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             repeat_until: 0,
             message: None,
             stopped: None,
+            shop: shop::ShopState::new(program),
         }
     }
 
@@ -257,11 +287,18 @@ impl<'a, S: Sink> Interpreter<'a, S> {
                     return EndReason::Budget;
                 }
             }
+            if self.blocks.is_multiple_of(BLOCKS_PER_ASKING) && self.is_interrupted() {
+                return EndReason::Interrupted;
+            }
             match self.execute(&mut block) {
                 Flow::Next => {}
                 Flow::End(reason) => return reason,
             }
         }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.options.interrupt.as_ref().is_some_and(|interrupt| interrupt())
     }
 
     fn finish(&mut self, end: EndReason) {
@@ -407,6 +444,16 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             diagnostic.alarm = self.alarm_text(diagnostic.code, None);
         }
         self.sink.diagnostic(diagnostic);
+    }
+
+    /// A program of the library, or one that the shop's answers have brought.
+    fn program_at(&self, index: usize) -> Program {
+        let own = self.library.programs();
+        own.get(index).copied().unwrap_or_else(|| self.shop.program(index - own.len()))
+    }
+
+    fn reader_of(&self, program: usize) -> BlockReader<'a> {
+        self.library.reader(self.program_at(program), self.control.table.lexicon)
     }
 
     fn span(&self, range: TextRange) -> Span {

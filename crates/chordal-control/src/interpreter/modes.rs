@@ -238,6 +238,7 @@ impl<S: Sink> Interpreter<'_, S> {
                     self.emit(CommandKind::End);
                     return Flow::End(EndReason::ProgramEnd);
                 }
+                Action::ShopCode => self.carry_out_shop_code(block, codes, *at),
                 Action::RunCycleHere => self.run_cycle_here(block, *at),
                 Action::CallProgram => self.call_program(block, *at),
                 Action::CallLabel => self.call_label(block, *at),

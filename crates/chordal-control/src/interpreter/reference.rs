@@ -78,7 +78,7 @@ impl<S: Sink> Interpreter<'_, S> {
             );
             return;
         }
-        self.emit(CommandKind::Dwell { seconds });
+        self.emit(CommandKind::Dwell { seconds, label: None });
     }
 
     /// G28, G29, G30 and G53 while the tool is beside the contour.

@@ -74,6 +74,7 @@ codes! {
     DuplicateProgram => program::DUPLICATE_PROGRAM,
     HeaderOutOfPlace => program::HEADER_OUT_OF_PLACE,
     BudgetReached => program::BUDGET_REACHED,
+    ShopCodeRefused => program::SHOP_CODE_REFUSED,
     UnknownCode => words::UNKNOWN_CODE,
     SameGroup => words::SAME_GROUP,
     BadWordValue => words::BAD_WORD_VALUE,

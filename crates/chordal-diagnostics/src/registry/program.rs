@@ -114,3 +114,17 @@ pub(super) const BUDGET_REACHED: CodeInfo = CodeInfo {
     explanation: r#"Loops, repeats and calls can make an endless run out of three lines. The run stops when it has carried
 out more blocks than its budget allows; the number is told, and `--max-blocks` sets another."#,
 };
+
+pub(super) const SHOP_CODE_REFUSED: CodeInfo = CodeInfo {
+    code: Code::ShopCodeRefused,
+    id: "CH212",
+    name: "shop-code-refused",
+    severity: Severity::Error,
+    summary: "a rule of the shop refuses one of its own codes",
+    explanation: r#"M codes and programs that the control does not have may be answered by the shop itself: in Python
+with `chordal.load(…, shop_codes=…)`, in Rust with `RunOptions::shop_codes`. The answer was a refusal, or one that
+cannot be carried out: a time below zero, or more text than a run takes. The code is passed over; the message says what
+the shop's rule said.
+
+In a machine file `[shop_codes.M120]` gives such an M code its `time` and its `label`; that never refuses."#,
+};

@@ -10,6 +10,7 @@ use arrow_array::{
 };
 use arrow_buffer::{BooleanBufferBuilder, NullBufferBuilder, ScalarBuffer};
 use arrow_schema::ArrowError;
+use chordal::SourceMap;
 
 /// Doubles. A gap is null, and NaN to who looks at the numbers alone.
 #[derive(Debug)]
@@ -130,15 +131,14 @@ impl Words {
 
 /// Which text a row comes from.
 #[derive(Debug)]
-pub(super) struct Files {
-    names: Arc<StringArray>,
+pub(super) struct Files<'a> {
+    sources: &'a SourceMap<'a>,
     keys: Vec<i16>,
 }
 
-impl Files {
-    pub fn of(job: &chordal::Job) -> Files {
-        let names: Vec<&str> = job.sources().iter().map(|(_, source)| source.name()).collect();
-        Files { names: Arc::new(StringArray::from(names)), keys: Vec::new() }
+impl<'a> Files<'a> {
+    pub fn of(job: &'a chordal::Job<'a>) -> Files<'a> {
+        Files { sources: job.sources(), keys: Vec::new() }
     }
 
     #[inline]
@@ -146,9 +146,13 @@ impl Files {
         self.keys.push(file.0 as i16);
     }
 
+    /// The names are those of the texts by now: a run may have come by more.
     pub fn take(&mut self) -> Result<ArrayRef, ArrowError> {
         let keys = Int16Array::from(std::mem::take(&mut self.keys));
-        Ok(Arc::new(DictionaryArray::<Int16Type>::try_new(keys, self.names.clone())?))
+        let texts = self.sources.iter().map(|(_, source)| source);
+        let names = texts.chain(self.sources.appended()).map(|source| Some(source.name()));
+        let names = Arc::new(names.collect::<StringArray>());
+        Ok(Arc::new(DictionaryArray::<Int16Type>::try_new(keys, names)?))
     }
 }
 

@@ -19,13 +19,13 @@ pub const CHORD_COLUMNS: &str = "chordal.chord-columns/1";
 
 /// Gathers the chords of a path, one row each. Lines and rapids are one chord without error.
 #[derive(Debug)]
-pub struct ChordColumns {
+pub struct ChordColumns<'a> {
     schema: SchemaRef,
     tolerance_mm: f64,
     placement: Placement,
     rows: usize,
     line: Vec<u32>,
-    file: Files,
+    file: Files<'a>,
     kind: Words,
     tool: Vec<u32>,
     numbers: [Numbers; 8],
@@ -47,9 +47,9 @@ pub(super) fn columns() -> Vec<Column> {
     columns
 }
 
-impl ChordColumns {
+impl<'a> ChordColumns<'a> {
     /// Columns for chords within a tolerance, mm.
-    pub fn new(job: &Job, tolerance_mm: f64, placement: Placement) -> ChordColumns {
+    pub fn new(job: &'a Job<'a>, tolerance_mm: f64, placement: Placement) -> ChordColumns<'a> {
         let word = match placement {
             Placement::Inscribed => "inscribed",
             Placement::Balanced => "balanced",
@@ -106,7 +106,7 @@ impl ChordColumns {
     }
 }
 
-impl Rows for ChordColumns {
+impl Rows for ChordColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
     }
@@ -129,7 +129,7 @@ impl Rows for ChordColumns {
     }
 }
 
-impl<W: Write + Send> ColumnFile<W, ChordColumns> {
+impl<W: Write + Send> ColumnFile<W, ChordColumns<'_>> {
     /// Writes the chords of a segment; they are handed on as they come, since one arc may have
     /// a million.
     ///

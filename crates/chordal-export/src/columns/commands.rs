@@ -60,7 +60,7 @@ pub struct CommandColumns<'a> {
     of_path: bool,
     rows: usize,
     line: Vec<u32>,
-    file: Files,
+    file: Files<'a>,
     kind: Words,
     from: Vec<Numbers>,
     to: Vec<Numbers>,
@@ -113,7 +113,12 @@ pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
         column("state", TextOrGap, "", "what the spindle, a mode or a switch becomes"),
         column("rpm", NumberOrGap, "rev/min", "speed of the spindle"),
         column("value", NumberOrGap, "", "length or radius of an offset, mm; F in its own unit"),
-        column("text", TextOrGap, "", "a message, a printed line, the name of a work offset"),
+        column(
+            "text",
+            TextOrGap,
+            "",
+            "a message, a printed line, the name of a work offset, what a shop code is",
+        ),
     ]);
     if of_path {
         columns.extend([
@@ -246,8 +251,11 @@ impl<'a> CommandColumns<'a> {
     fn state(&mut self, kind: &CommandKind) -> &'static str {
         let row = self.rows;
         match kind {
-            CommandKind::Dwell { seconds } => {
+            CommandKind::Dwell { seconds, label } => {
                 self.seconds.put(row, *seconds);
+                if let Some(label) = label {
+                    self.text.put(row, label);
+                }
                 "dwell"
             }
             CommandKind::Tool { number } => {

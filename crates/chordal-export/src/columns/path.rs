@@ -28,12 +28,12 @@ pub(super) fn kind_key(kind: SegmentKind) -> usize {
 
 /// Gathers the pieces of the exact path, one row each.
 #[derive(Debug)]
-pub struct PathColumns {
+pub struct PathColumns<'a> {
     schema: SchemaRef,
     axes: Vec<usize>,
     rows: usize,
     line: Vec<u32>,
-    file: Files,
+    file: Files<'a>,
     kind: Words,
     tool: Vec<u32>,
     known: Flags,
@@ -108,9 +108,9 @@ fn turn_of(curve: &Curve) -> Option<Turn> {
     }
 }
 
-impl PathColumns {
+impl<'a> PathColumns<'a> {
     /// Columns for the path of a job.
-    pub fn new(job: &Job) -> PathColumns {
+    pub fn new(job: &'a Job<'a>) -> PathColumns<'a> {
         let axes = axes_of(job);
         let listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
         let numbers = || listed.iter().map(|_| Numbers::new()).collect::<Vec<_>>();
@@ -177,7 +177,7 @@ impl PathColumns {
     }
 }
 
-impl Rows for PathColumns {
+impl Rows for PathColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
     }

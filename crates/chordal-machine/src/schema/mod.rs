@@ -17,12 +17,13 @@ pub(crate) type Place<T> = for<'m, 'k> fn(&'m mut Machine, &'k Keys) -> &'m mut 
 pub(crate) struct Keys {
     pub(crate) axis: Option<Axis>,
     pub(crate) number: u32,
+    pub(crate) code: u16,
     pub(crate) name: String,
 }
 
 /// A key, or a table with a meaning of its own.
 pub(crate) struct Row {
-    /// Where it is; `<axis>`, `<tool>`, `<offset>`, `<point>` and `<setting>` vary.
+    /// Where it is; `<axis>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>` vary.
     pub(crate) path: &'static str,
     /// What it takes and where that goes.
     pub(crate) slot: Slot,
@@ -168,6 +169,14 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
                 (format!("`{key}` is not the number of a variable"), help)
             })?;
         }
+        "<code>" => {
+            let digits = key.strip_prefix(['M', 'm']).unwrap_or_default();
+            let number = whole(digits).and_then(|number| u16::try_from(number).ok());
+            keys.code = number.filter(|number| *number <= LARGEST_M_CODE).ok_or_else(|| {
+                let help = "an M code is named by letter and number, as `shop_codes.M120`";
+                (format!("`{key}` is not an M code"), help.to_string())
+            })?;
+        }
         "<point>" => {
             keys.number = whole(key).filter(|n| (2..=4).contains(n)).ok_or_else(|| {
                 let help = match key {
@@ -188,6 +197,9 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
     }
     Ok(())
 }
+
+/// No control has M codes of more than four digits, and ten times the number fits 16 bits.
+const LARGEST_M_CODE: u16 = 6553;
 
 fn whole(text: &str) -> Option<u32> {
     let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());

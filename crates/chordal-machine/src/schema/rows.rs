@@ -328,6 +328,25 @@ pub(crate) const ROWS: &[Row] = &[
         doc: "what the operator types where the program asks (Fadal INPUT), in order",
     },
     Row {
+        path: "shop_codes.<code>",
+        slot: Slot::Table(|m, k| {
+            m.shop_codes.entry(k.code).or_default();
+        }),
+        doc: "an M code that the machine has and its control does not, as `shop_codes.M120`; one that the control has but Chordal does not carry out may be named, too",
+    },
+    quantity(
+        "shop_codes.<code>.time",
+        Dimension::Time,
+        Sign::NotNegative,
+        |m, k| &mut m.shop_codes.entry(k.code).or_default().time_s,
+        "how long the machine takes for it",
+    ),
+    Row {
+        path: "shop_codes.<code>.label",
+        slot: Slot::OptionalText(|m, k| &mut m.shop_codes.entry(k.code).or_default().label),
+        doc: "what it is, for people",
+    },
+    Row {
         path: "probe.hit",
         slot: Slot::Word {
             what: "hit",

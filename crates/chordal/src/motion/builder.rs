@@ -102,9 +102,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     fn other_command(&mut self, command: &Command) {
         let origin = command.origin;
         match command.kind {
+            CommandKind::Dwell { seconds, label: Some(_) } => {
+                self.wait(WaitKind::ShopCode, seconds, origin);
+            }
             CommandKind::PathMode(mode) => self.mode = self.forced_mode.unwrap_or(mode),
             CommandKind::Overrides(overrides) => self.overrides = overrides,
-            CommandKind::Dwell { seconds } => self.wait(WaitKind::Dwell, seconds, origin),
+            CommandKind::Dwell { seconds, .. } => self.wait(WaitKind::Dwell, seconds, origin),
             CommandKind::Tool { number } => {
                 let changes = number != self.tool;
                 self.tool = number;

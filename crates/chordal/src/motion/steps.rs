@@ -31,6 +31,8 @@ pub struct Wait {
 pub enum WaitKind {
     /// G4, or the dwell of a cycle.
     Dwell,
+    /// A code of the shop's own.
+    ShopCode,
     /// A tool goes into the spindle.
     ToolChange,
     /// The spindle starts, stops, turns round or changes its speed.
@@ -52,6 +54,7 @@ impl WaitKind {
     pub const fn name(self) -> &'static str {
         match self {
             WaitKind::Dwell => "dwell",
+            WaitKind::ShopCode => "shop code",
             WaitKind::ToolChange => "tool change",
             WaitKind::SpindleSpeed => "spindle speed",
             WaitKind::SpindleOrient => "spindle orientation",

@@ -88,7 +88,7 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
 /// A dwell, a change of the spindle or a stop, in words.
 fn event_of(kind: &CommandKind) -> Option<String> {
     Some(match kind {
-        CommandKind::Dwell { seconds } => format!("dwell {}", short(*seconds)),
+        CommandKind::Dwell { seconds, .. } => format!("dwell {}", short(*seconds)),
         CommandKind::Spindle { state, .. } => match state {
             SpindleState::Off => "spindle off".into(),
             SpindleState::Cw => "spindle cw".into(),

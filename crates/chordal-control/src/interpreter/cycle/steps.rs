@@ -122,7 +122,7 @@ impl<S: Sink> Interpreter<'_, S> {
 
     pub(super) fn wait(&mut self, seconds: Option<f64>) {
         if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
-            self.emit(CommandKind::Dwell { seconds });
+            self.emit(CommandKind::Dwell { seconds, label: None });
         }
     }
 

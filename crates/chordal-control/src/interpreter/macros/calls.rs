@@ -4,6 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
 use super::super::report::code_number;
+use super::super::shop::Given;
 use super::super::{Flow, Interpreter};
 use crate::command::{Sink, Units};
 use crate::control::FIRST_ALIAS_SUBPROGRAM;
@@ -271,7 +272,8 @@ impl<S: Sink> Interpreter<'_, S> {
             let arguments = self.arguments(block, Some(at), false);
             self.enter_macro(&word, program, 1, &arguments)
         } else {
-            self.enter_program(&word, program, 1)
+            let given = Given { block: Some(block), arguments: &[] };
+            self.enter_program(&word, program, 1, given)
         };
         if entered {
             self.macros.in_alias += 1;
@@ -363,7 +365,7 @@ impl<S: Sink> Interpreter<'_, S> {
             self.report_macro_nesting(word, depth, limit);
             return false;
         }
-        if !self.enter_program(word, program, repeats) {
+        if !self.enter_program(word, program, repeats, Given { block: None, arguments }) {
             return false;
         }
         self.macros.store.enter(arguments);
@@ -373,10 +375,12 @@ impl<S: Sink> Interpreter<'_, S> {
         true
     }
 
-    fn enter_program(&mut self, word: &Word, number: u32, repeats: u32) -> bool {
+    fn enter_program(&mut self, word: &Word, number: u32, repeats: u32, given: Given<'_>) -> bool {
         let Some(program) = self.library.find(number, self.file) else {
-            self.report_missing_program(word, number);
-            return false;
+            return self.shop_program(word, number, repeats, given).unwrap_or_else(|| {
+                self.report_missing_program(word, number);
+                false
+            });
         };
         let start = self.library.programs()[program].head.start;
         let repeats = self.cut_to_limit(word, repeats);

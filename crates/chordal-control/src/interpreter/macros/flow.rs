@@ -2,8 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, ExpressionParser, Position as TextPosition, Statement,
-    parse_statement,
+    Block, BlockKind, ExpressionParser, Position as TextPosition, Statement, parse_statement,
 };
 
 use super::super::{EndReason, Flow, Interpreter};
@@ -136,7 +135,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             return *known;
         }
         let lexicon = self.control.table.lexicon;
-        let mut reader: BlockReader<'a> = self.library.reader(self.program, lexicon);
+        let mut reader = self.reader_of(self.program);
         reader.seek(head);
         let mut block = Block::new();
         let mut parser = ExpressionParser::new(reader.text(), self.file, lexicon.grammar);

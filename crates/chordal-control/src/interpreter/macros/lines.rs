@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
-    Block, BlockKind, BlockReader, ExpressionParser, LineStatement, Op, Position as TextPosition,
-    PrintItem, Target, Value as Written, Word, parse_line_statement,
+    Block, BlockKind, ExpressionParser, LineStatement, Op, Position as TextPosition, PrintItem,
+    Target, Value as Written, Word, parse_line_statement,
 };
 
 use super::super::values::trim;
@@ -207,8 +207,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
 
     /// The labels of a program; the first of a name counts.
     fn find_labels(&self, program: usize) -> HashMap<String, TextPosition> {
-        let lexicon = self.control.table.lexicon;
-        let mut reader: BlockReader<'a> = self.library.reader(program, lexicon);
+        let mut reader = self.reader_of(program);
         let mut labels = HashMap::new();
         let mut block = Block::new();
         while reader.read(&mut block) {
@@ -257,8 +256,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
         self.path = CallPath::default();
         self.macros.active = 0;
         self.program = program;
-        self.file = self.library.programs()[program].file;
-        self.reader = self.library.reader(program, self.control.table.lexicon);
+        self.file = self.program_at(program).file;
+        self.reader = self.reader_of(program);
         self.carried_out = false;
         self.subroutines.clear();
         self.read_subroutine_section();

@@ -186,8 +186,8 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             return index.clone();
         }
         let lexicon = self.control.table.lexicon;
-        let reader = self.library.reader(program, lexicon);
-        let file = self.library.programs()[program].file;
+        let reader = self.reader_of(program);
+        let file = self.program_at(program).file;
         let parser = ExpressionParser::new(reader.text(), file, lexicon.grammar);
         let index = Rc::new(Index::of(reader, parser));
         self.macros.owords.indexes.insert(program, index.clone());

@@ -304,7 +304,7 @@ impl<S: Sink> Interpreter<'_, S> {
             b'F' => self.feed_word(),
             b'H' => f64::from(state.offsets.length().number.unwrap_or(0)),
             b'N' => self.sequence.map_or(0.0, |number| number.to_f64()),
-            b'O' => f64::from(self.library.programs()[self.program].head.number.unwrap_or(0)),
+            b'O' => f64::from(self.program_at(self.program).head.number.unwrap_or(0)),
             b'S' => state.rpm,
             b'T' => f64::from(state.selected_tool.unwrap_or(state.tool)),
             b'P' => match state.offsets.active() {

@@ -54,7 +54,7 @@ impl<S: Sink> Interpreter<'_, S> {
         };
         let named = self.span(word.range);
         let number = self.count(&word)?;
-        let (library, lexicon) = (self.library, self.control.table.lexicon);
+        let library = self.library;
         let (program, start_of_text) = match self.label(self.program, i64::from(number)) {
             Some(position) => (self.program, Some(position)),
             None => match library.find(number, self.file) {
@@ -65,12 +65,13 @@ impl<S: Sink> Interpreter<'_, S> {
                 }
             },
         };
-        let mut reader = library.reader(program, lexicon);
+        let mut reader = self.reader_of(program);
         if let Some(position) = start_of_text {
             reader.seek(position);
         }
         // Spans belong to the text that is read.
-        let file = std::mem::replace(&mut self.file, library.programs()[program].file);
+        let file = self.program_at(program).file;
+        let file = std::mem::replace(&mut self.file, file);
         let moves = self.read_outline(&mut reader, named, start);
         self.file = file;
         self.close_outline(moves?, named, start)

@@ -1,0 +1,57 @@
+//! Texts that a run comes by while others are being read.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Mutex, PoisonError};
+
+use crate::Source;
+
+/// Most different texts, and most bytes of them: what a run comes by has a bound.
+const MOST_TEXTS: usize = 10_000;
+const MOST_BYTES: usize = 64 << 20;
+
+/// Texts that never move and never go, so that those who read them may go on.
+#[derive(Debug, Default)]
+pub(crate) struct Appended {
+    texts: boxcar::Vec<Source<'static>>,
+    index: Mutex<Index>,
+}
+
+#[derive(Debug, Default)]
+struct Index {
+    by_hash: HashMap<u64, Vec<usize>>,
+    bytes: usize,
+}
+
+impl Appended {
+    /// The place of a text, which is kept once; `None` when there are too many.
+    pub fn place(&self, name: &str, text: &str) -> Option<usize> {
+        let mut hasher = DefaultHasher::new();
+        (name, text).hash(&mut hasher);
+        let mut index = self.index.lock().unwrap_or_else(PoisonError::into_inner);
+        let bytes = index.bytes + text.len();
+        let same = index.by_hash.entry(hasher.finish()).or_default();
+        let known = same.iter().copied().find(|place| {
+            let source = &self.texts[*place];
+            source.name() == name && source.text() == text.as_bytes()
+        });
+        if known.is_some() {
+            return known;
+        }
+        if self.texts.count() >= MOST_TEXTS || bytes > MOST_BYTES {
+            return None;
+        }
+        let place = self.texts.push(Source::new(name, text.as_bytes().to_vec()));
+        same.push(place);
+        index.bytes = bytes;
+        Some(place)
+    }
+
+    pub fn get(&self, place: usize) -> Option<&Source<'static>> {
+        self.texts.get(place)
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = &Source<'static>> {
+        self.texts.iter().map(|(_, source)| source)
+    }
+}
