@@ -21,7 +21,7 @@ from . import geometry, motion
 from ._chordal import __version__
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
-from ._shop import ShopCall, ShopRefusal, ShopWait
+from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
@@ -43,7 +43,9 @@ __all__ = [
     "Place",
     "Program",
     "ProgramError",
+    "ShopAnswer",
     "ShopCall",
+    "ShopCodes",
     "ShopRefusal",
     "ShopWait",
     "Summary",

@@ -77,7 +77,7 @@ fn watch(machine: &Machine, text: &str) -> Watching {
     let (control, _) = Control::of(machine);
     let library = Library::new(&sources, &control.table.lexicon);
     let mut sink = Watching::default();
-    let options = RunOptions { max_repeated_blocks: 50 };
+    let options = RunOptions { max_repeated_blocks: 50, ..RunOptions::default() };
     run(&library, 0, machine, &control, &options, &mut sink);
     sink
 }

@@ -123,7 +123,7 @@ fn run(machine: &str, text: &str) {
     let machine = Machine::from_builtin(machine).expect("built in");
     let mut sources = SourceMap::new();
     sources.add(Source::new("random", text.as_bytes()));
-    let options = RunOptions { max_repeated_blocks: 500 };
+    let options = RunOptions { max_repeated_blocks: 500, ..RunOptions::default() };
     let job = Job::new(sources, machine).expect("a good machine").options(options);
     let report = job.report_with(|command, segments| {
         if let Some(motion) = command.kind.motion() {

@@ -101,7 +101,7 @@ proptest! {
         let text: String = pieces.iter().map(|piece| PIECES[*piece]).collect();
         let mut sources = SourceMap::new();
         sources.add(Source::new("random", text.as_bytes()));
-        let options = RunOptions { max_repeated_blocks: 500 };
+        let options = RunOptions { max_repeated_blocks: 500, ..RunOptions::default() };
         let job = Job::new(sources, machine).expect("a good machine").options(options);
         let report = job.report_with(|command, segments| {
             if let Some(motion) = command.kind.motion() {
@@ -125,7 +125,7 @@ fn a_jump_back_in_a_program_with_macros_is_counted() {
         let mut sources = SourceMap::new();
         sources.add(Source::new("endless", text.as_bytes()));
         let machine = Machine::from_builtin(machine).expect("built in");
-        let options = RunOptions { max_repeated_blocks: 500 };
+        let options = RunOptions { max_repeated_blocks: 500, ..RunOptions::default() };
         let job = Job::new(sources, machine).expect("a good machine").options(options);
         let codes: Vec<_> = job.report().diagnostics.iter().map(|each| each.code).collect();
         assert!(codes.contains(&Code::BudgetReached), "{text}: {codes:?}");
