@@ -27,14 +27,8 @@ M30
 def kinds(program: chordal.Program) -> list[tuple[int, str, float | None, str | None]]:
     """Dwells and moves with their line, seconds or X, and text."""
     table = program.commands()
-    rows = zip(
-        table.objects("line"),
-        table.objects("kind"),
-        table.objects("seconds"),
-        table.objects("x_to_mm"),
-        table.objects("text"),
-        strict=True,
-    )
+    columns = ("line", "kind", "seconds", "x_to_mm", "text")
+    rows = zip(*(table[name].tolist() for name in columns), strict=True)
     return [
         (line, kind, seconds if kind == "dwell" else x, text)
         for line, kind, seconds, x, text in rows
@@ -53,7 +47,7 @@ def test_answers_by_code() -> None:
         (1, "rapid", 11.5, None),
         (5, "rapid", 30.0, None),
     ]
-    assert program.commands().objects("file").count("O9010 of the shop") >= 1
+    assert "O9010 of the shop" in program.commands()["file"].tolist()
     assert program.summary.dwell_time_s == 2.5
     without = chordal.loads(FLIP, "haas-vf2")
     assert [each.code for each in without.errors] == ["CH301", "CH201"]
@@ -71,7 +65,7 @@ def test_a_function_sees_the_block_and_the_state() -> None:
     flip, macro = seen
     assert (flip.code, flip.file, flip.line, flip.text) == ("M120", "part.nc", 3, "M120 P2")
     assert (flip.words, flip.arguments, flip.nth) == ({"M": 120.0, "P": 2.0}, {}, 0)
-    assert flip.position == (10.0, 0.0, 5.0, None, None, None) or flip.position[:3] == (10.0, 0.0, 5.0)
+    assert flip.position[:3] == (10.0, 0.0, 5.0) and len(flip.position) == 6
     assert (flip.tool, flip.inch, flip.incremental, flip.spindle_rpm) == (0, False, False, 0.0)
     assert (macro.code, macro.words, macro.arguments, macro.nth) == ("O9010", {}, {1: 1.5}, 1)
     assert (3, "dwell", 1.0, "part flip") in kinds(program)
@@ -84,7 +78,7 @@ def test_each_call_is_asked_once_whatever_is_asked_of_the_program() -> None:
     )
     assert next(times) == 3
     assert program.summary.dwell_time_s == 3.0
-    assert program.time(what_if=True).total == pytest.approx(3.0)
+    assert program.time(what_if=True).total_s == pytest.approx(3.0)
     assert [row[2] for row in kinds(program)] == [1.0, 2.0]
     assert len(program.trajectory(0.01)) > 0 and next(times) == 4
 
@@ -103,7 +97,7 @@ def test_problems_within_blocks_of_the_shop_name_them() -> None:
     problem = program.errors[0]
     place = problem.primary.place
     assert place is not None and (place.file, place.line) == ("M120 of the shop", 2)
-    assert "G777" in problem.text and "<program>:2" in problem.text
+    assert "called from line 2: M120" in problem.text
 
 
 def test_an_exception_is_the_exception_of_load_with_the_block() -> None:
@@ -131,7 +125,7 @@ def test_the_machine_may_name_codes() -> None:
 def test_threads_share_a_program_with_codes_of_the_shop() -> None:
     program = chordal.loads(FLIP, "haas-vf2", shop_codes={"M120": 2.5, "O9010": "G4 P1."})
     with ThreadPoolExecutor(4) as pool:
-        totals = list(pool.map(lambda _: program.time().total, range(8)))
+        totals = list(pool.map(lambda _: program.time().total_s, range(8)))
     assert len(set(totals)) == 1
 
 
@@ -145,12 +139,10 @@ def test_ctrl_c_ends_work_that_has_begun() -> None:
         begun = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             program.trajectory(0.001)
-        ended = time.monotonic() - begun
-        assert ended >= 0.25
+        assert time.monotonic() - begun >= 0.25
         # Nothing that was cut short is kept.
         threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
         with pytest.raises(KeyboardInterrupt):
             _ = program.summary
     finally:
         signal.signal(signal.SIGINT, before)
-    assert program._program is not None
