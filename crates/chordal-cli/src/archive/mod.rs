@@ -67,9 +67,9 @@ impl Machines {
             control: self.control,
             set: self.set.clone(),
             tools: self.tools.clone(),
-            program: None,
             block_delete: self.block_delete,
             max_blocks: self.max_blocks,
+            ..Request::default()
         })
     }
 }
