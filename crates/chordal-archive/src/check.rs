@@ -19,6 +19,11 @@ const MOST_PROBLEMS: usize = 20;
 /// subprograms in the whole text. A file beyond is run as one.
 const MOST_SEARCHED: u64 = 1 << 33;
 
+/// A program of more moves than its text lets expect loops, perhaps without end: it is planned
+/// only when it is known to end. Planning takes several times as long as all the rest.
+const MOVES_AT_ONCE: u64 = 10_000;
+const MOVES_OF_A_LINE: u64 = 4;
+
 /// A file with everything that its run depends on.
 #[derive(Clone, Debug)]
 pub struct Prepared {
@@ -304,9 +309,17 @@ fn run(
     if !options.plan {
         return Ok((ran(&job, &job.report(), None), None));
     }
+    let lines = prepared.texts.iter().map(|(_, text)| lines(text)).sum::<u64>();
     let motion = MotionOptions::default();
-    let (report, timed) = job.report_timed(&motion, u64::MAX, &mut Unwatched);
+    let (mut report, mut timed) =
+        job.report_timed(&motion, MOVES_AT_ONCE + MOVES_OF_A_LINE * lines, &mut Unwatched);
+    let is_stopped = end_word(&report) == "budget";
+    if matches!(timed, Ok(None)) && !is_stopped {
+        (report, timed) = job.report_timed(&motion, u64::MAX, &mut Unwatched);
+    }
     Ok(match timed {
+        // As long as the budget is, not as the program.
+        Ok(_) if is_stopped => (ran(&job, &report, None), None),
         Ok(timed) => {
             let times = timed.map(|timed| timed.time.times);
             let planned = times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]);

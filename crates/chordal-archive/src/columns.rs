@@ -83,7 +83,12 @@ const COLUMNS: &[(&str, Holds, &str, &str)] = {
         ("cut_length_mm", Number, "mm", "length of the cuts"),
         ("rapid_length_mm", Number, "mm", "length of the rapids"),
         ("at_feed_s", Number, "s", "length over feed and waits, without acceleration"),
-        ("time_s", Number, "s", "time with acceleration and jerk; a gap where it was not planned"),
+        (
+            "time_s",
+            Number,
+            "s",
+            "time with acceleration and jerk; a gap where it was not planned, or the program `stopped`",
+        ),
         ("cutting_s", Number, "s", "part of it that cuts"),
         ("rapid_s", Number, "s", "part of it in rapids"),
         ("other_s", Number, "s", "part of it in dwells, tool changes, spindle"),

@@ -86,7 +86,9 @@ fn dump() -> String {
 
 fn check<'a>(more: &[&'a str]) -> Vec<&'a str> {
     let mut arguments = vec!["archive", "check", "in", "--out", "results.parquet"];
-    arguments.extend(["--max-blocks", "20000"]);
+    if !more.contains(&"--max-blocks") {
+        arguments.extend(["--max-blocks", "20000"]);
+    }
     arguments.extend(more);
     arguments
 }
@@ -230,6 +232,24 @@ fn a_dump_has_a_row_for_each_program() {
     let x = |row: usize| table["x_max_mm"].as_primitive::<Float64Type>().value(row);
     assert!((x(0) - 50.8).abs() < 1e-9 && (x(1) - 127.0).abs() < 1e-9, "{} {}", x(0), x(1));
     assert_eq!(text(&table, "status", 2), "called");
+}
+
+/// A loop of 24,000 moves of 1 mm each at 1000 mm/min takes 24 minutes at feed; one without an end
+/// takes no time that could be told.
+#[test]
+fn long_loops_have_a_time_and_endless_ones_have_none() {
+    let folder = Folder::new();
+    let counted = "O1\nG21 G90 G94 S900 M3\n#1=0\nG0 X0 Y0\nWHILE[#1LT12000]DO1\nG1 X1. F1000.\nX0\n\
+                   #1=#1+1\nEND1\nM30\n";
+    folder.write("in/counted.nc", counted).write("in/endless.nc", ENDLESS);
+    folder.run(&check(&["--machine", "fanuc-30i", "--max-blocks", "100000"])).ends(1);
+    let table = read(folder.bytes("results.parquet"));
+    let [counted, endless] = ["counted.nc", "endless.nc"].map(|file| rows(&table, file)[0]);
+    let time = table["time_s"].as_primitive::<Float64Type>();
+    assert_eq!(text(&table, "end", counted), "program end");
+    assert!(time.is_valid(counted) && time.value(counted) > 24.0 * 60.0, "{}", time.value(counted));
+    assert_eq!(text(&table, "status", endless), "stopped");
+    assert!(time.is_null(endless));
 }
 
 #[test]
