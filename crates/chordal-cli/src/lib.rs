@@ -37,6 +37,7 @@ mod sheet;
 mod summary;
 mod terminal;
 mod time;
+mod view;
 
 use std::ffi::OsString;
 
@@ -58,6 +59,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal run part.nc                        what it does, how long, where it would stop
   chordal run part.nc -o part.svg            the same, and a picture
+  chordal view part.nc                       program and path side by side, in the browser
   chordal time part.nc                       how long it takes, where and why
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
@@ -85,6 +87,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Args),
+    View(view::Args),
     Time(time::Args),
     Calibrate(calibrate::Args),
     Check(check::Args),
@@ -104,6 +107,7 @@ impl Command {
     fn carry_out(self, terminal: Terminal) -> Result<Verdict, Failure> {
         match self {
             Command::Run(args) => run::run(args, terminal),
+            Command::View(args) => view::run(args, terminal),
             Command::Time(args) => time::run(&args, terminal),
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),

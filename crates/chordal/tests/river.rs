@@ -35,7 +35,11 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
-    ("chordal-cli", &["chordal", "chordal-calc", "chordal-export", "chordal-archive"]),
+    ("chordal-server", &["chordal"]),
+    (
+        "chordal-cli",
+        &["chordal", "chordal-calc", "chordal-export", "chordal-archive", "chordal-server"],
+    ),
     ("chordal-python", &["chordal", "chordal-export", "chordal-archive", "chordal-cli"]),
 ];
 

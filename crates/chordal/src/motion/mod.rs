@@ -46,4 +46,4 @@ pub use steps::{
 };
 
 pub(crate) use builder::MotionBuilder;
-pub(crate) use plan::{Planned, Planning};
+pub(crate) use plan::{Planned, Planning, WithSources};

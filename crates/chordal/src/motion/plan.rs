@@ -84,6 +84,12 @@ pub(crate) struct WithSources<'s, S> {
     sink: &'s mut S,
 }
 
+impl<'s, S: PlanSink> WithSources<'s, S> {
+    pub fn new(sink: &'s mut S) -> WithSources<'s, S> {
+        WithSources { sources: Sources::default(), sink }
+    }
+}
+
 impl<S: PlanSink> Planned<Piece> for WithSources<'_, S> {
     fn command(&mut self, command: &Command) {
         self.sink.command(command);
@@ -125,8 +131,7 @@ pub(crate) struct Planning<T, P = Piece> {
 
 impl<'s, S: PlanSink> Planning<WithSources<'s, S>> {
     pub fn new(limits: MachineLimits, options: &MotionOptions, sink: &'s mut S) -> Self {
-        let taker = WithSources { sources: Sources::default(), sink };
-        Planning::with(limits, options, Planner::new, taker)
+        Planning::with(limits, options, Planner::new, WithSources::new(sink))
     }
 }
 

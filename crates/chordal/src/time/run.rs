@@ -10,7 +10,8 @@ use crate::compensated::Compensated;
 use crate::job::{Job, Report, ReportSink, Watch};
 use crate::motion::{
     Level, LimitError, Limits, MachineLimits, MotionBuilder, MotionOptions, MotionReport,
-    MotionStep, PathPart, Planned, Planner, PlannerOptions, Planning, Step, StepSource,
+    MotionStep, PathPart, Piece, PlanSink, Planned, Planner, PlannerOptions, Planning, Step,
+    StepSource, WithSources,
 };
 
 /// The time of a run, and how it was planned.
@@ -32,6 +33,22 @@ impl Job<'_> {
             Level::Fast => self.timed(options, |limits, _| Planner::of_times(limits)),
             Level::Best => self.timed(options, Planner::new),
         }
+    }
+
+    /// Runs and plans once, adds up the time, and hands every step on.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn time_with<S: PlanSink>(
+        &self,
+        options: &MotionOptions,
+        sink: &mut S,
+    ) -> Result<Timed, LimitError> {
+        let limits = MachineLimits::of(self.machine())?;
+        let taker = TimedSteps { time: TimeBuilder::default(), steps: WithSources::new(sink) };
+        let planning = Planning::with(limits, options, Planner::new, taker);
+        let (motion, planning) = self.motion(options, planning)?;
+        Ok(Timed { time: planning.finish().time.finish(), motion })
     }
 
     fn timed<P: PathPart>(
@@ -96,6 +113,32 @@ impl<P: PathPart> Planned<P> for TimeBuilder {
 
     fn step(&mut self, step: Step<'_, P>) {
         TimeBuilder::step(self, step);
+    }
+}
+
+/// Steps that are timed and handed on.
+struct TimedSteps<'s, S> {
+    time: TimeBuilder,
+    steps: WithSources<'s, S>,
+}
+
+impl<S: PlanSink> Planned<Piece> for TimedSteps<'_, S> {
+    fn command(&mut self, command: &Command) {
+        self.steps.command(command);
+    }
+
+    fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+        self.time.asked(step, source);
+        self.steps.asked(step, source);
+    }
+
+    fn step(&mut self, step: Step<'_>) {
+        self.time.step(step);
+        self.steps.step(step);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.steps.diagnostic(diagnostic);
     }
 }
 

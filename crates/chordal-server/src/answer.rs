@@ -1,0 +1,154 @@
+//! What the page is told, as JSON.
+
+use chordal::diagnostics::{Applicability, FileId, Fix, Span};
+use chordal::geometry::Vec3;
+use chordal::machine::Axis;
+use chordal::time::{TimeReport, Times};
+use chordal::{Diagnostic, Job, Report, Source, SourceMap};
+use serde_json::{Value, json};
+
+/// Diagnostics that are sent; the rest is counted.
+const MOST: usize = 2_000;
+
+/// What a run came to, apart from its path.
+pub fn report(report: &Report, job: &Job) -> Value {
+    let sources = job.sources();
+    let told = report.diagnostics.iter().take(MOST);
+    let dropped: u64 = report.dropped.iter().map(|(_, count)| count).sum();
+    let more = report.diagnostics.len().saturating_sub(MOST) as u64;
+    json!({
+        "diagnostics": told.map(|each| diagnostic(each, sources)).collect::<Vec<_>>(),
+        "left_out": dropped + more,
+        "errors": report.counts.errors,
+        "warnings": report.counts.warnings,
+        "notes": report.counts.notes,
+        "inch": report.summary.inch,
+        "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
+        "cut_length_mm": report.summary.feed_length_mm,
+        "rapid_length_mm": report.summary.rapid_length_mm,
+        "tools": report.summary.tools.iter().map(|tool| json!({
+            "number": tool.number,
+            "lines": tool.lines,
+            "feed_length_mm": tool.feed_length_mm,
+            "speeds_rpm": tool.speeds_rpm,
+        })).collect::<Vec<_>>(),
+        "axes": report.summary.axes.iter().map(|axis| json!({
+            "letter": axis.letter.to_string(),
+            "range": axis.range,
+            "cut_range": axis.cut_range,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn diagnostic(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {
+    let info = diagnostic.code.info();
+    let secondary = diagnostic
+        .secondary
+        .iter()
+        .map(|label| json!({ "place": place(label.span, sources), "label": label.text }));
+    json!({
+        "code": info.id,
+        "name": info.name,
+        "severity": diagnostic.severity.word(),
+        "message": diagnostic.message,
+        "place": place(diagnostic.primary.span, sources),
+        "label": diagnostic.primary.text,
+        "secondary": secondary.collect::<Vec<_>>(),
+        "alarm": diagnostic.alarm,
+        "notes": diagnostic.notes,
+        "help": diagnostic.help,
+        "explanation": info.explanation,
+        "fix": diagnostic.fix.as_ref().map(|it| fix(it, sources)),
+    })
+}
+
+fn fix(fix: &Fix, sources: &SourceMap) -> Value {
+    json!({
+        "title": fix.title,
+        "replacement": fix.replacement,
+        "place": place(fix.span, sources),
+        "safe": fix.applicability == Applicability::Safe,
+    })
+}
+
+/// File, lines from 1 and columns from 0 in UTF-16 code units; null for the program as a whole.
+pub fn place(span: Span, sources: &SourceMap) -> Value {
+    let Some(source) = sources.get(span.file).filter(|_| span != Span::default()) else {
+        return Value::Null;
+    };
+    let (line, column) = units_of(source, span.range.start);
+    let (end_line, end_column) = units_of(source, span.range.end.max(span.range.start));
+    json!({
+        "file": source.name(),
+        "own": span.file == FileId(0),
+        "line": line,
+        "column": column,
+        "end_line": end_line,
+        "end_column": end_column,
+    })
+}
+
+fn units_of(source: &Source, offset: u32) -> (u32, usize) {
+    let line = source.line_of(offset);
+    let start = source.line_start(line) as usize;
+    let end = (offset as usize).clamp(start, source.text().len());
+    let head = String::from_utf8_lossy(&source.text()[start..end]);
+    (line, head.encode_utf16().count())
+}
+
+/// The machine, as far as it is drawn.
+pub fn machine(job: &Job) -> Value {
+    let machine = job.machine();
+    let travel =
+        [Axis::X, Axis::Y, Axis::Z].map(|axis| machine.axis(axis).and_then(|limits| limits.travel));
+    let tools = machine.tools.iter().map(|(number, tool)| {
+        json!({
+            "number": number,
+            "diameter_mm": tool.diameter_mm,
+            "length_mm": tool.length_mm,
+            "corner_radius_mm": tool.corner_radius_mm,
+            "kind": tool.kind,
+            "comment": tool.comment,
+        })
+    });
+    json!({
+        "name": machine.name,
+        "title": machine.title,
+        "control": job.control().table.title,
+        "travel": travel,
+        "tools": tools.collect::<Vec<_>>(),
+    })
+}
+
+/// Where the time goes.
+pub fn times(time: &TimeReport) -> Value {
+    let of = |times: &Times| {
+        json!({
+            "cutting_s": times.cutting_s,
+            "rapid_s": times.rapid_s,
+            "other_s": times.other_s,
+            "total_s": times.total_s(),
+        })
+    };
+    json!({
+        "all": of(&time.times),
+        "tools": time.tools.iter().map(|tool| json!({
+            "number": tool.number,
+            "changes": tool.changes,
+            "times": of(&tool.times),
+        })).collect::<Vec<_>>(),
+        "waits": time.waits.iter().map(|(kind, seconds)| json!([kind.name(), seconds]))
+            .collect::<Vec<_>>(),
+        "longest": time.longest.iter().map(|block| json!({
+            "line": block.origin.line,
+            "runs": block.runs,
+            "time_s": block.time_s,
+            "reason": block.reason.word(),
+        })).collect::<Vec<_>>(),
+    })
+}
+
+/// A point, mm.
+pub fn point(at: Vec3) -> Value {
+    json!([at.x, at.y, at.z])
+}

@@ -1,0 +1,130 @@
+//! A path as columns.
+//!
+//! One row a piece of path, its two ends as single-precision offsets from a double-precision
+//! origin: that is what a graphics card takes, as it is. Arcs, helices, spirals and cones have
+//! their exact record beside, so that the page can draw them as fine as its zoom asks without
+//! asking again; it needs no rule of any control for that.
+
+use chordal::geometry::{Curve, ParamCurve, Vec3};
+use chordal::{Segment, SegmentKind};
+use serde_json::{Value, json};
+
+use crate::frame::Frame;
+
+/// The tool moves at rapid speed.
+const RAPID: u8 = 0;
+/// Both ends are known relative to the part; others cannot be drawn.
+const KNOWN: u8 = 0x10;
+/// Compensation made it.
+const INSERTED: u8 = 0x20;
+/// A canned cycle made it.
+const CYCLE: u8 = 0x40;
+
+/// Numbers of an arc's record: centre, towards the start, axis, both radii, sweep (rad), rise (mm).
+const ARC: usize = 13;
+
+/// Rows that are gathered.
+#[derive(Debug, Default)]
+pub struct Columns {
+    /// Taken off all places, mm: that of the first known place.
+    origin: Option<Vec3>,
+    points: Vec<f32>,
+    kind: Vec<u8>,
+    tool: Vec<u32>,
+    file: Vec<u8>,
+    line: Vec<u32>,
+    feed: Vec<f32>,
+    arc_rows: Vec<u32>,
+    arcs: Vec<f32>,
+}
+
+impl Columns {
+    /// How many rows there are.
+    pub fn rows(&self) -> usize {
+        self.kind.len()
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, segment: &Segment, inserted: bool) {
+        let (start, end) = (segment.curve.start(), segment.curve.end());
+        let origin = match self.origin {
+            Some(origin) => origin,
+            None if segment.known => *self.origin.insert(end),
+            None => Vec3::ZERO,
+        };
+        let near = |point: Vec3| {
+            let d = point - origin;
+            [d.x as f32, d.y as f32, d.z as f32]
+        };
+        self.points.extend(near(start));
+        self.points.extend(near(end));
+        self.kind.push(kind_of(segment, inserted));
+        self.tool.push(segment.tool);
+        self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));
+        self.line.push(segment.origin.line);
+        self.feed.push(feed_of(segment));
+        if let Some(record) = arc_record(&segment.curve, near) {
+            self.arc_rows.push(self.kind.len() as u32 - 1);
+            self.arcs.extend(record);
+        }
+    }
+
+    /// The rows as a frame, and none are left.
+    pub fn take(&mut self, header: &Value) -> Vec<u8> {
+        let rows = std::mem::replace(self, Columns { origin: self.origin, ..Columns::default() });
+        let mut frame = Frame::default();
+        frame.column("points", &rows.points);
+        frame.column("line", &rows.line);
+        frame.column("tool", &rows.tool);
+        frame.column("feed", &rows.feed);
+        frame.column("arc_rows", &rows.arc_rows);
+        frame.column("arcs", &rows.arcs);
+        frame.column("kind", &rows.kind);
+        frame.column("file", &rows.file);
+        let mut header = header.clone();
+        let origin = rows.origin.unwrap_or(Vec3::ZERO);
+        header["origin"] = json!([origin.x, origin.y, origin.z]);
+        header["rows"] = json!(rows.kind.len());
+        frame.finish(header)
+    }
+}
+
+fn kind_of(segment: &Segment, inserted: bool) -> u8 {
+    let kind = match segment.kind {
+        SegmentKind::Rapid => RAPID,
+        SegmentKind::Line => 1,
+        SegmentKind::Arc => 2,
+        SegmentKind::Spiral => 3,
+    };
+    let flag = |is, flag| if is { flag } else { 0 };
+    kind | flag(segment.known, KNOWN) | flag(inserted, INSERTED) | flag(segment.origin.cycle, CYCLE)
+}
+
+/// Along the path, mm/min; 0 where there is none.
+fn feed_of(segment: &Segment) -> f32 {
+    let known = segment.duration_s > 0.0 && segment.length_mm > 0.0;
+    if known { (segment.length_mm / segment.duration_s * 60.0) as f32 } else { 0.0 }
+}
+
+fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC]> {
+    let (center, u, w, radii, sweep, rise) = match curve {
+        Curve::Line(_) => return None,
+        Curve::Arc(arc) => {
+            (arc.center, arc.u, arc.w, (arc.radius, arc.radius), arc.sweep, arc.rise)
+        }
+        Curve::Spiral(spiral) => (
+            spiral.center,
+            spiral.u,
+            spiral.w,
+            (spiral.radius_start, spiral.radius_end),
+            spiral.sweep,
+            spiral.rise,
+        ),
+    };
+    let [cx, cy, cz] = near(center);
+    let rest = [u.x, u.y, u.z, w.x, w.y, w.z, radii.0, radii.1, sweep, rise].map(|v| v as f32);
+    let mut record = [0.0; ARC];
+    record[..3].copy_from_slice(&[cx, cy, cz]);
+    record[3..].copy_from_slice(&rest);
+    Some(record)
+}

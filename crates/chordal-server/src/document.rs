@@ -1,0 +1,267 @@
+//! The text as it is edited, and how the file on disk is written.
+//!
+//! The page knows lines only by their order, so the text is held with LF alone; the ending and the
+//! encoding of the file come back when it is saved. Places in changes are UTF-16 code units, as a
+//! browser counts.
+
+use chordal::syntax;
+use encoding_rs::mem::{decode_latin1, encode_latin1_lossy, is_str_latin1};
+
+use crate::request::Change;
+
+/// How the characters of a file are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Encoding {
+    Utf8,
+    /// Some 8-bit encoding: every byte is kept as the character of its number.
+    Bytes,
+    Utf16Le,
+    Utf16Be,
+}
+
+/// How a file is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    encoding: Encoding,
+    mark: bool,
+    ending: &'static str,
+    /// Lines end in several ways; a save makes them one.
+    pub mixed: bool,
+}
+
+/// Why a text cannot be written as its file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line} has the character `{character}`, which the file's 8-bit encoding lacks")]
+pub struct Unwritable {
+    /// From 1.
+    pub line: usize,
+    /// The first such character.
+    pub character: char,
+}
+
+/// A change that does not fit the text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the change from {from} to {to} does not fit the text of {length} characters")]
+pub struct Misfit {
+    from: usize,
+    to: usize,
+    length: usize,
+}
+
+/// A text and how its file is written.
+#[derive(Clone, Debug)]
+pub struct Document {
+    text: String,
+    form: Form,
+    /// The file holds something else than a program: nothing of it is shown or saved.
+    pub binary: bool,
+}
+
+impl Document {
+    /// Reads the bytes of a file.
+    pub fn read(bytes: &[u8]) -> Document {
+        let decoded = syntax::decode(bytes);
+        let wide = matches!(bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
+        let mark = wide || bytes.starts_with(b"\xEF\xBB\xBF");
+        let text = if decoded.binary { &b""[..] } else { &decoded.text };
+        let (encoding, text) = match (decoded.encoding, std::str::from_utf8(text)) {
+            (syntax::Encoding::Utf16Le, _) => (Encoding::Utf16Le, String::from_utf8_lossy(text)),
+            (syntax::Encoding::Utf16Be, _) => (Encoding::Utf16Be, String::from_utf8_lossy(text)),
+            (syntax::Encoding::Bytes, Ok(text)) => (Encoding::Utf8, text.into()),
+            (syntax::Encoding::Bytes, Err(_)) => (Encoding::Bytes, decode_latin1(text)),
+        };
+        let (ending, mixed) = ending_of(&text);
+        let text = with_lf(&text);
+        let form = Form { encoding, mark, ending, mixed };
+        Document { text, form, binary: decoded.binary }
+    }
+
+    /// The text, its lines ended by LF.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// How the file is written.
+    pub fn form(&self) -> Form {
+        self.form
+    }
+
+    /// The bytes of the file.
+    ///
+    /// # Errors
+    /// A character that the file's encoding lacks.
+    pub fn bytes(&self) -> Result<Vec<u8>, Unwritable> {
+        let text = match self.form.ending {
+            "\n" => self.text.clone(),
+            ending => self.text.replace('\n', ending),
+        };
+        let mark = |bytes: &[u8]| if self.form.mark { bytes.to_vec() } else { Vec::new() };
+        Ok(match self.form.encoding {
+            Encoding::Utf8 => [mark(b"\xEF\xBB\xBF"), text.into_bytes()].concat(),
+            Encoding::Bytes => match is_str_latin1(&text) {
+                true => encode_latin1_lossy(&text).into_owned(),
+                false => return Err(self.unwritable()),
+            },
+            Encoding::Utf16Le => {
+                [mark(b"\xFF\xFE"), text.encode_utf16().flat_map(u16::to_le_bytes).collect()]
+                    .concat()
+            }
+            Encoding::Utf16Be => {
+                [mark(b"\xFE\xFF"), text.encode_utf16().flat_map(u16::to_be_bytes).collect()]
+                    .concat()
+            }
+        })
+    }
+
+    fn unwritable(&self) -> Unwritable {
+        let wide = |line: &str| line.chars().find(|character| *character as u32 > 0xff);
+        let mut lines = self.text.split('\n').enumerate();
+        let found = lines.find_map(|(index, line)| Some((index + 1, wide(line)?)));
+        let (line, character) = found.unwrap_or((1, '?'));
+        Unwritable { line, character }
+    }
+
+    /// Carries out changes, whose places are those of the text before all of them, in order.
+    ///
+    /// # Errors
+    /// A change that does not fit; the text is then as before.
+    pub fn apply(&mut self, changes: &[Change]) -> Result<(), Misfit> {
+        let mut places = Places::new(&self.text);
+        let mut changed = String::with_capacity(self.text.len() + 64);
+        let mut kept = 0;
+        for change in changes {
+            let misfit = || {
+                let length = self.text.encode_utf16().count();
+                Misfit { from: change.from, to: change.to, length }
+            };
+            let from = places.byte_of(change.from).ok_or_else(misfit)?;
+            let to = places.byte_of(change.to).ok_or_else(misfit)?;
+            if from < kept || to < from {
+                return Err(misfit());
+            }
+            changed.push_str(&self.text[kept..from]);
+            changed.push_str(&with_lf(&change.insert));
+            kept = to;
+        }
+        changed.push_str(&self.text[kept..]);
+        self.text = changed;
+        Ok(())
+    }
+}
+
+/// Bytes of UTF-16 places that grow.
+struct Places<'a> {
+    text: &'a str,
+    ascii: bool,
+    byte: usize,
+    unit: usize,
+}
+
+impl<'a> Places<'a> {
+    fn new(text: &'a str) -> Places<'a> {
+        Places { text, ascii: text.is_ascii(), byte: 0, unit: 0 }
+    }
+
+    fn byte_of(&mut self, unit: usize) -> Option<usize> {
+        if self.ascii {
+            return (unit <= self.text.len()).then_some(unit);
+        }
+        let mut rest = self.text[self.byte..].chars();
+        while self.unit < unit {
+            let character = rest.next()?;
+            self.byte += character.len_utf8();
+            self.unit += character.len_utf16();
+        }
+        (self.unit == unit).then_some(self.byte)
+    }
+}
+
+/// The ending of most lines, and whether there are others.
+fn ending_of(text: &str) -> (&'static str, bool) {
+    let bytes = text.as_bytes();
+    let (mut lf, mut crlf, mut cr) = (0, 0, 0);
+    for (at, byte) in bytes.iter().enumerate() {
+        match byte {
+            b'\n' if at > 0 && bytes[at - 1] == b'\r' => crlf += 1,
+            b'\n' => lf += 1,
+            b'\r' if bytes.get(at + 1) != Some(&b'\n') => cr += 1,
+            _ => {}
+        }
+    }
+    let kinds = [(lf, "\n"), (crlf, "\r\n"), (cr, "\r")];
+    let mixed = kinds.iter().filter(|(count, _)| *count > 0).count() > 1;
+    // Of equal counts the last: a file without line ends gets LF all the same.
+    let most = kinds.into_iter().rev().max_by_key(|(count, _)| *count);
+    (most.map_or("\n", |(_, ending)| ending), mixed)
+}
+
+fn with_lf(text: &str) -> String {
+    if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n") } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn change(from: usize, to: usize, insert: &str) -> Change {
+        Change { from, to, insert: insert.into() }
+    }
+
+    #[test]
+    fn a_file_that_is_not_changed_is_written_as_it_was() {
+        let utf16: Vec<u8> =
+            "\u{feff}G0 X1\r\n(ä)\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        for bytes in [
+            &b"G0 X1\nM30\n"[..],
+            b"%\r\nO1\r\nM30\r\n%\r\n",
+            b"G0\rX1\rM30",
+            b"\xEF\xBB\xBFG0 (\xC3\xA4)\n",
+            b"G0 (\xE4\x83)\r\nM30\r\n",
+            b"",
+            b"no end",
+            &utf16,
+        ] {
+            let document = Document::read(bytes);
+            assert!(!document.text().contains('\r'));
+            assert!(!document.form().mixed);
+            assert_eq!(document.bytes().unwrap(), bytes);
+        }
+        assert!(Document::read(b"G0\r\nX1\n").form().mixed);
+    }
+
+    #[test]
+    fn changes_count_as_a_browser_does() {
+        let mut document = Document::read("(😀ä)\nX1\n".as_bytes());
+        // The face is two units.
+        document.apply(&[change(3, 4, "b"), change(6, 8, "Y2\r\nZ3")]).unwrap();
+        assert_eq!(document.text(), "(😀b)\nY2\nZ3\n");
+        document.apply(&[change(0, 12, "")]).unwrap();
+        assert_eq!(document.text(), "");
+    }
+
+    #[test]
+    fn changes_that_do_not_fit_change_nothing() {
+        let mut document = Document::read("(😀)".as_bytes());
+        for changes in [
+            &[change(0, 5, "x")][..],
+            &[change(2, 2, "x")],
+            &[change(3, 3, "a"), change(1, 1, "b")],
+            &[change(3, 1, "a")],
+            &[change(usize::MAX, usize::MAX, "a")],
+        ] {
+            assert!(document.apply(changes).is_err());
+            assert_eq!(document.text(), "(😀)");
+        }
+        let mut document = Document::read(b"X1");
+        assert!(document.apply(&[change(1, 3, "")]).is_err());
+        assert!(document.apply(&[change(2, 1, "")]).is_err());
+    }
+
+    #[test]
+    fn a_character_that_the_file_cannot_hold_is_told() {
+        let mut document = Document::read(b"G0\n(\xE4)\n");
+        document.apply(&[change(4, 4, "ß→")]).unwrap();
+        let error = document.bytes().unwrap_err();
+        assert_eq!((error.line, error.character), (2, '→'));
+    }
+}

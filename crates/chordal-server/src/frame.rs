@@ -1,0 +1,88 @@
+//! Binary frames: a short JSON header and columns of little-endian numbers.
+//!
+//! ```text
+//! u32 length of the header │ header, JSON, padded with blanks │ columns, each from a multiple of 8
+//! ```
+//!
+//! The header's `columns` say of each its type, its offset from the end of the header, and how many
+//! numbers it has. Header and length together are a multiple of 8, so that a browser may look at
+//! the columns where they lie, without a copy.
+
+use serde_json::{Map, Value, json};
+
+/// Columns that are gathered.
+#[derive(Debug, Default)]
+pub struct Frame {
+    columns: Map<String, Value>,
+    data: Vec<u8>,
+}
+
+/// A number that a column may hold.
+pub trait Cell: Copy {
+    /// Its type's word.
+    const WORD: &'static str;
+    /// Appends its bytes.
+    fn put(self, out: &mut Vec<u8>);
+}
+
+macro_rules! cells {
+    ($($cell:ty, $word:literal);*) => {$(
+        impl Cell for $cell {
+            const WORD: &'static str = $word;
+            fn put(self, out: &mut Vec<u8>) {
+                out.extend_from_slice(&self.to_le_bytes());
+            }
+        }
+    )*};
+}
+
+cells!(u8, "u8"; u32, "u32"; f32, "f32"; f64, "f64");
+
+impl Frame {
+    /// Adds a column.
+    pub fn column<C: Cell>(&mut self, name: &str, values: &[C]) {
+        let place = json!({ "type": C::WORD, "offset": self.data.len(), "count": values.len() });
+        self.columns.insert(name.into(), place);
+        self.data.reserve(size_of_val(values) + 8);
+        values.iter().for_each(|value| value.put(&mut self.data));
+        self.data.resize(self.data.len().next_multiple_of(8), 0);
+    }
+
+    /// The frame, with what else the header says.
+    pub fn finish(self, header: Value) -> Vec<u8> {
+        let mut object = match header {
+            Value::Object(object) => object,
+            _ => Map::new(),
+        };
+        object.insert("columns".into(), self.columns.into());
+        let mut text = Value::Object(object).to_string();
+        let padded = (text.len() + 4).next_multiple_of(8) - 4;
+        text.extend(std::iter::repeat_n(' ', padded - text.len()));
+        let mut bytes = Vec::with_capacity(4 + text.len() + self.data.len());
+        bytes.extend_from_slice(&(text.len() as u32).to_le_bytes());
+        bytes.extend_from_slice(text.as_bytes());
+        bytes.extend_from_slice(&self.data);
+        bytes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_lie_where_the_header_says() {
+        let mut frame = Frame::default();
+        frame.column("kind", &[1u8, 2, 3]);
+        frame.column("x", &[1.5f32, -2.0]);
+        let bytes = frame.finish(json!({ "type": "path" }));
+        let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
+        assert_eq!((length + 4) % 8, 0);
+        let header: Value = serde_json::from_slice(&bytes[4..4 + length]).unwrap();
+        assert_eq!(header["type"], "path");
+        assert_eq!(header["columns"]["x"], json!({ "type": "f32", "offset": 8, "count": 2 }));
+        let data = &bytes[4 + length..];
+        assert_eq!(data[..3], [1, 2, 3]);
+        assert_eq!(data[8..16], [1.5f32.to_le_bytes(), (-2f32).to_le_bytes()].concat());
+    }
+}

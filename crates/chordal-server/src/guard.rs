@@ -1,0 +1,115 @@
+//! Whom the page is for: who knows its address, from this machine, from the page itself.
+//!
+//! Any web site may send requests to loopback, and a name of its own may be made to point there.
+//! So a request must name this server (`Host`), must not come from another page (`Origin`), and
+//! must know the token. Whoever does not gets no content.
+
+use axum::http::header::{HOST, ORIGIN};
+use axum::http::{HeaderMap, StatusCode};
+use subtle::ConstantTimeEq;
+
+/// Bytes of a token.
+const BYTES: usize = 24;
+
+/// The secret part of the address.
+#[derive(Clone, Debug)]
+pub struct Token(String);
+
+impl Token {
+    /// A new one: 192 random bits in hexadecimal.
+    ///
+    /// # Errors
+    /// When the system gives no random numbers.
+    pub fn random() -> Result<Token, getrandom::Error> {
+        let mut bytes = [0; BYTES];
+        getrandom::fill(&mut bytes)?;
+        Ok(Token(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+    }
+
+    /// As it stands in the address.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// Whether it is this one; how long that takes does not tell how much of it is right.
+    pub fn is(&self, given: &str) -> bool {
+        self.0.as_bytes().ct_eq(given.as_bytes()).into()
+    }
+}
+
+/// The names that a browser may know this server by.
+#[derive(Clone, Debug)]
+pub struct Hosts([String; 2]);
+
+impl Hosts {
+    /// Of a port.
+    pub fn of(port: u16) -> Hosts {
+        Hosts([format!("127.0.0.1:{port}"), format!("localhost:{port}")])
+    }
+
+    /// Refuses a request that names another server, or comes from another page.
+    ///
+    /// # Errors
+    /// What it is refused with.
+    pub fn check(&self, headers: &HeaderMap) -> Result<(), StatusCode> {
+        let only = |name| {
+            let mut values = headers.get_all(name).iter();
+            (values.next(), values.next().is_some())
+        };
+        let (Some(host), false) = only(HOST) else { return Err(StatusCode::FORBIDDEN) };
+        if !self.0.iter().any(|own| host.as_bytes().eq_ignore_ascii_case(own.as_bytes())) {
+            return Err(StatusCode::FORBIDDEN);
+        }
+        match only(ORIGIN) {
+            (None, _) => Ok(()),
+            (Some(origin), false) if self.is_own(origin.as_bytes()) => Ok(()),
+            _ => Err(StatusCode::FORBIDDEN),
+        }
+    }
+
+    fn is_own(&self, origin: &[u8]) -> bool {
+        let host = origin.strip_prefix(b"http://");
+        host.is_some_and(|host| self.0.iter().any(|own| host == own.as_bytes()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(pairs: &[(&str, &str)]) -> bool {
+        let mut headers = HeaderMap::new();
+        for (name, value) in pairs {
+            let name: axum::http::HeaderName = name.parse().unwrap();
+            headers.append(name, value.parse().unwrap());
+        }
+        Hosts::of(8080).check(&headers).is_ok()
+    }
+
+    #[test]
+    fn only_our_own_names_and_pages() {
+        assert!(check(&[("host", "127.0.0.1:8080")]));
+        assert!(check(&[("host", "localhost:8080"), ("origin", "http://localhost:8080")]));
+        for headers in [
+            &[][..],
+            &[("host", "127.0.0.1")],
+            &[("host", "127.0.0.1:80")],
+            &[("host", "evil.example:8080")],
+            &[("host", "127.0.0.1:8080"), ("host", "evil.example")],
+            &[("host", "127.0.0.1:8080"), ("origin", "http://evil.example")],
+            &[("host", "127.0.0.1:8080"), ("origin", "https://127.0.0.1:8080")],
+            &[("host", "127.0.0.1:8080"), ("origin", "null")],
+            &[("host", "127.0.0.1:8080"), ("origin", "http://127.0.0.1:8080.evil.example")],
+        ] {
+            assert!(!check(headers), "{headers:?}");
+        }
+    }
+
+    #[test]
+    fn tokens_are_long_and_differ() {
+        let (one, other) = (Token::random().unwrap(), Token::random().unwrap());
+        assert_eq!(one.text().len(), 48);
+        assert_ne!(one.text(), other.text());
+        assert!(one.is(one.text()) && !one.is(other.text()) && !one.is("") && !one.is(&one.0[1..]));
+    }
+}

@@ -1,0 +1,98 @@
+//! The server of `chordal view`: a page on loopback that shows a program and its path, live.
+//!
+//! A thin shell. The page is built beforehand (`web/`, embedded from `page/`) and never reads a
+//! program: it is told what the library finds. One file per concern: `guard` refuses whom the page
+//! is not for, `page` has the files, `live` is the one connection of a page, `session` what it
+//! asks, `document` the text as it is edited, `file` the one on disk, `run` and `times` make
+//! columns of a path and of its time, `frame` packs them.
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a shell: sockets, threads, files and the clock are its business"
+)]
+#![forbid(unsafe_code)]
+
+mod answer;
+mod chords;
+mod columns;
+mod document;
+mod file;
+mod frame;
+mod guard;
+mod live;
+mod modal;
+mod page;
+mod program;
+mod request;
+mod run;
+mod session;
+mod times;
+mod wanted;
+
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::sync::Arc;
+
+pub use guard::Token;
+pub use program::{MachineChoice, Opened, Programs, Refusal};
+
+/// Why there is no server.
+#[derive(Debug, thiserror::Error)]
+pub enum ServeError {
+    /// The port is taken, or may not be used.
+    #[error("cannot listen on 127.0.0.1:{port}: {error}")]
+    Listen {
+        /// The port asked for.
+        port: u16,
+        /// The system's word.
+        error: io::Error,
+    },
+    /// The system gives no random numbers.
+    #[error("the system gives no random numbers for the address: {0}")]
+    Random(getrandom::Error),
+    /// The server broke off.
+    #[error("the server ended: {0}")]
+    Ended(#[from] io::Error),
+}
+
+/// A server that listens, and has not answered yet.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    address: SocketAddr,
+    token: Token,
+}
+
+impl Server {
+    /// Listens on loopback; port 0 takes any that is free. The token is 192 random bits.
+    ///
+    /// # Errors
+    /// A port that is taken.
+    pub fn listen(port: u16) -> Result<Server, ServeError> {
+        let failed = |error| ServeError::Listen { port, error };
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(failed)?;
+        listener.set_nonblocking(true).map_err(failed)?;
+        let address = listener.local_addr().map_err(failed)?;
+        Ok(Server { listener, address, token: Token::random().map_err(ServeError::Random)? })
+    }
+
+    /// The address of the page, token and all.
+    pub fn url(&self) -> String {
+        format!("http://{}/{}/", self.address, self.token.text())
+    }
+
+    /// Answers until the process ends.
+    ///
+    /// # Errors
+    /// When the socket breaks.
+    pub fn serve(self, programs: Arc<dyn Programs>) -> Result<(), ServeError> {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+        runtime.block_on(async {
+            let listener = tokio::net::TcpListener::from_std(self.listener)?;
+            let app = page::router(self.token, self.address.port(), programs);
+            axum::serve(listener, app).await
+        })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,97 @@
+//! The one connection of a page: requests in, answers and columns out.
+
+use std::sync::Arc;
+
+use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
+use serde_json::{Value, json};
+use tokio::sync::mpsc;
+
+use crate::program::Programs;
+use crate::request::Request;
+use crate::session::Session;
+
+/// The longest message that a page may send: what somebody may paste.
+pub const LARGEST_MESSAGE: usize = 32 << 20;
+
+/// Messages that wait for a page. A page that is slow makes the run wait, not the memory grow.
+const WAITING: usize = 16;
+
+/// Takes what is for the page, from any thread.
+#[derive(Clone, Debug)]
+pub struct Outbox(mpsc::Sender<Message>);
+
+impl Outbox {
+    /// Sends an object.
+    pub fn json(&self, object: &Value) {
+        self.send(Message::Text(object.to_string().into()));
+    }
+
+    /// Sends columns.
+    pub fn binary(&self, frame: Vec<u8>) {
+        self.send(Message::Binary(frame.into()));
+    }
+
+    /// Sends that a request failed.
+    pub fn refuse(&self, id: u64, message: &str, help: Option<&str>) {
+        self.json(&json!({ "type": "error", "id": id, "message": message, "help": help }));
+    }
+
+    fn send(&self, message: Message) {
+        // A page that has gone is noticed where its requests are read.
+        let _ = self.0.blocking_send(message);
+    }
+}
+
+/// Talks with a page until it goes.
+pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
+    let (sender, mut outgoing) = mpsc::channel(WAITING);
+    let session = match Session::begin(programs, Outbox(sender.clone())) {
+        Ok(session) => session,
+        Err(error) => {
+            let told = json!({ "type": "error", "id": 0, "message": error.to_string() });
+            let _ = socket.send(Message::Text(told.to_string().into())).await;
+            return;
+        }
+    };
+    loop {
+        tokio::select! {
+            message = outgoing.recv() => {
+                let Some(message) = message else { break };
+                if socket.send(message).await.is_err() {
+                    break;
+                }
+            }
+            message = socket.recv() => {
+                let refused = match message {
+                    Some(Ok(Message::Text(text))) => take(&session, text.as_str()),
+                    Some(Ok(Message::Binary(_))) => Err("requests are text, not bytes".to_string()),
+                    Some(Ok(Message::Ping(_) | Message::Pong(_))) => Ok(()),
+                    Some(Ok(Message::Close(_))) | None => break,
+                    Some(Err(error)) => {
+                        // Too long, or no WebSocket at all: there is no going on.
+                        let reason = error.to_string().chars().take(100).collect::<String>().into();
+                        let frame = CloseFrame { code: close_code::POLICY, reason };
+                        let _ = socket.send(Message::Close(Some(frame))).await;
+                        break;
+                    }
+                };
+                if let Err(reason) = refused {
+                    let told = json!({ "type": "error", "id": 0, "message": reason });
+                    if socket.send(Message::Text(told.to_string().into())).await.is_err() {
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    session.end();
+    // Whoever waits for room in the outbox is let go.
+    outgoing.close();
+}
+
+fn take(session: &Session, text: &str) -> Result<(), String> {
+    let request: Request = serde_json::from_str(text)
+        .map_err(|error| format!("the request cannot be read: {error}"))?;
+    session.ask(request);
+    Ok(())
+}

@@ -1,0 +1,247 @@
+//! What is in force, piece of path by piece of path.
+
+use chordal::control::{
+    Command, CommandKind, Control, Coolant, FeedMode, Overrides, PathMode, Side, SpindleState,
+    Units, WorkName,
+};
+use chordal::geometry::{ParamCurve, Plane, Vec3};
+use chordal::path::Frame;
+use chordal::{PathCommand, Segment};
+use serde_json::{Value, json};
+
+/// Changes that are kept; a program with more is told as its last kept one.
+const MOST: usize = 500_000;
+
+/// A shift below this is rounding, mm.
+const SAME_MM: f64 = 1e-9;
+
+/// What a control remembers from block to block, as far as its commands tell.
+#[derive(Clone, Debug, PartialEq)]
+struct Modal {
+    units: Units,
+    plane: Plane,
+    feed_mode: FeedMode,
+    feed: Option<f64>,
+    spindle: SpindleState,
+    rpm: f64,
+    coolant: Coolant,
+    tool: u32,
+    selected: Option<u32>,
+    length: Option<(u32, Option<f64>)>,
+    side: Side,
+    cutter: Option<(Option<u32>, Option<f64>)>,
+    work: Option<WorkName>,
+    path: Option<PathMode>,
+    overrides: Overrides,
+    /// Added to program coordinates to get the frame of the run, mm.
+    shift: Vec3,
+    /// What of it is known.
+    frame: Frame,
+}
+
+#[derive(Clone, Debug)]
+struct Mark {
+    /// Pieces of path before it.
+    after: u32,
+    line: u32,
+    /// Of the program itself, not of a called one.
+    main: bool,
+    modal: Modal,
+}
+
+/// Notes what is in force while commands go by.
+#[derive(Clone, Debug)]
+pub struct ModalTrack {
+    now: Modal,
+    marks: Vec<Mark>,
+    /// The way to the frame of the run must be found again.
+    moved: bool,
+    /// The frame of the first cut: that of the run.
+    base: Option<Frame>,
+    /// Names of work offsets that cuts ran under, and where their zero is in the frame of the run.
+    zeros: Vec<(WorkName, Vec3)>,
+    extended: &'static str,
+}
+
+impl ModalTrack {
+    /// Before the first command.
+    pub fn new(control: &Control, frame: Frame) -> ModalTrack {
+        let now = Modal {
+            units: control.parameters.units,
+            plane: Plane::Xy,
+            feed_mode: FeedMode::PerTime,
+            feed: None,
+            spindle: SpindleState::Off,
+            rpm: 0.0,
+            coolant: Coolant::default(),
+            tool: 0,
+            selected: None,
+            length: None,
+            side: Side::Off,
+            cutter: None,
+            work: None,
+            path: None,
+            overrides: Overrides::ON,
+            shift: Vec3::ZERO,
+            frame,
+        };
+        let first = Mark { after: 0, line: 0, main: true, modal: now.clone() };
+        let extended = control.table.extended_offset_code;
+        ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), extended }
+    }
+
+    /// Follows a command of which the pieces of path begin after so many.
+    pub fn follow(&mut self, path: &PathCommand<'_>, segments: &[Segment], before: u32) {
+        let command = path.command;
+        let changed = match command.kind.motion() {
+            Some(_) => self.motion(command, segments),
+            None => self.set(command),
+        };
+        if changed && self.marks.len() < MOST {
+            let (line, main) = (command.origin.line, command.origin.span.file.0 == 0);
+            self.marks.push(Mark { after: before, line, main, modal: self.now.clone() });
+        }
+    }
+
+    /// A move tells where the program's zero is in the frame of the run.
+    fn motion(&mut self, command: &Command, segments: &[Segment]) -> bool {
+        let cuts = command.kind.feed().is_some();
+        if cuts && self.base.is_none() {
+            self.base = Some(self.now.frame);
+            self.moved = true;
+        }
+        let (true, Some(last), Some(motion)) = (self.moved, segments.last(), command.kind.motion())
+        else {
+            return false;
+        };
+        let to = Vec3::new(motion.to[0], motion.to[1], motion.to[2]);
+        let shift = last.curve.end() - to;
+        let shift = if shift.length() < SAME_MM { Vec3::ZERO } else { shift };
+        self.moved = false;
+        if cuts
+            && let Some(name) = self.now.work
+            && self.zeros.len() < 100
+        {
+            let zero = (name, shift);
+            if !self.zeros.contains(&zero) {
+                self.zeros.push(zero);
+            }
+        }
+        let changed = shift != self.now.shift;
+        self.now.shift = shift;
+        changed
+    }
+
+    fn set(&mut self, command: &Command) -> bool {
+        let now = &mut self.now;
+        if now.frame.follow(command) {
+            self.moved = true;
+        }
+        match command.kind {
+            CommandKind::Tool { number } => (now.tool, now.selected) = (number, None),
+            CommandKind::ToolSelect { number } => now.selected = Some(number),
+            CommandKind::ToolLength { number, length_mm, .. } => {
+                now.length = number.map(|number| (number, length_mm));
+            }
+            CommandKind::Compensation { side, number, radius_mm, .. } => {
+                now.side = side;
+                now.cutter = (side != Side::Off).then_some((number, radius_mm));
+            }
+            CommandKind::Spindle { state, rpm } => (now.spindle, now.rpm) = (state, rpm),
+            CommandKind::Coolant(coolant) => now.coolant = coolant,
+            CommandKind::Units(units) => now.units = units,
+            CommandKind::Plane(plane) => now.plane = plane,
+            CommandKind::FeedMode(mode) => (now.feed_mode, now.feed) = (mode, None),
+            CommandKind::FeedRate { value, mode } => {
+                (now.feed, now.feed_mode) = (Some(value), mode);
+            }
+            CommandKind::PathMode(mode) => now.path = Some(mode),
+            CommandKind::Overrides(overrides) => now.overrides = overrides,
+            CommandKind::WorkOffset { name, .. } => now.work = Some(name),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Where the zeros of work offsets are in the frame of the run, and where that frame is in
+    /// the machine, where it is known: by axis, mm.
+    pub fn places(&self) -> Value {
+        let zeros = self
+            .zeros
+            .iter()
+            .map(|(name, at)| json!({ "name": name.key(self.extended), "at": [at.x, at.y, at.z] }));
+        let base = self.base.as_ref().map(|base| {
+            let length = [0.0, 0.0, base.length];
+            [0, 1, 2].map(|axis| base.known.has(axis).then(|| base.work[axis] + length[axis]))
+        });
+        json!({ "zeros": zeros.collect::<Vec<_>>(), "machine": base })
+    }
+
+    /// What is in force once so many pieces of path are done, and beyond that on the blocks up to
+    /// a line that move nothing.
+    pub fn at(&self, done: u32, line: u32) -> Value {
+        let reached = self.marks.partition_point(|mark| mark.after < done);
+        let beyond = self.marks[reached..]
+            .iter()
+            .take_while(|mark| mark.after == done && mark.main && mark.line <= line)
+            .count();
+        // The first mark is before everything.
+        self.text(&self.marks[(reached + beyond).saturating_sub(1)].modal)
+    }
+
+    fn text(&self, modal: &Modal) -> Value {
+        let Modal { shift, feed, .. } = modal;
+        let state = |state: SpindleState| match state {
+            SpindleState::Off => "off",
+            SpindleState::Cw => "clockwise",
+            SpindleState::Ccw => "counter-clockwise",
+            SpindleState::Oriented => "oriented",
+        };
+        json!({
+            "inch": modal.units == Units::Inch,
+            "plane": match modal.plane { Plane::Xy => "XY", Plane::Zx => "ZX", Plane::Yz => "YZ" },
+            "feed_mode": match modal.feed_mode {
+                FeedMode::PerTime => "per_minute",
+                FeedMode::InverseTime => "inverse_time",
+                FeedMode::PerRevolution => "per_revolution",
+            },
+            // Per minute where it is a speed or one over a time; mm.
+            "feed": feed.filter(|feed| feed.is_finite()).map(|feed| match modal.feed_mode {
+                FeedMode::PerRevolution => feed,
+                _ => feed * 60.0,
+            }),
+            "spindle": state(modal.spindle),
+            "rpm": modal.rpm,
+            "coolant": coolant_words(modal.coolant),
+            "tool": modal.tool,
+            "selected": modal.selected,
+            "length": modal.length.map(|(number, mm)| json!({ "number": number, "mm": mm })),
+            "side": match modal.side {
+                Side::Off => "off",
+                Side::Left => "left",
+                Side::Right => "right",
+            },
+            "cutter": modal.cutter.map(|(number, mm)| json!({ "number": number, "mm": mm })),
+            "work": modal.work.map(|name| name.key(self.extended)),
+            "path_mode": modal.path.map(path_mode_text),
+            "overrides": { "feed": modal.overrides.feed, "rapid": modal.overrides.rapid },
+            "shift": [shift.x, shift.y, shift.z],
+        })
+    }
+}
+
+fn coolant_words(coolant: Coolant) -> Vec<&'static str> {
+    [(coolant.flood, "flood"), (coolant.mist, "mist"), (coolant.through_tool, "through tool")]
+        .into_iter()
+        .filter_map(|(on, word)| on.then_some(word))
+        .collect()
+}
+
+fn path_mode_text(mode: PathMode) -> String {
+    match mode {
+        PathMode::ExactPath => "exact path".into(),
+        PathMode::ExactStop => "exact stop".into(),
+        PathMode::Continuous { tolerance_mm: None } => "continuous".into(),
+        PathMode::Continuous { tolerance_mm: Some(mm) } => format!("continuous within {mm} mm"),
+    }
+}

@@ -1,0 +1,105 @@
+//! The files of the page, and the routes.
+
+use std::sync::Arc;
+
+use axum::Router;
+use axum::extract::{Path, Request, State, WebSocketUpgrade};
+use axum::http::header::{self, HeaderName};
+use axum::http::{HeaderMap, HeaderValue, StatusCode};
+use axum::middleware::{self, Next};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+
+use crate::guard::{Hosts, Token};
+use crate::live;
+use crate::program::Programs;
+
+/// Built from `web/`; nothing else is ever served.
+const FILES: &[(&str, &str, &[u8])] = &[
+    ("", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
+    ("app.js", "text/javascript; charset=utf-8", include_bytes!("../page/app.js")),
+    ("app.css", "text/css; charset=utf-8", include_bytes!("../page/app.css")),
+    ("icon.svg", "image/svg+xml", include_bytes!("../page/icon.svg")),
+];
+
+/// Where the page says with which nonce its editor may add styles.
+const NONCE: &str = "NONCE-OF-THE-PAGE";
+
+/// What every answer is made with.
+#[derive(Clone)]
+pub struct Site {
+    token: Token,
+    hosts: Hosts,
+    programs: Arc<dyn Programs>,
+}
+
+/// The routes behind their guard.
+pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>) -> Router {
+    let site = Site { token, hosts: Hosts::of(port), programs };
+    Router::new()
+        .route("/{token}/", get(index))
+        .route("/{token}/live", get(connect))
+        .route("/{token}/{file}", get(asset))
+        .layer(middleware::from_fn_with_state(site.clone(), guard))
+        .with_state(site)
+}
+
+/// Refuses before anything is looked at, and says on every answer what the page may do.
+async fn guard(State(site): State<Site>, request: Request, next: Next) -> Response {
+    if let Err(status) = site.hosts.check(request.headers()) {
+        return status.into_response();
+    }
+    let given = request.uri().path().split('/').nth(1).unwrap_or("");
+    if !site.token.is(given) {
+        return StatusCode::NOT_FOUND.into_response();
+    }
+    let mut response = next.run(request).await;
+    let headers = response.headers_mut();
+    for (name, value) in PROTECTION {
+        headers.entry(name).or_insert(HeaderValue::from_static(value));
+    }
+    response
+}
+
+const PROTECTION: [(HeaderName, &str); 6] = [
+    (header::CONTENT_SECURITY_POLICY, "default-src 'none'; frame-ancestors 'none'"),
+    (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    // The address holds the token: it goes nowhere.
+    (header::REFERRER_POLICY, "no-referrer"),
+    (header::CACHE_CONTROL, "no-store"),
+    (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+];
+
+async fn index() -> Response {
+    let Ok(nonce) = Token::random() else {
+        return StatusCode::INTERNAL_SERVER_ERROR.into_response();
+    };
+    let (_, kind, bytes) = FILES[0];
+    let text = String::from_utf8_lossy(bytes).replace(NONCE, nonce.text());
+    let policy = format!(
+        "default-src 'none'; script-src 'self'; connect-src 'self'; img-src 'self' data:; \
+         style-src 'self' 'nonce-{}'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+        nonce.text()
+    );
+    let mut headers = HeaderMap::new();
+    headers.insert(header::CONTENT_TYPE, HeaderValue::from_static(kind));
+    if let Ok(policy) = HeaderValue::from_str(&policy) {
+        headers.insert(header::CONTENT_SECURITY_POLICY, policy);
+    }
+    (headers, text).into_response()
+}
+
+async fn asset(Path((_, name)): Path<(String, String)>) -> Response {
+    match FILES[1..].iter().find(|(own, ..)| *own == name) {
+        Some((_, kind, bytes)) => ([(header::CONTENT_TYPE, *kind)], *bytes).into_response(),
+        None => StatusCode::NOT_FOUND.into_response(),
+    }
+}
+
+async fn connect(State(site): State<Site>, upgrade: WebSocketUpgrade) -> Response {
+    upgrade
+        .max_message_size(live::LARGEST_MESSAGE)
+        .max_frame_size(live::LARGEST_MESSAGE)
+        .on_upgrade(move |socket| live::talk(socket, site.programs))
+}

@@ -1,0 +1,92 @@
+//! What the page asks.
+
+use serde::Deserialize;
+
+/// A piece of the text that is replaced; places are UTF-16 code units of the text before.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Change {
+    /// Where it begins.
+    pub from: usize,
+    /// Where it ends.
+    pub to: usize,
+    /// What stands there instead.
+    pub insert: String,
+}
+
+/// A request and the number that its answer bears.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Request {
+    /// Given back with the answer.
+    #[serde(default)]
+    pub id: u64,
+    /// What is asked.
+    #[serde(flatten)]
+    pub ask: Ask,
+}
+
+/// What the page may ask.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(tag = "ask", rename_all = "snake_case")]
+pub enum Ask {
+    /// The text has changed: it is run anew.
+    Edit {
+        /// In order, none over another.
+        changes: Vec<Change>,
+    },
+    /// Another machine; `None` is the one that the command line, the folder or the text says.
+    Machine {
+        /// As `chordal machines` lists it.
+        name: Option<String>,
+    },
+    /// The chords that stand for arcs within a tolerance.
+    Chords {
+        /// mm.
+        tolerance_mm: f64,
+        /// Corners on both sides of the curve.
+        #[serde(default)]
+        balanced: bool,
+    },
+    /// What is in force once so many pieces of path are done and a line is reached.
+    State {
+        /// Pieces of path that are done.
+        done: u32,
+        /// Line of the program, from 1.
+        line: u32,
+    },
+    /// The text goes to its file.
+    Save {
+        /// Even if the file has changed meanwhile.
+        #[serde(default)]
+        force: bool,
+    },
+    /// The file is read again; what was typed is gone.
+    Reload,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn requests_are_objects_with_a_verb() {
+        let read = |text| serde_json::from_str::<Request>(text);
+        let edit =
+            read(r#"{"id":3,"ask":"edit","changes":[{"from":1,"to":2,"insert":"x"}]}"#).unwrap();
+        let change = Change { from: 1, to: 2, insert: "x".into() };
+        assert_eq!(edit, Request { id: 3, ask: Ask::Edit { changes: vec![change] } });
+        assert_eq!(read(r#"{"ask":"reload"}"#).unwrap().ask, Ask::Reload);
+        for wrong in [
+            "",
+            "[]",
+            "{}",
+            r#"{"ask":"format"}"#,
+            r#"{"ask":"edit"}"#,
+            r#"{"ask":"edit","changes":[{"from":-1,"to":0,"insert":""}]}"#,
+            r#"{"ask":"state","done":1e99,"line":1}"#,
+            r#"{"id":"x","ask":"reload"}"#,
+        ] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+}

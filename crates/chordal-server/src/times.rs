@@ -1,0 +1,196 @@
+//! The motion in time: setpoints at an even period, which piece of path each is on, and the times.
+
+use std::collections::VecDeque;
+
+use chordal::control::{Command, initial_offset};
+use chordal::motion::{
+    LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepKind, StepSource,
+};
+use chordal::path::PathBuilder;
+use chordal::{Job, Segment, SegmentKind, Span};
+use serde_json::{Value, json};
+
+use crate::answer;
+use crate::frame::Frame;
+use crate::wanted::Wanted;
+
+/// Setpoints that are sent at most; beyond, every second is left out, and again.
+const MOST: usize = 200_000;
+
+/// Setpoints that are looked at at most: a program that dwells for a year must not take one.
+const MOST_LOOKED_AT: u64 = 20_000_000;
+
+/// The shortest period, s.
+const SHORTEST_S: f64 = 0.002;
+
+/// Plans a run and packs its motion; `None` when nobody wants it any more. `about_s` is its time
+/// without acceleration.
+///
+/// # Errors
+/// A limit of an axis that is not a positive number.
+pub fn times(
+    number: u64,
+    job: &Job,
+    about_s: f64,
+    wanted: &Wanted,
+) -> Result<Option<(Vec<u8>, Value)>, LimitError> {
+    let (offset, known) = initial_offset(job.machine(), job.control());
+    let period_s = (about_s / (MOST as f64 / 2.0)).max(SHORTEST_S);
+    let period_s = if period_s.is_finite() { period_s } else { 1.0 };
+    let mut sink = Setpoints {
+        builder: PathBuilder::new(job.machine(), offset, known),
+        expected: VecDeque::new(),
+        rows: 0,
+        steps: VecDeque::new(),
+        sampler: Sampler::new(period_s).at_most(MOST_LOOKED_AT),
+        kept: Kept::default(),
+    };
+    // Places count here, so that a rapid goes where its axes take it.
+    let options = MotionOptions { dog_leg_shape: true, ..MotionOptions::default() };
+    let timed = job.time_with(&options, &mut sink)?;
+    if !wanted.is_wanted() {
+        return Ok(None);
+    }
+    let Setpoints { sampler, mut kept, steps, .. } = sink;
+    let (total_s, cut_short) = (sampler.time_s(), sampler.is_exhausted());
+    sampler.finish(|sample| kept.take(sample, &steps));
+    let mut told = answer::times(&timed.time);
+    told["type"] = json!("times");
+    told["run"] = json!(number);
+    told["refused"] = json!(timed.motion.refused_moves);
+    told["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
+    told["assumed"] = json!(timed.motion.limits.assumed.len());
+    let mut frame = Frame::default();
+    frame.column("places", &kept.places);
+    frame.column("speed", &kept.speed);
+    frame.column("row", &kept.row);
+    let header = json!({
+        "type": "setpoints",
+        "run": number,
+        "period_s": period_s * kept.stride as f64,
+        "total_s": total_s,
+        "cut_short": cut_short,
+    });
+    Ok(Some((frame.finish(header), told)))
+}
+
+/// A piece of path that a step of the planner may come from.
+struct Expected {
+    row: u32,
+    span: Span,
+    kind: SegmentKind,
+}
+
+/// A step that the planner holds.
+#[derive(Clone, Copy)]
+struct Held {
+    number: u32,
+    row: u32,
+    shift: [f64; 3],
+}
+
+/// Setpoints, thinned out to what is sent.
+#[derive(Default)]
+struct Kept {
+    looked_at: usize,
+    stride: usize,
+    places: Vec<f32>,
+    speed: Vec<f32>,
+    row: Vec<u32>,
+}
+
+impl Kept {
+    fn take(&mut self, sample: &Sample, steps: &VecDeque<Held>) {
+        self.stride = self.stride.max(1);
+        let is_kept = self.looked_at.is_multiple_of(self.stride);
+        self.looked_at += 1;
+        if !is_kept {
+            return;
+        }
+        let number = StepSource::number_of(sample.tag);
+        let at = steps.partition_point(|step| step.number <= number);
+        let held = steps.get(at.saturating_sub(1));
+        let (row, shift) = held.map_or((0, [0.0; 3]), |held| (held.row, held.shift));
+        self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
+        self.speed.push((sample.speed() * 60.0) as f32);
+        self.row.push(row);
+        if self.row.len() >= MOST {
+            self.thin_out();
+        }
+    }
+
+    /// Leaves out every second one.
+    fn thin_out(&mut self) {
+        let halves = self.row.len().div_ceil(2);
+        for at in 0..halves {
+            self.row[at] = self.row[2 * at];
+            self.speed[at] = self.speed[2 * at];
+            self.places.copy_within(6 * at..6 * at + 3, 3 * at);
+        }
+        self.row.truncate(halves);
+        self.speed.truncate(halves);
+        self.places.truncate(3 * halves);
+        self.stride *= 2;
+    }
+}
+
+struct Setpoints<'m> {
+    /// Makes the same pieces as the path that was sent, to number them alike.
+    builder: PathBuilder<'m>,
+    expected: VecDeque<Expected>,
+    rows: u32,
+    steps: VecDeque<Held>,
+    sampler: Sampler,
+    kept: Kept,
+}
+
+impl Setpoints<'_> {
+    /// The piece of path of a move: the next of its block and kind. Pieces that are no move, since
+    /// they have no length or no feed, are passed over.
+    fn row_of(&mut self, source: &StepSource) -> u32 {
+        let StepKind::Move(kind) = source.kind else {
+            return self.steps.back().map_or(0, |held| held.row);
+        };
+        while let Some(piece) = self.expected.pop_front() {
+            if piece.span == source.origin.span && piece.kind == kind {
+                return piece.row;
+            }
+        }
+        self.rows.saturating_sub(1)
+    }
+}
+
+impl PlanSink for Setpoints<'_> {
+    fn command(&mut self, command: &Command) {
+        let Setpoints { builder, expected, rows, .. } = self;
+        builder.command(command, |segment: &Segment| {
+            let (span, kind) = (segment.origin.span, segment.kind);
+            if moves(segment) {
+                expected.push_back(Expected { row: *rows, span, kind });
+            }
+            *rows = rows.saturating_add(1);
+        });
+    }
+
+    fn source(&mut self, source: &StepSource) {
+        let row = self.row_of(source);
+        let shift = [source.shift[0], source.shift[1], source.shift[2]];
+        self.steps.push_back(Held { number: StepSource::number_of(source.tag), row, shift });
+    }
+
+    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+        if self.sampler.is_exhausted() {
+            return;
+        }
+        let Setpoints { sampler, kept, steps, .. } = self;
+        sampler.push(step, |sample| kept.take(sample, steps));
+        // The sampler holds the last stretch, whose steps the planner has forgotten.
+        let most = 2 * sources.len() + 100_000;
+        let passed = steps.len().saturating_sub(most);
+        steps.drain(..passed);
+    }
+}
+
+fn moves(segment: &Segment) -> bool {
+    segment.length_mm > 0.0 || segment.rotary_from != segment.rotary_to
+}

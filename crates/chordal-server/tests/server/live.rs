@@ -1,0 +1,223 @@
+//! What a page is told: path, problems, times, and what it may ask.
+
+use std::f32::consts::FRAC_PI_2;
+use std::fs;
+
+use crate::common::{Shown, serve};
+
+/// A quarter circle about (0, 0) and a line, in millimetres.
+const QUARTER: &str =
+    "G21 G90\nT1 M6\nS1000 M3\nG0 X10. Y0 Z5.\nG1 Z0 F100.\nG3 X0 Y10. I-10. J0\nG1 Y20.\nM30\n";
+
+#[test]
+fn the_path_is_columns_and_arcs_have_their_exact_record() {
+    let mut live = serve(Shown::text(QUARTER)).live();
+    assert_eq!(live.json("hello")["name"], "part.nc");
+    let run = live.json("run");
+    assert_eq!(run["machine"]["name"], "haas-vf2");
+    let path = live.columns("path");
+    let rows = path.header["rows"].as_u64().unwrap() as usize;
+    let (lines, kinds) = (path.u32("line"), path.u8("kind"));
+    assert_eq!(lines.len(), rows);
+    // Known from X and Y on; the arc is row of line 6.
+    let arc = lines.iter().position(|line| *line == 6).unwrap();
+    assert_eq!(kinds[arc], 0x12);
+    assert_eq!(path.u32("arc_rows"), [arc as u32]);
+    let record = path.f32("arcs");
+    assert_eq!(record.len(), 13);
+    let origin: Vec<f32> = path.header["origin"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|v| v.as_f64().unwrap() as f32)
+        .collect();
+    assert_eq!([record[0] + origin[0], record[1] + origin[1]], [0.0, 0.0]);
+    assert_eq!(record[9..11], [10.0, 10.0]);
+    assert!((record[11] - FRAC_PI_2).abs() < 1e-6);
+    assert_eq!(record[12], 0.0);
+    // From X10 Y0 to X0 Y10 at 100 mm/min.
+    let points = &path.f32("points")[6 * arc..6 * arc + 6];
+    let at = |index: usize| points[index] + origin[index % 3];
+    assert_eq!([at(0), at(1), at(3), at(4)], [10.0, 0.0, 0.0, 10.0]);
+    assert!((path.f32("feed")[arc] - 100.0).abs() < 1e-3);
+    let report = live.json("report");
+    assert_eq!((&report["errors"], &report["rows"]), (&0.into(), &rows.into()));
+    assert_eq!(report["end"][0]["end"], "program end");
+}
+
+#[test]
+fn the_text_is_the_files_and_edits_are_run() {
+    let mut live = serve(Shown::text("G21\r\nG1 X10. F100.\r\nG7 X20.\r\n")).live();
+    let text = live.columns("text");
+    assert_eq!(text.u8("text"), b"G21\nG1 X10. F100.\nG7 X20.\n");
+    let report = live.json("report");
+    assert!(report["errors"].as_u64().unwrap() >= 1, "{report}");
+    let mut problems = report["diagnostics"].as_array().unwrap().iter();
+    let problem = problems.find(|problem| problem["severity"] == "error").unwrap();
+    assert_eq!((&problem["place"]["line"], &problem["place"]["column"]), (&3.into(), &0.into()));
+    // `G7` becomes `G1`; the text before it is 17 characters.
+    live.send(r#"{"ask":"edit","changes":[{"from":18,"to":20,"insert":"G1"}]}"#);
+    assert_eq!(live.json("run")["run"], 2);
+    let lines = live.columns("path").u32("line");
+    assert_eq!(lines, [2, 3]);
+    let report = live.json("report");
+    assert_eq!((&report["run"], &report["errors"]), (&2.into(), &0.into()), "{report}");
+}
+
+#[test]
+fn the_motion_comes_after_the_path_in_true_time() {
+    let mut live = serve(Shown::text(QUARTER)).live();
+    let points = live.columns("setpoints");
+    let (rows, places) = (points.u32("row"), points.f32("places"));
+    assert_eq!(places.len(), 3 * rows.len());
+    assert!(rows.is_sorted());
+    let period = points.header["period_s"].as_f64().unwrap();
+    let total = points.header["total_s"].as_f64().unwrap();
+    assert!((rows.len() as f64 * period - total).abs() < 2.0 * period);
+    // The cuts alone, 5 + 5π + 10 mm at 100 mm/min, take 18.4 s.
+    let cuts = (15.0 + 5.0 * std::f64::consts::PI) / 100.0 * 60.0;
+    assert!(total > cuts, "{total} {cuts}");
+    // It ends at X0 Y20 Z0, in program coordinates.
+    let last = &places[places.len() - 3..];
+    assert!(
+        last.iter().zip([0.0, 20.0, 0.0]).all(|(at, want)| (at - want).abs() < 1e-4),
+        "{last:?}"
+    );
+    let arc = arc_row(QUARTER);
+    // On the arc every setpoint is on the circle, but for what easing its ends may take.
+    let path_rows = rows.iter().zip(places.chunks(3));
+    let on_arc: Vec<&[f32]> = path_rows.filter(|(row, _)| **row == arc).map(|(_, at)| at).collect();
+    assert!(on_arc.len() > 100);
+    assert!(on_arc.iter().all(|at| (at[0].hypot(at[1]) - 10.0).abs() < 0.1));
+    let times = live.json("times");
+    let by_tool: f64 = times["tools"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|tool| tool["times"]["total_s"].as_f64().unwrap())
+        .sum();
+    assert!((by_tool - times["all"]["total_s"].as_f64().unwrap()).abs() < 1e-9);
+    assert!((times["all"]["total_s"].as_f64().unwrap() - total).abs() < 1e-3);
+}
+
+/// The row of line 6 as the path numbers it.
+fn arc_row(program: &str) -> u32 {
+    let mut live = serve(Shown::text(program)).live();
+    let lines = live.columns("path").u32("line");
+    lines.iter().position(|line| *line == 6).unwrap() as u32
+}
+
+#[test]
+fn what_is_in_force_is_told_for_a_line_that_moves_nothing_too() {
+    let mut live = serve(Shown::text(QUARTER)).live();
+    let rows = live.columns("path").u32("line");
+    live.json("report");
+    live.send(r#"{"id":1,"ask":"state","done":0,"line":3}"#);
+    let state = &live.json("state")["state"];
+    assert_eq!(
+        (&state["tool"], &state["spindle"], &state["rpm"]),
+        (&1.into(), &"clockwise".into(), &1000.0.into())
+    );
+    assert_eq!(state["feed"], serde_json::Value::Null);
+    let done = rows.iter().filter(|line| **line <= 5).count();
+    live.send(&format!(r#"{{"id":2,"ask":"state","done":{done},"line":5}}"#));
+    let state = &live.json("state")["state"];
+    assert!((state["feed"].as_f64().unwrap() - 100.0).abs() < 1e-9);
+    assert_eq!(state["plane"], "XY");
+    live.send(r#"{"id":3,"ask":"state","done":0,"line":1}"#);
+    assert_eq!(live.json("state")["state"]["tool"], 0);
+}
+
+#[test]
+fn another_machine_runs_the_same_text() {
+    let mut live = serve(Shown::text(QUARTER)).live();
+    live.json("report");
+    live.send(r#"{"ask":"machine","name":"linuxcnc-mill"}"#);
+    assert_eq!(live.json("run")["machine"]["name"], "linuxcnc-mill");
+    assert_eq!(live.json("report")["run"], 2);
+    live.send(r#"{"ask":"machine","name":"no-such-machine"}"#);
+    let refused = live.json("refused");
+    assert!(refused["message"].as_str().unwrap().contains("no-such-machine"), "{refused}");
+}
+
+#[test]
+fn chords_are_as_the_library_cuts_them() {
+    let mut live = serve(Shown::text(QUARTER)).live();
+    live.json("report");
+    for tolerance in [1.0, 0.01] {
+        live.send(&format!(r#"{{"ask":"chords","tolerance_mm":{tolerance}}}"#));
+        let chords = live.columns("chords");
+        // A chord over the angle a is off by R (1 − cos a/2).
+        let step = 2.0 * (1.0 - tolerance / 10.0_f64).acos();
+        let want = (std::f64::consts::FRAC_PI_2 / step).ceil();
+        assert_eq!(chords.header["chords"].as_f64().unwrap(), want);
+        assert_eq!(chords.f32("points").len() as f64, 6.0 * want);
+    }
+}
+
+#[test]
+fn an_endless_program_ends_with_its_message() {
+    let mut live = serve(Shown::text("O1\nN1 G1 X1. F100.\nX0\nM99 P1\n")).live();
+    let report = live.json("report");
+    let ends = ["repeats", "endless"].map(serde_json::Value::from);
+    assert!(ends.contains(&report["end"][0]["end"]), "{}", report["end"]);
+    assert!(!report["diagnostics"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn an_empty_and_a_binary_file_say_so() {
+    let mut live = serve(Shown::text("")).live();
+    assert!(!live.json("report")["diagnostics"].as_array().unwrap().is_empty());
+    let shown = Shown::text("");
+    *shown.text.lock().unwrap() = (0..4000u32).map(|at| (at * 7 % 32) as u8).collect();
+    let mut live = serve(shown).live();
+    assert_eq!(live.columns("text").header["binary"], true);
+    live.send(r#"{"id":1,"ask":"save"}"#);
+    live.json("error");
+}
+
+#[test]
+fn typing_faster_than_it_runs_ends_with_the_last_text() {
+    let mut live = serve(Shown::text("G21\nG1 X1. F100.\n")).live();
+    live.json("report");
+    for _ in 0..200 {
+        live.send(r#"{"ask":"edit","changes":[{"from":7,"to":7,"insert":"1"},{"from":8,"to":8,"insert":""}]}"#);
+        live.send(r#"{"ask":"edit","changes":[{"from":7,"to":8,"insert":""}]}"#);
+    }
+    loop {
+        let report = live.json("report");
+        if report["run"] == 401 {
+            assert_eq!(report["errors"], 0);
+            break;
+        }
+    }
+}
+
+#[test]
+fn a_file_is_watched_and_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("part.nc");
+    fs::write(&path, "G21\r\nG1 X1. F100.\r\n").unwrap();
+    let mut live = serve(Shown::file(path.clone())).live();
+    live.json("report");
+    live.send(r#"{"ask":"edit","changes":[{"from":9,"to":9,"insert":"0"}]}"#);
+    live.send(r#"{"id":5,"ask":"save"}"#);
+    assert_eq!(live.json("saved")["id"], 5);
+    assert_eq!(fs::read(&path).unwrap(), b"G21\r\nG1 X10. F100.\r\n");
+    // Somebody else writes it: that is told, and not written over unasked.
+    fs::write(&path, "G21\nG1 X77. F100.\n").unwrap();
+    live.json("changed");
+    live.send(r#"{"id":6,"ask":"save"}"#);
+    assert_eq!(live.json("conflict")["id"], 6);
+    assert_eq!(fs::read(&path).unwrap(), b"G21\nG1 X77. F100.\n");
+    live.send(r#"{"id":7,"ask":"reload"}"#);
+    assert_eq!(live.columns("text").u8("text"), b"G21\nG1 X77. F100.\n");
+    live.send(r#"{"ask":"edit","changes":[{"from":0,"to":3,"insert":"G20"}]}"#);
+    live.send(r#"{"id":8,"ask":"save","force":true}"#);
+    assert_eq!(live.json("saved")["id"], 8);
+    assert_eq!(fs::read(&path).unwrap(), b"G20\nG1 X77. F100.\n");
+    let files: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
+    assert_eq!(files.len(), 1);
+    fs::remove_file(&path).unwrap();
+    live.json("gone");
+}

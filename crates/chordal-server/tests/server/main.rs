@@ -1,0 +1,8 @@
+//! The server as a page and as strangers meet it.
+
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "speaks to a server")]
+#![allow(missing_docs, reason = "tests")]
+
+mod common;
+mod live;
+mod security;

@@ -1,0 +1,323 @@
+// The frame of the page: bars, panes, panels, and what they tell.
+
+import type { ColorBy } from "./colors";
+import type { Report } from "./link";
+import { element } from "./panels";
+import type { Path, Vec3 } from "./path";
+import type { Section, ViewName } from "./scene";
+import { sectionControls } from "./section";
+import { type Units, coordinate, counted, speed } from "./units";
+
+export type PanelName = "problems" | "state" | "times";
+
+const PANELS: [PanelName, string][] = [
+  ["problems", "Problems"],
+  ["state", "In force"],
+  ["times", "Times"],
+];
+
+const VIEWS: [ViewName, string, string][] = [
+  ["top", "Top", "1"],
+  ["front", "Front", "2"],
+  ["right", "Side", "3"],
+  ["iso", "3D", "4"],
+];
+
+function button(text: string, label: string): HTMLButtonElement {
+  const made = element("button", "", text);
+  made.type = "button";
+  made.title = label;
+  if (label !== text) made.setAttribute("aria-label", label);
+  return made;
+}
+
+function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElement] {
+  const label = element("label", "check");
+  const box = element("input");
+  box.type = "checkbox";
+  box.checked = checked;
+  label.append(box, text);
+  return [label, box];
+}
+
+export function layout(root: HTMLElement) {
+  const header = element("header", "top");
+  const name = element("h1", "name", "Chordal");
+  const dirty = element("span", "dirty");
+  const save = button("Save", "Save (Ctrl-S)");
+  save.id = "save";
+  save.hidden = true;
+  const machineLabel = element("label", "machine", "Machine ");
+  const machine = element("select");
+  machine.id = "machine";
+  machineLabel.append(machine);
+  const why = element("span", "why");
+  const theme = button("◐", "Light or dark");
+  theme.id = "theme";
+  header.append(name, dirty, save, machineLabel, why, element("span", "space"), theme);
+
+  const bar = element("div", "bar");
+  bar.setAttribute("role", "toolbar");
+  bar.setAttribute("aria-label", "View");
+  const views = VIEWS.map(([view, text, key]) => {
+    const made = button(text, `${text} view (${key})`);
+    made.dataset.view = view;
+    made.addEventListener("click", () => api.onView(view));
+    return made;
+  });
+  const fit = button("Fit", "Fit the path into the view (F)");
+  fit.addEventListener("click", () => api.onFit());
+  const color = element("select");
+  color.id = "color";
+  color.setAttribute("aria-label", "Colour of cuts");
+  for (const [value, text] of [["tool", "by tool"], ["speed", "by feed"]] as const) {
+    color.append(new Option(text, value));
+  }
+  color.addEventListener("change", () => api.onColor(color.value as ColorBy));
+  const [rapidsLabel, rapids] = check("Rapids", true);
+  const [toolLabel, toolOn] = check("Tool", true);
+  const [travelLabel, travel] = check("Travel", false);
+  const [chordsLabel, chordsOn] = check("Chords", false);
+  chordsOn.id = "chords";
+  const tolerance = element("input");
+  tolerance.type = "range";
+  tolerance.id = "tolerance";
+  Object.assign(tolerance, { min: "-4", max: "1", step: "0.05", value: "-0.5" });
+  tolerance.setAttribute("aria-label", "Tolerance of the chords");
+  const [balancedLabel, balanced] = check("both sides", false);
+  balancedLabel.title = "Corners outside the arc, middles inside, by the same";
+  const chordText = element("output", "chord-text");
+  chordText.setAttribute("aria-live", "polite");
+  const chordControls = element("span", "chord-controls");
+  chordControls.append(tolerance, balancedLabel, chordText);
+  chordControls.hidden = true;
+  const changed = () => {
+    chordControls.hidden = !chordsOn.checked;
+    api.onChords();
+  };
+  chordsOn.addEventListener("change", changed);
+  balanced.addEventListener("change", changed);
+  let timer = 0;
+  tolerance.addEventListener("input", () => {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(changed, 60);
+  });
+  const measure = button("Measure", "Measure between two places of the path (M)");
+  measure.id = "measure";
+  measure.setAttribute("aria-pressed", "false");
+  const section = sectionControls((chosen) => api.onSection(chosen), () => api.cursorLine());
+  bar.append(...views, fit, color, rapidsLabel, toolLabel, travelLabel, measure, section.root, chordsLabel, chordControls);
+
+  const left = element("section", "left");
+  left.setAttribute("aria-label", "Program");
+  const code = element("div", "code");
+  const tabs = element("div", "tabs");
+  tabs.setAttribute("role", "tablist");
+  const panels = {} as Record<PanelName, HTMLElement>;
+  const tabOf = {} as Record<PanelName, HTMLButtonElement>;
+  const panelRoot = element("div", "panels");
+  for (const [panel, text] of PANELS) {
+    const tab = button(text, text);
+    tab.setAttribute("role", "tab");
+    tab.id = `tab-${panel}`;
+    tab.setAttribute("aria-controls", `panel-${panel}`);
+    tab.addEventListener("click", () => {
+      show(panel);
+      api.onPanel(panel);
+    });
+    tab.addEventListener("keydown", (event) => {
+      const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+      if (by === 0) return;
+      const at = PANELS.findIndex(([own]) => own === panel);
+      const next = PANELS[(at + by + PANELS.length) % PANELS.length]![0];
+      tabOf[next].click();
+      tabOf[next].focus();
+    });
+    tabOf[panel] = tab;
+    tabs.append(tab);
+    const body = element("div", "panel");
+    body.id = `panel-${panel}`;
+    body.setAttribute("role", "tabpanel");
+    body.setAttribute("aria-labelledby", tab.id);
+    body.tabIndex = 0;
+    panels[panel] = body;
+    panelRoot.append(body);
+  }
+  const counts = element("span", "counts");
+  counts.id = "counts";
+  counts.setAttribute("role", "status");
+  const tabRow = element("div", "tab-row");
+  tabRow.append(tabs, element("span", "space"), counts);
+  left.append(code, tabRow, panelRoot);
+
+  const right = element("section", "right");
+  right.setAttribute("aria-label", "Path");
+  const stage = element("div", "stage");
+  const canvas = element("canvas", "path");
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", "Path of the tool");
+  const axes = element("canvas", "axes");
+  axes.setAttribute("aria-hidden", "true");
+  const legend = element("div", "legend");
+  const readout = element("div", "readout");
+  const measured = element("div", "measured");
+  measured.setAttribute("role", "status");
+  const comparison = element("div", "comparison");
+  comparison.setAttribute("role", "status");
+  const empty = element("div", "empty");
+  empty.hidden = true;
+  const progress = element("progress", "progress");
+  progress.max = 1;
+  progress.hidden = true;
+  progress.setAttribute("aria-label", "Running the program");
+  stage.append(canvas, axes, legend, readout, measured, comparison, empty, progress);
+  const timeline = element("div", "timeline");
+  right.append(bar, stage, timeline);
+
+  const splitter = element("div", "splitter");
+  splitter.setAttribute("role", "separator");
+  splitter.setAttribute("aria-orientation", "vertical");
+  splitter.setAttribute("aria-label", "Width of the program");
+  splitter.setAttribute("aria-valuenow", "38");
+  splitter.tabIndex = 0;
+  const main = element("main");
+  const setWidth = (share: number) => {
+    const held = Math.min(70, Math.max(20, share));
+    main.style.setProperty("--left", `${held}%`);
+    splitter.setAttribute("aria-valuenow", String(Math.round(held)));
+  };
+  splitter.addEventListener("pointerdown", (event) => splitter.setPointerCapture(event.pointerId));
+  splitter.addEventListener("pointermove", (event) => {
+    if (splitter.hasPointerCapture(event.pointerId)) setWidth((event.clientX / main.clientWidth) * 100);
+  });
+  splitter.addEventListener("keydown", (event) => {
+    const by = event.key === "ArrowRight" ? 2 : event.key === "ArrowLeft" ? -2 : 0;
+    if (by !== 0) setWidth(Number(splitter.getAttribute("aria-valuenow")) + by);
+  });
+  main.append(left, splitter, right);
+  const toast = element("div", "toast");
+  toast.setAttribute("role", "alert");
+  toast.hidden = true;
+  root.append(header, main, toast);
+
+  theme.addEventListener("click", () => {
+    const { dataset } = document.documentElement;
+    const dark = dataset.theme ? dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    dataset.theme = dark ? "light" : "dark";
+    api.onTheme();
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => api.onTheme());
+
+  let shown: PanelName = "problems";
+  function show(panel: PanelName): void {
+    shown = panel;
+    for (const [own] of PANELS) {
+      panels[own].hidden = own !== panel;
+      tabOf[own].setAttribute("aria-selected", String(own === panel));
+      tabOf[own].tabIndex = own === panel ? 0 : -1;
+    }
+  }
+  show("problems");
+
+  let toastTimer = 0;
+  let colored: ColorBy = "tool";
+  const api = {
+    save, machine, measure, section, canvas, axes, code, timeline, panels, rapids, travel, toolOn, chordsOn, balanced,
+    onView: (_view: ViewName) => {},
+    onFit: () => {},
+    onColor: (_by: ColorBy) => {},
+    onTheme: () => {},
+    onPanel: (_panel: PanelName) => {},
+    onChords: () => {},
+    onSection: (_section: Section) => {},
+    cursorLine: () => 1,
+    show,
+    shown: () => shown,
+    chordTolerance: () => 10 ** Number(tolerance.value),
+    chordsTold: (text: string) => (chordText.textContent = text),
+    setName(path: string): void {
+      name.textContent = path.split(/[\\/]/).pop() ?? path;
+      name.title = path;
+    },
+    setDirty: (is: boolean) => (dirty.textContent = is ? "● not saved" : ""),
+    measured: (text: string) => (measured.textContent = text),
+    comparison: (text: string) => (comparison.textContent = text),
+    empty(text: string): void {
+      empty.textContent = text;
+      empty.hidden = text === "";
+    },
+    setMachines(machines: { name: string; title: string }[]): void {
+      machine.replaceChildren(new Option("as the program says", ""));
+      for (const { name, title } of machines) machine.append(new Option(title, name));
+    },
+    machineWhy(title: string, reason: string | null): void {
+      machine.options[0]!.textContent = machine.value === "" ? title : "as the program says";
+      why.textContent = reason ?? "";
+      why.title = reason ?? "";
+    },
+    progress(share: number): void {
+      progress.hidden = share >= 1;
+      progress.value = share;
+    },
+    counts(report: Report | undefined, refused: boolean): void {
+      counts.className = `counts ${refused || (report?.errors ?? 0) > 0 ? "bad" : (report?.warnings ?? 0) > 0 ? "doubt" : "good"}`;
+      counts.textContent = refused
+        ? "cannot run"
+        : report
+          ? `${counted(report.errors, "error")}, ${counted(report.warnings, "warning")}`
+          : "";
+    },
+    legend(report: Report, path: Path, colorOf: (tool: number) => string): void {
+      if (colored === "speed") return;
+      legend.replaceChildren();
+      for (const tool of path.tools.slice(0, 12)) {
+        const used = report.tools.find(({ number }) => number === tool);
+        if (!used && path.tools.length > 1) continue;
+        const item = element("span", "key");
+        const swatch = element("span", "swatch");
+        swatch.style.background = colorOf(tool);
+        item.append(swatch, tool === 0 ? "no tool" : `T${tool}`);
+        legend.append(item);
+      }
+    },
+    colorBy(by: ColorBy | undefined, path: Path, report: Report | undefined, speeds: string[]): void {
+      colored = by ?? colored;
+      if (colored === "tool") {
+        if (by && report) api.onTheme();
+        return;
+      }
+      legend.replaceChildren();
+      const ramp = element("span", "ramp");
+      ramp.style.background = `linear-gradient(90deg, ${speeds.join(", ")})`;
+      const units = { inch: report?.inch ?? false };
+      const [low, high] = Number.isFinite(path.minFeed) ? [path.minFeed, path.maxFeed] : [0, 0];
+      legend.append(speed(units, low), ramp, speed(units, high));
+    },
+    readout(at: Vec3, mmPerMin: number, units: Units): void {
+      const [x, y, z] = at.map((value) => coordinate(units, value));
+      readout.textContent = `X ${x}  Y ${y}  Z ${z}   ${speed(units, mmPerMin)}`;
+    },
+    tell(kind: "note" | "warning" | "error", text: string): void {
+      toast.className = `toast ${kind}`;
+      toast.textContent = text;
+      toast.hidden = false;
+      window.clearTimeout(toastTimer);
+      if (kind !== "error") toastTimer = window.setTimeout(() => (toast.hidden = true), 5000);
+    },
+    ask(text: string, answers: [string, () => void][]): void {
+      window.clearTimeout(toastTimer);
+      toast.className = "toast warning";
+      toast.replaceChildren(element("span", "", text));
+      for (const [answer, act] of answers) {
+        const made = button(answer, answer);
+        made.addEventListener("click", () => {
+          toast.hidden = true;
+          act();
+        });
+        toast.append(made);
+      }
+      toast.hidden = false;
+    },
+  };
+  return api;
+}

@@ -1,0 +1,169 @@
+// The connection to the server: requests as JSON, answers as JSON and frames of columns.
+
+import { type Frame, readFrame } from "./frame";
+
+export interface Place {
+  file: string;
+  own: boolean;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+}
+
+export interface Problem {
+  code: string;
+  name: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  place: Place | null;
+  label: string;
+  secondary: { place: Place | null; label: string }[];
+  alarm: string | null;
+  notes: string[];
+  help: string | null;
+  explanation: string;
+  fix: { title: string; replacement: string; place: Place | null; safe: boolean } | null;
+}
+
+export interface Tool {
+  number: number;
+  diameter_mm: number | null;
+  length_mm: number | null;
+  corner_radius_mm: number | null;
+  kind: string | null;
+  comment: string | null;
+}
+
+export interface MachineInfo {
+  name: string;
+  title: string;
+  control: string;
+  travel: ([number, number] | null)[];
+  tools: Tool[];
+}
+
+export interface Report {
+  run: number;
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+  inch: boolean;
+  output: string[];
+  cut_length_mm: number;
+  rapid_length_mm: number;
+  tools: { number: number; lines: [number, number][]; feed_length_mm: number; speeds_rpm: number[] }[];
+  axes: { letter: string; range: [number, number]; cut_range: [number, number] | null }[];
+  rows: number;
+  rows_left_out: number;
+  places: {
+    zeros: { name: string; at: [number, number, number] }[];
+    machine: (number | null)[] | null;
+  };
+  end: { end: string; blocks: number }[];
+}
+
+export interface Modal {
+  inch: boolean;
+  plane: string;
+  feed_mode: "per_minute" | "inverse_time" | "per_revolution";
+  feed: number | null;
+  spindle: string;
+  rpm: number;
+  coolant: string[];
+  tool: number;
+  selected: number | null;
+  length: { number: number; mm: number | null } | null;
+  side: "off" | "left" | "right";
+  cutter: { number: number | null; mm: number | null } | null;
+  work: string | null;
+  path_mode: string | null;
+  overrides: { feed: boolean; rapid: boolean };
+  shift: [number, number, number];
+}
+
+export interface PartTimes {
+  cutting_s: number;
+  rapid_s: number;
+  other_s: number;
+  total_s: number;
+}
+
+export interface Times {
+  run: number;
+  all: PartTimes;
+  tools: { number: number; changes: number; times: PartTimes }[];
+  waits: [string, number][];
+  longest: { line: number; runs: number; time_s: number; reason: string }[];
+  refused: number;
+  cuts_without_feed: number;
+  assumed: number;
+}
+
+export type Told =
+  | { type: "hello"; name: string; writable: boolean; machines: { name: string; title: string }[] }
+  | { type: "run"; run: number; machine: MachineInfo; why: string | null }
+  | { type: "refused"; run: number; message: string; help?: string | null }
+  | ({ type: "report" } & Report)
+  | ({ type: "times" } & Times)
+  | { type: "no_times"; run: number; message: string }
+  | { type: "state"; id: number; state: Modal | null }
+  | { type: "saved"; id: number }
+  | { type: "conflict"; id: number }
+  | { type: "changed" }
+  | { type: "gone" }
+  | { type: "error"; id: number; message: string; help?: string | null };
+
+export class Link {
+  private socket: WebSocket;
+  private number = 0;
+  private waiting = new Map<number, (told: Told) => void>();
+
+  constructor(
+    private take: (told: Told) => void,
+    private takeFrame: (frame: Frame) => void,
+    private closed: () => void,
+  ) {
+    const address = new URL("live", location.href);
+    address.protocol = "ws:";
+    address.hash = "";
+    this.socket = new WebSocket(address);
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => this.receive(event.data);
+    this.socket.onclose = () => this.closed();
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    if (data instanceof ArrayBuffer) {
+      this.takeFrame(readFrame(data));
+      return;
+    }
+    const told = JSON.parse(data) as Told;
+    if ("id" in told) {
+      const answer = this.waiting.get(told.id);
+      if (answer) {
+        this.waiting.delete(told.id);
+        answer(told);
+        return;
+      }
+    }
+    this.take(told);
+  }
+
+  /** Asks without waiting for an answer; one that comes all the same, an error, is told to all. */
+  tell(ask: string, rest: object = {}): void {
+    if (this.socket.readyState !== WebSocket.OPEN) return;
+    this.socket.send(JSON.stringify({ id: ++this.number, ask, ...rest }));
+  }
+
+  ask(ask: string, rest: object = {}): Promise<Told> {
+    return new Promise((resolve) => {
+      if (this.socket.readyState !== WebSocket.OPEN) return;
+      const id = ++this.number;
+      this.waiting.set(id, resolve);
+      this.socket.send(JSON.stringify({ id, ask, ...rest }));
+    });
+  }
+}

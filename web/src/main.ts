@@ -1,0 +1,478 @@
+// The page: puts the parts together.
+
+import "./style.css";
+import { type ColorBy, DARK, LIGHT, toolColor } from "./colors";
+import { differences } from "./compare";
+import { Editor } from "./editor";
+import { type Frame, f32, u32, u8 } from "./frame";
+import { layout } from "./layout";
+import { drawAxes } from "./axes";
+import { Link, type MachineInfo, type Modal, type Report, type Times, type Told } from "./link";
+import { someRows } from "./lines";
+import { showProblems, showState, showTimes } from "./panels";
+import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
+import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
+import { PathView, type ViewName } from "./scene";
+import { Timeline } from "./timeline";
+import { count, counted, length } from "./units";
+
+const ui = layout(document.querySelector<HTMLElement>("#app")!);
+
+let path = new Path();
+let former: { path: Path; machine: string } | undefined;
+let run = 0;
+let machine: MachineInfo | undefined;
+let report: Report | undefined;
+let refused: { message: string; help?: string | null } | undefined;
+let times: Times | undefined;
+let timesMessage: string | undefined;
+let setpoints: Setpoints | undefined;
+let comparing = false;
+let modal: Modal | undefined;
+let asked = 0;
+let row = 0;
+
+const isDark = () =>
+  document.documentElement.dataset.theme
+    ? document.documentElement.dataset.theme === "dark"
+    : matchMedia("(prefers-color-scheme: dark)").matches;
+const palette = () => (isDark() ? DARK : LIGHT);
+
+const view = new PathView(ui.canvas, palette());
+const timeline = new Timeline(ui.timeline);
+const editor = new Editor(ui.code, {
+  typed: (changes) => link.tell("edit", { changes }),
+  cursor: (line, byUser) => byUser && cursorAt(line),
+  save: () => void save(false),
+});
+const link = new Link(take, takeFrame, () => {
+  ui.tell("error", "Chordal has ended or the connection broke. Start chordal view again; what was typed since the last save is still here to copy.");
+});
+
+function take(told: Told): void {
+  switch (told.type) {
+    case "hello":
+      document.title = `${told.name.split(/[\\/]/).pop()} – Chordal`;
+      ui.setName(told.name);
+      ui.save.hidden = !told.writable;
+      ui.setMachines(told.machines);
+      break;
+    case "run":
+      begin(told);
+      break;
+    case "refused":
+      if (told.run >= run) refuse(told);
+      break;
+    case "report":
+      if (told.run === run) finish(told);
+      break;
+    case "times":
+      if (told.run !== run) break;
+      times = told;
+      tellTimes();
+      break;
+    case "no_times":
+      if (told.run !== run) break;
+      timesMessage = told.message;
+      timeline.setMessage("no times");
+      tellTimes();
+      break;
+    case "changed":
+      if (editor.dirty) {
+        ui.ask("The file changed on disk.", [
+          ["Load it, drop my changes", () => link.tell("reload")],
+          ["Keep mine", () => {}],
+        ]);
+      } else link.tell("reload");
+      break;
+    case "gone":
+      ui.tell("warning", "The file is gone from disk; saving writes it anew.");
+      break;
+    case "error":
+      ui.tell("error", told.help ? `${told.message}. ${told.help}.` : told.message);
+      break;
+    default:
+      break;
+  }
+}
+
+function goTo(line: number): void {
+  editor.goTo(line, 0, true);
+  cursorAt(line);
+}
+
+function begin(told: Extract<Told, { type: "run" }>): void {
+  run = told.run;
+  former = comparing && report ? { path, machine: machine?.title ?? "" } : undefined;
+  machine = told.machine;
+  ui.machineWhy(told.machine.title, told.why);
+  path = new Path();
+  started = false;
+  report = undefined;
+  refused = undefined;
+  times = undefined;
+  timesMessage = undefined;
+  setpoints = undefined;
+  ui.progress(0);
+  timeline.setMessage("running…");
+}
+
+/** The first batch of a run takes the place of the path before: until then that stays. */
+let started = false;
+function startPath(): void {
+  if (started) return;
+  started = true;
+  view.begin(path);
+  view.setGhost([], [0, 0, 0]);
+  timeline.clear();
+}
+
+function takeFrame(frame: Frame): void {
+  const { header } = frame;
+  switch (header.type) {
+    case "text":
+      editor.setText(new TextDecoder().decode(u8(frame, "text")));
+      if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
+      else if (header.mixed_endings) ui.tell("note", "Lines of the file end in several ways; saving makes them one.");
+      break;
+    case "path": {
+      if (header.run !== run) break;
+      startPath();
+      const batch = batchOf(frame);
+      path.add(batch, header.origin as Vec3);
+      view.add(batch);
+      ui.progress(Number(header.progress));
+      break;
+    }
+    case "contour":
+      if (header.run === run) view.addContour(batchOf(frame), header.origin as Vec3);
+      break;
+    case "chords":
+      view.setChords(f32(frame, "points"), header.origin as Vec3);
+      ui.chordsTold(
+        `${counted(Number(header.chords), "chord")} on ${counted(Number(header.curves), "curve")}` +
+          (Number(header.left_out) > 0 ? `, ${count(Number(header.left_out))} not drawn` : ""),
+      );
+      break;
+    case "setpoints":
+      if (header.run !== run) break;
+      setpoints = {
+        places: f32(frame, "places"),
+        speed: f32(frame, "speed"),
+        row: u32(frame, "row"),
+        periodS: Number(header.period_s),
+        totalS: Number(header.total_s),
+      };
+      timeline.set(setpoints, { inch: report?.inch ?? false });
+      break;
+    default:
+      break;
+  }
+}
+
+function refuse(told: { run: number; message: string; help?: string | null }): void {
+  run = told.run;
+  refused = told;
+  ui.progress(1);
+  startPath();
+  tellProblems();
+  ui.show("problems");
+}
+
+function finish(told: Report): void {
+  startPath();
+  report = told;
+  ui.progress(1);
+  view.finish();
+  const { zeros, machine: at } = told.places;
+  view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
+  view.showTravel(ui.travel.checked);
+  ui.legend(told, path, (tool) => toolColor(palette(), tool));
+  const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
+  ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
+  ui.empty(path.bounds ? "" : emptyText(told));
+  editor.setProblems(told.diagnostics);
+  tellProblems();
+  tellTimes();
+  if (setpoints) timeline.set(setpoints, { inch: told.inch });
+  compare();
+  cursorAt(editor.line);
+  if (ui.chordsOn.checked) askChords();
+}
+
+function emptyText(told: Report): string {
+  if (told.errors > 0) return "No path can be shown. The problems say why.";
+  if (path.rows > 0) return "The program moves, but nothing tells where that is relative to the part.";
+  return "The program moves nothing.";
+}
+
+/** The box that the machine reaches, in the frame of the run, where the offsets are known. */
+function travelBox(at: (number | null)[] | null): Bounds | undefined {
+  if (!at || !machine) return undefined;
+  const ends = [0, 1, 2].map((axis) => {
+    const travel = machine!.travel[axis];
+    const offset = at[axis];
+    return travel && offset !== null && offset !== undefined ? [travel[0] - offset, travel[1] - offset] : undefined;
+  });
+  if (ends.some((end) => !end)) return undefined;
+  return { low: ends.map((end) => end![0]) as Vec3, high: ends.map((end) => end![1]) as Vec3 };
+}
+
+function compare(): void {
+  const other = former;
+  comparing = false;
+  if (!other) {
+    editor.markLines("differs", []);
+    ui.comparison("");
+    return;
+  }
+  const { lines, rows } = differences(other.path, path);
+  editor.markLines("differs", lines.slice(0, 10_000));
+  const points: number[] = [];
+  for (const [from, to] of rows) {
+    for (const batch of other.path.batches) {
+      const first = Math.max(0, from - batch.first);
+      const last = Math.min(batch.rows - 1, to - batch.first);
+      if (first <= last && points.length < 3_000_000) {
+        for (const value of someRows(batch, first, last, () => 0.02)) points.push(value);
+      }
+    }
+  }
+  view.setGhost(points, other.path.origin);
+  ui.comparison(
+    lines.length === 0
+      ? `Moves as on ${other.machine}`
+      : `${counted(lines.length, "line")} otherwise than on ${other.machine}, shown grey`,
+  );
+}
+
+function tellProblems(): void {
+  ui.counts(report, refused !== undefined);
+  showProblems(ui.panels.problems, report, refused, (problem) => {
+    const { place } = problem;
+    if (!place?.own) return;
+    editor.goTo(place.line, place.column, true);
+    cursorAt(place.line);
+  });
+}
+
+function tellTimes(): void {
+  showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), tool), goTo);
+}
+
+/** The cursor is on a line: its path is marked, and what is in force after it is told. */
+function cursorAt(line: number): void {
+  const rows = path.rowsOfLine(line);
+  view.markRows(rows);
+  const done = rows ? rows[1] + 1 : path.doneAfterLine(line);
+  if (!timeline.isPlaying) showTool(done > 0 ? done - 1 : 0, 1);
+  void tellState(done, line);
+}
+
+async function tellState(done: number, line: number): Promise<void> {
+  if (!report || ui.shown() !== "state") {
+    asked++;
+    return;
+  }
+  const mine = ++asked;
+  const told = await link.ask("state", { done, line });
+  if (mine !== asked || told.type !== "state") return;
+  modal = told.state ?? undefined;
+  const found = done > 0 ? path.find(done - 1) : undefined;
+  const end = done > 0 ? path.pointOn(done - 1, 1) : undefined;
+  const at = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
+  const kind = found && path.rowsOfLine(line) ? kindOf(found[0].kind[found[1]]!) : undefined;
+  showState(ui.panels.state, modal, at, { line, kind, feed: found?.[0].feed[found[1]] });
+}
+
+/** The tool stands at a share of a row. */
+function showTool(at: number, share: number, place?: Vec3): void {
+  row = at;
+  const found = path.find(at);
+  const number = found ? found[0].tool[found[1]]! : 0;
+  shapeTool(number);
+  view.placeTool(ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined);
+}
+
+let shaped = "";
+function shapeTool(number: number): void {
+  const key = `${run} ${number} ${path.rows}`;
+  if (key === shaped) return;
+  shaped = key;
+  const tool = machine?.tools.find((own) => own.number === number);
+  view.shapeTool(tool?.diameter_mm ?? null, tool?.length_mm ?? null, tool?.corner_radius_mm ?? null);
+}
+
+let shownLine = 0;
+/** The row that was asked for, where a setpoint of it may be none. */
+let askedRow: number | undefined;
+timeline.onTime = (seconds, playing) => {
+  const moment = setpoints && momentAt(setpoints, seconds);
+  if (!moment) return;
+  const at = moment.at.map((value, axis) => value - path.origin[axis]!) as Vec3;
+  const shownRow = askedRow ?? moment.row;
+  showTool(shownRow, 0, at);
+  const units = { inch: report?.inch ?? false };
+  ui.readout(at.map((value, axis) => value + path.origin[axis]!) as Vec3, moment.speed, units);
+  const line = path.lineOf(shownRow);
+  if (!line?.own || line.line === shownLine) return;
+  shownLine = line.line;
+  view.markRows([shownRow, shownRow]);
+  editor.markLines("now", [line.line]);
+  editor.goTo(line.line);
+  if (!playing) void tellState(shownRow + 1, line.line);
+};
+timeline.onStep = (direction) => {
+  if (!setpoints) return;
+  timeline.pause();
+  seekRow(stepRow(path, row, direction));
+};
+timeline.onToCursor = () => {
+  const rows = path.rowsOfLine(editor.line);
+  if (!setpoints || !rows) return;
+  timeline.pause();
+  seekRow(rows[0]);
+};
+
+/** To when a row begins. */
+function seekRow(to: number): void {
+  if (!setpoints) return;
+  askedRow = to;
+  timeline.seek(timeOfRow(setpoints, to));
+  askedRow = undefined;
+}
+
+async function save(force: boolean): Promise<void> {
+  editor.flush();
+  const told = await link.ask("save", { force });
+  if (told.type === "saved") {
+    editor.setDirty(false);
+    ui.tell("note", "Saved.");
+  } else if (told.type === "conflict") {
+    ui.ask("The file changed on disk since it was read.", [
+      ["Write mine over it", () => void save(true)],
+      ["Load it, drop my changes", () => link.tell("reload")],
+      ["Cancel", () => {}],
+    ]);
+  } else take(told);
+}
+
+function askChords(): void {
+  if (!ui.chordsOn.checked) {
+    view.setChords(undefined, [0, 0, 0]);
+    ui.chordsTold("");
+    return;
+  }
+  const mm = ui.chordTolerance();
+  ui.chordsTold(length({ inch: report?.inch ?? false }, mm));
+  link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked });
+}
+
+editor.onDirty = (dirty) => ui.setDirty(dirty);
+ui.save.addEventListener("click", () => void save(false));
+ui.machine.addEventListener("change", () => {
+  comparing = true;
+  editor.flush();
+  link.tell("machine", { name: ui.machine.value || null });
+});
+ui.onView = (name: ViewName) => view.setView(name);
+ui.onFit = () => view.fit();
+ui.onColor = (by: ColorBy) => {
+  view.setColorBy(by);
+  ui.colorBy(by, path, report, palette().speeds);
+};
+ui.onTheme = () => {
+  view.setPalette(palette());
+  if (report) ui.legend(report, path, (tool) => toolColor(palette(), tool));
+  ui.colorBy(undefined, path, report, palette().speeds);
+  timeline.draw();
+  tellTimes();
+};
+ui.onPanel = () => cursorAt(editor.line);
+ui.onChords = askChords;
+ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
+ui.travel.addEventListener("change", () => view.showTravel(ui.travel.checked));
+ui.toolOn.addEventListener("change", () => showTool(row, 1));
+
+let measuring = false;
+let measuredFrom: Vec3 | undefined;
+function setMeasuring(on: boolean): void {
+  measuring = on;
+  measuredFrom = undefined;
+  ui.measure.setAttribute("aria-pressed", String(on));
+  view.showMeasured(undefined, undefined);
+  ui.measured(on ? "Click two places of the path" : "");
+}
+
+/** The first of two places, or the second: then the distance is told. */
+function measure(at: Vec3): void {
+  if (!measuredFrom) {
+    measuredFrom = at;
+    view.showMeasured(at, undefined);
+    ui.measured("Click the second place");
+    return;
+  }
+  const units = { inch: report?.inch ?? false };
+  const by = at.map((value, axis) => value - measuredFrom![axis]!);
+  const parts = ["X", "Y", "Z"].map((name, axis) => `${name} ${length(units, by[axis]!, false)}`);
+  view.showMeasured(measuredFrom, at);
+  ui.measured(`${length(units, Math.hypot(...by))}   (${parts.join("  ")})`);
+  measuredFrom = undefined;
+}
+ui.measure.addEventListener("click", () => setMeasuring(!measuring));
+ui.onSection = (section) => view.setSection(section);
+ui.cursorLine = () => editor.line;
+
+let pressed: [number, number] | undefined;
+ui.canvas.addEventListener("pointerdown", (event) => (pressed = [event.offsetX, event.offsetY]));
+ui.canvas.addEventListener("pointerup", (event) => {
+  if (!pressed || Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) > 3) return;
+  const picked = view.pick(event.offsetX, event.offsetY);
+  const line = picked && path.lineOf(picked.row);
+  if (!picked || !line) return;
+  if (measuring) {
+    measure(picked.at);
+    return;
+  }
+  if (line.own) editor.goTo(line.line);
+  else ui.tell("note", `That is line ${line.line} of a subprogram in another file.`);
+  view.markRows([picked.row, picked.row]);
+  showTool(picked.row, picked.share);
+  void tellState(picked.row + 1, line.line);
+  if (setpoints) timeline.seek(timeOfRow(setpoints, picked.row + picked.share));
+});
+
+view.onDrawn = () => drawAxes(ui.axes, view.axes());
+
+document.addEventListener("keydown", (event) => {
+  const target = event.target as HTMLElement;
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (target.closest(".cm-editor, input:not([type=range]):not([type=checkbox]), select, textarea")) return;
+  if (event.key === " " && target.closest("button, summary, input")) return;
+  const act: Record<string, () => void> = {
+    " ": () => timeline.toggle(),
+    ",": () => timeline.onStep(-1),
+    ".": () => timeline.onStep(1),
+    r: () => timeline.onToCursor(),
+    "[": () => timeline.faster(-1),
+    "]": () => timeline.faster(1),
+    "1": () => view.setView("top"),
+    "2": () => view.setView("front"),
+    "3": () => view.setView("right"),
+    "4": () => view.setView("iso"),
+    f: () => view.fit(),
+    m: () => setMeasuring(!measuring),
+    escape: () => setMeasuring(false),
+  };
+  const chosen = act[event.key.toLowerCase()];
+  if (!chosen) return;
+  event.preventDefault();
+  chosen();
+});
+
+window.addEventListener("beforeunload", (event) => {
+  if (editor.dirty) event.preventDefault();
+});
+
+// For the browser's tests and for measurements.
+Object.assign(window, { chordal: { view, editor, timeline, path: () => path, report: () => report, setpoints: () => setpoints } });

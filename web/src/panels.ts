@@ -1,0 +1,179 @@
+// The panels beside the path: problems, what is in force, times.
+
+import type { MachineInfo, Modal, Problem, Report, Times } from "./link";
+import type { Vec3 } from "./path";
+import { type Units, coordinate, count, counted, duration, length, speed } from "./units";
+
+export function element<K extends keyof HTMLElementTagNameMap>(
+  name: K,
+  className = "",
+  text = "",
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(name);
+  if (className) made.className = className;
+  if (text) made.textContent = text;
+  return made;
+}
+
+export function showProblems(
+  root: HTMLElement,
+  report: Report | undefined,
+  refused: { message: string; help?: string | null } | undefined,
+  go: (problem: Problem) => void,
+): void {
+  root.replaceChildren();
+  if (refused) {
+    const item = element("p", "refused");
+    item.append(element("strong", "", refused.message));
+    if (refused.help) item.append(element("span", "help", ` ${refused.help}`));
+    root.append(item);
+  }
+  if (!report) return;
+  if (report.diagnostics.length === 0 && !refused) {
+    root.append(element("p", "clean", "No problems: this machine would run it."));
+  }
+  const list = element("ul", "problems");
+  for (const problem of report.diagnostics.slice(0, 300)) {
+    const item = element("li");
+    const button = element("button", `problem ${problem.severity}`);
+    button.type = "button";
+    const place = problem.place
+      ? `line ${problem.place.line}${problem.place.own ? "" : ` of ${problem.place.file}`}`
+      : "program";
+    button.append(element("span", "severity", problem.severity), element("span", "where", place));
+    button.append(element("span", "message", problem.message));
+    if (problem.alarm) button.append(element("span", "alarm", `The control: ${problem.alarm}`));
+    if (problem.help) button.append(element("span", "help", problem.help));
+    button.addEventListener("click", () => go(problem));
+    item.append(button);
+    list.append(item);
+  }
+  root.append(list);
+  const more = report.left_out + Math.max(0, report.diagnostics.length - 300);
+  if (more > 0) root.append(element("p", "more", `${counted(more, "more problem")} like these`));
+  for (const line of report.output.slice(0, 50)) root.append(element("p", "output", line));
+}
+
+function row(table: HTMLTableElement, name: string, value: string): void {
+  const line = table.insertRow();
+  const head = document.createElement("th");
+  head.scope = "row";
+  head.textContent = name;
+  line.append(head);
+  line.insertCell().textContent = value;
+}
+
+const MOTIONS = ["rapid", "straight", "arc", "spiral"];
+
+export function showState(
+  root: HTMLElement,
+  modal: Modal | undefined,
+  at: Vec3 | undefined,
+  now: { line: number; kind: number | undefined; feed: number | undefined } | undefined,
+): void {
+  root.replaceChildren();
+  if (!modal) {
+    root.append(element("p", "clean", "Nothing has run up to here."));
+    return;
+  }
+  const units = { inch: modal.inch };
+  const table = element("table");
+  if (now) row(table, "After line", count(now.line));
+  if (at) {
+    const [x, y, z] = at.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
+    row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}`);
+  }
+  if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");
+  row(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);
+  row(table, "Feed", feedText(modal, units));
+  const spindle = modal.spindle === "off" ? "off" : `${modal.spindle}, ${count(modal.rpm)} rpm`;
+  row(table, "Spindle", spindle);
+  row(table, "Tool", modal.selected === null ? `T${modal.tool}` : `T${modal.tool}, next T${modal.selected}`);
+  row(table, "Work offset", modal.work ?? "–");
+  row(table, "Length offset", offsetText(modal.length, units));
+  row(table, "Compensation", modal.side === "off" ? "off" : `${modal.side}, ${offsetText(modal.cutter, units)}`);
+  row(table, "Path mode", modal.path_mode ?? "as the control begins");
+  row(table, "Coolant", modal.coolant.join(", ") || "off");
+  if (!modal.overrides.feed || !modal.overrides.rapid) row(table, "Overrides", "held at 100 %");
+  root.append(table);
+}
+
+function feedText(modal: Modal, units: Units): string {
+  if (modal.feed === null) return "none yet";
+  if (modal.feed_mode === "inverse_time") return `1/T ${modal.feed.toFixed(3)} per min`;
+  if (modal.feed_mode === "per_revolution") return `${length(units, modal.feed)} per revolution`;
+  return speed(units, modal.feed);
+}
+
+function offsetText(offset: { number: number | null; mm: number | null } | null, units: Units): string {
+  if (!offset) return "off";
+  const name = offset.number === null ? "" : `number ${offset.number}`;
+  const value = offset.mm === null ? "not in the tool table" : length(units, offset.mm);
+  return name ? `${name} (${value})` : value;
+}
+
+export function showTimes(
+  root: HTMLElement,
+  times: Times | undefined,
+  message: string | undefined,
+  report: Report | undefined,
+  machine: MachineInfo | undefined,
+  color: (tool: number) => string,
+  go: (line: number) => void,
+): void {
+  root.replaceChildren();
+  if (message) root.append(element("p", "refused", message));
+  if (!times) {
+    if (!message) root.append(element("p", "clean", "Planning…"));
+    return;
+  }
+  const units = { inch: report?.inch ?? false };
+  const table = element("table", "times");
+  const head = table.createTHead().insertRow();
+  for (const name of ["Tool", "Cutting", "Rapid", "Other", "Total"]) {
+    const cell = document.createElement("th");
+    cell.scope = "col";
+    cell.textContent = name;
+    head.append(cell);
+  }
+  const body = table.createTBody();
+  for (const tool of times.tools) {
+    const line = body.insertRow();
+    const name = line.insertCell();
+    const swatch = element("span", "swatch");
+    swatch.style.background = color(tool.number);
+    const known = machine?.tools.find(({ number }) => number === tool.number);
+    const about = [known?.kind, known?.diameter_mm ? `Ø${length(units, known.diameter_mm)}` : null];
+    name.append(swatch, `T${tool.number} ${about.filter(Boolean).join(" ")}`);
+    const { cutting_s, rapid_s, other_s, total_s } = tool.times;
+    for (const value of [cutting_s, rapid_s, other_s, total_s]) line.insertCell().textContent = duration(value);
+  }
+  const all = table.createTFoot().insertRow();
+  all.insertCell().textContent = "All";
+  const { cutting_s, rapid_s, other_s, total_s } = times.all;
+  for (const value of [cutting_s, rapid_s, other_s, total_s]) all.insertCell().textContent = duration(value);
+  root.append(table);
+  if (report) {
+    root.append(element("p", "", `Cuts ${length(units, report.cut_length_mm)}, rapids ${length(units, report.rapid_length_mm)}.`));
+  }
+  if (times.cuts_without_feed > 0) {
+    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed take no time here.`));
+  }
+  if (times.assumed > 0) {
+    root.append(element("p", "more", "Typical limits were taken where the machine file gives none."));
+  }
+  if (times.longest.length > 0) {
+    root.append(element("h3", "", "Longest blocks"));
+    const list = element("ol", "longest");
+    for (const block of times.longest.slice(0, 5)) {
+      const item = element("li");
+      const runs = block.runs > 1 ? ` in ${counted(block.runs, "run")}` : "";
+      const button = element("button", "link", `line ${count(block.line)}: ${duration(block.time_s)}${runs}, ${block.reason}`);
+      button.type = "button";
+      button.addEventListener("click", () => go(block.line));
+      item.append(button);
+      list.append(item);
+    }
+    root.append(list);
+  }
+}

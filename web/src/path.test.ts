@@ -1,0 +1,89 @@
+import { describe, expect, it } from "vitest";
+import { type Batch, KNOWN, Path, arcIndex, arcPieces, arcPoint } from "./path";
+
+const quarter = new Float32Array([
+  // Centre (0, 0), start towards X, axis Z, radius 10, a quarter turn that rises by 2.
+  0, 0, 0, 1, 0, 0, 0, 0, 1, 10, 10, Math.PI / 2, 2,
+]);
+
+function batch(first: number, lines: number[], points: number[], extra: Partial<Batch> = {}): Batch {
+  const rows = lines.length;
+  return {
+    first,
+    rows,
+    points: new Float32Array(points),
+    kind: new Uint8Array(rows).fill(1 | KNOWN),
+    tool: new Uint32Array(rows).fill(1),
+    line: new Uint32Array(lines),
+    file: new Uint8Array(rows),
+    feed: new Float32Array(rows).fill(100),
+    arcRows: new Uint32Array(),
+    arcs: new Float32Array(),
+    ...extra,
+  };
+}
+
+describe("arcs", () => {
+  it("have places on the exact curve", () => {
+    const middle = arcPoint(quarter, 0, 0.5);
+    expect(middle[0]).toBeCloseTo(10 * Math.SQRT1_2, 5);
+    expect(middle[1]).toBeCloseTo(10 * Math.SQRT1_2, 5);
+    expect(middle[2]).toBeCloseTo(1, 6);
+    expect(arcPoint(quarter, 0, 1)[1]).toBeCloseTo(10, 5);
+  });
+
+  it("take as many pieces as the tolerance asks, and no piece is further off", () => {
+    for (const tolerance of [1, 0.1, 0.01, 0.001]) {
+      const pieces = arcPieces(quarter, 0, tolerance);
+      const sagitta = 10 * (1 - Math.cos(Math.PI / 2 / pieces / 2));
+      expect(sagitta).toBeLessThanOrEqual(tolerance);
+    }
+    expect(arcPieces(quarter, 0, 0.001)).toBeGreaterThan(arcPieces(quarter, 0, 0.1));
+    expect(arcPieces(quarter, 0, 0)).toBeLessThanOrEqual(4096);
+    expect(arcPieces(new Float32Array(13), 0, 0.1)).toBe(1);
+  });
+});
+
+describe("a path", () => {
+  it("knows the rows of a line and the line of a row, across batches", () => {
+    const path = new Path();
+    path.add(batch(0, [1, 3], [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 5, 0]), [0, 0, 0]);
+    path.add(batch(2, [3, 4], [1, 5, 0, 1, 6, 0, 1, 6, 0, 0, 0, -2]), [0, 0, 0]);
+    expect(path.rowsOfLine(3)).toEqual([1, 2]);
+    expect(path.rowsOfLine(2)).toBeUndefined();
+    expect(path.doneAfterLine(2)).toBe(1);
+    expect(path.doneAfterLine(99)).toBe(4);
+    expect(path.doneAfterLine(0)).toBe(0);
+    expect(path.lineOf(2)).toEqual({ line: 3, own: true });
+    expect(path.lineOf(4)).toBeUndefined();
+    expect(path.bounds).toEqual({ low: [0, 0, -2], high: [1, 6, 0] });
+    expect(path.pointOn(3, 0.5)).toEqual([0.5, 3, -1]);
+  });
+
+  it("grows with the lines", () => {
+    const path = new Path();
+    path.add(batch(0, [5_000], [0, 0, 0, 1, 1, 1]), [0, 0, 0]);
+    expect(path.rowsOfLine(5_000)).toEqual([0, 0]);
+    expect(path.rowsOfLine(100_000)).toBeUndefined();
+  });
+
+  it("leaves unknown places out of its box", () => {
+    const path = new Path();
+    const far = batch(0, [1], [0, 0, 0, 900, 0, 0], { kind: new Uint8Array([0]) });
+    path.add(far, [0, 0, 0]);
+    expect(path.bounds).toBeUndefined();
+  });
+
+  it("finds the arc of a row", () => {
+    const arcs = batch(0, [1, 2, 3], new Array(18).fill(0), {
+      arcRows: new Uint32Array([0, 2]),
+      arcs: new Float32Array([...quarter, ...quarter]),
+    });
+    expect([0, 1, 2].map((row) => arcIndex(arcs, row))).toEqual([0, -1, 1]);
+    const path = new Path();
+    path.add(arcs, [0, 0, 0]);
+    expect(path.pointOn(2, 0.5)![2]).toBeCloseTo(1, 6);
+    // The bulge of the arc belongs to the box.
+    expect(path.bounds!.high[0]).toBeGreaterThan(9);
+  });
+});

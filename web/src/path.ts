@@ -1,0 +1,233 @@
+// The path of a run as typed arrays, put together from the server's batches, and the questions
+// that the page asks of it.
+
+import { type Frame, f32, u32, u8 } from "./frame";
+
+export const RAPID = 0;
+export const ARC = 2;
+export const SPIRAL = 3;
+const KIND = 0x0f;
+export const KNOWN = 0x10;
+export const INSERTED = 0x20;
+
+export type Vec3 = [number, number, number];
+
+/** One batch: rows that follow on each other. */
+export interface Batch {
+  first: number;
+  rows: number;
+  /** Both ends of each row, relative to the origin, mm: six numbers a row. */
+  points: Float32Array;
+  kind: Uint8Array;
+  tool: Uint32Array;
+  line: Uint32Array;
+  file: Uint8Array;
+  /** mm/min; 0 where there is none. */
+  feed: Float32Array;
+  /** Rows of the batch that are arcs or spirals, in order, and 13 numbers for each. */
+  arcRows: Uint32Array;
+  arcs: Float32Array;
+}
+
+export interface Bounds {
+  low: Vec3;
+  high: Vec3;
+}
+
+export function batchOf(frame: Frame): Batch {
+  return {
+    first: Number(frame.header.first ?? 0),
+    rows: Number(frame.header.rows),
+    points: f32(frame, "points"),
+    kind: u8(frame, "kind"),
+    tool: u32(frame, "tool"),
+    line: u32(frame, "line"),
+    file: u8(frame, "file"),
+    feed: f32(frame, "feed"),
+    arcRows: u32(frame, "arc_rows"),
+    arcs: f32(frame, "arcs"),
+  };
+}
+
+export function kindOf(flags: number): number {
+  return flags & KIND;
+}
+
+/** A path that grows batch by batch. */
+export class Path {
+  batches: Batch[] = [];
+  rows = 0;
+  origin: Vec3 = [0, 0, 0];
+  tools: number[] = [];
+  maxFeed = 0;
+  minFeed = Infinity;
+  bounds: Bounds | undefined;
+  /** First and last row of each line of the program itself, plus one; 0: the line moves nothing. */
+  private firstRow = new Uint32Array(1024);
+  private lastRow = new Uint32Array(1024);
+  lines = 0;
+
+  add(batch: Batch, origin: Vec3): void {
+    if (this.rows === 0) this.origin = origin;
+    this.batches.push(batch);
+    this.rows = batch.first + batch.rows;
+    this.note(batch);
+  }
+
+  private note(batch: Batch): void {
+    const { points, kind, tool, line, file, feed } = batch;
+    const low: Vec3 = this.bounds ? [...this.bounds.low] : [Infinity, Infinity, Infinity];
+    const high: Vec3 = this.bounds ? [...this.bounds.high] : [-Infinity, -Infinity, -Infinity];
+    let lastTool = -1;
+    for (let row = 0; row < batch.rows; row++) {
+      if (file[row] === 0) this.noteLine(line[row]!, batch.first + row);
+      if (tool[row] !== lastTool) {
+        lastTool = tool[row]!;
+        if (!this.tools.includes(lastTool)) this.tools.push(lastTool);
+      }
+      if (kindOf(kind[row]!) !== RAPID && feed[row]! > 0) {
+        this.maxFeed = Math.max(this.maxFeed, feed[row]!);
+        this.minFeed = Math.min(this.minFeed, feed[row]!);
+      }
+      if (!(kind[row]! & KNOWN)) continue;
+      for (let end = 0; end < 6; end += 3) {
+        for (let axis = 0; axis < 3; axis++) {
+          const value = points[6 * row + end + axis]!;
+          if (value < low[axis]!) low[axis] = value;
+          if (value > high[axis]!) high[axis] = value;
+        }
+      }
+    }
+    // An arc bulges out of the box of its ends.
+    for (let at = 0; at < batch.arcRows.length; at++) {
+      if (!(kind[batch.arcRows[at]!]! & KNOWN)) continue;
+      for (let step = 1; step < 8; step++) {
+        const point = arcPoint(batch.arcs, at, step / 8);
+        for (let axis = 0; axis < 3; axis++) {
+          low[axis] = Math.min(low[axis]!, point[axis]!);
+          high[axis] = Math.max(high[axis]!, point[axis]!);
+        }
+      }
+    }
+    if (low[0] <= high[0]) this.bounds = { low, high };
+  }
+
+  private noteLine(line: number, row: number): void {
+    if (line >= this.firstRow.length) {
+      const size = Math.max(line + 1, 2 * this.firstRow.length);
+      const grow = (old: Uint32Array) => {
+        const grown = new Uint32Array(size);
+        grown.set(old);
+        return grown;
+      };
+      this.firstRow = grow(this.firstRow);
+      this.lastRow = grow(this.lastRow);
+    }
+    if (this.firstRow[line] === 0) this.firstRow[line] = row + 1;
+    this.lastRow[line] = row + 1;
+    this.lines = Math.max(this.lines, line);
+  }
+
+  /** First and last row that a line of the program makes. */
+  rowsOfLine(line: number): [number, number] | undefined {
+    const first = this.firstRow[line] ?? 0;
+    return first === 0 ? undefined : [first - 1, this.lastRow[line]! - 1];
+  }
+
+  /** The rows that are done once a line has run: those of it, or of the nearest line before. */
+  doneAfterLine(line: number): number {
+    for (let at = Math.min(line, this.lines); at > 0; at--) {
+      const rows = this.rowsOfLine(at);
+      if (rows) return rows[1] + 1;
+    }
+    return 0;
+  }
+
+  /** The batch that has a row, and its place in it. */
+  find(row: number): [Batch, number] | undefined {
+    let low = 0;
+    let high = this.batches.length - 1;
+    while (low <= high) {
+      const middle = (low + high) >> 1;
+      const batch = this.batches[middle]!;
+      if (row < batch.first) high = middle - 1;
+      else if (row >= batch.first + batch.rows) low = middle + 1;
+      else return [batch, row - batch.first];
+    }
+    return undefined;
+  }
+
+  lineOf(row: number): { line: number; own: boolean } | undefined {
+    const found = this.find(row);
+    if (!found) return undefined;
+    const [batch, at] = found;
+    return { line: batch.line[at]!, own: batch.file[at] === 0 };
+  }
+
+  /** A place on a row, relative to the origin, mm. */
+  pointOn(row: number, share: number): Vec3 | undefined {
+    const found = this.find(row);
+    if (!found) return undefined;
+    const [batch, at] = found;
+    const arc = arcIndex(batch, at);
+    if (arc >= 0 && share > 0 && share < 1) return arcPoint(batch.arcs, arc, share);
+    const p = batch.points;
+    const mix = (axis: number) => {
+      const from = p[6 * at + axis]!;
+      return from + (p[6 * at + 3 + axis]! - from) * share;
+    };
+    return [mix(0), mix(1), mix(2)];
+  }
+}
+
+/** The number of a row's arc in its batch, or -1. */
+export function arcIndex(batch: Batch, row: number): number {
+  let low = 0;
+  let high = batch.arcRows.length - 1;
+  while (low <= high) {
+    const middle = (low + high) >> 1;
+    const found = batch.arcRows[middle]!;
+    if (found === row) return middle;
+    if (found < row) low = middle + 1;
+    else high = middle - 1;
+  }
+  return -1;
+}
+
+/** Numbers of an arc's record: centre, towards the start, axis, both radii, sweep, rise. */
+const RECORD = 13;
+
+/** A place on an arc, a helix, a spiral or a cone, relative to the origin, mm. */
+export function arcPoint(arcs: Float32Array, index: number, share: number): Vec3 {
+  const at = index * RECORD;
+  const [ux, uy, uz] = [arcs[at + 3]!, arcs[at + 4]!, arcs[at + 5]!];
+  const [wx, wy, wz] = [arcs[at + 6]!, arcs[at + 7]!, arcs[at + 8]!];
+  const radius = arcs[at + 9]! + (arcs[at + 10]! - arcs[at + 9]!) * share;
+  const angle = arcs[at + 11]! * share;
+  const rise = arcs[at + 12]! * share;
+  const c = radius * Math.cos(angle);
+  const s = radius * Math.sin(angle);
+  // v = w × u
+  return [
+    arcs[at]! + c * ux + s * (wy * uz - wz * uy) + rise * wx,
+    arcs[at + 1]! + c * uy + s * (wz * ux - wx * uz) + rise * wy,
+    arcs[at + 2]! + c * uz + s * (wx * uy - wy * ux) + rise * wz,
+  ];
+}
+
+/** How many straight pieces an arc takes so that none is further from it than a tolerance, mm. */
+export function arcPieces(arcs: Float32Array, index: number, tolerance: number): number {
+  const at = index * RECORD;
+  const radius = Math.max(arcs[at + 9]!, arcs[at + 10]!);
+  const sweep = Math.abs(arcs[at + 11]!);
+  if (!(radius > 0) || !(sweep > 0)) return 1;
+  // A chord over the angle a leaves the circle by r·(1 − cos a/2).
+  const step = 2 * Math.acos(Math.max(0.5, 1 - tolerance / radius));
+  return Math.max(1, Math.min(4096, Math.ceil(sweep / Math.max(step, 1e-3))));
+}
+
+/** Greatest distance of an arc from its centre along it, mm: what a view must see to show it. */
+export function arcReach(arcs: Float32Array, index: number): number {
+  const at = index * RECORD;
+  return Math.max(arcs[at + 9]!, arcs[at + 10]!) + Math.abs(arcs[at + 12]!);
+}

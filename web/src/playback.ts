@@ -1,0 +1,88 @@
+// The motion in time: setpoints at an even period, as the planner makes them.
+
+import type { Path, Vec3 } from "./path";
+
+export interface Setpoints {
+  /** Relative to `origin`, mm: three numbers each. */
+  places: Float32Array;
+  /** mm/min. */
+  speed: Float32Array;
+  /** The row of the path that each is on; rows never fall. */
+  row: Uint32Array;
+  periodS: number;
+  totalS: number;
+}
+
+export interface Moment {
+  at: Vec3;
+  speed: number;
+  row: number;
+}
+
+/** What happens at a time; between setpoints evenly. */
+export function momentAt(points: Setpoints, seconds: number): Moment | undefined {
+  const last = points.row.length - 1;
+  if (last < 0) return undefined;
+  const exact = Math.min(last, Math.max(0, seconds / points.periodS));
+  const index = Math.min(last, Math.floor(exact));
+  const next = Math.min(last, index + 1);
+  const share = exact - index;
+  const mix = (from: number, to: number) => from + (to - from) * share;
+  const place = (axis: number) => mix(points.places[3 * index + axis]!, points.places[3 * next + axis]!);
+  return {
+    at: [place(0), place(1), place(2)],
+    speed: mix(points.speed[index]!, points.speed[next]!),
+    row: points.row[index]!,
+  };
+}
+
+/** When a row begins: evenly between the setpoints around it. */
+export function timeOfRow(points: Setpoints, row: number): number {
+  const { row: rows, periodS, totalS } = points;
+  let low = 0;
+  let high = rows.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (rows[middle]! < row) low = middle + 1;
+    else high = middle;
+  }
+  if (low === rows.length) return totalS;
+  if (low === 0) return 0;
+  const [before, after] = [rows[low - 1]!, rows[low]!];
+  const share = after > before ? (row - before) / (after - before) : 0;
+  return Math.min(totalS, (low - 1 + share) * periodS);
+}
+
+/** The rows of the block before or after a row's own: where its line changes. */
+export function stepRow(path: Path, row: number, direction: 1 | -1): number {
+  const own = path.lineOf(row);
+  let at = row;
+  while (at + direction >= 0 && at + direction < path.rows) {
+    at += direction;
+    const line = path.lineOf(at);
+    if (line?.line !== own?.line || line?.own !== own?.own) break;
+  }
+  if (direction === 1) return at;
+  // Back to where that block begins.
+  const target = path.lineOf(at);
+  while (at > 0 && path.lineOf(at - 1)?.line === target?.line && path.lineOf(at - 1)?.own === target?.own) at--;
+  return at;
+}
+
+/** The largest and smallest speed in each of so many equal parts of the time. */
+export function speedBands(points: Setpoints, parts: number, from = 0, to = points.totalS): [Float32Array, Float32Array] {
+  const low = new Float32Array(parts).fill(Number.NaN);
+  const high = new Float32Array(parts).fill(Number.NaN);
+  const count = points.speed.length;
+  for (let part = 0; part < parts; part++) {
+    const edge = (share: number) => (from + (to - from) * share) / points.periodS;
+    const first = Math.max(0, Math.min(count - 1, Math.floor(edge(part / parts))));
+    const last = Math.max(first, Math.min(count - 1, Math.ceil(edge((part + 1) / parts))));
+    for (let at = first; at <= last; at++) {
+      const value = points.speed[at]!;
+      if (!(value >= low[part]!)) low[part] = value;
+      if (!(value <= high[part]!)) high[part] = value;
+    }
+  }
+  return [low, high];
+}

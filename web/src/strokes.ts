@@ -1,0 +1,63 @@
+// Lines in colours of their own: wide ones where there are few, the card's own where there are many.
+
+import { BufferAttribute, BufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+
+/** Lines from which on they are drawn one pixel wide: wide ones are eight times the work. */
+export const MOST_WIDE = 20_000;
+
+export class StrokeMaterials {
+  thin = new LineBasicMaterial({ vertexColors: true });
+  wide = new LineMaterial({ vertexColors: true, linewidth: 1.8 });
+}
+
+/** Some lines with a colour each. */
+export class Strokes {
+  readonly object: LineSegments | LineSegments2;
+  constructor(
+    private points: Float32Array,
+    private colors: Uint8Array,
+    materials: StrokeMaterials,
+    readonly isWide: boolean,
+  ) {
+    if (isWide) {
+      this.object = new LineSegments2(this.wideGeometry(), materials.wide);
+    } else {
+      const geometry = geometryOf(points);
+      geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
+      this.object = new LineSegments(geometry, materials.thin);
+    }
+    // Nearly all of a path is in sight, and to find its sphere costs more than it saves.
+    this.object.frustumCulled = false;
+  }
+
+  private wideGeometry(): LineSegmentsGeometry {
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(this.points);
+    const colors = new InstancedInterleavedBuffer(this.colors, 6, 1);
+    geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colors, 3, 0, true));
+    geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colors, 3, 3, true));
+    return geometry;
+  }
+
+  setColors(colors: Uint8Array): void {
+    this.colors = colors;
+    if (this.isWide) {
+      this.object.geometry.dispose();
+      this.object.geometry = this.wideGeometry();
+    } else this.object.geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
+  }
+
+  remove(): void {
+    this.object.geometry.dispose();
+    this.object.removeFromParent();
+  }
+}
+
+export function geometryOf(points: Float32Array): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(points, 3));
+  return geometry;
+}

@@ -1,0 +1,29 @@
+import { expect, it } from "vitest";
+import { coordinate, counted, duration, length, speed } from "./units";
+
+const inch = { inch: true };
+const metric = { inch: false };
+
+it("speaks the program's units", () => {
+  expect(length(inch, 25.4)).toBe("1 in");
+  expect(length(inch, 76.01712)).toBe("2.9928 in");
+  expect(length(metric, 12.3456)).toBe("12.346 mm");
+  expect(length(metric, -0.0001)).toBe("0 mm");
+  expect(coordinate(metric, -0.0001)).toBe("0.000");
+  expect(coordinate(inch, -25.4)).toBe("-1.0000");
+  expect(speed(inch, 254)).toBe("10 in/min");
+  expect(speed(metric, 254)).toBe("254 mm/min");
+});
+
+it("tells times as a clock does", () => {
+  expect(duration(9.444)).toBe("9.44 s");
+  expect(duration(59.94)).toBe("59.9 s");
+  expect(duration(187.52)).toBe("3:07.5");
+  expect(duration(119.97)).toBe("2:00.0");
+  expect(duration(3723)).toBe("1:02:03");
+});
+
+it("counts", () => {
+  expect(counted(1, "error")).toBe("1 error");
+  expect(counted(1200, "error")).toBe("1,200 errors");
+});

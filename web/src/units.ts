@@ -1,0 +1,52 @@
+// Numbers for people, in the units of the program.
+
+export interface Units {
+  inch: boolean;
+}
+
+const MM_PER_INCH = 25.4;
+
+function trimmed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  const short = text.includes(".") ? text.replace(/0+$/, "").replace(/\.$/, "") : text;
+  return short === "-0" ? "0" : short;
+}
+
+/** A length: to 0.0001 in or 0.001 mm. */
+export function length({ inch }: Units, mm: number, unit = true): string {
+  const text = inch ? trimmed(mm / MM_PER_INCH, 4) : trimmed(mm, 3);
+  return unit ? `${text} ${inch ? "in" : "mm"}` : text;
+}
+
+/** A coordinate with all its digits, so that columns stand still. */
+export function coordinate({ inch }: Units, mm: number): string {
+  const text = inch ? (mm / MM_PER_INCH).toFixed(4) : mm.toFixed(3);
+  return /^-0\.0*$/.test(text) ? text.slice(1) : text;
+}
+
+/** A speed that is given in mm/min. */
+export function speed({ inch }: Units, mmPerMin: number): string {
+  return inch ? `${trimmed(mmPerMin / MM_PER_INCH, 1)} in/min` : `${trimmed(mmPerMin, 0)} mm/min`;
+}
+
+/** `9.4 s`, `3:07.5`, `1:02:03`. */
+export function duration(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "–";
+  if (seconds < 60) return `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`;
+  const tenths = Math.round(seconds * 10);
+  const rest = (tenths % 600) / 10;
+  const minutes = Math.floor(tenths / 600);
+  if (minutes < 60) return `${minutes}:${rest.toFixed(1).padStart(4, "0")}`;
+  const whole = Math.round(seconds);
+  const two = (value: number) => String(value).padStart(2, "0");
+  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+}
+
+/** `1,234,567`. */
+export function count(value: number): string {
+  return value.toLocaleString("en-US");
+}
+
+export function counted(value: number, one: string, many = `${one}s`): string {
+  return `${count(value)} ${value === 1 ? one : many}`;
+}

@@ -1,0 +1,79 @@
+// A server and Chromium for a test.
+
+import { spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const CHORDAL = process.env.CHORDAL ?? join(ROOT, "target/debug/chordal");
+const PICTURES = join(ROOT, "target/view");
+mkdirSync(PICTURES, { recursive: true });
+
+/** Starts `chordal view` and gives its address. */
+export async function serve(file, ...more) {
+  const process_ = spawn(CHORDAL, ["view", file, "--no-browser", ...more], { stdio: ["ignore", "pipe", "pipe"] });
+  const url = await new Promise((answer, fail) => {
+    let text = "";
+    process_.stdout.on("data", (data) => {
+      text += data;
+      if (text.includes("\n")) answer(text.trim());
+    });
+    process_.stderr.on("data", (data) => (text += data));
+    process_.on("exit", (code) => fail(new Error(`chordal ended with ${code}: ${text}`)));
+  });
+  return { url, process: process_, stop: () => process_.kill() };
+}
+
+/** Starts Chromium without what reaches for the network. */
+export async function browser() {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-view-"));
+  const context = await chromium.launchPersistentContext(folder, {
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    headless: true,
+    viewport: { width: 1280, height: 720 },
+    args: [
+      "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+      "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+    ],
+  });
+  if (process.env.CHORDAL_PAGE) await replace(context, process.env.CHORDAL_PAGE);
+  return {
+    context,
+    async stop() {
+      await context.close();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+/** Takes the page's files from a folder, so that the command need not be built for each change. */
+async function replace(context, folder) {
+  await context.route(/\/app\.(js|css)$/, (route) => {
+    const name = new URL(route.request().url()).pathname.split("/").pop();
+    return route.fulfill({ path: join(folder, name) });
+  });
+}
+
+/** A page on a program, with whatever it complains of. */
+export async function open(context, url) {
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  await page.goto(url);
+  await page.waitForFunction(() => window.chordal?.report(), null, { timeout: 30_000 });
+  return { page, complaints };
+}
+
+export async function picture(page, name) {
+  // Two frames, so that what was asked last is drawn.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.waitForTimeout(250);
+  await page.screenshot({ path: join(PICTURES, `${name}.png`) });
+}

@@ -1,0 +1,71 @@
+// Measures a large program, from the command on: `node tests/large.mjs FILE`.
+//
+// Prints when the first lines of the path were drawn, when all of them were, how long a frame takes
+// while the view turns, what the page holds, and how long it was busy without a break.
+
+import { performance } from "node:perf_hooks";
+import { browser, picture, serve } from "./browser.mjs";
+
+const file = process.argv[2];
+const chromium = await browser();
+// A page that is open already: how long a browser takes to start is not the question.
+const page = await chromium.context.newPage();
+await page.goto("about:blank");
+await page.addInitScript(() => {
+  window.longest = 0;
+  new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) window.longest = Math.max(window.longest, duration);
+  }).observe({ type: "longtask", buffered: true });
+});
+const begun = performance.now();
+const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
+const server = await serve(file);
+console.log(`address        ${since()}`);
+await page.goto(server.url, { waitUntil: "commit" });
+await page.waitForFunction(() => window.chordal?.path().rows > 0 && window.chordal.view.frames.length > 0, null, { polling: 20 });
+console.log(`first picture  ${since()}  (${await page.evaluate(() => window.chordal.path().rows)} rows)`);
+await page.waitForFunction(() => window.chordal.report(), null, { polling: 50, timeout: 120_000 });
+console.log(`whole path     ${since()}  (${await page.evaluate(() => window.chordal.path().rows)} rows)`);
+await page.waitForFunction(() => window.chordal.editor.view.state.doc.lines > 1000, null, { polling: 50, timeout: 60_000 });
+console.log(`text           ${since()}  (${await page.evaluate(() => window.chordal.editor.view.state.doc.lines)} lines)`);
+await page.waitForFunction(() => window.chordal.setpoints(), null, { polling: 100, timeout: 300_000 });
+console.log(`times          ${since()}`);
+console.log(`longest task   ${(await page.evaluate(() => window.longest)).toFixed(0)} ms`);
+await picture(page, "million");
+
+// Turning: frames between two animation callbacks, what the graphics card does included.
+const box = await page.locator("canvas.path").boundingBox();
+await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+await page.mouse.down();
+await page.evaluate(() => {
+  window.turns = [];
+  const count = (at) => {
+    window.turns.push(at);
+    window.counting = requestAnimationFrame(count);
+  };
+  window.counting = requestAnimationFrame(count);
+});
+const turning = performance.now();
+let step = 0;
+while (performance.now() - turning < 5000) {
+  step++;
+  await page.mouse.move(box.x + box.width / 2 + 150 * Math.sin(step / 20), box.y + box.height / 2 + 60 * Math.cos(step / 25));
+}
+await picture(page, "million-turning");
+const turns = await page.evaluate(() => {
+  cancelAnimationFrame(window.counting);
+  return window.turns;
+});
+await page.mouse.up();
+const gaps = turns.slice(1).map((at, index) => at - turns[index]).sort((a, b) => a - b);
+const mean = (turns.at(-1) - turns[0]) / gaps.length;
+console.log(`turning        ${(1000 / mean).toFixed(0)} frames/s, the slowest of twenty ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms`);
+const metrics = await chromium.context.newCDPSession(page).then(async (session) => {
+  await session.send("HeapProfiler.enable");
+  await session.send("HeapProfiler.collectGarbage");
+  return session.send("Runtime.getHeapUsage");
+});
+const mib = (bytes) => (bytes / 2 ** 20).toFixed(0);
+console.log(`page           ${mib(metrics.usedSize)} MiB of objects, ${mib(metrics.backingStorageSize ?? 0)} MiB of arrays`);
+await chromium.stop();
+server.stop();

@@ -1,0 +1,279 @@
+// The page in a real browser: what a user sees and does.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { ROOT, browser, open, picture, serve } from "./browser.mjs";
+
+const PROFILE = join(ROOT, "examples/fadal/profile-g18.nc");
+
+let chromium;
+const servers = [];
+
+before(async () => {
+  chromium = await browser();
+});
+
+after(async () => {
+  servers.forEach((server) => server.stop());
+  await chromium?.stop();
+});
+
+async function show(file, ...more) {
+  const server = await serve(file, ...more);
+  servers.push(server);
+  return open(chromium.context, server.url);
+}
+
+/** A copy that a test may write to. */
+function copy(file) {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
+  const path = join(folder, "part.nc");
+  copyFileSync(file, path);
+  return { path, remove: () => rmSync(folder, { recursive: true, force: true }) };
+}
+
+const line = (page) => page.evaluate(() => window.chordal.editor.line);
+
+/** The middle of a row of the path, on the page. */
+function placeOfRow(page, row, share = 0.5) {
+  return page.evaluate(([row, share]) => {
+    const { view, path } = window.chordal;
+    const [x, y] = view.project(path().pointOn(row, share));
+    const box = document.querySelector("canvas.path").getBoundingClientRect();
+    return { x: box.x + x, y: box.y + y };
+  }, [row, share]);
+}
+
+test("program and path are shown, and nothing complains", async () => {
+  const { page, complaints } = await show(PROFILE);
+  assert.match(await page.locator(".cm-content").innerText(), /X-2\.9928 Z-\.952 I-\.48 K\.8314 G2/);
+  assert.equal(await page.evaluate(() => window.chordal.path().rows > 5), true);
+  await page.waitForFunction(() => window.chordal.setpoints());
+  await picture(page, "profile");
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("a click on the path goes to its line, and the line's path is marked", async () => {
+  const { page } = await show(PROFILE);
+  const row = await page.evaluate(() => window.chordal.path().rowsOfLine(10)[0]);
+  const { x, y } = await placeOfRow(page, row);
+  await page.mouse.click(x, y);
+  assert.equal(await line(page), 10);
+  await page.locator("#tab-state").click();
+  await page.waitForFunction(() => document.querySelector("#panel-state").innerText.includes("ZX"));
+  const state = await page.locator("#panel-state").innerText();
+  assert.match(state, /arc/);
+  assert.match(state, /20 in\/min/);
+  await picture(page, "line-to-path");
+  // And back: the cursor on another line marks another piece.
+  await page.locator(".cm-line").nth(11).click();
+  assert.equal(await line(page), 12);
+  await page.waitForFunction(() => /X 0\.0000 +Y/.test(document.querySelector("#panel-state").innerText));
+  await page.close();
+});
+
+test("an edit makes an error and clears it, and only a save writes the file", async () => {
+  const { path, remove } = copy(PROFILE);
+  const { page } = await show(path, "--machine", "fadal-4020");
+  const before = readFileSync(path, "utf8");
+  await page.locator(".cm-line").nth(9).click();
+  await page.keyboard.press("End");
+  // The end of the line is `G2`: as a Fadal without a plane in force the arc no longer fits.
+  await page.locator(".cm-line").nth(5).click();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Shift+End");
+  await page.keyboard.type("(G18)");
+  await page.waitForFunction(() => document.querySelector("#counts").classList.contains("bad"));
+  await page.waitForSelector(".cm-lintRange-error");
+  await picture(page, "error");
+  assert.match(await page.locator("#panel-problems").innerText(), /error/);
+  await page.locator(".problem.error").first().click();
+  assert.equal(readFileSync(path, "utf8"), before);
+  assert.match(await page.locator(".dirty").innerText(), /not saved/);
+  // Undo mends it.
+  await page.locator(".cm-content").click();
+  for (let times = 0; times < 12; times++) await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => !document.querySelector("#counts").classList.contains("bad"));
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("(DONE)");
+  await page.keyboard.press("Control+s");
+  await page.waitForFunction(() => document.querySelector(".dirty").innerText === "");
+  assert.equal(readFileSync(path, "utf8"), before + "(DONE)");
+  // Somebody else writes the file: the page follows.
+  writeFileSync(path, before);
+  await page.waitForFunction(() => !document.querySelector(".cm-content").innerText.includes("DONE"));
+  await page.close();
+  remove();
+});
+
+test("the motion plays in planned time, and steps by block", async () => {
+  const { page } = await show(PROFILE);
+  await page.waitForFunction(() => window.chordal.setpoints());
+  await page.locator("#play").click();
+  await page.waitForFunction(() => window.chordal.timeline.time > 0.4);
+  await page.locator("#play").click();
+  const stopped = await page.evaluate(() => window.chordal.timeline.time);
+  assert.ok(stopped < 5, `at 1× it was after ${stopped} s`);
+  await page.getByRole("button", { name: /Next block/ }).click();
+  const first = await line(page);
+  await page.getByRole("button", { name: /Next block/ }).click();
+  assert.ok((await line(page)) > first, `${first} ${await line(page)}`);
+  await page.locator("#scrubber").fill("20");
+  assert.ok(Math.abs((await page.evaluate(() => window.chordal.timeline.time)) - 20) < 0.5);
+  assert.match(await page.locator(".readout").innerText(), /20 in\/min/);
+  await picture(page, "playback");
+  await page.locator("#tab-times").click();
+  assert.match(await page.locator("#panel-times").innerText(), /T2/);
+  await picture(page, "times");
+  await page.close();
+});
+
+test("another machine shows its path and marks what differs", async () => {
+  const { page } = await show(join(ROOT, "examples/mitsubishi/cone.nc"));
+  const before = await page.evaluate(() => window.chordal.path().rows);
+  await page.locator("#machine").selectOption("haas-vf2");
+  await page.waitForFunction(() => document.querySelector(".comparison").innerText !== "");
+  assert.match(await page.locator(".comparison").innerText(), /otherwise than on|Moves as on/);
+  await picture(page, "machine");
+  assert.ok(before > 0);
+  await page.close();
+});
+
+test("the slider draws chords, fewer with a larger tolerance", async () => {
+  const { page } = await show(PROFILE);
+  await page.locator("#chords").check();
+  const chords = async () => {
+    await page.waitForFunction(() => /chord/.test(document.querySelector(".chord-text").innerText));
+    return Number(/([\d,]+) chord/.exec(await page.locator(".chord-text").innerText())[1].replace(",", ""));
+  };
+  const set = async (value) => {
+    await page.locator("#tolerance").fill(value);
+    await page.waitForTimeout(400);
+    return chords();
+  };
+  const coarse = await set("0.5");
+  await picture(page, "chords");
+  const fine = await set("-3");
+  assert.ok(fine > 5 * coarse, `${coarse} ${fine}`);
+  await page.close();
+});
+
+test("dark follows the system and the switch", async () => {
+  const { page } = await show(PROFILE);
+  const back = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  await page.emulateMedia({ colorScheme: "dark" });
+  const dark = await back();
+  await picture(page, "dark");
+  await page.locator("#theme").click();
+  assert.notEqual(await back(), dark);
+  await page.close();
+});
+
+test("programs that are empty, broken or endless show their message", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
+  const cases = [
+    ["empty.nc", "", /no block|nothing/i],
+    ["endless.nc", "O1\nN1 G1 X1. F100.\nX0\nGOTO 1\nM30\n", /endless|budget|blocks/i],
+    ["broken.nc", "G20\nG1 X1.. Y) F\n@@@\n", /error/],
+  ];
+  for (const [name, text, message] of cases) {
+    const path = join(folder, name);
+    writeFileSync(path, text);
+    const { page } = await show(path, "--machine", "fanuc-30i");
+    assert.match(await page.locator("#panel-problems").innerText(), message);
+    await picture(page, name.replace(".nc", ""));
+    await page.close();
+  }
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test("a distance between two places of the path is told in the program's units", async () => {
+  const { page } = await show(PROFILE);
+  await page.locator("#measure").click();
+  const row = await page.evaluate(() => window.chordal.path().rowsOfLine(10)[0]);
+  for (const share of [0, 1]) {
+    const { x, y } = await placeOfRow(page, row, share);
+    await page.mouse.click(x, y);
+  }
+  // From X-3.4585 Z-1.618 to X-2.9928 Z-.952.
+  const text = await page.locator(".measured").innerText();
+  assert.match(text, /^0\.8127 in/);
+  assert.match(text, /X 0\.4657 +Y 0 +Z 0\.666/);
+  await picture(page, "measure");
+  await page.locator("#measure").click();
+  assert.equal(await page.locator(".measured").innerText(), "");
+  await page.close();
+});
+
+test("a section shows the lines, the tool or the depth that is chosen", async () => {
+  const { page } = await show(join(ROOT, "examples/haas/drilled-plate.nc"));
+  const seen = (row) => placeOfRow(page, row).then(({ x, y }) =>
+    page.evaluate(([x, y]) => {
+      const box = document.querySelector("canvas.path").getBoundingClientRect();
+      return window.chordal.view.pick(x - box.x, y - box.y)?.row ?? null;
+    }, [x, y]));
+  const rows = await page.evaluate(() => window.chordal.path().rows);
+  const cut = await page.evaluate((rows) => {
+    for (let row = rows - 1; row > 0; row--) {
+      const [batch, at] = window.chordal.path().find(row);
+      if ((batch.kind[at] & 0x1f) === 0x11) return row;
+    }
+    return 0;
+  }, rows);
+  assert.notEqual(await seen(cut), null);
+  await page.locator(".section summary").click();
+  await page.getByLabel("Last line").fill("3");
+  await page.waitForTimeout(100);
+  assert.equal(await seen(cut), null);
+  await picture(page, "section");
+  await page.getByRole("button", { name: "Show all" }).click();
+  assert.notEqual(await seen(cut), null);
+  await page.getByLabel("Lowest depth").fill("999");
+  await picture(page, "section-depth");
+  await page.keyboard.press("Escape");
+  await page.close();
+});
+
+test("everything is reached by the keyboard", async () => {
+  const { page } = await show(PROFILE);
+  await page.waitForFunction(() => window.chordal.setpoints());
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("1");
+  const top = await page.evaluate(() => window.chordal.view.axes());
+  assert.ok(Math.abs(top[0][0] - 1) < 1e-3 && Math.abs(top[1][1] - 1) < 1e-3, "X is right and Y is up");
+  await page.keyboard.press("2");
+  const front = await page.evaluate(() => window.chordal.view.axes());
+  assert.ok(Math.abs(front[0][0] - 1) < 1e-3 && Math.abs(front[2][1] - 1) < 1e-3, "X is right and Z is up");
+  await page.keyboard.press(".");
+  assert.ok((await page.evaluate(() => window.chordal.timeline.time)) > 0);
+  const reached = new Set();
+  for (let times = 0; times < 60; times++) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.textContent.slice(0, 12)));
+  }
+  for (const id of ["save", "machine", "theme", "tab-problems", "color", "measure", "chords", "play", "scrubber"]) {
+    assert.ok(reached.has(id), `${id}: ${[...reached]}`);
+  }
+  await page.close();
+});
+
+test("an accessibility check finds nothing serious, light and dark", async () => {
+  const axe = readFileSync(join(ROOT, "web/node_modules/axe-core/axe.min.js"), "utf8");
+  const { page } = await show(PROFILE);
+  await page.evaluate(axe);
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    for (const panel of ["problems", "state", "times"]) {
+      await page.locator(`#tab-${panel}`).click();
+      const { violations } = await page.evaluate(() => window.axe.run());
+      const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      const told = serious.map(({ id, nodes }) => `${colorScheme} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`);
+      assert.deepEqual(told, []);
+    }
+  }
+  await page.close();
+});
