@@ -9,6 +9,8 @@ use chordal_diagnostics::{Diagnostic, Span, TextRange};
 use chordal_geometry::Plane;
 use chordal_machine::Axis;
 
+use crate::modal::Modal;
+
 /// A value for each axis X Y Z A B C, in mm and rad.
 pub type Position = [f64; 6];
 
@@ -467,6 +469,12 @@ pub trait Sink {
     fn command(&mut self, command: &Command);
     /// A problem.
     fn diagnostic(&mut self, diagnostic: Diagnostic);
+    /// Whether [`block_done`](Self::block_done) is to be told; asked once.
+    fn wants_blocks(&self) -> bool {
+        false
+    }
+    /// A block has been carried out; `modal` tells what is in force behind it.
+    fn block_done(&mut self, _origin: &Origin, _modal: &dyn Fn() -> Modal) {}
 }
 
 /// The chains of calls of a run, each stored once.

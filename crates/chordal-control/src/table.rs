@@ -253,6 +253,23 @@ pub struct CodeRow {
     pub title: &'static str,
 }
 
+impl CodeRow {
+    /// Its name under its letter: `G54.1`.
+    pub fn name(&self, letter: u8) -> String {
+        code_name(letter, self.code)
+    }
+}
+
+/// A code by ten times its number: `G54.1`.
+pub fn code_name(letter: u8, code: u16) -> String {
+    let (letter, whole) = (char::from(letter), code / 10);
+    if code.is_multiple_of(10) {
+        format!("{letter}{whole}")
+    } else {
+        format!("{letter}{whole}.{}", code % 10)
+    }
+}
+
 /// Writes a row of a code table.
 pub const fn row(
     code: u16,

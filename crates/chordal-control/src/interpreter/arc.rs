@@ -8,7 +8,7 @@ use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 use super::values::trim;
-use crate::command::{ArcShape, AxisMask, CommandKind, FeedAlong, Position, Side, Sink};
+use crate::command::{ArcShape, AxisMask, CommandKind, FeedAlong, Position, Side};
 use crate::parameters::{ArcCenter, ArcMismatch, CenterAndRadius, FullCircleByRadius, SpiralForm};
 use crate::state::Motion;
 use crate::table::{ArcTurns, MotionModality};
@@ -39,7 +39,7 @@ pub(super) fn plane_name(plane: Plane) -> &'static str {
     }
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The word that gives the radius: R, or R0 where R names registers.
     pub(super) fn radius_word(&self, block: &Block) -> Option<Word> {
         if self.control.table.lexicon.registers {

@@ -5,7 +5,7 @@ use chordal_syntax::{Block, Letters};
 use super::judge::ALWAYS;
 use super::report::code_number;
 use super::{EndReason, Flow, Interpreter};
-use crate::command::{AxisMask, Sink};
+use crate::command::AxisMask;
 use crate::parameters::UnitCodes;
 use crate::table::{Action, CodeRow, Group, LineRepeat, Subroutines};
 
@@ -15,7 +15,7 @@ const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 /// The fixed subroutine that drills a bolt circle (Fadal L93NN).
 const BOLT_CIRCLE: u32 = 93;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Carries out the words of a block.
     pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
         if self.plain_motion(block) {

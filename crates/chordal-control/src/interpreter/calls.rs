@@ -7,13 +7,12 @@ use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
 
 use super::shop::Given;
 use super::{EndReason, Flow, Frame, Interpreter};
-use crate::command::Sink;
 use crate::table::{Action, LineRepeat, Subroutines};
 
 /// Fixed subroutines of the L form: L91… to L99….
 const FIXED: std::ops::RangeInclusive<u32> = 91..=99;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The count of a repeat, cut to what the control allows.
     pub(super) fn allowed_repeats(&mut self, word: &Word, count: u32) -> u32 {
         let table = self.control.table;

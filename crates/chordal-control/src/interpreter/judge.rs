@@ -6,7 +6,6 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::block::takes_axes;
-use crate::command::Sink;
 use crate::parameters::SpiralForm;
 use crate::state::Motion;
 use crate::table::{Action, CodeRow, Group, MotionModality};
@@ -14,7 +13,7 @@ use crate::table::{Action, CodeRow, Group, MotionModality};
 /// Letters that every block may have.
 pub(super) const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         for (index, second) in codes.iter().enumerate() {
             let letter = block.words[second.1].letter;

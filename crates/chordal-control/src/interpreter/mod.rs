@@ -37,6 +37,7 @@ use crate::command::{
 use crate::control::Control;
 use crate::library::{Library, Program};
 use crate::macros::rules::MacroForm;
+use crate::modal::Modal;
 use crate::offsets::Offsets;
 use crate::shop::ShopCodes;
 use crate::state::State;
@@ -141,12 +142,12 @@ struct Frame<'a> {
     of_shop: bool,
 }
 
-struct Interpreter<'a, S> {
+struct Interpreter<'a> {
     library: &'a Library<'a>,
     control: &'a Control,
     machine: &'a Machine,
     options: &'a RunOptions,
-    sink: &'a mut S,
+    sink: &'a mut (dyn Sink + 'a),
     state: State,
     reader: BlockReader<'a>,
     program: usize,
@@ -194,13 +195,13 @@ struct Told {
 }
 
 /// Runs one program of a library and pushes its commands into a sink.
-pub fn run<'a, S: Sink>(
+pub fn run<'a>(
     library: &'a Library<'a>,
     program: usize,
     machine: &'a Machine,
     control: &'a Control,
     options: &'a RunOptions,
-    sink: &'a mut S,
+    sink: &'a mut (dyn Sink + 'a),
 ) -> Outcome {
     let mut interpreter = Interpreter::new(library, program, machine, control, options, sink);
     let end = interpreter.run();
@@ -225,15 +226,15 @@ fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
     Offsets::new(machine, active, control.table.extended_offset_code)
 }
 
-impl<'a, S: Sink> Interpreter<'a, S> {
+impl<'a> Interpreter<'a> {
     fn new(
         library: &'a Library<'a>,
         program: usize,
         machine: &'a Machine,
         control: &'a Control,
         options: &'a RunOptions,
-        sink: &'a mut S,
-    ) -> Interpreter<'a, S> {
+        sink: &'a mut (dyn Sink + 'a),
+    ) -> Interpreter<'a> {
         let offsets = initial_offsets(machine, control);
         let home = machine.home.map(|place| place.unwrap_or(0.0));
         Interpreter {
@@ -272,6 +273,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
 
     fn run(&mut self) -> EndReason {
         self.read_subroutine_section();
+        let wants_blocks = self.sink.wants_blocks();
         let mut block = Block::new();
         loop {
             while !self.reader.read(&mut block) {
@@ -290,7 +292,12 @@ impl<'a, S: Sink> Interpreter<'a, S> {
             if self.blocks.is_multiple_of(BLOCKS_PER_ASKING) && self.is_interrupted() {
                 return EndReason::Interrupted;
             }
-            match self.execute(&mut block) {
+            let flow = self.execute(&mut block);
+            if wants_blocks {
+                let (state, control) = (&self.state, self.control);
+                self.sink.block_done(&self.origin, &|| Modal::of(state, control));
+            }
+            match flow {
                 Flow::Next => {}
                 Flow::End(reason) => return reason,
             }

@@ -6,13 +6,13 @@ use chordal_geometry::Plane;
 use chordal_syntax::Block;
 
 use super::{EndReason, Flow, Interpreter};
-use crate::command::{CommandKind, FeedMode, Side, Sink, SpindleState, Units, WorkName};
+use crate::command::{CommandKind, FeedMode, Side, SpindleState, Units, WorkName};
 use crate::offsets::LengthOffset;
 use crate::parameters::{ArcCenter, PlaneCodes};
 use crate::state::Scale;
 use crate::table::{Action, CodeRow, Group};
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Modes that change how the numbers of this very block are read.
     pub(super) fn take_reading_mode(&mut self, action: Action) {
         match action {

@@ -7,14 +7,14 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 use super::values::AXIS_OF;
 use crate::command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, Sink, SpindleState, Units,
+    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState, Units,
 };
 use crate::state::Motion;
 use crate::table::{Action, MotionModality};
 
 const CENTER: Letters = Letters::of("IJK");
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The end point that the axis words of a block give, and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {

@@ -5,13 +5,13 @@ use chordal_syntax::{Block, Letters, Value};
 
 use super::Interpreter;
 use super::values::trim;
-use crate::command::{CommandKind, Coolant, Side, Sink, SpindleState, WorkName};
+use crate::command::{CommandKind, Coolant, Side, SpindleState, WorkName};
 use crate::offsets::LengthOffset;
 use crate::parameters::OffsetKind;
 use crate::state::Motion;
 use crate::table::{Action, DataTarget, Group, MotionModality};
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn emit_work_offset(&mut self) {
         let state = &self.state;
         let kind = CommandKind::WorkOffset {

@@ -3,10 +3,10 @@
 use chordal_syntax::Block;
 
 use super::Interpreter;
-use crate::command::{CommandKind, Overrides, Sink};
+use crate::command::{CommandKind, Overrides};
 use crate::table::Action;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A code that lets overrides act or not.
     pub(super) fn take_overrides(&mut self, block: &Block, action: Action) {
         let by_code = &mut self.state.overrides.by_code;

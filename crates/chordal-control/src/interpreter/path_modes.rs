@@ -4,10 +4,10 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::Block;
 
 use super::Interpreter;
-use crate::command::{CommandKind, PathMode, Sink};
+use crate::command::{CommandKind, PathMode};
 use crate::table::{Action, CodeRow, Group};
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A code that changes how corners are passed.
     pub(super) fn take_path_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
         let rules = self.control.parameters.path;

@@ -7,12 +7,12 @@ use chordal_syntax::Block;
 
 use super::Interpreter;
 use super::values::AXIS_OF;
-use crate::command::{AxisMask, CommandKind, FeedAlong, Move, Position, Side, Sink};
+use crate::command::{AxisMask, CommandKind, FeedAlong, Move, Position, Side};
 use crate::compensation::Allowance;
 use crate::state::Motion;
 use crate::table::Action;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn one_shot(&mut self, block: &Block, action: Action, at: usize) {
         let to_machine = matches!(
             action,

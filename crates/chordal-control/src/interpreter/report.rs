@@ -4,10 +4,10 @@ use chordal_diagnostics::{Code, Diagnostic, Span, TextRange};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
-use crate::command::{Side, Sink};
+use crate::command::Side;
 use crate::table::CodeRow;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// What the control shows, with the block's number put in.
     pub(super) fn alarm_text(&self, code: Code, delta: Option<String>) -> Option<String> {
         let text = self.control.table.alarm(code)?;

@@ -7,7 +7,7 @@ use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 use chordal_syntax::{Block, Letters, Position as TextPosition, ProgramHead, Word};
 
 use super::Interpreter;
-use crate::command::{CommandKind, Sink, SpindleState};
+use crate::command::{CommandKind, SpindleState};
 use crate::library::Program;
 use crate::shop::{ShopAnswer, ShopCall, ShopCode};
 use crate::table::{Action, CodeRow, Group};
@@ -73,7 +73,7 @@ impl ShopState {
     }
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The row of an M code that the shop knows; it is asked here, before the block moves.
     pub(super) fn shop_row(
         &mut self,

@@ -12,7 +12,7 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::arc::{center_letters, point};
-use crate::command::{ArcShape, AxisMask, CommandKind, Position, Sink};
+use crate::command::{ArcShape, AxisMask, CommandKind, Position};
 use crate::parameters::SpiralForm;
 
 /// Most turns of a spiral (the manuals' 0 to 99).
@@ -28,7 +28,7 @@ struct SpiralEnds {
     direction: Direction,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G2.1 and G3.1 with P: the angle is θ + 2πP.
     pub(super) fn spiral_block(
         &mut self,

@@ -4,7 +4,7 @@ use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_syntax::{Block, Decimal, Value, Word};
 
 use super::Interpreter;
-use crate::command::{Sink, number_text};
+use crate::command::number_text;
 use crate::parameters::DecimalPoint;
 
 /// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
@@ -25,7 +25,7 @@ const SUSPICIOUS_INCREMENTS: u64 = 100;
 /// Below this many it is when the program writes points elsewhere.
 const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The literal of a word, or of the register it names.
     #[inline(always)]
     pub(super) fn literal(&self, word: &Word) -> Option<Decimal> {

@@ -5,10 +5,10 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::Hole;
-use crate::command::{AxisMask, CommandKind, Feed, Sink, SpindleState};
+use crate::command::{AxisMask, CommandKind, Feed, SpindleState};
 use crate::cycle_rules::{BackBore, ShiftWords};
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G86: the spindle stops at the bottom, rapid out.
     pub(super) fn bore_and_stop(&mut self, block: &Block, hole: &Hole) {
         let rules = self.control.parameters.cycles.bore;

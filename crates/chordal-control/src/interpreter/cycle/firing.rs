@@ -5,12 +5,12 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::Hole;
-use crate::command::{AxisMask, Position, Sink};
+use crate::command::{AxisMask, Position};
 use crate::cycle_rules::{DefinitionFires, FiringWords, ZeroRepeats};
 use crate::state::{CycleState, Motion};
 use crate::table::CycleKind;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A block with a cycle code.
     pub(in super::super) fn start_cycle(&mut self, block: &Block, kind: CycleKind) {
         let axis = self.drilling_axis();

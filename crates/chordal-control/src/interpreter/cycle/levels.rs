@@ -5,7 +5,7 @@ use chordal_geometry::Plane;
 use chordal_syntax::{Block, Letters};
 
 use super::super::Interpreter;
-use crate::command::{FeedMode, Side, Sink};
+use crate::command::{FeedMode, Side};
 use crate::cycle_rules::{
     BackBore, DrillingAxis, IncrementalLevels, LevelOrder, MissingLevel, TapFeed,
 };
@@ -27,7 +27,7 @@ pub(in super::super) struct Hole {
     pub clear: f64,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The index of the axis that cycles drill along.
     pub(super) fn drilling_axis(&self) -> usize {
         match (self.control.parameters.cycles.axis, self.state.plane) {

@@ -5,13 +5,12 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::super::Interpreter;
-use crate::command::Sink;
 use crate::cycle_rules::TapFeed;
 use crate::table::{Action, CodeRow, Group};
 
 const AXES: Letters = Letters::of("XYZABC");
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Codes of two groups that this control holds for one.
     pub(in super::super) fn one_group(&self, first: Group, second: Group) -> bool {
         let motion = |group| matches!(group, Group::Motion | Group::Cycle);

@@ -5,10 +5,9 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::bore::plane_axes;
-use crate::command::Sink;
 use crate::table::Pattern;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G70, G71, G72 of a Haas: I, J, K and L about the place where the tool stands.
     pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: Pattern) {
         let span = self.span(block.words[at].range);

@@ -5,7 +5,6 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::{Hole, LEVEL_EPSILON_MM};
-use crate::command::Sink;
 use crate::cycle_rules::PeckDwell;
 
 /// Most pecks of one hole: more is a slip in Q.
@@ -43,7 +42,7 @@ impl Steps {
     }
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Pecks down to the depth: with a return to R after each (G83), or a lift (G73).
     pub(super) fn pecks(&mut self, block: &Block, hole: &Hole, full: bool) {
         let rules = self.control.parameters.cycles.peck;

@@ -4,11 +4,11 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::Hole;
-use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, Position, Sink, SpindleState};
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, Position, SpindleState};
 use crate::cycle_rules::{Approach, BackBore};
 use crate::table::CycleKind;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// One hole: there, down, and out again.
     pub(super) fn drill(&mut self, block: &Block, hole: &Hole, place: Position, named: AxisMask) {
         self.origin.cycle = true;

@@ -5,7 +5,7 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::levels::{Hole, LEVEL_EPSILON_MM};
-use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Sink, SpindleState};
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, SpindleState};
 use crate::cycle_rules::TapFeed;
 use crate::table::CycleKind;
 
@@ -15,7 +15,7 @@ const FREE_PECKS: u32 = 100;
 /// Most pecks of one thread.
 const MAX_PECKS: u32 = 10_000;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
     pub(super) fn tap(&mut self, block: &Block, hole: &Hole) {
         let rules = self.control.parameters.cycles.tap;

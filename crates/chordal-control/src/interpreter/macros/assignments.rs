@@ -9,7 +9,6 @@ use chordal_syntax::{
 };
 
 use super::super::{Flow, Interpreter};
-use crate::command::Sink;
 use crate::macros::evaluate::Purpose;
 use crate::macros::value::Value;
 
@@ -23,7 +22,7 @@ struct Pending {
     value: Value,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A line with a statement in it: assignments and words in any order, or an O word.
     pub(in super::super) fn parameter_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
         self.carried_out = true;

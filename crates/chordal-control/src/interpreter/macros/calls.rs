@@ -6,7 +6,7 @@ use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 use super::super::report::code_number;
 use super::super::shop::Given;
 use super::super::{Flow, Interpreter};
-use crate::command::{Sink, Units};
+use crate::command::Units;
 use crate::control::FIRST_ALIAS_SUBPROGRAM;
 use crate::macros::arguments::{Assigner, reserved_variable};
 use crate::macros::evaluate::Purpose;
@@ -44,7 +44,7 @@ enum Call {
 /// Letters whose words move.
 const AXES: Letters = Letters::of("XYZABC");
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// True when a block calls a macro with its words as arguments.
     pub(super) fn is_macro_call(&self, block: &Block) -> bool {
         self.rules().macro_b && (self.call_of(block).is_some() || self.calls_every_block())

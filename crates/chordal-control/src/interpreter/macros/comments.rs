@@ -6,7 +6,7 @@ use std::fmt::Write;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 
 use super::super::{EndReason, Flow, Interpreter};
-use crate::command::{CommandKind, Sink};
+use crate::command::CommandKind;
 use crate::macros::evaluate::Purpose;
 
 /// What a comment does with its text.
@@ -16,7 +16,7 @@ enum Act {
     Abort,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Carries out the last of a line's comments; a flow where it ends the run.
     #[cold]
     pub(in super::super) fn acting_comment(&mut self, comments: &[TextRange]) -> Option<Flow> {

@@ -7,13 +7,12 @@ use chordal_syntax::{
 
 use super::super::{EndReason, Flow, Interpreter};
 use super::Loop;
-use crate::command::Sink;
 use crate::macros::value::Value;
 
 /// DO and END by their numbers stay in a list of this many at most.
 const MOST_LOOPS: usize = 127;
 
-impl<'a, S: Sink> Interpreter<'a, S> {
+impl<'a> Interpreter<'a> {
     /// GOTO: the block of that number nearest below, else the first from the top.
     pub(super) fn goto(&mut self, range: TextRange, label: Option<Value>) -> Flow {
         let Some(label) = label else { return Flow::Next };

@@ -5,7 +5,7 @@ use chordal_geometry::Direction;
 
 use super::super::Interpreter;
 use super::words::decimal;
-use crate::command::{Sink, WorkName};
+use crate::command::WorkName;
 use crate::macros::evaluate::Fault;
 use crate::state::Motion;
 use crate::table::DataTarget;
@@ -24,7 +24,7 @@ fn axis_of(name: &str) -> Option<usize> {
     name.chars().nth(1).and_then(|letter| "XYZABC".find(letter))
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn letter_variable(
         &mut self,
         letters: u8,

@@ -10,7 +10,7 @@ use chordal_syntax::{
 
 use super::super::values::trim;
 use super::super::{EndReason, Flow, Interpreter};
-use crate::command::{CallPath, CommandKind, Sink};
+use crate::command::{CallPath, CommandKind};
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
 
@@ -55,7 +55,7 @@ pub(super) struct Lines {
     starts: u32,
 }
 
-impl<'a, S: Sink> Interpreter<'a, S> {
+impl<'a> Interpreter<'a> {
     /// A block with a macro line in it.
     pub(in super::super) fn macro_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
         self.carried_out = true;

@@ -24,7 +24,7 @@ use chordal_machine::Machine;
 use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
 
 use super::Interpreter;
-use crate::command::{Position, Sink};
+use crate::command::Position;
 use crate::control::Control;
 
 use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
@@ -118,7 +118,7 @@ impl MacroState<'_> {
     }
 }
 
-impl<'a, S: Sink> Interpreter<'a, S> {
+impl<'a> Interpreter<'a> {
     pub(super) fn rules(&self) -> &'a MacroRules {
         let control: &'a Control = self.control;
         &control.macros
@@ -210,7 +210,7 @@ impl<'a, S: Sink> Interpreter<'a, S> {
     }
 }
 
-impl<S: Sink> Variables for Interpreter<'_, S> {
+impl Variables for Interpreter<'_> {
     fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault> {
         let number = self.variable_number(number, range)?;
         match self.macros.store.read(number) {
@@ -236,7 +236,7 @@ impl<S: Sink> Variables for Interpreter<'_, S> {
     }
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     fn write_number(&mut self, number: f64, value: Value, range: TextRange) -> Result<(), Fault> {
         let number = self.variable_number(number, range)?;
         if number == 0 {

@@ -4,14 +4,14 @@ use chordal_diagnostics::{Code, TextRange};
 use chordal_geometry::{Direction, Plane};
 
 use super::super::Interpreter;
-use crate::command::{FeedMode, Side, Sink, SpindleState, Units, WorkName};
+use crate::command::{FeedMode, Side, SpindleState, Units, WorkName};
 use crate::macros::evaluate::Fault;
 use crate::macros::names::normal;
 use crate::parameters::ArcCenter;
 use crate::state::Motion;
 use crate::table::Action;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The value of a named variable.
     pub(super) fn named(&mut self, name: TextRange, range: TextRange) -> Result<f64, Fault> {
         let name = normal(name.slice(self.reader.text()));

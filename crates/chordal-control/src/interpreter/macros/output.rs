@@ -4,14 +4,14 @@ use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::Output;
 
 use super::super::Interpreter;
-use crate::command::{CommandKind, Sink};
+use crate::command::CommandKind;
 use crate::macros::evaluate::Purpose;
 use crate::macros::output::{Format, Part, next_part, write_number};
 
 /// Most bytes that a run prints.
 const MOST_OUTPUT: usize = 1 << 20;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn print(&mut self, range: TextRange, output: Output) {
         match output {
             Output::Open => self.macros.port_open = true,

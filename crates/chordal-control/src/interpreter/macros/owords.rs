@@ -14,7 +14,6 @@ use chordal_syntax::{
 };
 
 use super::super::{EndReason, Flow, Interpreter};
-use crate::command::Sink;
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
 
@@ -160,7 +159,7 @@ impl Index {
     }
 }
 
-impl<'a, S: Sink> Interpreter<'a, S> {
+impl<'a> Interpreter<'a> {
     /// A line of flow control.
     pub(super) fn flow_line(&mut self, range: TextRange) -> Flow {
         let mut parser = self.take_parser();

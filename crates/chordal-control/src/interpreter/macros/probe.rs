@@ -6,9 +6,7 @@ use chordal_syntax::Block;
 
 use super::super::Interpreter;
 use super::super::values::trim;
-use crate::command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Side, Sink, Units,
-};
+use crate::command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Side, Units};
 
 /// What the probe moves found.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -21,7 +19,7 @@ pub(in super::super) struct Probe {
     told: bool,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A move that ends where the probe touches. `must_hit`: without a touch the control stops.
     pub(in super::super) fn probe_move(&mut self, block: &Block, at: usize, must_hit: bool) {
         let span = self.span(block.words[at].range);

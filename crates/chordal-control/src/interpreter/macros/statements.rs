@@ -6,7 +6,6 @@ use chordal_syntax::{
 };
 
 use super::super::{Flow, Interpreter};
-use crate::command::Sink;
 use crate::macros::evaluate::Purpose;
 use crate::macros::rules::Then;
 
@@ -20,7 +19,7 @@ enum Next {
     Over(Flow),
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A block with a macro statement in it: its words, the statement, and what is left of the
     /// line, in this order.
     pub(in super::super) fn macro_block(&mut self, block: &mut Block) -> Flow {

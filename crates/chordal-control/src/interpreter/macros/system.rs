@@ -4,7 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_geometry::{Direction, Plane};
 
 use super::super::{EndReason, Interpreter};
-use crate::command::{CommandKind, FeedMode, Side, Sink, Units, WorkName};
+use crate::command::{CommandKind, FeedMode, Side, Units, WorkName};
 use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
 use crate::macros::rules::{ModalGroup, System};
@@ -34,7 +34,7 @@ pub(super) fn read_only(number: u32, range: TextRange) -> Fault {
 /// Numbers between two work offsets.
 const OFFSET_STEP: u32 = 20;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
         let Some((what, at)) = self.rules().system_at(index) else {
             return Err(no_variable(f64::from(index), range));

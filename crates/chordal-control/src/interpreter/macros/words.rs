@@ -4,7 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
 use super::super::Interpreter;
-use crate::command::{Sink, Units};
+use crate::command::Units;
 use crate::macros::evaluate::{Fault, Purpose};
 use crate::macros::functions::round;
 use crate::macros::value::Value;
@@ -19,7 +19,7 @@ const TOLD_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
 /// Largest value behind an address, in units of its last digit.
 const LARGEST: f64 = 1e15;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Puts the values of a block's expressions in their places. A word whose value is null is
     /// dropped, address and all. The words of a macro call stay: its arguments are not rounded.
     pub(in super::super) fn resolve_words(&mut self, block: &mut Block) {

@@ -3,11 +3,11 @@
 use chordal_geometry::{Direction, Vec2};
 use chordal_syntax::{Block, Word};
 
-use crate::command::{AxisMask, Sink};
+use crate::command::AxisMask;
 use crate::interpreter::Interpreter;
 use crate::pocket::{Step, rings};
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// By a half circle from the centre to the wall, `count` full circles, by a half circle
     /// back. R0 is the feed; which word has the diameter is a setting, because no text was found.
     pub(super) fn bore_routine(

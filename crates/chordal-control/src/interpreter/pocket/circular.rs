@@ -8,14 +8,14 @@ use chordal_geometry::{Direction, Plane, Vec2};
 use chordal_syntax::{Block, Letters};
 
 use super::MAX_RINGS;
-use crate::command::{AxisMask, Side, Sink};
+use crate::command::{AxisMask, Side};
 use crate::interpreter::Interpreter;
 use crate::pocket::{Step, ring_radii, rings};
 
 /// Lengths that differ by less than this, mm, are the same.
 const SAME_MM: f64 = 1e-9;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G12 and G13.
     pub(in crate::interpreter) fn circular_pocket(
         &mut self,

@@ -7,7 +7,7 @@ use chordal_geometry::{Direction, Vec2};
 use chordal_syntax::{Block, Word};
 
 use super::MAX_RINGS;
-use crate::command::{AxisMask, Side, Sink, SpindleState};
+use crate::command::{AxisMask, Side, SpindleState};
 use crate::interpreter::Interpreter;
 use crate::parameters::FixedRoutineCount;
 use crate::pocket::{CORNER_STEP, Step, rectangle, rings};
@@ -25,7 +25,7 @@ struct PocketCall {
     flat: f64,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// A call `L91NN` to `L99NN`; false when it is none of the routines here.
     pub(in crate::interpreter) fn fixed_routine(
         &mut self,

@@ -9,7 +9,7 @@ use chordal_geometry::Vec2;
 use chordal_syntax::{Block, Letters};
 
 use super::MAX_RINGS;
-use crate::command::{AxisMask, Feed, Move, Position, Sink};
+use crate::command::{AxisMask, Feed, Move, Position};
 use crate::interpreter::Interpreter;
 use crate::interpreter::report::code_number;
 use crate::pocket::{Outline, RasterAlong, Region, Step, inset};
@@ -39,7 +39,7 @@ struct Words {
     allowance: f64,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// G150.
     pub(in crate::interpreter) fn general_pocket(&mut self, block: &Block, at: usize) {
         let Some(tool) = self.pocket_start(block, at) else { return };

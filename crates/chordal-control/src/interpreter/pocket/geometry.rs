@@ -4,7 +4,6 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Direction, Plane, Vec2, Vec3, arc_from_center, center_from_radius};
 use chordal_syntax::{Block, BlockKind, BlockReader, Value};
 
-use crate::command::Sink;
 use crate::interpreter::Interpreter;
 use crate::interpreter::report::code_number;
 use crate::pocket::{Element, Outline, OutlineError};
@@ -32,7 +31,7 @@ enum Reading {
     Wrong,
 }
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// The outline of a pocket whose start hole is `start`. `None` when it was told why not.
     pub(super) fn pocket_outline(
         &mut self,

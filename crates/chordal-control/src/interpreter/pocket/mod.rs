@@ -12,13 +12,13 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Plane, Vec2};
 
 use super::Interpreter;
-use crate::command::{ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Sink};
+use crate::command::{ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position};
 use crate::pocket::Step;
 
 /// Most rings or rows of one pocket: more is a slip in the stepover.
 const MAX_RINGS: u32 = 10_000;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// Moves along a path of the XY plane, at the height where the tool stands. `named` are the
     /// axes that the program itself placed.
     fn follow(&mut self, steps: &[Step], feed: Feed, named: AxisMask) {

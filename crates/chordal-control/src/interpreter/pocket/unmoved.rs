@@ -3,13 +3,13 @@
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::{Block, Word};
 
-use crate::command::{AxisMask, Sink};
+use crate::command::AxisMask;
 use crate::interpreter::Interpreter;
 
 /// Deepest engraving below R0 and highest letters (section 6): 2.5 in.
 const ENGRAVING_LIMIT_MM: f64 = 63.5;
 
-impl<S: Sink> Interpreter<'_, S> {
+impl Interpreter<'_> {
     /// L9101: R1 is the function, 1 to 10.
     pub(super) fn probe_routine(&mut self, block: &Block, word: &Word) {
         self.routine_allowed(word);
