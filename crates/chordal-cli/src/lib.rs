@@ -23,6 +23,7 @@ mod explain;
 mod failure;
 mod input;
 pub mod load;
+mod lsp;
 mod machine;
 mod machines;
 mod numbers;
@@ -100,6 +101,7 @@ enum Command {
     Calc(Box<calc::Args>),
     Explain(explain::Args),
     Machines(machines::Args),
+    Lsp(lsp::Args),
     Completions(completions::Args),
 }
 
@@ -120,6 +122,7 @@ impl Command {
             Command::Calc(args) => calc::run(&args),
             Command::Explain(args) => explain::run(&args),
             Command::Machines(args) => machines::run(&args),
+            Command::Lsp(args) => lsp::run(args),
             Command::Completions(args) => completions::run(&args),
         }
     }

@@ -45,6 +45,12 @@ pub struct Request {
 }
 
 impl Request {
+    /// What a command line says, but for the machine.
+    pub(crate) fn of(common: Common) -> Request {
+        let Common { machine: _, set, tools, program, block_delete, max_blocks } = common;
+        Request { machine: None, control: None, set, tools, program, block_delete, max_blocks }
+    }
+
     pub(crate) fn common(&self) -> Common {
         Common {
             machine: None,
@@ -79,6 +85,15 @@ pub fn file(path: &Path, request: &Request) -> Result<Loaded, Failure> {
 /// A machine that cannot be used, a program that is not there.
 pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, Failure> {
     load(Text::of(name, bytes)?, &Input { path: None, root: None }, request)
+}
+
+/// Loads the text of an editor, which lies or will lie at a path.
+///
+/// # Errors
+/// A machine that cannot be used, a program that is not there.
+pub fn unsaved(path: Option<&Path>, bytes: Vec<u8>, request: &Request) -> Result<Loaded, Failure> {
+    let input = Input { path: path.map(Path::to_path_buf), root: None };
+    load(Text::of(&input.name(), bytes)?, &input, request)
 }
 
 /// A machine by its built-in name, or of a file.

@@ -3,12 +3,12 @@ use chordal::control::{COMMON_SETTINGS, Certainty, Control};
 use chordal::machine::{Axis, builtin_names, schema_reference};
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
 
-use crate::explain::{both_units, own_value};
 use crate::failure::{Failure, Verdict};
 use crate::machine;
 use crate::numbers::short;
 use crate::summary::plain_table;
 use crate::terminal::say;
+use chordal_editor::meaning::{both_units, own_value};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -35,10 +35,20 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
-    ("chordal-server", &["chordal"]),
+    ("chordal-editor", &["chordal"]),
+    ("chordal-lsp", &["chordal", "chordal-editor"]),
+    ("chordal-server", &["chordal", "chordal-editor"]),
     (
         "chordal-cli",
-        &["chordal", "chordal-calc", "chordal-export", "chordal-archive", "chordal-server"],
+        &[
+            "chordal",
+            "chordal-calc",
+            "chordal-editor",
+            "chordal-export",
+            "chordal-archive",
+            "chordal-lsp",
+            "chordal-server",
+        ],
     ),
     ("chordal-python", &["chordal", "chordal-export", "chordal-archive", "chordal-cli"]),
 ];

@@ -3,21 +3,11 @@
 use chordal::control::Field;
 use chordal::control::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Group,
-    MotionModality,
+    MotionModality, code_name,
 };
 use chordal::syntax::Letters;
 
-use crate::explain::{Facts, View, own_value, sections, settings, some};
-
-/// `G54.1`.
-pub fn code_name(letter: u8, code: u16) -> String {
-    let (letter, whole) = (char::from(letter), code / 10);
-    if code.is_multiple_of(10) {
-        format!("{letter}{whole}")
-    } else {
-        format!("{letter}{whole}.{}", code % 10)
-    }
-}
+use crate::meaning::{Facts, View, own_value, sections, settings, some};
 
 /// The codes of a table under a letter.
 pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
@@ -31,6 +21,13 @@ pub fn code_text(letter: u8, code: u16, views: &[View]) -> Option<String> {
         Some(row_text(letter, row, view, views.len() > 1))
     };
     sections(&code_name(letter, code), views, on)
+}
+
+/// The code on one control in few words; `None` when it has none.
+pub fn code_brief(letter: u8, code: u16, view: &View) -> Option<String> {
+    let row = codes(view.table, letter).iter().find(|row| row.code == code)?;
+    let title = view.table.title;
+    Some(format!("{} on {title}:{}", code_name(letter, code), row_text(letter, row, view, true)))
 }
 
 /// What a code does on a control; in few words where there are `several`.

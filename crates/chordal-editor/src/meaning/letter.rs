@@ -1,10 +1,10 @@
 //! What an address letter means on a control, gathered from its table.
 
 use chordal::control::Field;
-use chordal::control::table::{Action, ArcTurns, LineRepeat, Subroutines};
+use chordal::control::table::{Action, ArcTurns, LineRepeat, Subroutines, code_name};
 
-use crate::explain::code::{code_name, codes, dwell_text};
-use crate::explain::{View, own_value, sections, settings, some};
+use crate::meaning::code::{codes, dwell_text};
+use crate::meaning::{View, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.
 pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {

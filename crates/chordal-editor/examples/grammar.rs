@@ -1,0 +1,5 @@
+//! Prints editors/vscode/syntaxes/nc.tmLanguage.json.
+
+fn main() {
+    println!("{:#}", chordal_editor::grammar());
+}

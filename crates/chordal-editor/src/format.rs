@@ -1,0 +1,325 @@
+//! Spaces and block numbers, changed only where the motion stays the same.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use chordal::control::CommandKind;
+use chordal::diagnostics::TextRange;
+use chordal::syntax::{Block, BlockKind, Value, Word};
+use chordal::{Command, Diagnostic, Sink};
+
+use crate::Program;
+use crate::names::{Name, Role};
+
+/// A replacement of some text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Edit {
+    /// What goes.
+    pub range: TextRange,
+    /// What comes.
+    pub text: String,
+}
+
+/// Block numbers as they are wanted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Numbering {
+    /// Of the first block of each program.
+    pub first: u32,
+    /// From one to the next.
+    pub step: u32,
+    /// Blocks without a number get one.
+    pub all: bool,
+}
+
+/// Why a text stays as it is.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub enum FormatError {
+    /// The changed text would move otherwise.
+    #[error("the text stays as it is: changed, it would run differently from line {line} on")]
+    MovesDifferently {
+        /// The line of the first command that differs.
+        line: u32,
+    },
+    /// A jump goes to a number that is computed.
+    #[error("line {line} jumps to a number that it computes (`{text}`): numbers must stay")]
+    ComputedJump {
+        /// Where.
+        line: u32,
+        /// The line.
+        text: String,
+    },
+    /// A number stands twice in a program, and something jumps to it.
+    #[error("N{number} stands twice, and line {line} jumps to it")]
+    Ambiguous {
+        /// The number.
+        number: i64,
+        /// Where the jump is.
+        line: u32,
+    },
+    /// Numbers grow beyond what the control reads.
+    #[error("the last number would be N{last}, more than {most}")]
+    TooLarge {
+        /// The last number.
+        last: u64,
+        /// The largest allowed.
+        most: u32,
+    },
+}
+
+/// The largest N number that all controls here read.
+const MOST_NUMBER: u32 = 99_999;
+
+impl Program {
+    /// One space between words and none in them, for the lines from `from` up to, not
+    /// including, `to`. Comments, macro statements and what cannot be read stay.
+    ///
+    /// # Errors
+    /// The changed text would run differently.
+    pub fn spaced(&self, from: u32, to: u32) -> Result<Vec<Edit>, FormatError> {
+        let mut edits = Vec::new();
+        self.blocks(from, to, |block| edits.extend(self.space(block)));
+        self.proved(edits)
+    }
+
+    /// New block numbers, and jumps that go to them.
+    ///
+    /// # Errors
+    /// Jumps to computed or ambiguous numbers, numbers too large, or a text that would run
+    /// differently.
+    pub fn renumbered(&self, numbering: Numbering) -> Result<Vec<Edit>, FormatError> {
+        self.computed_jump()?;
+        let mut numbers = Numbers::new(self, numbering);
+        self.blocks(1, u32::MAX, |block| numbers.block(block));
+        let Numbers { mut edits, new, last, .. } = numbers;
+        if last > u64::from(MOST_NUMBER) {
+            return Err(FormatError::TooLarge { last, most: MOST_NUMBER });
+        }
+        for place in self.occurrences() {
+            let Name::Label { program, number } = place.name else { continue };
+            let Some(targets) = new.get(&(program, number)) else { continue };
+            if place.role == Role::Definition {
+                continue;
+            }
+            let [target] = targets.as_slice() else {
+                let line = self.source().line_of(place.range.start);
+                return Err(FormatError::Ambiguous { number, line });
+            };
+            let word = place.range.slice(self.text());
+            let letter = word.first().filter(|byte| byte.is_ascii_alphabetic());
+            let letter = letter.map_or(String::new(), |byte| char::from(*byte).to_string());
+            edits.push(Edit { range: place.range, text: format!("{letter}{target}") });
+        }
+        edits.sort_by_key(|edit| edit.range.start);
+        self.proved(edits)
+    }
+
+    /// The text after edits, which are in order and do not overlap.
+    pub fn edited(&self, edits: &[Edit]) -> Vec<u8> {
+        let text = self.text();
+        let mut edited = Vec::with_capacity(text.len());
+        let mut at = 0;
+        for edit in edits {
+            edited.extend_from_slice(&text[at..edit.range.start as usize]);
+            edited.extend_from_slice(edit.text.as_bytes());
+            at = edit.range.end as usize;
+        }
+        edited.extend_from_slice(&text[at..]);
+        edited
+    }
+
+    /// The edits, if the text runs the same after them.
+    fn proved(&self, edits: Vec<Edit>) -> Result<Vec<Edit>, FormatError> {
+        if edits.is_empty() {
+            return Ok(edits);
+        }
+        let edited = self.with_text(self.edited(&edits));
+        let (mut before, mut after) = (Trace::new(self), Trace::new(&edited));
+        self.job().run(&mut before);
+        edited.job().run(&mut after);
+        let pairs = before.steps.iter().zip(&after.steps);
+        let differs = pairs.into_iter().find(|((_, one), (_, two))| one != two);
+        let line = match differs {
+            Some(((line, _), _)) => *line,
+            None if before.steps.len() == after.steps.len() => return Ok(edits),
+            None => {
+                let common = before.steps.len().min(after.steps.len());
+                before.steps.get(common).or(before.steps.last()).map_or(1, |(line, _)| *line)
+            }
+        };
+        Err(FormatError::MovesDifferently { line })
+    }
+
+    fn space(&self, block: &Block) -> Option<Edit> {
+        if block.kind != BlockKind::Words || !block.problems.is_empty() {
+            return None;
+        }
+        let text = self.text();
+        let words = block.words.iter().map(|word| (word.range, self.tight(word)));
+        let comments = block.comments.iter().map(|range| (*range, as_written(text, *range)));
+        let mut pieces: Vec<(TextRange, String)> = words.chain(comments).collect();
+        pieces.sort_by_key(|(range, _)| range.start);
+        let first = pieces.first()?.0.start;
+        let gaps_are_blank = pieces.windows(2).all(|pair| {
+            let gap = TextRange::new(pair[0].0.end, pair[1].0.start);
+            gap.slice(text).iter().all(u8::is_ascii_whitespace)
+        });
+        let behind = TextRange::new(pieces.last()?.0.end, block.range.end);
+        if !gaps_are_blank || !behind.slice(text).iter().all(u8::is_ascii_whitespace) {
+            return None;
+        }
+        // Block delete hugs the first word.
+        let mut line =
+            as_written(text, TextRange::new(block.range.start, first)).trim().to_string();
+        for (index, (_, piece)) in pieces.iter().enumerate() {
+            if index > 0 {
+                line.push(' ');
+            }
+            line.push_str(piece);
+        }
+        let same = line.as_bytes() == block.range.slice(text);
+        (!same).then_some(Edit { range: block.range, text: line })
+    }
+
+    /// A word without blanks; an expression stays as it is written.
+    fn tight(&self, word: &Word) -> String {
+        let text = self.text();
+        if let Value::Expression(range) = word.value {
+            let head = TextRange::new(word.range.start, range.start);
+            return without_blanks(text, head) + as_written(text, range).trim();
+        }
+        without_blanks(text, word.range)
+    }
+
+    fn computed_jump(&self) -> Result<(), FormatError> {
+        let mut found = None;
+        self.blocks(1, u32::MAX, |block| {
+            if let BlockKind::Macro(range) = block.kind
+                && found.is_none()
+            {
+                let statement = range.slice(self.text()).to_ascii_uppercase();
+                let jump = statement.windows(4).position(|word| word == b"GOTO");
+                let behind = jump.map(|at| statement[at + 4..].trim_ascii_start());
+                if behind.and_then(<[u8]>::first).is_some_and(|byte| matches!(byte, b'#' | b'[')) {
+                    found = Some(block.line);
+                }
+            }
+        });
+        match found {
+            None => Ok(()),
+            Some(line) => {
+                let text = String::from_utf8_lossy(self.source().line_text(line)).trim().into();
+                Err(FormatError::ComputedJump { line, text })
+            }
+        }
+    }
+}
+
+fn as_written(text: &[u8], range: TextRange) -> String {
+    String::from_utf8_lossy(range.slice(text)).into_owned()
+}
+
+fn without_blanks(text: &[u8], range: TextRange) -> String {
+    as_written(text, range).chars().filter(|letter| !letter.is_whitespace()).collect()
+}
+
+/// Gives numbers to the blocks of a text, program by program.
+struct Numbers<'a> {
+    program: &'a Program,
+    numbering: Numbering,
+    index: usize,
+    begun: bool,
+    next: u64,
+    last: u64,
+    edits: Vec<Edit>,
+    /// The new numbers of each old one.
+    new: HashMap<(usize, i64), Vec<u64>>,
+}
+
+impl<'a> Numbers<'a> {
+    fn new(program: &'a Program, numbering: Numbering) -> Numbers<'a> {
+        Numbers {
+            program,
+            numbering,
+            index: 0,
+            begun: false,
+            next: u64::from(numbering.first),
+            last: 0,
+            edits: Vec::new(),
+            new: HashMap::new(),
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        if block.kind != BlockKind::Words || block.words.is_empty() {
+            return;
+        }
+        if block.word(b'O').is_some() {
+            if self.begun {
+                self.index += 1;
+            }
+            self.begun = true;
+            self.next = u64::from(self.numbering.first);
+            return;
+        }
+        self.begun = true;
+        let number = self.next;
+        let text = self.program.text();
+        match block.word(b'N') {
+            Some(word) => {
+                if let Some(old) = word.number().and_then(|number| number.to_integer()) {
+                    self.new.entry((self.index, old)).or_default().push(number);
+                }
+                self.edit(word.range, format!("N{number}"), text);
+            }
+            None if self.numbering.all => {
+                let at = block.words[0].range.start;
+                self.edit(TextRange::new(at, at), format!("N{number} "), text);
+            }
+            None => return,
+        }
+        self.last = number;
+        self.next += u64::from(self.numbering.step.max(1));
+    }
+
+    fn edit(&mut self, range: TextRange, new: String, text: &[u8]) {
+        if range.slice(text) != new.as_bytes() {
+            self.edits.push(Edit { range, text: new });
+        }
+    }
+}
+
+/// Everything that a run does, without the places in the text: a line and a digest for each.
+struct Trace<'a> {
+    program: &'a Program,
+    steps: Vec<(u32, u64)>,
+    line: u32,
+}
+
+impl<'a> Trace<'a> {
+    fn new(program: &'a Program) -> Trace<'a> {
+        Trace { program, steps: Vec::new(), line: 1 }
+    }
+
+    fn push(&mut self, step: &str) {
+        let mut hasher = DefaultHasher::new();
+        step.hash(&mut hasher);
+        self.steps.push((self.line, hasher.finish()));
+    }
+}
+
+impl Sink for Trace<'_> {
+    fn command(&mut self, command: &Command) {
+        self.line = command.origin.line;
+        match &command.kind {
+            CommandKind::Message(range) => {
+                let file = self.program.file_text(command.origin.span.file);
+                self.push(&as_written(file, *range));
+            }
+            kind => self.push(&format!("{kind:?}")),
+        }
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.push(diagnostic.code.info().id);
+    }
+}

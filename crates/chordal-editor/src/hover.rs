@@ -1,0 +1,187 @@
+//! What a word means where it stands.
+
+use chordal::Diagnostic;
+use chordal::control::FeedMode;
+use chordal::control::{Modal, SpindleState, Units, number_text};
+use chordal::diagnostics::TextRange;
+use chordal::syntax::{Block, Word};
+
+use crate::meaning::{code_brief, letter_text};
+use crate::names::{Name, Role, code_number};
+use crate::{Program, Ran};
+
+/// Something to show beside a word.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Hover {
+    /// The word.
+    pub range: TextRange,
+    /// Markdown.
+    pub text: String,
+}
+
+impl Program {
+    /// What the word at a byte of the text does on this control, and what its line did when it
+    /// ran.
+    pub fn hover(&self, offset: u32, ran: Option<&Ran>) -> Option<Hover> {
+        let block = self.block_at(offset)?;
+        let word = word_at(&block, offset);
+        let (range, mut text) = match word {
+            Some(word) => (word.range, self.word_text(word)),
+            None => {
+                let name = self.name_at(offset)?;
+                (name.range, self.name_text(&name.name)?)
+            }
+        };
+        let moves = ran.and_then(|ran| Some((ran.line(block.line)?, ran.units())));
+        if let Some((moves, units)) = moves {
+            let pieces = if moves.pieces > 1 {
+                format!(" in {} pieces", moves.pieces)
+            } else {
+                String::new()
+            };
+            let length = units.length_text(moves.length_mm);
+            let seconds = number_text(moves.seconds, 2);
+            text.push_str(&format!("\n\nThis line moves {length}{pieces}, {seconds} s."));
+        }
+        Some(Hover { range, text })
+    }
+
+    fn word_text(&self, word: &Word) -> String {
+        let views = [self.view()];
+        let letter = char::from(word.letter);
+        let code = code_number(word).filter(|_| matches!(word.letter, b'G' | b'M'));
+        let text = code
+            .and_then(|code| code_brief(word.letter, code, &views[0]))
+            .or_else(|| letter_text(word.letter, &views))
+            .unwrap_or_else(|| {
+                format!("{letter} has no meaning on {}.", self.control().table.title)
+            });
+        as_markdown(&text)
+    }
+
+    fn name_text(&self, name: &Name) -> Option<String> {
+        let places = self.places_of(name);
+        let defined: Vec<u32> = places
+            .iter()
+            .filter(|place| place.role == Role::Definition)
+            .map(|place| self.source().line_of(place.range.start))
+            .collect();
+        let (what, verb) = match name {
+            Name::Program(number) => (format!("Program O{number}"), "begins"),
+            Name::Subroutine(label) => (format!("Subroutine o{label}"), "is made"),
+            Name::Label { number, .. } => (format!("Block N{number}"), "stands"),
+            Name::LineLabel(label) => (format!("Label :{label}"), "stands"),
+            Name::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
+        };
+        let lines = some_lines(&defined);
+        let uses = places.len() - defined.len();
+        Some(match defined.len() {
+            0 => format!("{what}: nothing in this text makes it; used {uses} times."),
+            _ => format!("{what} {verb} on {lines}; used {uses} times."),
+        })
+    }
+
+    /// The state behind a line as a control's screen shows it, in the program's units.
+    pub fn modal_text(&self, modal: &Modal) -> String {
+        let mut lines = vec![modal.codes.join(" ")];
+        let place = |axis: usize| {
+            let letter = ["X", "Y", "Z", "A", "B", "C"][axis];
+            if !modal.known.has(axis) {
+                return format!("{letter}?");
+            }
+            let value = modal.position[axis];
+            let shown = match (axis, modal.units) {
+                (3.., _) => number_text(value.to_degrees(), 3),
+                (_, Units::Inch) => number_text(value / 25.4, 4),
+                (_, Units::Millimetre) => number_text(value, 3),
+            };
+            format!("{letter}{shown}")
+        };
+        let axes = self.machine().axes.iter().enumerate().filter(|(_, axis)| axis.is_some());
+        let places: Vec<String> = axes.map(|(axis, _)| place(axis)).collect();
+        lines.push(format!("{} in {}", places.join(" "), modal.work_name));
+        let mut facts = Vec::new();
+        facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
+        match modal.spindle {
+            SpindleState::Off => {}
+            SpindleState::Cw => facts.push(format!("S{} clockwise", number_text(modal.rpm, 1))),
+            SpindleState::Ccw => {
+                facts.push(format!("S{} counter-clockwise", number_text(modal.rpm, 1)));
+            }
+            SpindleState::Oriented => facts.push("spindle oriented".into()),
+        }
+        if modal.tool > 0 {
+            facts.push(format!("T{}", modal.tool));
+        }
+        facts.extend(modal.length_offset.map(|number| format!("H{number}")));
+        facts.extend(modal.radius_offset.map(|number| format!("D{number}")));
+        if !facts.is_empty() {
+            lines.push(facts.join(", "));
+        }
+        lines.join("\n")
+    }
+}
+
+fn feed_text(feed: f64, modal: &Modal) -> String {
+    match (modal.feed_mode, modal.units) {
+        (FeedMode::PerTime, Units::Inch) => {
+            format!("F {} in/min", number_text(feed / 25.4 * 60.0, 2))
+        }
+        (FeedMode::PerTime, Units::Millimetre) => {
+            format!("F {} mm/min", number_text(feed * 60.0, 1))
+        }
+        (FeedMode::InverseTime, _) => format!("F {} 1/min", number_text(feed * 60.0, 3)),
+        (FeedMode::PerRevolution, Units::Inch) => {
+            format!("F {} in/rev", number_text(feed / 25.4, 4))
+        }
+        (FeedMode::PerRevolution, Units::Millimetre) => {
+            format!("F {} mm/rev", number_text(feed, 3))
+        }
+    }
+}
+
+/// `line 3`, `lines 3, 5 and 9`.
+fn some_lines(lines: &[u32]) -> String {
+    const MOST: usize = 8;
+    let shown: Vec<String> = lines.iter().take(MOST).map(u32::to_string).collect();
+    match shown.as_slice() {
+        [] => String::new(),
+        [one] => format!("line {one}"),
+        [first @ .., last] if lines.len() <= MOST => {
+            format!("lines {} and {last}", first.join(", "))
+        }
+        all => format!("lines {} … ({} in all)", all.join(", "), lines.len()),
+    }
+}
+
+/// The word at a byte; of two that touch the one that begins there.
+pub(crate) fn word_at(block: &Block, offset: u32) -> Option<&Word> {
+    let touches = |word: &&Word| word.range.start <= offset && offset <= word.range.end;
+    block.words.iter().filter(touches).max_by_key(|word| word.range.start)
+}
+
+/// The explanation's first line bold, its table kept in shape.
+fn as_markdown(text: &str) -> String {
+    let text = text.trim_end();
+    match text.split_once('\n') {
+        None => format!("**{text}**"),
+        Some((first, rest)) if rest.trim().is_empty() => format!("**{first}**"),
+        Some((first, rest)) => format!("**{}**\n```text\n{rest}\n```", first.trim_end()),
+    }
+}
+
+/// A diagnostic as markdown: message, alarm, notes and help.
+pub fn diagnostic_markdown(diagnostic: &Diagnostic) -> String {
+    let info = diagnostic.code.info();
+    let mut text = format!("**{}** ({} {})", diagnostic.message, info.id, info.name);
+    if let Some(alarm) = &diagnostic.alarm {
+        text.push_str(&format!("\n\nThe control shows: {alarm}"));
+    }
+    for note in &diagnostic.notes {
+        text.push_str(&format!("\n\n{note}"));
+    }
+    if let Some(help) = &diagnostic.help {
+        text.push_str(&format!("\n\nHelp: {help}"));
+    }
+    text
+}

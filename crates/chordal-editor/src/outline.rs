@@ -1,0 +1,167 @@
+//! The programs, tools and operations of a text.
+
+use chordal::control::table::Action;
+use chordal::diagnostics::TextRange;
+use chordal::syntax::{Block, BlockKind};
+
+use crate::Program;
+use crate::names::row_of;
+
+/// What an entry of the outline is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum EntryKind {
+    /// A program, or the text before the first head.
+    Program,
+    /// A subroutine of O words, or an L subroutine.
+    Subroutine,
+    /// A tool that goes into the spindle.
+    Tool,
+    /// What a comment on a line of its own names.
+    Operation,
+    /// A block with a number.
+    Label,
+}
+
+/// An entry of the outline.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Entry {
+    /// What it is called.
+    pub name: String,
+    /// More about it; may be empty.
+    pub detail: String,
+    /// What it is.
+    pub kind: EntryKind,
+    /// Everything that belongs to it.
+    pub range: TextRange,
+    /// Its own block.
+    pub head: TextRange,
+    /// Line of the head, from 1.
+    pub line: u32,
+    /// What lies in it.
+    pub children: Vec<Entry>,
+}
+
+/// Labels of a text with more are a numbering of blocks and no places to go to.
+const MOST_LABELS: usize = 200;
+
+impl Program {
+    /// The outline: programs, in them tools, in those operations, and blocks with numbers where
+    /// only some have one.
+    pub fn outline(&self) -> Vec<Entry> {
+        let mut flat: Vec<(u8, Entry)> = Vec::new();
+        let mut labels = 0;
+        let (mut blocks, mut tool) = (0_usize, None);
+        self.blocks(1, u32::MAX, |block| {
+            blocks += usize::from(!block.is_idle());
+            let first = flat.is_empty();
+            let entry = self.entry(block, first, &mut tool);
+            labels += usize::from(matches!(&entry, Some((LABEL, _))));
+            // A million numbered blocks are not kept to be dropped below.
+            if !matches!(&entry, Some((LABEL, _))) || labels <= MOST_LABELS {
+                flat.extend(entry);
+            }
+        });
+        if labels > MOST_LABELS || labels * 3 > blocks {
+            flat.retain(|(depth, _)| *depth != LABEL);
+        }
+        nested(flat, self.text().len() as u32)
+    }
+
+    /// What a block begins, and how deep that lies.
+    fn entry(&self, block: &Block, first: bool, tool: &mut Option<u32>) -> Option<(u8, Entry)> {
+        if let BlockKind::Macro(range) = block.kind {
+            return self.sub_entry(block, range);
+        }
+        if let Some(word) = block.word(b'T').and_then(|word| word.number()?.to_integer()) {
+            *tool = u32::try_from(word).ok();
+        }
+        if let Some(number) = block.word(b'O').and_then(|word| word.number()?.to_integer()) {
+            return Some((PROGRAM, self.make(block, EntryKind::Program, format!("O{number}"))));
+        }
+        let changes = block.words.iter().any(|word| {
+            row_of(self.control(), word).is_some_and(|row| row.action == Action::ToolChange)
+        });
+        if changes {
+            let name = tool.map_or("tool change".into(), |number| format!("T{number}"));
+            let mut entry = self.make(block, EntryKind::Tool, name);
+            let known = tool.and_then(|number| self.machine().tools.get(&number));
+            let said = known.and_then(|tool| tool.comment.as_ref().or(tool.kind.as_ref()));
+            if let (Some(said), true) = (said, entry.detail.is_empty()) {
+                entry.detail = said.clone();
+            }
+            return Some((TOOL, entry));
+        }
+        if block.words.is_empty() && block.kind == BlockKind::Words {
+            let name = self.comment_of(block);
+            // A row of stars or lines is drawing.
+            let speaks = name.bytes().any(|byte| byte.is_ascii_alphanumeric());
+            return (speaks && !first)
+                .then(|| (OPERATION, self.make(block, EntryKind::Operation, name)));
+        }
+        let label = block.word(b'N')?.number()?.to_integer()?;
+        Some((LABEL, self.make(block, EntryKind::Label, format!("N{label}"))))
+    }
+
+    fn sub_entry(&self, block: &Block, range: TextRange) -> Option<(u8, Entry)> {
+        let lexicon = self.lexicon();
+        let text = range.slice(self.text());
+        if !lexicon.o_words || !text.first().is_some_and(|byte| matches!(byte, b'o' | b'O')) {
+            return None;
+        }
+        let upper = text.to_ascii_uppercase();
+        let upper = String::from_utf8_lossy(&upper).into_owned();
+        let (label, word) = upper.trim().rsplit_once([' ', '>', '\t'])?;
+        let close = if upper.contains('>') { ">" } else { "" };
+        let name = format!("{}{close}", label.trim().to_ascii_lowercase());
+        (word == "SUB").then(|| (PROGRAM, self.make(block, EntryKind::Subroutine, name)))
+    }
+
+    fn make(&self, block: &Block, kind: EntryKind, name: String) -> Entry {
+        let detail = if block.words.is_empty() { String::new() } else { self.comment_of(block) };
+        Entry {
+            name,
+            detail,
+            kind,
+            range: block.range,
+            head: block.range,
+            line: block.line,
+            children: Vec::new(),
+        }
+    }
+
+    /// The first comment of a block without its marks.
+    pub(crate) fn comment_of(&self, block: &Block) -> String {
+        let Some(range) = block.comments.first() else { return String::new() };
+        let text = String::from_utf8_lossy(range.slice(self.text()));
+        text.trim_matches(['(', ')', ';', '*', '\'', ' ', '\t']).to_string()
+    }
+}
+
+/// How deep entries lie.
+const PROGRAM: u8 = 0;
+const TOOL: u8 = 1;
+const OPERATION: u8 = 2;
+const LABEL: u8 = 3;
+
+/// Puts each entry into the last one that is less deep, and lets it reach to the next that is not
+/// deeper.
+fn nested(flat: Vec<(u8, Entry)>, end: u32) -> Vec<Entry> {
+    let mut roots: Vec<Entry> = Vec::new();
+    let mut open: Vec<(u8, Entry)> = Vec::new();
+    let close = |open: &mut Vec<(u8, Entry)>, roots: &mut Vec<Entry>, depth: u8, at: u32| {
+        while open.last().is_some_and(|(other, _)| *other >= depth) {
+            let Some((_, mut entry)) = open.pop() else { return };
+            entry.range.end = at.max(entry.head.end);
+            match open.last_mut() {
+                Some((_, parent)) => parent.children.push(entry),
+                None => roots.push(entry),
+            }
+        }
+    };
+    for (depth, entry) in flat {
+        close(&mut open, &mut roots, depth, entry.range.start);
+        open.push((depth, entry));
+    }
+    close(&mut open, &mut roots, 0, end);
+    roots
+}

@@ -1,0 +1,152 @@
+//! A program as an editor holds it.
+
+use chordal::control::{Control, RunOptions, SettingError};
+use chordal::diagnostics::FileId;
+use chordal::syntax::{Block, BlockReader, Lexicon};
+use chordal::{Job, Machine, Source, SourceMap};
+
+use crate::meaning::View;
+
+/// A text with its machine and the texts in which its subprograms may be.
+#[derive(Debug)]
+pub struct Program {
+    source: Source<'static>,
+    beside: Vec<(String, Vec<u8>)>,
+    machine: Machine,
+    control: Control,
+    options: RunOptions,
+    only: Option<u32>,
+}
+
+impl Program {
+    /// A program on a machine.
+    ///
+    /// # Errors
+    /// Settings of the machine that its control does not know.
+    pub fn new(
+        name: impl Into<String>,
+        text: Vec<u8>,
+        machine: Machine,
+    ) -> Result<Program, Vec<SettingError>> {
+        let (control, errors) = Control::of(&machine);
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+        let source = Source::new(name, text);
+        let options = RunOptions::default();
+        Ok(Program { source, beside: Vec::new(), machine, control, options, only: None })
+    }
+
+    /// With texts, by name, in which subprograms may be.
+    pub fn beside(mut self, texts: Vec<(String, Vec<u8>)>) -> Program {
+        self.beside = texts;
+        self
+    }
+
+    /// With other budgets, and only one program of the text where it is given.
+    pub fn run_with(mut self, options: RunOptions, only: Option<u32>) -> Program {
+        self.options = options;
+        self.only = only;
+        self
+    }
+
+    /// The same with another text.
+    pub fn with_text(&self, text: Vec<u8>) -> Program {
+        Program {
+            source: Source::new(self.name(), text),
+            beside: self.beside.clone(),
+            machine: self.machine.clone(),
+            control: self.control.clone(),
+            options: self.options.clone(),
+            only: self.only,
+        }
+    }
+
+    /// The name that messages show.
+    pub fn name(&self) -> &str {
+        self.source.name()
+    }
+
+    /// The text.
+    pub fn text(&self) -> &[u8] {
+        self.source.text()
+    }
+
+    /// The text with its lines.
+    pub fn source(&self) -> &Source<'static> {
+        &self.source
+    }
+
+    /// The machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// Its control.
+    pub fn control(&self) -> &Control {
+        &self.control
+    }
+
+    /// How the control writes its text.
+    pub fn lexicon(&self) -> &'static Lexicon {
+        &self.control.table.lexicon
+    }
+
+    /// What explains words on its control.
+    pub fn view(&self) -> View {
+        View::of(&self.control)
+    }
+
+    /// The job, which borrows the texts. Its file 0 is this text, the others follow in order.
+    pub fn job(&self) -> Job<'_> {
+        let mut sources = SourceMap::new();
+        sources.add(Source::new(self.name(), self.text()));
+        for (name, text) in &self.beside {
+            sources.add(Source::new(name.as_str(), text.as_slice()));
+        }
+        // `new` has looked at the settings.
+        let job = Job::new(sources, self.machine.clone());
+        let job = job.unwrap_or_else(|error| unreachable!("{error}"));
+        job.program(self.only).options(self.options.clone())
+    }
+
+    /// The name of a text by its number in a job's spans.
+    pub fn file_name(&self, file: FileId) -> &str {
+        match (file.0 as usize).checked_sub(1) {
+            None => self.name(),
+            Some(index) => self.beside.get(index).map_or("", |(name, _)| name),
+        }
+    }
+
+    /// The bytes of a text by its number in a job's spans.
+    pub fn file_text(&self, file: FileId) -> &[u8] {
+        match (file.0 as usize).checked_sub(1) {
+            None => self.text(),
+            Some(index) => self.beside.get(index).map_or(&[], |(_, text)| text),
+        }
+    }
+
+    /// Shows every block from the start of line `from` up to, not including, line `to`.
+    pub fn blocks(&self, from: u32, to: u32, mut see: impl FnMut(&Block)) {
+        let mut reader = BlockReader::new(self.text(), FileId(0), *self.lexicon());
+        let offset = self.source.line_start(from);
+        reader.seek(chordal::syntax::Position { offset, line: from });
+        reader.limit(self.source.line_start(to));
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            see(&block);
+        }
+    }
+
+    /// The block at a byte of the text, if there is one.
+    pub fn block_at(&self, offset: u32) -> Option<Block> {
+        let line = self.source.line_of(offset);
+        let mut found = None;
+        self.blocks(line, line.saturating_add(1), |block| {
+            if block.range.start <= offset && offset <= block.range.end {
+                found = Some(block.clone());
+            }
+        });
+        found
+    }
+}

@@ -1,0 +1,92 @@
+//! The marks of a macro statement or expression: enough to colour it and to find its names. What
+//! a statement means is the business of `chordal-syntax`.
+
+use chordal::diagnostics::TextRange;
+use chordal::syntax::Lexicon;
+
+/// What stands at a place of a macro statement.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mark {
+    /// `#101`, `#<depth>`, `V12`, `R3`.
+    Variable,
+    /// A run of letters: `IF`, `GOTO`, `SIN`.
+    Word,
+    /// A number.
+    Number,
+    /// A text in quotation marks.
+    Text,
+    /// A comment, or the remark at the end of a macro line.
+    Comment,
+}
+
+/// The marks of a range in order; operators and brackets are left out.
+pub fn marks<'a>(
+    text: &'a [u8],
+    range: TextRange,
+    lexicon: &'a Lexicon,
+) -> impl Iterator<Item = (Mark, TextRange)> + 'a {
+    let end = (range.end as usize).min(text.len());
+    let mut at = range.start as usize;
+    // The mark that opens a macro line is no variable.
+    if lexicon.macro_lines && text.get(at) == Some(&b'#') {
+        at += 1;
+    }
+    std::iter::from_fn(move || {
+        while at < end {
+            let start = at;
+            let mark = step(&text[..end], &mut at, lexicon);
+            if let Some(mark) = mark {
+                return Some((mark, TextRange::new(start as u32, at as u32)));
+            }
+        }
+        None
+    })
+}
+
+/// Goes over the next mark; always at least a byte on.
+fn step(text: &[u8], at: &mut usize, lexicon: &Lexicon) -> Option<Mark> {
+    let byte = text[*at];
+    let run = |from: usize, of: fn(&u8) -> bool| text[from..].iter().take_while(|b| of(b)).count();
+    let digits = |from: usize| run(from, u8::is_ascii_digit);
+    *at += 1;
+    match byte {
+        b'#' if text.get(*at) == Some(&b'<') => {
+            let name = run(*at, |byte| *byte != b'>');
+            *at = (*at + name + 1).min(text.len());
+            Some(Mark::Variable)
+        }
+        b'#' => {
+            let count = digits(*at);
+            *at += count;
+            (count > 0).then_some(Mark::Variable)
+        }
+        b'"' => {
+            let count = run(*at, |byte| *byte != b'"');
+            *at = (*at + count + 1).min(text.len());
+            Some(Mark::Text)
+        }
+        // On macro lines parentheses are arithmetic.
+        b'(' if !lexicon.macro_lines => {
+            let count = run(*at, |byte| *byte != b')');
+            *at = (*at + count + 1).min(text.len());
+            Some(Mark::Comment)
+        }
+        b'\'' if lexicon.macro_lines => {
+            *at = text.len();
+            Some(Mark::Comment)
+        }
+        b'V' | b'v' | b'R' | b'r' if lexicon.macro_lines && digits(*at) > 0 => {
+            *at += digits(*at);
+            Some(Mark::Variable)
+        }
+        b'0'..=b'9' => {
+            *at += run(*at, |byte| byte.is_ascii_digit() || *byte == b'.');
+            Some(Mark::Number)
+        }
+        byte if byte.is_ascii_alphabetic() => {
+            *at += run(*at, u8::is_ascii_alphabetic);
+            Some(Mark::Word)
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,116 @@
+//! Changes that the editor offers: fixes, spaces, numbers.
+
+use std::collections::HashMap;
+
+use chordal::diagnostics::{Applicability, FileId, Fix};
+use chordal_editor::{Edit, Numbering, Program, Ran};
+use lsp_types::{
+    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, TextEdit, Uri, WorkspaceEdit,
+};
+
+use crate::convert::{diagnostic, text_edits, touch};
+use crate::place::offset_of;
+
+/// Renumbering, worked out when it is chosen.
+pub const RENUMBER: CodeActionKind = CodeActionKind::new("source.renumber.chordal");
+/// All safe fixes of a text.
+pub const FIX_ALL: CodeActionKind = CodeActionKind::SOURCE_FIX_ALL;
+
+/// Numbers by ten, as editors of controls do.
+const NUMBERING: Numbering = Numbering { first: 10, step: 10, all: true };
+
+/// An edit of one document.
+#[allow(clippy::mutable_key_type, reason = "the protocol's own type")]
+pub fn edit_of(uri: &Uri, edits: Vec<TextEdit>) -> WorkspaceEdit {
+    let changes = Some(HashMap::from([(uri.clone(), edits)]));
+    WorkspaceEdit { changes, ..WorkspaceEdit::default() }
+}
+
+/// What is offered for a range of the text.
+pub fn actions(
+    program: &Program,
+    ran: &Ran,
+    params: &CodeActionParams,
+) -> Vec<CodeActionOrCommand> {
+    let uri = &params.text_document.uri;
+    let only = params.context.only.as_deref();
+    let wanted = |kind: &CodeActionKind| {
+        only.is_none_or(|kinds| {
+            kinds.iter().any(|wanted| {
+                let rest = kind.as_str().strip_prefix(wanted.as_str());
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            })
+        })
+    };
+    let source = program.source();
+    let range = chordal::diagnostics::TextRange::new(
+        offset_of(source, params.range.start),
+        offset_of(source, params.range.end),
+    );
+    let mut found = Vec::new();
+    if wanted(&CodeActionKind::QUICKFIX) {
+        for problem in &ran.report.diagnostics {
+            let Some(fix) = &problem.fix else { continue };
+            if fix.span.file == FileId(0) && touch(problem.primary.span.range, range) {
+                let safe = fix.applicability == Applicability::Safe;
+                let title =
+                    if safe { fix.title.clone() } else { format!("{} (look at it)", fix.title) };
+                found.push(CodeAction {
+                    title,
+                    kind: Some(CodeActionKind::QUICKFIX),
+                    diagnostics: Some(vec![diagnostic(program, uri, problem)]),
+                    edit: Some(edit_of(uri, text_edits(program, vec![edit(fix)]))),
+                    is_preferred: Some(safe),
+                    ..CodeAction::default()
+                });
+            }
+        }
+    }
+    let safe = safe_fixes(ran);
+    if wanted(&FIX_ALL) && !safe.is_empty() {
+        found.push(CodeAction {
+            title: format!("Make all safe fixes ({})", safe.len()),
+            kind: Some(FIX_ALL),
+            edit: Some(edit_of(uri, text_edits(program, safe))),
+            ..CodeAction::default()
+        });
+    }
+    if wanted(&RENUMBER) {
+        found.push(CodeAction {
+            title: "Renumber blocks by ten".into(),
+            kind: Some(RENUMBER),
+            data: serde_json::to_value(uri).ok(),
+            ..CodeAction::default()
+        });
+    }
+    found.into_iter().map(CodeActionOrCommand::CodeAction).collect()
+}
+
+/// The edit of an action that was offered without one; or why there is none.
+pub fn resolved(program: &Program, uri: &Uri, action: CodeAction) -> Result<CodeAction, String> {
+    if action.kind.as_ref() != Some(&RENUMBER) {
+        return Ok(action);
+    }
+    let edits = program.renumbered(NUMBERING).map_err(|error| error.to_string())?;
+    Ok(CodeAction { edit: Some(edit_of(uri, text_edits(program, edits))), ..action })
+}
+
+fn edit(fix: &Fix) -> Edit {
+    Edit { range: fix.span.range, text: fix.replacement.clone() }
+}
+
+/// The safe fixes, each once, in order and apart.
+fn safe_fixes(ran: &Ran) -> Vec<Edit> {
+    let fixes = ran.report.diagnostics.iter().filter_map(|problem| problem.fix.as_ref());
+    let safe =
+        fixes.filter(|fix| fix.applicability == Applicability::Safe && fix.span.file == FileId(0));
+    let mut edits: Vec<Edit> = safe.map(edit).collect();
+    edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
+    let mut apart: Vec<Edit> = Vec::new();
+    for edit in edits {
+        if apart.last().is_none_or(|last| last.range.end <= edit.range.start && *last != edit) {
+            apart.push(edit);
+        }
+    }
+    apart
+}

@@ -1,0 +1,164 @@
+//! Answers in the protocol's own types.
+
+use chordal::diagnostics::{FileId, Label, TextRange};
+use chordal::{Diagnostic, Severity};
+use chordal_editor::{Class, Edit, Entry, EntryKind, Program, Token};
+use lsp_types::{
+    DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol, Location, NumberOrString,
+    SemanticToken, SemanticTokenType, SymbolKind, TextEdit, Uri,
+};
+
+use crate::place::{place_of, range_of};
+
+/// The kinds of tokens, in the order of [`Class::ALL`]. Editors have colours for these names.
+pub fn token_types() -> Vec<SemanticTokenType> {
+    Class::ALL
+        .iter()
+        .map(|class| match class {
+            Class::Comment => SemanticTokenType::COMMENT,
+            Class::Mark => SemanticTokenType::MODIFIER,
+            Class::Program => SemanticTokenType::NAMESPACE,
+            Class::Label => SemanticTokenType::DECORATOR,
+            Class::GCode => SemanticTokenType::KEYWORD,
+            Class::MCode => SemanticTokenType::FUNCTION,
+            Class::Axis => SemanticTokenType::PROPERTY,
+            Class::Speed => SemanticTokenType::ENUM_MEMBER,
+            Class::Tool => SemanticTokenType::CLASS,
+            Class::Parameter => SemanticTokenType::PARAMETER,
+            Class::Variable => SemanticTokenType::VARIABLE,
+            Class::Keyword => SemanticTokenType::MACRO,
+            Class::Number => SemanticTokenType::NUMBER,
+            Class::Text => SemanticTokenType::STRING,
+            Class::Unknown => SemanticTokenType::new("unknown"),
+        })
+        .collect()
+}
+
+/// Tokens, each relative to the one before it.
+pub fn semantic_tokens(program: &Program, tokens: &[Token]) -> Vec<SemanticToken> {
+    let mut last = lsp_types::Position::default();
+    tokens
+        .iter()
+        .map(|token| {
+            let range = range_of(program.source(), token.range);
+            let delta_line = range.start.line - last.line;
+            let from = if delta_line == 0 { last.character } else { 0 };
+            last = range.start;
+            SemanticToken {
+                delta_line,
+                delta_start: range.start.character - from,
+                length: range.end.character.saturating_sub(range.start.character),
+                token_type: token.class as u32,
+                token_modifiers_bitset: 0,
+            }
+        })
+        .collect()
+}
+
+/// Entries of the outline.
+pub fn symbols(program: &Program, entries: Vec<Entry>) -> Vec<DocumentSymbol> {
+    entries
+        .into_iter()
+        .map(|entry| {
+            let kind = match entry.kind {
+                EntryKind::Program => SymbolKind::MODULE,
+                EntryKind::Subroutine => SymbolKind::FUNCTION,
+                EntryKind::Tool => SymbolKind::CLASS,
+                EntryKind::Operation => SymbolKind::METHOD,
+                EntryKind::Label => SymbolKind::KEY,
+            };
+            #[allow(deprecated, reason = "the field must be given")]
+            DocumentSymbol {
+                name: entry.name,
+                detail: Some(entry.detail).filter(|detail| !detail.is_empty()),
+                kind,
+                tags: None,
+                deprecated: None,
+                range: range_of(program.source(), entry.range),
+                selection_range: range_of(program.source(), entry.head),
+                children: Some(symbols(program, entry.children)),
+            }
+        })
+        .collect()
+}
+
+/// A problem; words of other files are told where the calls go through this one.
+pub fn diagnostic(program: &Program, uri: &Uri, found: &Diagnostic) -> lsp_types::Diagnostic {
+    let source = program.source();
+    let here = |label: &&Label| label.span.file == FileId(0);
+    let related = |label: &Label| DiagnosticRelatedInformation {
+        location: Location { uri: uri.clone(), range: range_of(source, label.span.range) },
+        message: label.text.clone(),
+    };
+    let mut information: Vec<_> = found.secondary.iter().filter(here).map(related).collect();
+    let calls = found.calls.iter().filter(|call| call.file == FileId(0));
+    let mut span = found.primary.span;
+    let mut message = found.message.clone();
+    if span.file != FileId(0) {
+        let other = program.file_name(span.file);
+        message = format!("{other}: {message}");
+        span = found
+            .calls
+            .iter()
+            .rev()
+            .find(|call| call.file == FileId(0))
+            .copied()
+            .unwrap_or_default();
+    } else {
+        information.extend(calls.map(|call| DiagnosticRelatedInformation {
+            location: Location { uri: uri.clone(), range: range_of(source, call.range) },
+            message: "called here".into(),
+        }));
+    }
+    if !found.primary.text.is_empty() {
+        message.push_str(&format!("\n{}", found.primary.text));
+    }
+    if let Some(alarm) = &found.alarm {
+        message.push_str(&format!("\nThe control shows: {alarm}"));
+    }
+    for note in &found.notes {
+        message.push_str(&format!("\n{note}"));
+    }
+    if let Some(help) = &found.help {
+        message.push_str(&format!("\nHelp: {help}"));
+    }
+    lsp_types::Diagnostic {
+        range: range_of(source, span.range),
+        severity: Some(match found.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+            Severity::Note => DiagnosticSeverity::INFORMATION,
+        }),
+        code: Some(NumberOrString::String(found.code.info().id.into())),
+        source: Some("chordal".into()),
+        message,
+        related_information: Some(information).filter(|list| !list.is_empty()),
+        ..lsp_types::Diagnostic::default()
+    }
+}
+
+/// Replacements.
+pub fn text_edits(program: &Program, edits: Vec<Edit>) -> Vec<TextEdit> {
+    let edit = |edit: Edit| TextEdit {
+        range: range_of(program.source(), edit.range),
+        new_text: edit.text,
+    };
+    edits.into_iter().map(edit).collect()
+}
+
+/// The end of a line's words.
+pub fn line_end(program: &Program, line: u32) -> lsp_types::Position {
+    let start = program.source().line_start(line);
+    let end = start + program.source().line_text(line).trim_ascii_end().len() as u32;
+    place_of(program.source(), end)
+}
+
+/// A range of bytes of a line range.
+pub fn lines(range: lsp_types::Range) -> (u32, u32) {
+    (range.start.line.saturating_add(1), range.end.line.saturating_add(2))
+}
+
+/// Whether two ranges touch.
+pub fn touch(one: TextRange, other: TextRange) -> bool {
+    one.start <= other.end && other.start <= one.end
+}

@@ -1,0 +1,75 @@
+//! An open text.
+
+use std::sync::Arc;
+
+use chordal::Source;
+use chordal_editor::{Program, Ran};
+use lsp_types::{Range, TextDocumentContentChangeEvent};
+
+use crate::place::offset_of;
+
+/// An open text and what is known of it.
+#[derive(Debug)]
+pub struct Document {
+    /// The editor's count of its changes.
+    pub version: i32,
+    /// The text with its machine; `None` where none could be found.
+    pub program: Option<Arc<Program>>,
+    /// The text as it is, where there is no program.
+    text: Vec<u8>,
+    /// The newest run, and the version that ran.
+    pub ran: Option<(i32, Arc<Ran>)>,
+}
+
+impl Document {
+    /// A text without a machine yet.
+    pub fn new(version: i32, text: Vec<u8>) -> Document {
+        Document { version, program: None, text, ran: None }
+    }
+
+    /// The text.
+    pub fn text(&self) -> &[u8] {
+        self.program.as_ref().map_or(&self.text, |program| program.text())
+    }
+
+    /// Gives it a machine, or takes it away.
+    pub fn set_program(&mut self, program: Option<Program>) {
+        if program.is_none() {
+            self.text = self.text().to_vec();
+        }
+        self.program = program.map(Arc::new);
+        self.ran = None;
+    }
+
+    /// Makes the editor's changes, one after the other.
+    pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
+        let mut source = Source::new("", self.text().to_vec());
+        for change in changes {
+            let text = match change.range {
+                None => change.text.into_bytes(),
+                Some(Range { start, end }) => {
+                    let from = offset_of(&source, start) as usize;
+                    let to = (offset_of(&source, end) as usize).max(from);
+                    let old = source.text();
+                    let mut text = Vec::with_capacity(old.len() + change.text.len());
+                    text.extend_from_slice(&old[..from]);
+                    text.extend_from_slice(change.text.as_bytes());
+                    text.extend_from_slice(&old[to..]);
+                    text
+                }
+            };
+            source = Source::new("", text);
+        }
+        self.version = version;
+        let text = source.text().to_vec();
+        match &self.program {
+            Some(program) => self.program = Some(Arc::new(program.with_text(text))),
+            None => self.text = text,
+        }
+    }
+
+    /// The newest run, if nothing has changed since.
+    pub fn current(&self) -> Option<&Arc<Ran>> {
+        self.ran.as_ref().filter(|(version, _)| *version == self.version).map(|(_, ran)| ran)
+    }
+}

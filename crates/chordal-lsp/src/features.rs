@@ -1,0 +1,131 @@
+//! What the editor asks of one document.
+
+use chordal::control::number_text;
+use chordal_editor::{CompletionKind, Name, Occurrence, Program, Ran, Role};
+use lsp_types::{
+    CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, Hover, HoverContents,
+    InlayHint, InlayHintLabel, InlayHintTooltip, Location, MarkupContent, MarkupKind, Position,
+    Range, TextEdit, Uri,
+};
+
+use crate::convert::line_end;
+use crate::place::{offset_of, range_of};
+
+fn markdown(value: String) -> MarkupContent {
+    MarkupContent { kind: MarkupKind::Markdown, value }
+}
+
+/// What a word does, and what is in force behind its line.
+pub fn hover(program: &Program, ran: Option<&Ran>, place: Position) -> Option<Hover> {
+    let offset = offset_of(program.source(), place);
+    let found = program.hover(offset, ran)?;
+    let mut text = found.text;
+    if let Some(modal) = program.modal_behind(place.line + 1) {
+        let state = program.modal_text(&modal);
+        text.push_str(&format!("\n\nBehind this line:\n```text\n{state}\n```"));
+    }
+    let range = Some(range_of(program.source(), found.range));
+    Some(Hover { contents: HoverContents::Markup(markdown(text)), range })
+}
+
+/// What may stand at a place.
+pub fn completions(program: &Program, place: Position) -> Vec<CompletionItem> {
+    let offset = offset_of(program.source(), place);
+    let (start, found) = program.completions(offset);
+    let range = range_of(program.source(), chordal::diagnostics::TextRange::new(start, offset));
+    found
+        .into_iter()
+        .enumerate()
+        .map(|(index, completion)| CompletionItem {
+            label: completion.text.clone(),
+            detail: Some(completion.detail),
+            documentation: (!completion.more.is_empty())
+                .then(|| Documentation::String(completion.more)),
+            kind: Some(match completion.kind {
+                CompletionKind::Code => CompletionItemKind::KEYWORD,
+                CompletionKind::Letter => CompletionItemKind::FIELD,
+                CompletionKind::Variable => CompletionItemKind::VARIABLE,
+                CompletionKind::Place => CompletionItemKind::REFERENCE,
+                CompletionKind::Tool => CompletionItemKind::CLASS,
+            }),
+            sort_text: Some(format!("{index:05}")),
+            text_edit: Some(CompletionTextEdit::Edit(TextEdit {
+                range,
+                new_text: completion.text,
+            })),
+            ..CompletionItem::default()
+        })
+        .collect()
+}
+
+/// Where the name at a place is made; a variable: where it gets a value.
+pub fn definitions(program: &Program, uri: &Uri, place: Position) -> Vec<Location> {
+    let made = |place: &Occurrence| place.role == Role::Definition;
+    places(program, uri, place, made)
+}
+
+/// Everywhere that the name at a place stands.
+pub fn references(
+    program: &Program,
+    uri: &Uri,
+    place: Position,
+    with_definitions: bool,
+) -> Vec<Location> {
+    places(program, uri, place, |place| with_definitions || place.role == Role::Use)
+}
+
+fn places(
+    program: &Program,
+    uri: &Uri,
+    place: Position,
+    wanted: impl Fn(&Occurrence) -> bool,
+) -> Vec<Location> {
+    let Some(name) = name_at(program, place) else { return Vec::new() };
+    let places = program.places_of(&name).into_iter().filter(wanted);
+    let location = |place: Occurrence| Location {
+        uri: uri.clone(),
+        range: range_of(program.source(), place.range),
+    };
+    places.map(location).collect()
+}
+
+fn name_at(program: &Program, place: Position) -> Option<Name> {
+    program.name_at(offset_of(program.source(), place)).map(|found| found.name)
+}
+
+/// The variable at a place, as far as it can have another name.
+pub fn renamable(program: &Program, place: Position) -> Option<Range> {
+    let found = program.name_at(offset_of(program.source(), place))?;
+    let variable = matches!(found.name, Name::Variable { .. });
+    variable.then(|| range_of(program.source(), found.range))
+}
+
+/// Length and place behind the moves of some lines.
+pub fn hints(program: &Program, ran: &Ran, from: u32, to: u32) -> Vec<InlayHint> {
+    let units = ran.units();
+    let first = ran.lines.partition_point(|moves| moves.line < from);
+    let shown = ran.lines[first..].iter().take_while(|moves| moves.line < to);
+    shown
+        .filter(|moves| moves.pieces > 0)
+        .map(|moves| {
+            let length = units.length_text(moves.length_mm);
+            let time = number_text(moves.seconds, 2);
+            let place: Vec<String> = ["X", "Y", "Z"]
+                .iter()
+                .zip(moves.to)
+                .map(|(axis, mm)| format!("{axis} {}", units.length_text(mm)))
+                .collect();
+            let tooltip = format!("ends at {}; {time} s", place.join(", "));
+            InlayHint {
+                position: line_end(program, moves.line),
+                label: InlayHintLabel::String(length),
+                kind: None,
+                text_edits: None,
+                tooltip: Some(InlayHintTooltip::String(tooltip)),
+                padding_left: Some(true),
+                padding_right: None,
+                data: None,
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,432 @@
+//! The loop: messages of the editor and results of the worker, one after the other.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use chordal_editor::{Program, Ran};
+use crossbeam_channel::select;
+use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response, ResponseError};
+use lsp_types::notification::{self, Notification as _};
+use lsp_types::request::{self, Request as _};
+use lsp_types::*;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+
+use crate::Opener;
+use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
+use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
+use crate::document::Document;
+use crate::features;
+use crate::place::{offset_of, range_of};
+use crate::worker::{Done, Task, Worker};
+
+/// Why the server ended other than by the editor's wish.
+#[derive(Debug, thiserror::Error)]
+pub enum ServeError {
+    /// The editor spoke out of turn, or went away.
+    #[error("the editor did not keep to the protocol: {0}")]
+    Protocol(#[from] lsp_server::ProtocolError),
+    /// What the editor said of itself cannot be read.
+    #[error("the editor's first message cannot be read: {0}")]
+    Initialize(#[from] serde_json::Error),
+    /// Nobody listens.
+    #[error("the editor went away")]
+    Gone,
+}
+
+/// Serves an editor until it asks to end.
+///
+/// # Errors
+/// An editor that does not keep to the protocol.
+pub fn serve(connection: &Connection, opener: &dyn Opener) -> Result<(), ServeError> {
+    let (id, params) = connection.initialize_start()?;
+    let params: InitializeParams = serde_json::from_value(params)?;
+    let answer = json!({
+        "capabilities": capabilities(),
+        "serverInfo": { "name": "chordal", "version": env!("CARGO_PKG_VERSION") },
+    });
+    connection.initialize_finish(id, answer)?;
+    let settings = params.initialization_options.unwrap_or_default();
+    let mut server = Server {
+        connection,
+        opener,
+        worker: Worker::start(),
+        documents: HashMap::new(),
+        machine: machine_of(&settings),
+    };
+    server.run()
+}
+
+fn capabilities() -> ServerCapabilities {
+    let options = SemanticTokensOptions {
+        legend: SemanticTokensLegend { token_types: token_types(), token_modifiers: Vec::new() },
+        range: Some(true),
+        full: Some(SemanticTokensFullOptions::Bool(true)),
+        ..SemanticTokensOptions::default()
+    };
+    let completions = CompletionOptions {
+        trigger_characters: Some(["G", "M", "P", "T", "#", " "].map(String::from).into()),
+        ..CompletionOptions::default()
+    };
+    let actions = CodeActionOptions {
+        code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL, RENUMBER]),
+        resolve_provider: Some(true),
+        ..CodeActionOptions::default()
+    };
+    let rename = RenameOptions {
+        prepare_provider: Some(true),
+        work_done_progress_options: WorkDoneProgressOptions::default(),
+    };
+    ServerCapabilities {
+        text_document_sync: Some(TextDocumentSyncKind::INCREMENTAL.into()),
+        hover_provider: Some(true.into()),
+        completion_provider: Some(completions),
+        document_symbol_provider: Some(OneOf::Left(true)),
+        definition_provider: Some(OneOf::Left(true)),
+        references_provider: Some(OneOf::Left(true)),
+        rename_provider: Some(OneOf::Right(rename)),
+        document_formatting_provider: Some(OneOf::Left(true)),
+        document_range_formatting_provider: Some(OneOf::Left(true)),
+        code_action_provider: Some(actions.into()),
+        inlay_hint_provider: Some(OneOf::Left(true)),
+        semantic_tokens_provider: Some(options.into()),
+        ..ServerCapabilities::default()
+    }
+}
+
+/// `machine` of the settings, which some editors put below `chordal`.
+fn machine_of(settings: &Value) -> Option<String> {
+    let own = settings.get("chordal").unwrap_or(settings);
+    own.get("machine")?.as_str().filter(|name| !name.is_empty()).map(String::from)
+}
+
+struct Server<'a> {
+    connection: &'a Connection,
+    opener: &'a dyn Opener,
+    worker: Worker,
+    documents: HashMap<String, (Uri, Document)>,
+    /// The machine of the editor's settings.
+    machine: Option<String>,
+}
+
+/// What a request asks of a document.
+type Answer = Result<Value, ResponseError>;
+
+impl Server<'_> {
+    fn run(&mut self) -> Result<(), ServeError> {
+        loop {
+            select! {
+                recv(self.connection.receiver) -> message => match message {
+                    Err(_) => return Err(ServeError::Gone),
+                    Ok(Message::Request(request)) => {
+                        if self.connection.handle_shutdown(&request)? {
+                            return Ok(());
+                        }
+                        let response = self.answer(request);
+                        self.send(response.into());
+                    }
+                    Ok(Message::Notification(notification)) => self.notice(notification),
+                    Ok(Message::Response(_)) => {}
+                },
+                recv(self.worker.done) -> done => if let Ok(done) = done {
+                    self.take(done);
+                },
+            }
+        }
+    }
+
+    /// A message to an editor that went away is lost; the loop ends at its next turn.
+    fn send(&self, message: Message) {
+        let _ = self.connection.sender.send(message);
+    }
+
+    fn notify<N: notification::Notification>(&self, params: N::Params)
+    where
+        N::Params: serde::Serialize,
+    {
+        self.send(Notification::new(N::METHOD.into(), params).into());
+    }
+
+    fn notice(&mut self, notification: Notification) {
+        let Notification { method, params } = notification;
+        match method.as_str() {
+            notification::DidOpenTextDocument::METHOD => {
+                if let Some(DidOpenTextDocumentParams { text_document }) = read(params) {
+                    self.open(text_document);
+                }
+            }
+            notification::DidChangeTextDocument::METHOD => {
+                if let Some(params) = read::<DidChangeTextDocumentParams>(params) {
+                    self.change(params);
+                }
+            }
+            notification::DidSaveTextDocument::METHOD => {
+                if let Some(DidSaveTextDocumentParams { text_document, .. }) = read(params) {
+                    self.find_machine(text_document.uri.as_str());
+                }
+            }
+            notification::DidCloseTextDocument::METHOD => {
+                if let Some(DidCloseTextDocumentParams { text_document }) = read(params) {
+                    self.documents.remove(text_document.uri.as_str());
+                    self.publish(text_document.uri, Vec::new(), None);
+                }
+            }
+            notification::DidChangeConfiguration::METHOD => {
+                if let Some(DidChangeConfigurationParams { settings }) = read(params) {
+                    self.machine = machine_of(&settings);
+                    let all: Vec<String> = self.documents.keys().cloned().collect();
+                    all.iter().for_each(|uri| self.find_machine(uri));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn open(&mut self, item: TextDocumentItem) {
+        let key = item.uri.as_str().to_string();
+        let document = Document::new(item.version, item.text.into_bytes());
+        self.documents.insert(key.clone(), (item.uri, document));
+        self.find_machine(&key);
+    }
+
+    /// Finds the machine and the subprograms of a document, and runs it.
+    fn find_machine(&mut self, key: &str) {
+        let Some((uri, document)) = self.documents.get_mut(key) else { return };
+        let path = path_of(uri);
+        let name = path.as_ref().map_or_else(|| key.into(), |path| path.display().to_string());
+        let opened = self.opener.open(path.as_deref(), document.text(), self.machine.as_deref());
+        let program = opened.and_then(|opened| {
+            let program = Program::new(name, document.text().to_vec(), opened.machine);
+            let unknown = |errors| format!("settings of the machine are not known: {errors:?}");
+            let program = program.map_err(unknown)?;
+            Ok(program.beside(opened.beside).run_with(opened.options, opened.program))
+        });
+        match program {
+            Ok(program) => {
+                document.set_program(Some(program));
+                self.start(key);
+            }
+            Err(problem) => {
+                document.set_program(None);
+                let problem = Diagnostic::new_simple(Range::default(), problem);
+                let (uri, version) = (uri.clone(), document.version);
+                self.publish(uri, vec![problem], Some(version));
+            }
+        }
+    }
+
+    fn change(&mut self, params: DidChangeTextDocumentParams) {
+        let VersionedTextDocumentIdentifier { uri, version } = params.text_document;
+        if let Some((_, document)) = self.documents.get_mut(uri.as_str()) {
+            document.change(version, params.content_changes);
+            self.start(uri.as_str());
+        }
+    }
+
+    fn start(&self, key: &str) {
+        let Some((_, document)) = self.documents.get(key) else { return };
+        if let Some(program) = &document.program {
+            let (uri, version, program) = (key.into(), document.version, program.clone());
+            // The worker lives as long as the server.
+            let _ = self.worker.tasks.send(Task { uri, version, program });
+        }
+    }
+
+    /// A run is over: its problems are told, if the text is still the same.
+    fn take(&mut self, Done { uri, version, ran }: Done) {
+        let Some((uri, document)) = self.documents.get_mut(&uri) else { return };
+        let Some(program) = document.program.clone().filter(|_| document.version == version) else {
+            return;
+        };
+        document.ran = Some((version, ran.clone()));
+        let uri = uri.clone();
+        let found = ran.report.diagnostics.iter();
+        let found = found.map(|problem| diagnostic(&program, &uri, problem)).collect();
+        self.publish(uri, found, Some(version));
+        // Hints are asked for again when there is something new to tell.
+        let id = lsp_server::RequestId::from(format!("hints-{version}"));
+        let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
+        self.send(Request::new(id, refresh, Value::Null).into());
+    }
+
+    fn publish(&self, uri: Uri, diagnostics: Vec<Diagnostic>, version: Option<i32>) {
+        let params = PublishDiagnosticsParams { uri, diagnostics, version };
+        self.notify::<notification::PublishDiagnostics>(params);
+    }
+
+    fn answer(&mut self, Request { id, method, params }: Request) -> Response {
+        let answer = match method.as_str() {
+            request::HoverRequest::METHOD => self.hover(params),
+            request::Completion::METHOD => self.completion(params),
+            request::DocumentSymbolRequest::METHOD => self.outline(params),
+            request::GotoDefinition::METHOD => self.definition(params),
+            request::References::METHOD => self.references(params),
+            request::PrepareRenameRequest::METHOD => self.prepare_rename(params),
+            request::Rename::METHOD => self.rename(params),
+            request::Formatting::METHOD => self.formatting(params),
+            request::RangeFormatting::METHOD => self.range_formatting(params),
+            request::CodeActionRequest::METHOD => self.actions(params),
+            request::CodeActionResolveRequest::METHOD => self.resolve(params),
+            request::InlayHintRequest::METHOD => self.hints(params),
+            request::SemanticTokensFullRequest::METHOD => self.tokens(params),
+            request::SemanticTokensRangeRequest::METHOD => self.range_tokens(params),
+            other => Err(failed(ErrorCode::MethodNotFound, format!("there is no {other}"))),
+        };
+        match answer {
+            Ok(result) => Response::new_ok(id, result),
+            Err(error) => Response::new_err(id, error.code, error.message),
+        }
+    }
+
+    /// The program of a document that is open and has a machine.
+    fn program(&self, uri: &Uri) -> Result<Arc<Program>, ResponseError> {
+        let program = self.document(uri)?.program.clone();
+        program.ok_or_else(|| failed(ErrorCode::RequestFailed, "the text has no machine".into()))
+    }
+
+    fn document(&self, uri: &Uri) -> Result<&Document, ResponseError> {
+        let found = self.documents.get(uri.as_str()).map(|(_, document)| document);
+        let unknown = || format!("{} is not open", uri.as_str());
+        found.ok_or_else(|| failed(ErrorCode::InvalidParams, unknown()))
+    }
+
+    /// The run of the text as it is now: the worker's, or one made now.
+    fn ran(&self, uri: &Uri) -> Result<(Arc<Program>, Arc<Ran>), ResponseError> {
+        let program = self.program(uri)?;
+        let ran = self.document(uri)?.current().cloned();
+        Ok((program.clone(), ran.unwrap_or_else(|| Arc::new(program.ran()))))
+    }
+
+    fn hover(&self, params: Value) -> Answer {
+        let HoverParams { text_document_position_params: at, .. } = parse(params)?;
+        let program = self.program(&at.text_document.uri)?;
+        let ran = self.document(&at.text_document.uri)?.current();
+        told(features::hover(&program, ran.map(Arc::as_ref), at.position))
+    }
+
+    fn completion(&self, params: Value) -> Answer {
+        let CompletionParams { text_document_position: at, .. } = parse(params)?;
+        let program = self.program(&at.text_document.uri)?;
+        told(features::completions(&program, at.position))
+    }
+
+    fn outline(&self, params: Value) -> Answer {
+        let DocumentSymbolParams { text_document, .. } = parse(params)?;
+        let program = self.program(&text_document.uri)?;
+        told(symbols(&program, program.outline()))
+    }
+
+    fn definition(&self, params: Value) -> Answer {
+        let GotoDefinitionParams { text_document_position_params: at, .. } = parse(params)?;
+        let uri = &at.text_document.uri;
+        told(features::definitions(&*self.program(uri)?, uri, at.position))
+    }
+
+    fn references(&self, params: Value) -> Answer {
+        let ReferenceParams { text_document_position: at, context, .. } = parse(params)?;
+        let (uri, all) = (&at.text_document.uri, context.include_declaration);
+        told(features::references(&*self.program(uri)?, uri, at.position, all))
+    }
+
+    fn prepare_rename(&self, params: Value) -> Answer {
+        let TextDocumentPositionParams { text_document, position } = parse(params)?;
+        told(features::renamable(&*self.program(&text_document.uri)?, position))
+    }
+
+    fn rename(&self, params: Value) -> Answer {
+        let RenameParams { text_document_position: at, new_name, .. } = parse(params)?;
+        let uri = &at.text_document.uri;
+        let program = self.program(uri)?;
+        let offset = offset_of(program.source(), at.position);
+        let renamed = program.rename(offset, &new_name);
+        let renamed =
+            renamed.map_err(|error| failed(ErrorCode::RequestFailed, error.to_string()))?;
+        let edit = |range| TextEdit {
+            range: range_of(program.source(), range),
+            new_text: renamed.name.clone(),
+        };
+        let edits = renamed.places.iter().copied().map(edit).collect();
+        told(edit_of(uri, edits))
+    }
+
+    fn formatting(&self, params: Value) -> Answer {
+        let DocumentFormattingParams { text_document, .. } = parse(params)?;
+        self.spaced(&text_document.uri, 1, u32::MAX)
+    }
+
+    fn range_formatting(&self, params: Value) -> Answer {
+        let DocumentRangeFormattingParams { text_document, range, .. } = parse(params)?;
+        let (from, to) = lines(range);
+        self.spaced(&text_document.uri, from, to)
+    }
+
+    fn spaced(&self, uri: &Uri, from: u32, to: u32) -> Answer {
+        let program = self.program(uri)?;
+        let edits = program.spaced(from, to);
+        let edits = edits.map_err(|error| failed(ErrorCode::RequestFailed, error.to_string()))?;
+        told(text_edits(&program, edits))
+    }
+
+    fn actions(&self, params: Value) -> Answer {
+        let params: CodeActionParams = parse(params)?;
+        let (program, ran) = self.ran(&params.text_document.uri)?;
+        told(actions(&program, &ran, &params))
+    }
+
+    fn resolve(&self, params: Value) -> Answer {
+        let action: CodeAction = parse(params)?;
+        let uri: Option<Uri> = action.data.clone().and_then(|uri| serde_json::from_value(uri).ok());
+        let Some(uri) = uri else { return told(action) };
+        let resolved = actions::resolved(&*self.program(&uri)?, &uri, action);
+        told(resolved.map_err(|problem| failed(ErrorCode::RequestFailed, problem))?)
+    }
+
+    fn hints(&self, params: Value) -> Answer {
+        let InlayHintParams { text_document, range, .. } = parse(params)?;
+        let (program, ran) = self.ran(&text_document.uri)?;
+        let (from, to) = lines(range);
+        told(features::hints(&program, &ran, from, to))
+    }
+
+    fn tokens(&self, params: Value) -> Answer {
+        let SemanticTokensParams { text_document, .. } = parse(params)?;
+        self.tokens_of(&text_document.uri, 1, u32::MAX)
+    }
+
+    fn range_tokens(&self, params: Value) -> Answer {
+        let SemanticTokensRangeParams { text_document, range, .. } = parse(params)?;
+        let (from, to) = lines(range);
+        self.tokens_of(&text_document.uri, from, to)
+    }
+
+    fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> Answer {
+        let program = self.program(uri)?;
+        let data = semantic_tokens(&program, &program.tokens(from, to));
+        told(SemanticTokens { result_id: None, data })
+    }
+}
+
+fn failed(code: ErrorCode, message: String) -> ResponseError {
+    ResponseError { code: code as i32, message, data: None }
+}
+
+fn told(answer: impl serde::Serialize) -> Answer {
+    serde_json::to_value(answer)
+        .map_err(|error| failed(ErrorCode::InternalError, error.to_string()))
+}
+
+fn parse<T: DeserializeOwned>(params: Value) -> Result<T, ResponseError> {
+    serde_json::from_value(params)
+        .map_err(|error| failed(ErrorCode::InvalidParams, error.to_string()))
+}
+
+/// A notification that cannot be read has nobody to be told to.
+fn read<T: DeserializeOwned>(params: Value) -> Option<T> {
+    serde_json::from_value(params).ok()
+}
+
+/// The file of an address, where it is one.
+fn path_of(uri: &Uri) -> Option<PathBuf> {
+    url::Url::parse(uri.as_str()).ok()?.to_file_path().ok()
+}

@@ -1,0 +1,310 @@
+//! A client speaks with the server about every feature.
+
+#![allow(clippy::disallowed_methods, reason = "the client stands on the other side of a thread")]
+
+use std::path::Path;
+use std::thread::{self, JoinHandle};
+
+use chordal::Machine;
+use chordal::control::RunOptions;
+use chordal_lsp::{Opened, Opener, serve};
+use lsp_server::{Connection, Message, Notification, Request, RequestId};
+use serde_json::{Value, json};
+
+/// Every text runs on one machine, or the one of the settings.
+struct Typical;
+
+impl Opener for Typical {
+    fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Opened, String> {
+        let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"))
+            .map_err(|_| "there is no such machine".to_string())?;
+        let options = RunOptions::default();
+        Ok(Opened { machine, why: None, options, program: None, beside: Vec::new() })
+    }
+}
+
+/// An editor, by its end of the connection.
+struct Editor {
+    connection: Connection,
+    server: JoinHandle<()>,
+    next: i32,
+    notices: Vec<Notification>,
+    capabilities: Value,
+}
+
+const URI: &str = "file:///shop/part.nc";
+
+impl Editor {
+    fn start(settings: Value) -> Editor {
+        let (server, connection) = Connection::memory();
+        let server = thread::spawn(move || {
+            serve(&server, &Typical).expect("the client keeps to the protocol");
+        });
+        let mut editor =
+            Editor { connection, server, next: 0, notices: Vec::new(), capabilities: Value::Null };
+        let params = json!({ "capabilities": {}, "initializationOptions": settings });
+        let answer = editor.ask("initialize", params).expect("an answer");
+        assert_eq!(answer["serverInfo"]["name"], "chordal");
+        editor.capabilities = answer["capabilities"].clone();
+        editor.tell("initialized", json!({}));
+        editor
+    }
+
+    fn tell(&self, method: &str, params: Value) {
+        let notice = Notification::new(method.into(), params);
+        self.connection.sender.send(notice.into()).expect("the server listens");
+    }
+
+    fn ask(&mut self, method: &str, params: Value) -> Result<Value, String> {
+        self.next += 1;
+        let id = RequestId::from(self.next);
+        let request = Request::new(id.clone(), method.into(), params);
+        self.connection.sender.send(request.into()).expect("the server listens");
+        loop {
+            match self.receive() {
+                Message::Response(answer) if answer.id == id => {
+                    return answer.response_kind_or_error();
+                }
+                Message::Notification(notice) => self.notices.push(notice),
+                _ => {}
+            }
+        }
+    }
+
+    fn receive(&self) -> Message {
+        let limit = std::time::Duration::from_secs(60);
+        self.connection.receiver.recv_timeout(limit).expect("an answer within a minute")
+    }
+
+    /// Asks something of the one document.
+    fn of(&mut self, method: &str, more: Value) -> Result<Value, String> {
+        let mut params = json!({ "textDocument": { "uri": URI } });
+        for (key, value) in more.as_object().expect("an object") {
+            params[key] = value.clone();
+        }
+        self.ask(&format!("textDocument/{method}"), params)
+    }
+
+    fn open(&self, text: &str) {
+        let item = json!({ "uri": URI, "languageId": "nc", "version": 1, "text": text });
+        self.tell("textDocument/didOpen", json!({ "textDocument": item }));
+    }
+
+    fn change(&self, version: i32, range: Value, text: &str) {
+        let change = json!({ "range": range, "text": text });
+        self.tell(
+            "textDocument/didChange",
+            json!({ "textDocument": { "uri": URI, "version": version }, "contentChanges": [change] }),
+        );
+    }
+
+    /// The problems of a version, once it has run.
+    fn problems(&mut self, version: i32) -> Vec<Value> {
+        loop {
+            let notices = std::mem::take(&mut self.notices);
+            let told = notices.into_iter().rev().find_map(|notice| {
+                let mine = notice.method == "textDocument/publishDiagnostics"
+                    && notice.params["version"] == version;
+                mine.then(|| notice.params["diagnostics"].as_array().cloned().expect("a list"))
+            });
+            if let Some(told) = told {
+                return told;
+            }
+            if let Message::Notification(notice) = self.receive() {
+                self.notices.push(notice);
+            }
+        }
+    }
+
+    fn end(mut self) {
+        self.ask("shutdown", Value::Null).expect("an answer");
+        self.tell("exit", Value::Null);
+        self.server.join().expect("the server ends");
+    }
+}
+
+trait Kind {
+    fn response_kind_or_error(self) -> Result<Value, String>;
+}
+
+impl Kind for lsp_server::Response {
+    fn response_kind_or_error(self) -> Result<Value, String> {
+        let text = serde_json::to_value(&self).expect("a message");
+        match text.get("error") {
+            Some(error) => Err(error["message"].as_str().unwrap_or_default().to_string()),
+            None => Ok(text.get("result").cloned().unwrap_or(Value::Null)),
+        }
+    }
+}
+
+fn place(line: u32, character: u32) -> Value {
+    json!({ "position": { "line": line, "character": character } })
+}
+
+fn range(from: (u32, u32), to: (u32, u32)) -> Value {
+    json!({
+        "start": { "line": from.0, "character": from.1 },
+        "end": { "line": to.0, "character": to.1 },
+    })
+}
+
+const PART: &str = "%\nO100 (PLATE)\nT1 M6 (MILL)\nG20 G90 G54 S900 M3\n#101=2.\nG0 X0 Y0\n\
+                    N10 G1 X#101 F20.\nG2 X3. Y1. I0 J1.\nIF[#101GT5]GOTO10\nM98 P200\nM30\n\
+                    O200\nM99\n%\n";
+
+#[test]
+fn problems_come_and_go_as_one_types() {
+    let mut editor = Editor::start(json!({}));
+    editor.open("G20 G90\nG1 X1. F20.\nM30\n");
+    let first = editor.problems(1);
+    assert!(first.iter().all(|problem| problem["severity"] != 1), "{first:?}");
+    // The end of the arc is off by 0.5 in.
+    editor.change(2, range((1, 0), (1, 0)), "G1 X0 Y0 F20.\nG2 X1. Y0 I.25 J0\n");
+    let wrong = editor.problems(2);
+    let arc = wrong.iter().find(|problem| problem["severity"] == 1).expect("an error");
+    assert_eq!(arc["range"]["start"]["line"], 2);
+    let message = arc["message"].as_str().expect("a text");
+    assert!(message.contains("0.5 in") && message.contains("The control shows"), "{message}");
+    editor.change(3, range((2, 11), (2, 14)), ".5");
+    let mended = editor.problems(3);
+    assert!(mended.iter().all(|problem| problem["severity"] != 1), "{mended:?}");
+    editor.end();
+}
+
+#[test]
+fn every_question_has_its_answer() {
+    let mut editor = Editor::start(json!({}));
+    editor.open(PART);
+    editor.problems(1);
+
+    let hover = editor.of("hover", place(7, 1)).expect("a hover");
+    let text = hover["contents"]["value"].as_str().expect("a text");
+    // Three quarters of a circle of radius 1 in, and what is in force behind it.
+    assert!(text.contains("clockwise") && text.contains("4.7124 in"), "{text}");
+    assert!(text.contains("G2 G17 G90 G94 G20 G40") && text.contains("X3 Y1"), "{text}");
+
+    let found = editor.of("completion", place(7, 1)).expect("completions");
+    let labels: Vec<&str> = found
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(|item| item["label"].as_str())
+        .collect();
+    assert!(labels.contains(&"G154"), "{labels:?}");
+
+    let outline = editor.of("documentSymbol", json!({})).expect("symbols");
+    assert_eq!(outline[0]["name"], "O100");
+    assert_eq!(outline[0]["detail"], "PLATE");
+    assert_eq!(outline[0]["children"][0]["name"], "T1");
+    assert_eq!(outline[1]["name"], "O200");
+
+    let program = editor.of("definition", place(9, 6)).expect("a place");
+    assert_eq!(program[0]["range"], range((11, 0), (11, 4)));
+    let label = editor.of("definition", place(8, 16)).expect("a place");
+    assert_eq!(label[0]["range"], range((6, 0), (6, 3)));
+
+    let mut asked = place(4, 1);
+    asked["context"] = json!({ "includeDeclaration": true });
+    let uses = editor.of("references", asked).expect("places");
+    assert_eq!(uses.as_array().map(Vec::len), Some(3), "{uses}");
+
+    let prepared = editor.of("prepareRename", place(6, 9)).expect("a range");
+    assert_eq!(prepared, range((6, 8), (6, 12)));
+    let mut asked = place(6, 9);
+    asked["newName"] = json!("#120");
+    let renamed = editor.of("rename", asked).expect("edits");
+    assert_eq!(renamed["changes"][URI].as_array().map(Vec::len), Some(3), "{renamed}");
+    let mut asked = place(6, 9);
+    asked["newName"] = json!("depth");
+    let refused = editor.of("rename", asked).expect_err("a refusal");
+    assert!(refused.contains("`depth` is no name here"), "{refused}");
+
+    let hints = editor.of("inlayHint", json!({ "range": range((5, 0), (7, 0)) })).expect("hints");
+    let labels: Vec<&str> = hints
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(|hint| hint["label"].as_str())
+        .collect();
+    assert!(labels.contains(&"2 in") && labels.contains(&"4.7124 in"), "{labels:?}");
+
+    let tokens = editor.of("semanticTokens/full", json!({})).expect("tokens");
+    let full = tokens["data"].as_array().map_or(0, Vec::len);
+    let part = editor.of("semanticTokens/range", json!({ "range": range((6, 0), (7, 0)) }));
+    let part = part.expect("tokens")["data"].as_array().map_or(0, Vec::len);
+    assert!(full > part && part > 0 && full % 5 == 0, "{full} {part}");
+
+    let unknown = editor.of("foldingRange", json!({})).expect_err("a refusal");
+    assert!(unknown.contains("foldingRange"), "{unknown}");
+    let malformed = editor.ask("textDocument/hover", json!({ "where": 5 })).expect_err("a refusal");
+    assert!(malformed.contains("missing field"), "{malformed}");
+    editor.end();
+}
+
+#[test]
+fn texts_are_formatted_and_numbered() {
+    let mut editor = Editor::start(json!({}));
+    editor.open("G20G90\nG1X1.F20.\nN7 X2.\nGOTO7\nM30\n");
+    editor.problems(1);
+    let edits = editor
+        .of("formatting", json!({ "options": { "tabSize": 4, "insertSpaces": true } }))
+        .expect("edits");
+    let texts: Vec<&str> = edits
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(|edit| edit["newText"].as_str())
+        .collect();
+    assert_eq!(texts, ["G20 G90", "G1 X1. F20."]);
+    let all = json!({ "range": range((0, 0), (1, 0)), "context": { "diagnostics": [] } });
+    let actions = editor.of("codeAction", all).expect("actions");
+    let renumber = actions
+        .as_array()
+        .expect("a list")
+        .iter()
+        .find(|action| action["kind"] == "source.renumber.chordal")
+        .expect("renumbering is offered")
+        .clone();
+    assert!(renumber.get("edit").is_none(), "worked out when it is chosen");
+    let resolved = editor.ask("codeAction/resolve", renumber).expect("edits");
+    let edits = resolved["edit"]["changes"][URI].as_array().cloned().expect("a list");
+    let texts: Vec<&str> = edits.iter().filter_map(|edit| edit["newText"].as_str()).collect();
+    assert_eq!(texts, ["N10 ", "N20 ", "N30", "30", "N40 "]);
+    editor.end();
+}
+
+#[test]
+fn fixes_are_offered_where_they_belong() {
+    let mut editor = Editor::start(json!({}));
+    // A letter O for a zero, and nothing else.
+    editor.open("G20 G90\nG1 X1O.5 F20.\nM30\n");
+    let problems = editor.problems(1);
+    assert!(!problems.is_empty());
+    let at =
+        |line| json!({ "range": range((line, 0), (line, 9)), "context": { "diagnostics": [] } });
+    let fixes = |actions: &Value| {
+        let list = actions.as_array().cloned().expect("a list");
+        list.iter().filter(|action| action["kind"] == "quickfix").count()
+    };
+    let there = editor.of("codeAction", at(1)).expect("actions");
+    assert_eq!(fixes(&there), 1, "{there}");
+    let elsewhere = editor.of("codeAction", at(2)).expect("actions");
+    assert_eq!(fixes(&elsewhere), 0, "{elsewhere}");
+    editor.end();
+}
+
+#[test]
+fn the_settings_choose_the_machine() {
+    let mut editor = Editor::start(json!({ "machine": "fadal-4020" }));
+    editor.open("L100\nX1.\nM17\nM30\n");
+    editor.problems(1);
+    let hover = editor.of("hover", place(2, 1)).expect("a hover");
+    assert!(hover.to_string().contains("Fadal"), "{hover}");
+    let settings = json!({ "settings": { "chordal": { "machine": "no-such" } } });
+    editor.tell("workspace/didChangeConfiguration", settings);
+    let told = editor.problems(1);
+    assert_eq!(told[0]["message"], "there is no such machine");
+    let none = editor.of("hover", place(2, 1)).expect_err("a refusal");
+    assert!(none.contains("no machine"), "{none}");
+    editor.end();
+}
