@@ -48,7 +48,7 @@ impl Request {
     /// What a command line says, but for the machine.
     pub(crate) fn of(common: Common) -> Request {
         let Common { machine: _, set, tools, program, block_delete, max_blocks } = common;
-        Request { machine: None, control: None, set, tools, program, block_delete, max_blocks }
+        Request { set, tools, program, block_delete, max_blocks, ..Request::default() }
     }
 
     pub(crate) fn common(&self) -> Common {

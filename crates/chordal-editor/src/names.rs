@@ -313,12 +313,9 @@ impl<'a> Finder<'a> {
             let [(Mark::Word, jump), (mark, target)] = pair else { continue };
             let word = jump.slice(text).to_ascii_uppercase();
             let number = (*mark == Mark::Number).then(|| number_of(target.slice(text))).flatten();
-            match (word.as_slice(), number) {
-                (b"GOTO" | b"GO" | b"N", Some(number)) => {
-                    let name = Name::Label { program: self.index, number };
-                    self.note(name, *target, Role::Use);
-                }
-                _ => {}
+            let jumps = matches!(word.as_slice(), b"GOTO" | b"GO" | b"N");
+            if let Some(number) = number.filter(|_| jumps) {
+                self.note(Name::Label { program: self.index, number }, *target, Role::Use);
             }
         }
         self.line_labels(range);

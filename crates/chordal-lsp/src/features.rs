@@ -40,7 +40,7 @@ pub fn completions(program: &Program, place: Position) -> Vec<CompletionItem> {
             label: completion.text.clone(),
             detail: Some(completion.detail),
             documentation: (!completion.more.is_empty())
-                .then(|| Documentation::String(completion.more)),
+                .then_some(Documentation::String(completion.more)),
             kind: Some(match completion.kind {
                 CompletionKind::Code => CompletionItemKind::KEYWORD,
                 CompletionKind::Letter => CompletionItemKind::FIELD,

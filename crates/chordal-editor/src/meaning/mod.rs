@@ -26,7 +26,7 @@ pub struct View {
 impl View {
     /// As a machine has it.
     pub fn of(control: &Control) -> View {
-        View { table: control.table, parameters: control.parameters.clone() }
+        View { table: control.table, parameters: control.parameters }
     }
 
     /// All controls as they are without a machine's settings.
