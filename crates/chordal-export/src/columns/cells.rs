@@ -8,78 +8,88 @@ use arrow_array::{
     ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int8Array, Int16Array, StringArray,
     UInt32Array,
 };
-use arrow_buffer::{BooleanBufferBuilder, NullBufferBuilder, ScalarBuffer};
+use arrow_buffer::{NullBuffer, NullBufferBuilder};
 use arrow_schema::ArrowError;
 use chordal::SourceMap;
 
-/// Doubles. A gap is null, and NaN to who looks at the numbers alone.
+/// Values of which rows may have none.
 #[derive(Debug)]
-pub(super) struct Numbers {
-    values: Vec<f64>,
+struct Gaps<T> {
+    values: Vec<T>,
     nulls: NullBufferBuilder,
+    /// What lies where there is none.
+    gap: T,
 }
 
-impl Numbers {
-    pub fn new() -> Numbers {
-        Numbers { values: Vec::new(), nulls: NullBufferBuilder::new(0) }
+impl<T: Copy> Gaps<T> {
+    fn new(gap: T) -> Gaps<T> {
+        Gaps { values: Vec::new(), nulls: NullBufferBuilder::new(0), gap }
     }
 
-    /// The value of a row, where it is a number; rows before it that got none are gaps.
+    /// The value of a row; rows before it that got none are gaps.
     #[inline]
-    pub fn put(&mut self, row: usize, value: f64) {
-        if value.is_finite() {
-            self.fill(row);
-            self.values.push(value);
-            self.nulls.append_non_null();
-        }
-    }
-
-    pub fn take(&mut self, rows: usize) -> ArrayRef {
-        self.fill(rows);
-        let values = ScalarBuffer::from(std::mem::take(&mut self.values));
-        Arc::new(Float64Array::new(values, self.nulls.finish()))
-    }
-
-    #[inline]
-    fn fill(&mut self, rows: usize) {
-        let gaps = rows - self.values.len();
-        if gaps > 0 {
-            self.values.resize(rows, f64::NAN);
-            self.nulls.append_n_nulls(gaps);
-        }
-    }
-}
-
-/// Whole numbers from 0.
-#[derive(Debug)]
-pub(super) struct Integers {
-    values: Vec<u32>,
-    nulls: NullBufferBuilder,
-}
-
-impl Integers {
-    pub fn new() -> Integers {
-        Integers { values: Vec::new(), nulls: NullBufferBuilder::new(0) }
-    }
-
-    pub fn put(&mut self, row: usize, value: u32) {
+    fn put(&mut self, row: usize, value: T) {
         self.fill(row);
         self.values.push(value);
         self.nulls.append_non_null();
     }
 
-    pub fn take(&mut self, rows: usize) -> ArrayRef {
+    /// All rows, and which of them are gaps.
+    fn take(&mut self, rows: usize) -> (Vec<T>, Option<NullBuffer>) {
         self.fill(rows);
-        let values = ScalarBuffer::from(std::mem::take(&mut self.values));
-        Arc::new(UInt32Array::new(values, self.nulls.finish()))
+        (std::mem::take(&mut self.values), self.nulls.finish())
     }
 
+    #[inline]
     fn fill(&mut self, rows: usize) {
         let gaps = rows - self.values.len();
         if gaps > 0 {
-            self.values.resize(rows, 0);
+            self.values.resize(rows, self.gap);
             self.nulls.append_n_nulls(gaps);
         }
+    }
+}
+
+/// Doubles. A gap is null, and NaN to who looks at the numbers alone.
+#[derive(Debug)]
+pub(super) struct Numbers(Gaps<f64>);
+
+impl Numbers {
+    pub fn new() -> Numbers {
+        Numbers(Gaps::new(f64::NAN))
+    }
+
+    /// The value of a row, where it is a number.
+    #[inline]
+    pub fn put(&mut self, row: usize, value: f64) {
+        if value.is_finite() {
+            self.0.put(row, value);
+        }
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        let (values, nulls) = self.0.take(rows);
+        Arc::new(Float64Array::new(values.into(), nulls))
+    }
+}
+
+/// Whole numbers from 0.
+#[derive(Debug)]
+pub(super) struct Integers(Gaps<u32>);
+
+impl Integers {
+    pub fn new() -> Integers {
+        Integers(Gaps::new(0))
+    }
+
+    #[inline]
+    pub fn put(&mut self, row: usize, value: u32) {
+        self.0.put(row, value);
+    }
+
+    pub fn take(&mut self, rows: usize) -> ArrayRef {
+        let (values, nulls) = self.0.take(rows);
+        Arc::new(UInt32Array::new(values.into(), nulls))
     }
 }
 
@@ -87,21 +97,18 @@ impl Integers {
 #[derive(Debug)]
 pub(super) struct Words {
     words: &'static [&'static str],
-    keys: Vec<i8>,
-    nulls: NullBufferBuilder,
+    keys: Gaps<i8>,
 }
 
 impl Words {
     pub fn new(words: &'static [&'static str]) -> Words {
-        Words { words, keys: Vec::new(), nulls: NullBufferBuilder::new(0) }
+        Words { words, keys: Gaps::new(0) }
     }
 
     /// The word of a row, by its place in the set.
     #[inline]
     pub fn put(&mut self, row: usize, word: usize) {
-        self.fill(row);
-        self.keys.push(word as i8);
-        self.nulls.append_non_null();
+        self.keys.put(row, word as i8);
     }
 
     /// The word itself; one that is not of the set leaves a gap.
@@ -112,20 +119,10 @@ impl Words {
     }
 
     pub fn take(&mut self, rows: usize) -> Result<ArrayRef, ArrowError> {
-        self.fill(rows);
-        let keys = ScalarBuffer::from(std::mem::take(&mut self.keys));
-        let keys = Int8Array::new(keys, self.nulls.finish());
+        let (keys, nulls) = self.keys.take(rows);
+        let keys = Int8Array::new(keys.into(), nulls);
         let words = Arc::new(StringArray::from(self.words.to_vec()));
         Ok(Arc::new(DictionaryArray::<Int8Type>::try_new(keys, words)?))
-    }
-
-    #[inline]
-    fn fill(&mut self, rows: usize) {
-        let gaps = rows - self.keys.len();
-        if gaps > 0 {
-            self.keys.resize(rows, 0);
-            self.nulls.append_n_nulls(gaps);
-        }
     }
 }
 
@@ -158,35 +155,21 @@ impl<'a> Files<'a> {
 
 /// Yes and no.
 #[derive(Debug)]
-pub(super) struct Flags {
-    values: BooleanBufferBuilder,
-    nulls: NullBufferBuilder,
-}
+pub(super) struct Flags(Gaps<bool>);
 
 impl Flags {
     pub fn new() -> Flags {
-        Flags { values: BooleanBufferBuilder::new(0), nulls: NullBufferBuilder::new(0) }
+        Flags(Gaps::new(false))
     }
 
     #[inline]
     pub fn put(&mut self, row: usize, value: bool) {
-        self.fill(row);
-        self.values.append(value);
-        self.nulls.append_non_null();
+        self.0.put(row, value);
     }
 
     pub fn take(&mut self, rows: usize) -> ArrayRef {
-        self.fill(rows);
-        Arc::new(BooleanArray::new(self.values.finish(), self.nulls.finish()))
-    }
-
-    #[inline]
-    fn fill(&mut self, rows: usize) {
-        let gaps = rows - self.values.len();
-        if gaps > 0 {
-            self.values.append_n(gaps, false);
-            self.nulls.append_n_nulls(gaps);
-        }
+        let (values, nulls) = self.0.take(rows);
+        Arc::new(BooleanArray::new(values.into(), nulls))
     }
 }
 

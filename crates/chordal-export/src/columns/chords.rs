@@ -1,15 +1,14 @@
 //! Chords as columns.
 
 use std::io::{self, Write};
-use std::sync::Arc;
 
-use arrow_array::{RecordBatch, UInt32Array};
+use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::control::AxisMask;
 use chordal::geometry::{ChordError, ParamCurve, Placement, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
-use super::cells::{Files, Numbers, Words};
+use super::cells::{Files, Integers, Numbers, Words};
 use super::field::{Cell, Column, places, schema};
 use super::file::{ColumnFile, Rows};
 use super::path::{KINDS, kind_key};
@@ -24,10 +23,10 @@ pub struct ChordColumns<'a> {
     tolerance_mm: f64,
     placement: Placement,
     rows: usize,
-    line: Vec<u32>,
+    line: Integers,
     file: Files<'a>,
     kind: Words,
-    tool: Vec<u32>,
+    tool: Integers,
     numbers: [Numbers; 8],
 }
 
@@ -60,10 +59,10 @@ impl<'a> ChordColumns<'a> {
             tolerance_mm,
             placement,
             rows: 0,
-            line: Vec::new(),
+            line: Integers::new(),
             file: Files::of(job),
             kind: Words::new(KINDS),
-            tool: Vec::new(),
+            tool: Integers::new(),
             numbers: std::array::from_fn(|_| Numbers::new()),
         }
     }
@@ -98,10 +97,10 @@ impl<'a> ChordColumns<'a> {
         for (column, value) in self.numbers.iter_mut().zip(values) {
             column.put(self.rows, value);
         }
-        self.line.push(segment.origin.line);
+        self.line.put(self.rows, segment.origin.line);
         self.file.push(segment.origin.span.file);
         self.kind.put(self.rows, kind_key(segment.kind));
-        self.tool.push(segment.tool);
+        self.tool.put(self.rows, segment.tool);
         self.rows += 1;
     }
 }
@@ -117,12 +116,11 @@ impl Rows for ChordColumns<'_> {
 
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
-        let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
         let mut arrays = vec![
-            Arc::new(integers(&mut self.line)) as _,
+            self.line.take(rows),
             self.file.take()?,
             self.kind.take(rows)?,
-            Arc::new(integers(&mut self.tool)) as _,
+            self.tool.take(rows),
         ];
         arrays.extend(self.numbers.iter_mut().map(|column| column.take(rows)));
         RecordBatch::try_new(self.schema.clone(), arrays)

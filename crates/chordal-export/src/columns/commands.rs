@@ -1,8 +1,6 @@
 //! Commands as columns.
 
-use std::sync::Arc;
-
-use arrow_array::{RecordBatch, UInt32Array};
+use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::control::{ArcShape, AxisMask, Feed, FeedMode, Move, PathMode, Position, Units};
 use chordal::geometry::ParamCurve;
@@ -59,7 +57,7 @@ pub struct CommandColumns<'a> {
     axes: Vec<usize>,
     of_path: bool,
     rows: usize,
-    line: Vec<u32>,
+    line: Integers,
     file: Files<'a>,
     kind: Words,
     from: Vec<Numbers>,
@@ -152,7 +150,7 @@ impl<'a> CommandColumns<'a> {
             extended: job.control().table.extended_offset_code,
             of_path,
             rows: 0,
-            line: Vec::new(),
+            line: Integers::new(),
             file: Files::of(job),
             kind: Words::new(KINDS),
             from: numbers(),
@@ -206,7 +204,7 @@ impl<'a> CommandColumns<'a> {
             other => self.state(other),
         };
         self.kind.put_word(self.rows, kind);
-        self.line.push(command.origin.line);
+        self.line.put(self.rows, command.origin.line);
         self.file.push(command.origin.span.file);
         self.rows += 1;
     }
@@ -369,8 +367,7 @@ impl Rows for CommandColumns<'_> {
 
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
-        let lines = UInt32Array::from(std::mem::take(&mut self.line));
-        let mut arrays = vec![Arc::new(lines) as _, self.file.take()?, self.kind.take(rows)?];
+        let mut arrays = vec![self.line.take(rows), self.file.take()?, self.kind.take(rows)?];
         arrays.extend(self.from.iter_mut().map(|column| column.take(rows)));
         arrays.extend(self.to.iter_mut().map(|column| column.take(rows)));
         arrays.push(self.arc.plane.take(rows)?);

@@ -1,14 +1,12 @@
 //! The exact path as columns: enough to make every curve again.
 
-use std::sync::Arc;
-
-use arrow_array::{RecordBatch, UInt32Array};
+use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::control::AxisMask;
 use chordal::geometry::{Curve, ParamCurve, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
-use super::cells::{Files, Flags, Numbers, Words};
+use super::cells::{Files, Flags, Integers, Numbers, Words};
 use super::field::{Cell, Column, axes_of, of_axis, places, schema};
 use super::file::Rows;
 
@@ -32,10 +30,10 @@ pub struct PathColumns<'a> {
     schema: SchemaRef,
     axes: Vec<usize>,
     rows: usize,
-    line: Vec<u32>,
+    line: Integers,
     file: Files<'a>,
     kind: Words,
-    tool: Vec<u32>,
+    tool: Integers,
     known: Flags,
     from: Vec<Numbers>,
     to: Vec<Numbers>,
@@ -118,10 +116,10 @@ impl<'a> PathColumns<'a> {
         PathColumns {
             schema: schema(job, PATH_COLUMNS, &columns(axes), &[]),
             rows: 0,
-            line: Vec::new(),
+            line: Integers::new(),
             file: Files::of(job),
             kind: Words::new(KINDS),
-            tool: Vec::new(),
+            tool: Integers::new(),
             known: Flags::new(),
             from: numbers(),
             to: numbers(),
@@ -168,10 +166,10 @@ impl<'a> PathColumns<'a> {
         if segment.duration_s > 0.0 {
             self.seconds.put(row, segment.duration_s);
         }
-        self.line.push(segment.origin.line);
+        self.line.put(row, segment.origin.line);
         self.file.push(segment.origin.span.file);
         self.kind.put(row, kind_key(segment.kind));
-        self.tool.push(segment.tool);
+        self.tool.put(row, segment.tool);
         self.known.put(row, segment.known);
         self.rows += 1;
     }
@@ -188,12 +186,11 @@ impl Rows for PathColumns<'_> {
 
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
-        let integers = |values: &mut Vec<u32>| UInt32Array::from(std::mem::take(values));
         let mut arrays = vec![
-            Arc::new(integers(&mut self.line)) as _,
+            self.line.take(rows),
             self.file.take()?,
             self.kind.take(rows)?,
-            Arc::new(integers(&mut self.tool)) as _,
+            self.tool.take(rows),
             self.known.take(rows),
         ];
         let groups = [
