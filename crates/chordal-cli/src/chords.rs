@@ -5,14 +5,13 @@ use chordal::geometry::Placement;
 use chordal::machine::{Dimension, parse_quantity};
 use chordal::{Job, Segment};
 use chordal_export::ChordWriter;
-use chordal_export::columns::{ChordColumns, ColumnFile, ColumnFormat};
+use chordal_export::columns::{ChordColumns, ColumnFile};
 use clap::ValueEnum;
 
-use crate::commands::tell;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
-use crate::out::{Out, RowFormat, format_of, keep, trouble};
-use crate::session::load_one;
+use crate::out::{Format, Out, RowFormat, keep};
+use crate::rows::Output;
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
@@ -87,16 +86,16 @@ enum Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(out: Out, format: RowFormat, args: &Args, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
         let (tolerance, placement) = (args.tolerance, args.placement.inside());
-        let columns = |out, format| {
-            let file = ColumnFile::new(out, format, ChordColumns::new(job, tolerance, placement))?;
-            Ok(Writer::Columns(Box::new(file)))
-        };
-        match format {
-            RowFormat::Csv => ChordWriter::csv(out, tolerance, placement).map(Writer::Text),
-            RowFormat::Jsonl => ChordWriter::jsonl(out, tolerance, placement).map(Writer::Text),
-            RowFormat::Parquet => columns(out, ColumnFormat::Parquet),
-            RowFormat::Arrow => columns(out, ColumnFormat::Arrow),
+        if let Some(format) = format.columns() {
+            let rows = ChordColumns::new(job, tolerance, placement);
+            let file = ColumnFile::new(out, format, rows)?;
+            return Ok(Writer::Columns(Box::new(file)));
         }
+        let text = match format {
+            RowFormat::Jsonl => ChordWriter::jsonl(out, tolerance, placement),
+            _ => ChordWriter::csv(out, tolerance, placement),
+        };
+        text.map(Writer::Text)
     }
 
     fn segment(&mut self, segment: &Segment) -> io::Result<()> {
@@ -115,17 +114,14 @@ impl<'a> Writer<'a> {
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let path = args.output.as_deref();
-    let format = format_of(args.format, path, RowFormat::Csv, "chords")?;
-    let out = Out::open(path, &args.file, format)?;
-    let loaded = load_one(&args.file, &args.common)?;
-    let job = loaded.job()?;
-    let told = |error| trouble(path, error);
-    let mut writer = Writer::new(out, format, args, &job).map_err(told)?;
-    let mut done = Ok(());
-    let report = job.report_with(|_, segments| {
-        keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
-    });
-    done.and_then(|()| writer.finish()).map_err(told)?.put()?;
-    Ok(tell(&report, &loaded, &job, terminal))
+    let output = Output::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
+    output.write(&args.file, &args.common, terminal, |job, out, format| {
+        let mut writer = Writer::new(out, format, args, job)?;
+        let mut done = Ok(());
+        let report = job.report_with(|_, segments| {
+            keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
+        });
+        done?;
+        Ok((report, writer.finish()?))
+    })
 }

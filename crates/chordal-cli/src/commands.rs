@@ -1,15 +1,16 @@
 use std::io;
 use std::path::PathBuf;
 
-use chordal::{Command, Job, Report, Severity};
-use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns};
-use chordal_export::{Canon, CommandCsv, CommandJsonLines, report};
+use chordal::{Command, Job};
+use chordal_export::Canon;
+use chordal_export::columns::ColumnFormat;
 use clap::ValueEnum;
 
+use crate::command_rows::CommandRows;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
-use crate::out::{self, Out, keep, trouble};
-use crate::session::{Loaded, load_one};
+use crate::out::{self, Out, RowFormat, keep};
+use crate::rows::Output;
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
@@ -57,75 +58,60 @@ enum Format {
     Arrow,
 }
 
-impl out::Format for Format {
-    fn columns(self) -> Option<ColumnFormat> {
+impl Format {
+    /// The format that a path has, too; `None` for canonical text.
+    fn rows(self) -> Option<RowFormat> {
         match self {
-            Format::Jsonl | Format::Canon | Format::Csv => None,
-            Format::Parquet => Some(ColumnFormat::Parquet),
-            Format::Arrow => Some(ColumnFormat::Arrow),
+            Format::Jsonl => Some(RowFormat::Jsonl),
+            Format::Canon => None,
+            Format::Csv => Some(RowFormat::Csv),
+            Format::Parquet => Some(RowFormat::Parquet),
+            Format::Arrow => Some(RowFormat::Arrow),
         }
     }
 }
 
+impl out::Format for Format {
+    fn columns(self) -> Option<ColumnFormat> {
+        self.rows().and_then(out::Format::columns)
+    }
+}
+
 enum Writer<'a> {
-    Jsonl(CommandJsonLines<'a, Out>),
+    Rows(CommandRows<'a>),
     Canon(Canon<'a, Out>),
-    Csv(Box<CommandCsv<Out>>),
-    Columns(Box<ColumnFile<Out, CommandColumns<'a>>>),
 }
 
 impl<'a> Writer<'a> {
     fn new(out: Out, format: Format, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let columns = |out, format| {
-            let file = ColumnFile::new(out, format, CommandColumns::new(job))?;
-            Ok(Writer::Columns(Box::new(file)))
-        };
-        match format {
-            Format::Jsonl => Ok(Writer::Jsonl(CommandJsonLines::new(out, job)?)),
-            Format::Canon => Ok(Writer::Canon(Canon::new(out, job)?)),
-            Format::Csv => Ok(Writer::Csv(Box::new(CommandCsv::new(out, job)?))),
-            Format::Parquet => columns(out, ColumnFormat::Parquet),
-            Format::Arrow => columns(out, ColumnFormat::Arrow),
+        match format.rows() {
+            Some(format) => CommandRows::new(out, format, job, false).map(Writer::Rows),
+            None => Canon::new(out, job).map(Writer::Canon),
         }
     }
 
     fn command(&mut self, command: &Command) -> io::Result<()> {
         match self {
-            Writer::Jsonl(out) => out.command(command),
+            Writer::Rows(out) => out.command(command),
             Writer::Canon(out) => out.command(command),
-            Writer::Csv(out) => out.command(command),
-            Writer::Columns(out) => out.put(|rows| rows.command(command)),
         }
     }
 
     fn finish(self) -> io::Result<Out> {
         match self {
-            Writer::Jsonl(out) => out.finish(),
+            Writer::Rows(out) => out.finish(),
             Writer::Canon(out) => out.finish(),
-            Writer::Csv(out) => out.finish(),
-            Writer::Columns(out) => out.finish(),
         }
     }
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let path = args.output.as_deref();
-    let format = out::format_of(args.format, path, Format::Jsonl, "commands")?;
-    let out = Out::open(path, &args.file, format)?;
-    let loaded = load_one(&args.file, &args.common)?;
-    let job = loaded.job()?;
-    let told = |error| trouble(path, error);
-    let mut writer = Writer::new(out, format, &job).map_err(told)?;
-    let mut done = Ok(());
-    let report = job.report_of_commands(|command| keep(&mut done, || writer.command(command)));
-    done.and_then(|()| writer.finish()).map_err(told)?.put()?;
-    Ok(tell(&report, &loaded, &job, terminal))
-}
-
-/// What was recognized, and the problems, on standard error, where they are in nobody's way.
-pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: Terminal) -> Verdict {
-    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
-    terminal.tell(&told.unwrap_or_default());
-    terminal.tell(&report::text(report, job.sources(), terminal.err));
-    if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
+    let output = Output::of(args.output.as_deref(), args.format, Format::Jsonl, "commands")?;
+    output.write(&args.file, &args.common, terminal, |job, out, format| {
+        let mut writer = Writer::new(out, format, job)?;
+        let mut done = Ok(());
+        let report = job.report_of_commands(|command| keep(&mut done, || writer.command(command)));
+        done?;
+        Ok((report, writer.finish()?))
+    })
 }

@@ -1,15 +1,10 @@
-use std::io;
 use std::path::PathBuf;
 
-use chordal::{Job, PathCommand};
-use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns};
-use chordal_export::{CommandCsv, CommandJsonLines};
-
-use crate::commands::tell;
+use crate::command_rows::CommandRows;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
-use crate::out::{Out, RowFormat, format_of, keep, trouble};
-use crate::session::load_one;
+use crate::out::{RowFormat, keep};
+use crate::rows::Output;
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
@@ -45,53 +40,13 @@ pub struct Args {
     common: Common,
 }
 
-enum Writer<'a> {
-    Jsonl(CommandJsonLines<'a, Out>),
-    Csv(Box<CommandCsv<Out>>),
-    Columns(Box<ColumnFile<Out, CommandColumns<'a>>>),
-}
-
-impl<'a> Writer<'a> {
-    fn new(out: Out, format: RowFormat, job: &'a Job<'a>) -> io::Result<Writer<'a>> {
-        let columns = |out, format| {
-            let file = ColumnFile::new(out, format, CommandColumns::of_path(job))?;
-            Ok(Writer::Columns(Box::new(file)))
-        };
-        match format {
-            RowFormat::Jsonl => Ok(Writer::Jsonl(CommandJsonLines::new(out, job)?)),
-            RowFormat::Csv => Ok(Writer::Csv(Box::new(CommandCsv::of_path(out, job)?))),
-            RowFormat::Parquet => columns(out, ColumnFormat::Parquet),
-            RowFormat::Arrow => columns(out, ColumnFormat::Arrow),
-        }
-    }
-
-    fn command(&mut self, path: PathCommand<'_>) -> io::Result<()> {
-        match self {
-            Writer::Jsonl(out) => out.path_command(path),
-            Writer::Csv(out) => out.path_command(path),
-            Writer::Columns(out) => out.put(|rows| rows.path_command(path)),
-        }
-    }
-
-    fn finish(self) -> io::Result<Out> {
-        match self {
-            Writer::Jsonl(out) => out.finish(),
-            Writer::Csv(out) => out.finish(),
-            Writer::Columns(out) => out.finish(),
-        }
-    }
-}
-
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let path = args.output.as_deref();
-    let format = format_of(args.format, path, RowFormat::Jsonl, "a path")?;
-    let out = Out::open(path, &args.file, format)?;
-    let loaded = load_one(&args.file, &args.common)?;
-    let job = loaded.job()?;
-    let told = |error| trouble(path, error);
-    let mut writer = Writer::new(out, format, &job).map_err(told)?;
-    let mut done = Ok(());
-    let report = job.report_of_path(|path, _| keep(&mut done, || writer.command(path)));
-    done.and_then(|()| writer.finish()).map_err(told)?.put()?;
-    Ok(tell(&report, &loaded, &job, terminal))
+    let output = Output::of(args.output.as_deref(), args.format, RowFormat::Jsonl, "a path")?;
+    output.write(&args.file, &args.common, terminal, |job, out, format| {
+        let mut writer = CommandRows::new(out, format, job, true)?;
+        let mut done = Ok(());
+        let report = job.report_of_path(|path, _| keep(&mut done, || writer.path_command(path)));
+        done?;
+        Ok((report, writer.finish()?))
+    })
 }

@@ -12,9 +12,9 @@ use chordal_export::{PlotOptions, TimeDocument, time_json};
 use clap::ValueEnum;
 
 use self::picture::Picture;
-use crate::commands::tell;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
+use crate::rows::tell;
 use crate::session::load_one;
 use crate::summary::subtitle;
 use crate::terminal::{Terminal, say};
