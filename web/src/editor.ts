@@ -46,6 +46,27 @@ export interface Told {
   /** The cursor is on a line, put there by the user or by [`Editor.goTo`]. */
   cursor: (line: number, byUser: boolean) => void;
   save: () => void;
+  /** Where what stands at a line and a column is made is to be shown. */
+  definition: (line: number, column: number) => void;
+}
+
+/** Characters that are taken apart in one go: some milliseconds. */
+const PIECE = 1 << 20;
+
+/** A text by its lines, without keeping the page busy; nothing once it is no longer wanted. */
+export async function textOf(text: string, isWanted: () => boolean): Promise<Text | undefined> {
+  let made = Text.empty;
+  for (let from = 0; from < text.length; ) {
+    const end = text.indexOf("\n", from + PIECE);
+    const to = end < 0 ? text.length : end;
+    // From the second piece on the first line is the empty one before its line end.
+    made = made.append(Text.of(text.slice(from, to).split("\n")));
+    from = to;
+    if (to === text.length) break;
+    await new Promise((next) => setTimeout(next));
+    if (!isWanted()) return undefined;
+  }
+  return isWanted() ? made : undefined;
 }
 
 /** How long nobody must type before the text is run, ms. */
@@ -81,6 +102,7 @@ export class Editor {
   private timer = 0;
   private silent = false;
   private problems: Problem[] = [];
+  private texts = 0;
   dirty = false;
   onDirty: (dirty: boolean) => void = () => {};
 
@@ -89,17 +111,19 @@ export class Editor {
     private told: Told,
     private more: import("@codemirror/state").Extension = [],
   ) {
-    this.view = new EditorView({ parent, state: this.stateOf(Text.empty) });
+    // Nothing may be typed before the text is there.
+    this.view = new EditorView({ parent, state: this.stateOf(Text.empty, true) });
     // A long line is scrolled to with the keyboard, too.
     this.view.scrollDOM.tabIndex = 0;
   }
 
-  private stateOf(doc: Text): EditorState {
+  private stateOf(doc: Text, readOnly = false): EditorState {
     const nonce = document.querySelector<HTMLMetaElement>("meta[name=csp-nonce]")?.content ?? "";
     return EditorState.create({
       doc,
       extensions: [
         EditorView.cspNonce.of(nonce),
+        EditorState.readOnly.of(readOnly),
         lineNumbers(),
         history(),
         drawSelection(),
@@ -114,11 +138,20 @@ export class Editor {
         keymap.of([
           { key: "Mod-s", run: () => (this.told.save(), true), preventDefault: true },
           { key: "F8", run: nextDiagnostic },
+          { key: "F12", run: (view) => (this.askDefinition(view.state.selection.main.head), true) },
           ...searchKeymap,
           ...historyKeymap,
           ...defaultKeymap,
         ]),
         this.more,
+        EditorView.domEventHandlers({
+          mousedown: (event, view) => {
+            const at = event.ctrlKey || event.metaKey ? view.posAtCoords(event) : null;
+            if (at === null) return false;
+            this.askDefinition(at);
+            return true;
+          },
+        }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged && !this.silent) this.changed(update.changes);
           if (update.selectionSet || update.docChanged) {
@@ -128,6 +161,12 @@ export class Editor {
         }),
       ],
     });
+  }
+
+  private askDefinition(at: number): void {
+    const line = this.view.state.doc.lineAt(at);
+    this.flush();
+    this.told.definition(line.number, at - line.from);
   }
 
   private changed(changes: ChangeSet): void {
@@ -151,16 +190,16 @@ export class Editor {
     this.onDirty(dirty);
   }
 
-  /** The server's text instead of what is here. */
-  setText(text: string): void {
+  /** The server's text instead of what is here; of two that come one after the other the last. */
+  async setText(text: string): Promise<void> {
     this.pending = undefined;
+    const number = ++this.texts;
+    const doc = await textOf(text, () => number === this.texts);
+    if (!doc) return;
     this.silent = true;
-    const { head } = this.view.state.selection.main;
-    const line = this.view.state.doc.lineAt(head).number;
-    this.view.setState(this.stateOf(Text.of(text.split("\n"))));
-    const doc = this.view.state.doc;
-    const at = doc.line(Math.min(line, doc.lines)).from;
-    this.view.dispatch({ selection: { anchor: at } });
+    const line = this.line;
+    this.view.setState(this.stateOf(doc));
+    this.view.dispatch({ selection: { anchor: doc.line(Math.min(line, doc.lines)).from } });
     this.silent = false;
     this.setDirty(false);
     this.setProblems(this.problems);

@@ -1,6 +1,7 @@
 // What stands still beside the path: zeros of work offsets, the box that the machine can reach.
 
 import { BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
+import { corner } from "./fit";
 import type { Bounds, Vec3 } from "./path";
 import { geometryOf } from "./strokes";
 
@@ -40,11 +41,10 @@ export class Fixed {
   }
 }
 
-export function boxLines({ low, high }: Bounds): Float32Array {
-  const corner = (bits: number) => [0, 1, 2].map((axis) => (bits & (1 << axis) ? high : low)[axis]!);
+function boxLines(box: Bounds): Float32Array {
   const points: number[] = [];
   for (let bits = 0; bits < 8; bits++) {
-    for (const axis of [1, 2, 4]) if (!(bits & axis)) points.push(...corner(bits), ...corner(bits | axis));
+    for (const axis of [1, 2, 4]) if (!(bits & axis)) points.push(...corner(box, bits), ...corner(box, bits | axis));
   }
   return new Float32Array(points);
 }

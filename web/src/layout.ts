@@ -8,10 +8,11 @@ import type { Section, ViewName } from "./scene";
 import { sectionControls } from "./section";
 import { type Units, coordinate, counted, speed } from "./units";
 
-export type PanelName = "problems" | "state" | "times";
+export type PanelName = "problems" | "outline" | "state" | "times";
 
 const PANELS: [PanelName, string][] = [
   ["problems", "Problems"],
+  ["outline", "Outline"],
   ["state", "In force"],
   ["times", "Times"],
 ];

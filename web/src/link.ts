@@ -1,6 +1,7 @@
 // The connection to the server: requests as JSON, answers as JSON and frames of columns.
 
 import { type Frame, readFrame } from "./frame";
+import type { Meaning } from "./words";
 
 export interface Place {
   file: string;
@@ -66,6 +67,8 @@ export interface Report {
 }
 
 export interface Modal {
+  /** The codes in force by the control's own numbers. */
+  codes?: string[];
   inch: boolean;
   plane: string;
   feed_mode: "per_minute" | "inverse_time" | "per_revolution";
@@ -102,6 +105,15 @@ export interface Times {
   assumed: number;
 }
 
+/** A program, a tool, an operation or a place of the outline. */
+export interface Entry {
+  name: string;
+  detail: string;
+  kind: string;
+  line: number;
+  children: Entry[];
+}
+
 export type Told =
   | { type: "hello"; name: string; writable: boolean; machines: { name: string; title: string }[] }
   | { type: "run"; run: number; machine: MachineInfo; why: string | null }
@@ -110,6 +122,10 @@ export type Told =
   | ({ type: "times" } & Times)
   | { type: "no_times"; run: number; message: string }
   | { type: "state"; id: number; state: Modal | null }
+  | { type: "tokens"; id: number; classes: string[]; tokens: number[] }
+  | { type: "hover"; id: number; hover: Meaning | null }
+  | { type: "definition"; id: number; place: { line: number; column: number } | null }
+  | { type: "outline"; id: number; entries: Entry[] }
   | { type: "saved"; id: number }
   | { type: "conflict"; id: number }
   | { type: "changed" }

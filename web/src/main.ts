@@ -7,13 +7,14 @@ import { Editor } from "./editor";
 import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
 import { drawAxes } from "./axes";
-import { Link, type MachineInfo, type Modal, type Report, type Times, type Told } from "./link";
+import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
 import { someRows } from "./lines";
-import { showProblems, showState, showTimes } from "./panels";
+import { showOutline, showProblems, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import { PathView, type ViewName } from "./scene";
 import { Timeline } from "./timeline";
+import { askWords, words } from "./words";
 import { count, counted, length } from "./units";
 
 const ui = layout(document.querySelector<HTMLElement>("#app")!);
@@ -28,8 +29,6 @@ let times: Times | undefined;
 let timesMessage: string | undefined;
 let setpoints: Setpoints | undefined;
 let comparing = false;
-let modal: Modal | undefined;
-let asked = 0;
 let row = 0;
 
 const isDark = () =>
@@ -44,7 +43,18 @@ const editor = new Editor(ui.code, {
   typed: (changes) => link.tell("edit", { changes }),
   cursor: (line, byUser) => byUser && cursorAt(line),
   save: () => void save(false),
-});
+  definition: (line, column) => void goToDefinition(line, column),
+}, words({
+  tokens: async (from, to) => {
+    const told = await link.ask("tokens", { from, to });
+    return told.type === "tokens" ? told : undefined;
+  },
+  meaning: async (line, column) => {
+    editor.flush();
+    const told = await link.ask("hover", { line, column });
+    return told.type === "hover" ? (told.hover ?? undefined) : undefined;
+  },
+}));
 const link = new Link(take, takeFrame, () => {
   ui.tell("error", "Chordal has ended or the connection broke. Start chordal view again; what was typed since the last save is still here to copy.");
 });
@@ -101,10 +111,19 @@ function goTo(line: number): void {
   cursorAt(line);
 }
 
+async function goToDefinition(line: number, column: number): Promise<void> {
+  const told = await link.ask("definition", { line, column });
+  if (told.type !== "definition") return;
+  if (!told.place) return ui.tell("note", "Nothing in this text makes what stands here.");
+  editor.goTo(told.place.line, told.place.column, true);
+  cursorAt(told.place.line);
+}
+
 function begin(told: Extract<Told, { type: "run" }>): void {
   run = told.run;
   former = comparing && report ? { path, machine: machine?.title ?? "" } : undefined;
   machine = told.machine;
+  askWords(editor.view);
   ui.machineWhy(told.machine.title, told.why);
   path = new Path();
   started = false;
@@ -131,7 +150,7 @@ function takeFrame(frame: Frame): void {
   const { header } = frame;
   switch (header.type) {
     case "text":
-      editor.setText(new TextDecoder().decode(u8(frame, "text")));
+      void editor.setText(new TextDecoder().decode(u8(frame, "text")));
       if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
       else if (header.mixed_endings) ui.tell("note", "Lines of the file end in several ways; saving makes them one.");
       break;
@@ -194,6 +213,7 @@ function finish(told: Report): void {
   editor.setProblems(told.diagnostics);
   tellProblems();
   tellTimes();
+  void tellOutline();
   if (setpoints) timeline.set(setpoints, { inch: told.inch });
   compare();
   cursorAt(editor.line);
@@ -256,6 +276,13 @@ function tellProblems(): void {
   });
 }
 
+/** The outline, where it is looked at. */
+async function tellOutline(): Promise<void> {
+  if (ui.shown() !== "outline") return;
+  const told = await link.ask("outline");
+  if (told.type === "outline") showOutline(ui.panels.outline, told.entries, goTo);
+}
+
 function tellTimes(): void {
   showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), tool), goTo);
 }
@@ -269,20 +296,29 @@ function cursorAt(line: number): void {
   void tellState(done, line);
 }
 
+/** One question at a time: of those that come meanwhile only the last is asked. */
+let stateAsked = false;
+let stateNext: [number, number] | undefined;
 async function tellState(done: number, line: number): Promise<void> {
-  if (!report || ui.shown() !== "state") {
-    asked++;
+  if (!report || ui.shown() !== "state") return;
+  if (stateAsked) {
+    stateNext = [done, line];
     return;
   }
-  const mine = ++asked;
+  stateAsked = true;
   const told = await link.ask("state", { done, line });
-  if (mine !== asked || told.type !== "state") return;
-  modal = told.state ?? undefined;
+  stateAsked = false;
+  if (stateNext) {
+    const next = stateNext;
+    stateNext = undefined;
+    return tellState(...next);
+  }
+  if (told.type !== "state") return;
   const found = done > 0 ? path.find(done - 1) : undefined;
   const end = done > 0 ? path.pointOn(done - 1, 1) : undefined;
   const at = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
   const kind = found && path.rowsOfLine(line) ? kindOf(found[0].kind[found[1]]!) : undefined;
-  showState(ui.panels.state, modal, at, { line, kind, feed: found?.[0].feed[found[1]] });
+  showState(ui.panels.state, told.state ?? undefined, at, { line, kind });
 }
 
 /** The tool stands at a share of a row. */
@@ -388,7 +424,10 @@ ui.onTheme = () => {
   timeline.draw();
   tellTimes();
 };
-ui.onPanel = () => cursorAt(editor.line);
+ui.onPanel = () => {
+  cursorAt(editor.line);
+  void tellOutline();
+};
 ui.onChords = askChords;
 ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
 ui.travel.addEventListener("change", () => view.showTravel(ui.travel.checked));

@@ -1,6 +1,6 @@
 // The panels beside the path: problems, what is in force, times.
 
-import type { MachineInfo, Modal, Problem, Report, Times } from "./link";
+import type { Entry, MachineInfo, Modal, Problem, Report, Times } from "./link";
 import type { Vec3 } from "./path";
 import { type Units, coordinate, count, counted, duration, length, speed } from "./units";
 
@@ -54,6 +54,36 @@ export function showProblems(
   for (const line of report.output.slice(0, 50)) root.append(element("p", "output", line));
 }
 
+/** Entries that are shown; a text with more is one of numbers. */
+const MOST_ENTRIES = 2_000;
+
+/** Programs, in them tools, in those operations: each goes to its line. */
+export function showOutline(root: HTMLElement, entries: Entry[] | undefined, go: (line: number) => void): void {
+  root.replaceChildren();
+  if (!entries || entries.length === 0) {
+    root.append(element("p", "clean", entries ? "Nothing that an outline could name." : "Reading…"));
+    return;
+  }
+  let left = MOST_ENTRIES;
+  const list = (of: Entry[]): HTMLUListElement => {
+    const made = element("ul", "outline");
+    for (const entry of of) {
+      if (left-- <= 0) break;
+      const item = element("li");
+      const button = element("button", `entry ${entry.kind}`);
+      button.type = "button";
+      button.append(element("span", "", entry.name), element("span", "where", `line ${count(entry.line)}`));
+      if (entry.detail) button.append(element("span", "help", entry.detail));
+      button.addEventListener("click", () => go(entry.line));
+      item.append(button);
+      if (entry.children.length > 0) item.append(list(entry.children));
+      made.append(item);
+    }
+    return made;
+  };
+  root.append(list(entries));
+}
+
 function row(table: HTMLTableElement, name: string, value: string): void {
   const line = table.insertRow();
   const head = document.createElement("th");
@@ -69,7 +99,7 @@ export function showState(
   root: HTMLElement,
   modal: Modal | undefined,
   at: Vec3 | undefined,
-  now: { line: number; kind: number | undefined; feed: number | undefined } | undefined,
+  now: { line: number; kind: number | undefined } | undefined,
 ): void {
   root.replaceChildren();
   if (!modal) {
@@ -79,6 +109,7 @@ export function showState(
   const units = { inch: modal.inch };
   const table = element("table");
   if (now) row(table, "After line", count(now.line));
+  if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
     const [x, y, z] = at.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
     row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}`);

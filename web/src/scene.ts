@@ -22,6 +22,7 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { Coarse } from "./coarse";
 import { type ColorBy, type Palette, colorOf } from "./colors";
+import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn, nearest, someRows } from "./lines";
 import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
@@ -113,8 +114,8 @@ export class PathView {
   private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
   private measured = new LineSegments2();
   private measuredMaterial = new LineMaterial({ linewidth: 2, depthTest: false });
-  /** How long the last frames took, ms: for measurements. */
-  frames: number[] = [];
+  /** Frames that were drawn: for measurements. */
+  drawnFrames = 0;
   onDrawn: () => void = () => {};
 
   constructor(
@@ -310,7 +311,7 @@ export class PathView {
   setFixed(zeros: Vec3[], travel: Bounds | undefined): void {
     const own = this.path.origin;
     const box = travel && { low: difference(travel.low, own), high: difference(travel.high, own) };
-    const size = this.path.bounds ? Math.max(...extent(this.path.bounds)) / 12 || 1 : 10;
+    const size = longest(this.path.bounds, 120) / 12;
     this.fixed.set(zeros.map((zero) => difference(zero, own)), box, size);
     this.render();
   }
@@ -351,8 +352,7 @@ export class PathView {
   }
 
   shapeTool(diameter: number | null, length: number | null, corner: number | null): void {
-    const size = this.path.bounds ? Math.max(...extent(this.path.bounds)) : 50;
-    this.tool.shape(diameter, length, corner, size);
+    this.tool.shape(diameter, length, corner, longest(this.path.bounds, 50));
     this.render();
   }
 
@@ -484,7 +484,7 @@ export class PathView {
       this.camera.updateMatrixWorld();
     };
     look(center);
-    const [left, right, bottom, top] = this.edges(low, high);
+    const [left, right, bottom, top] = this.edges({ low, high });
     const m = this.camera.matrixWorld.elements;
     center
       .addScaledVector(new Vector3(m[0]!, m[1]!, m[2]!), (left + right) / 2)
@@ -510,32 +510,17 @@ export class PathView {
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
 
-  /** Left, right, bottom and top of what is drawn as the camera looks, mm from its target. */
-  private edges(low: Vec3, high: Vec3): [number, number, number, number] {
-    const edges: [number, number, number, number] = [Infinity, -Infinity, Infinity, -Infinity];
-    const m = this.camera.matrixWorldInverse.elements;
-    const see = (points: ArrayLike<number>, step: number) => {
-      for (let at = 0; at + 2 < points.length; at += step) {
-        const [px, py, pz] = [points[at]!, points[at + 1]!, points[at + 2]!];
-        const x = m[0]! * px + m[4]! * py + m[8]! * pz + m[12]!;
-        const y = m[1]! * px + m[5]! * py + m[9]! * pz + m[13]!;
-        if (x < edges[0]) edges[0] = x;
-        if (x > edges[1]) edges[1] = x;
-        if (y < edges[2]) edges[2] = y;
-        if (y > edges[3]) edges[3] = y;
-      }
-    };
+  /** What is drawn takes of the view, mm from the camera's target. */
+  private edges(box: Bounds): Edges {
+    const extent = new Extent(this.camera.matrixWorldInverse.elements);
     // Of a long path some points tell enough.
     const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
     for (const { lines } of this.drawnBatches) {
-      see(lines.cuts.points, step);
-      see(lines.rapids.points, 3);
+      extent.add(lines.cuts.points, step);
+      extent.add(lines.rapids.points);
     }
-    const wholeBox = edges[0] > edges[1] || this.ghost.children.length > 0;
-    if (wholeBox) {
-      for (let bits = 0; bits < 8; bits++) see([0, 1, 2].map((axis) => (bits & (1 << axis) ? high : low)[axis]!), 3);
-    }
-    return edges;
+    if (extent.isEmpty || this.ghost.children.length > 0) extent.addBox(box);
+    return extent.edges;
   }
 
   /** World length of a pixel, mm. */
@@ -623,10 +608,8 @@ export class PathView {
       this.rapidMaterial.gapSize = 4 * pixel;
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
-      const before = performance.now();
       this.renderer.render(this.scene, this.camera);
-      this.frames.push(performance.now() - before);
-      if (this.frames.length > 500) this.frames.splice(0, 250);
+      this.drawnFrames++;
       this.onDrawn();
     });
   }
@@ -640,12 +623,4 @@ function remove(object: LineSegments | undefined): void {
 
 function empty(group: Group): void {
   for (const object of [...group.children]) remove(object as LineSegments);
-}
-
-function difference(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-export function extent({ low, high }: Bounds): Vec3 {
-  return [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
 }

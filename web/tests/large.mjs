@@ -3,6 +3,7 @@
 // Prints when the first lines of the path were drawn, when all of them were, how long a frame takes
 // while the view turns, what the page holds, and how long it was busy without a break.
 
+import { readFileSync, readdirSync } from "node:fs";
 import { performance } from "node:perf_hooks";
 import { browser, picture, serve } from "./browser.mjs";
 
@@ -22,7 +23,7 @@ const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
 const server = await serve(file);
 console.log(`address        ${since()}`);
 await page.goto(server.url, { waitUntil: "commit" });
-await page.waitForFunction(() => window.chordal?.path().rows > 0 && window.chordal.view.frames.length > 0, null, { polling: 20 });
+await page.waitForFunction(() => window.chordal?.path().rows > 0 && window.chordal.view.drawnFrames > 0, null, { polling: 20 });
 console.log(`first picture  ${since()}  (${await page.evaluate(() => window.chordal.path().rows)} rows)`);
 await page.waitForFunction(() => window.chordal.report(), null, { polling: 50, timeout: 120_000 });
 console.log(`whole path     ${since()}  (${await page.evaluate(() => window.chordal.path().rows)} rows)`);
@@ -32,6 +33,27 @@ await page.waitForFunction(() => window.chordal.setpoints(), null, { polling: 10
 console.log(`times          ${since()}`);
 console.log(`longest task   ${(await page.evaluate(() => window.longest)).toFixed(0)} ms`);
 await picture(page, "million");
+
+// What Chromium's drawing and page processes have used of a processor, s: other load does not count.
+function processorSeconds(type) {
+  const stat = (pid) => readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").pop().split(" ");
+  const isOurs = (pid) => {
+    for (let at = pid; at > 1; at = Number(stat(at)[1])) if (at === process.pid) return true;
+    return false;
+  };
+  let seconds = 0;
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(Number)) {
+    try {
+      if (!readFileSync(`/proc/${pid}/cmdline`, "utf8").includes(`--type=${type}`) || !isOurs(pid)) continue;
+      const fields = stat(pid);
+      seconds += (Number(fields[11]) + Number(fields[12])) / 100;
+    } catch {
+      // It has ended meanwhile.
+    }
+  }
+  return seconds;
+}
+const used = () => [processorSeconds("gpu-process"), processorSeconds("renderer")];
 
 // Turning: frames between two animation callbacks, what the graphics card does included.
 const box = await page.locator("canvas.path").boundingBox();
@@ -45,12 +67,16 @@ await page.evaluate(() => {
   };
   window.counting = requestAnimationFrame(count);
 });
+const frames = () => page.evaluate(() => window.chordal.view.drawnFrames);
+const [before, framesBefore] = [used(), await frames()];
 const turning = performance.now();
 let step = 0;
 while (performance.now() - turning < 5000) {
   step++;
   await page.mouse.move(box.x + box.width / 2 + 150 * Math.sin(step / 20), box.y + box.height / 2 + 60 * Math.cos(step / 25));
 }
+const drawn = (await frames()) - framesBefore;
+const each = used().map((seconds, index) => ((seconds - before[index]) / drawn) * 1000);
 await picture(page, "million-turning");
 const turns = await page.evaluate(() => {
   cancelAnimationFrame(window.counting);
@@ -60,6 +86,7 @@ await page.mouse.up();
 const gaps = turns.slice(1).map((at, index) => at - turns[index]).sort((a, b) => a - b);
 const mean = (turns.at(-1) - turns[0]) / gaps.length;
 console.log(`turning        ${(1000 / mean).toFixed(0)} frames/s, the slowest of twenty ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms`);
+console.log(`a frame        ${each[0].toFixed(1)} ms of a processor to draw, ${each[1].toFixed(1)} ms in the page (${drawn} frames)`);
 const metrics = await chromium.context.newCDPSession(page).then(async (session) => {
   await session.send("HeapProfiler.enable");
   await session.send("HeapProfiler.collectGarbage");

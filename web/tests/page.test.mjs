@@ -277,3 +277,44 @@ test("an accessibility check finds nothing serious, light and dark", async () =>
   }
   await page.close();
 });
+
+test("words have colours, a hover tells what one does, the outline goes to a tool", async () => {
+  const { page } = await show(join(ROOT, "examples/haas/drilled-plate.nc"));
+  await page.waitForSelector(".word-gcode");
+  const color = (name) => page.evaluate((name) => getComputedStyle(document.querySelector(name)).color, name);
+  assert.notEqual(await color(".word-gcode"), await color(".word-comment"));
+  await page.locator(".word-gcode", { hasText: "G83" }).first().hover();
+  await page.waitForSelector(".cm-tooltip .meaning");
+  const told = await page.locator(".cm-tooltip .meaning").innerText();
+  assert.match(told, /peck/i);
+  await picture(page, "hover");
+  await page.mouse.move(900, 300);
+  await page.locator("#tab-outline").click();
+  await page.waitForSelector(".entry.tool");
+  await picture(page, "outline");
+  await page.locator(".entry.tool", { hasText: "T2" }).first().click();
+  assert.equal(await line(page), 19);
+  // Colours stay right while a line is typed before them.
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("(NEW)\n");
+  await page.waitForFunction(() => [...document.querySelectorAll(".word-comment")].some((word) => word.innerText === "(NEW)"));
+  await page.close();
+});
+
+test("a call leads to its program", async () => {
+  const { page } = await show(join(ROOT, "examples/haas/local-calls.nc"));
+  const call = await page.evaluate(() => {
+    const { doc } = window.chordal.editor.view.state;
+    for (let at = 1; at <= doc.lines; at++) if (/M97 *P/.test(doc.line(at).text)) return at;
+    return 0;
+  });
+  assert.ok(call > 0);
+  await page.evaluate((call) => {
+    const { editor } = window.chordal;
+    const text = editor.view.state.doc.line(call).text;
+    editor.goTo(call, text.indexOf("P") + 1, true);
+  }, call);
+  await page.keyboard.press("F12");
+  await page.waitForFunction((call) => window.chordal.editor.line !== call, call);
+  await page.close();
+});

@@ -88,7 +88,8 @@ pub fn place(span: Span, sources: &SourceMap) -> Value {
     })
 }
 
-fn units_of(source: &Source, offset: u32) -> (u32, usize) {
+/// Line from 1 and column from 0, in UTF-16 code units, of a byte of a text.
+pub fn units_of(source: &Source, offset: u32) -> (u32, usize) {
     let line = source.line_of(offset);
     let start = source.line_start(line) as usize;
     let end = (offset as usize).clamp(start, source.text().len());

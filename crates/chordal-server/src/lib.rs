@@ -4,7 +4,7 @@
 //! program: it is told what the library finds. One file per concern: `guard` refuses whom the page
 //! is not for, `page` has the files, `live` is the one connection of a page, `session` what it
 //! asks, `document` the text as it is edited, `file` the one on disk, `run` and `times` make
-//! columns of a path and of its time, `frame` packs them.
+//! columns of a path and of its time, `frame` packs them, `words` asks what an editor asks.
 
 #![allow(
     clippy::disallowed_methods,
@@ -29,6 +29,7 @@ mod run;
 mod session;
 mod times;
 mod wanted;
+mod words;
 
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};

@@ -9,6 +9,7 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use tokio::sync::Semaphore;
 
 use crate::guard::{Hosts, Token};
 use crate::live;
@@ -22,6 +23,9 @@ const FILES: &[(&str, &str, &[u8])] = &[
     ("icon.svg", "image/svg+xml", include_bytes!("../page/icon.svg")),
 ];
 
+/// Pages that may be open at once: each has threads of its own.
+const MOST_PAGES: usize = 16;
+
 /// Where the page says with which nonce its editor may add styles.
 const NONCE: &str = "NONCE-OF-THE-PAGE";
 
@@ -31,11 +35,13 @@ pub struct Site {
     token: Token,
     hosts: Hosts,
     programs: Arc<dyn Programs>,
+    room: Arc<Semaphore>,
 }
 
 /// The routes behind their guard.
 pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>) -> Router {
-    let site = Site { token, hosts: Hosts::of(port), programs };
+    let room = Arc::new(Semaphore::new(MOST_PAGES));
+    let site = Site { token, hosts: Hosts::of(port), programs, room };
     Router::new()
         .route("/{token}/", get(index))
         .route("/{token}/live", get(connect))
@@ -98,8 +104,14 @@ async fn asset(Path((_, name)): Path<(String, String)>) -> Response {
 }
 
 async fn connect(State(site): State<Site>, upgrade: WebSocketUpgrade) -> Response {
+    let Ok(place) = site.room.try_acquire_owned() else {
+        return StatusCode::SERVICE_UNAVAILABLE.into_response();
+    };
     upgrade
         .max_message_size(live::LARGEST_MESSAGE)
         .max_frame_size(live::LARGEST_MESSAGE)
-        .on_upgrade(move |socket| live::talk(socket, site.programs))
+        .on_upgrade(move |socket| async move {
+            live::talk(socket, site.programs).await;
+            drop(place);
+        })
 }

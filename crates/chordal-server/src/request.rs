@@ -54,6 +54,29 @@ pub enum Ask {
         /// Line of the program, from 1.
         line: u32,
     },
+    /// The words of some lines, for colours.
+    Tokens {
+        /// The first line, from 1.
+        from: u32,
+        /// The line after the last.
+        to: u32,
+    },
+    /// What a word means.
+    Hover {
+        /// Its line, from 1.
+        line: u32,
+        /// A column in it, from 0, in UTF-16 code units.
+        column: usize,
+    },
+    /// Where the name at a place is made.
+    Definition {
+        /// Its line, from 1.
+        line: u32,
+        /// A column in it, from 0, in UTF-16 code units.
+        column: usize,
+    },
+    /// Programs, tools and operations.
+    Outline,
     /// The text goes to its file.
     Save {
         /// Even if the file has changed meanwhile.

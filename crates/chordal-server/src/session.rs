@@ -16,7 +16,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use serde_json::json;
+use chordal_editor::Program;
+use serde_json::{Value, json};
 
 use crate::document::Document;
 use crate::file::{self, Content, Stamp};
@@ -25,7 +26,7 @@ use crate::program::{Opened, Programs};
 use crate::request::{Ask, Request};
 use crate::run::{Ran, run};
 use crate::wanted::Wanted;
-use crate::{answer, chords, times};
+use crate::{answer, chords, times, words};
 
 /// How often the file is looked at.
 const LOOK_EVERY: Duration = Duration::from_millis(400);
@@ -50,6 +51,10 @@ struct Held {
     /// What the file held when it was last read or written.
     on_disk: Content,
     machine: Option<String>,
+    /// What was opened last, which tells the machine.
+    opened: Option<Arc<Opened>>,
+    /// The text as an editor asks of it, until it changes.
+    words: Option<Arc<Program>>,
     ran: Option<Arc<Ran>>,
 }
 
@@ -70,6 +75,8 @@ impl Session {
             document: Document::read(b""),
             on_disk: Content::of(b""),
             machine: None,
+            opened: None,
+            words: None,
             ran: None,
         };
         let shared = Arc::new(Shared {
@@ -136,6 +143,25 @@ impl Shared {
         self.over.load(Ordering::Relaxed)
     }
 
+    /// The text as an editor asks of it; `None` before the first run.
+    fn words(&self) -> Option<Arc<Program>> {
+        let mut held = self.held();
+        if held.words.is_none() {
+            let text = held.document.text().as_bytes().to_vec();
+            held.words = words::program(held.opened.as_ref()?, text).map(Arc::new);
+        }
+        held.words.clone()
+    }
+
+    fn answer_words(&self, id: u64, tell: impl FnOnce(&Program) -> Value) {
+        let Some(program) = self.words() else {
+            return self.out.refuse(id, "nothing has been run yet", None);
+        };
+        let mut told = tell(&program);
+        told["id"] = json!(id);
+        self.out.json(&told);
+    }
+
     fn wanted(&self, number: u64) -> Wanted {
         Wanted { newest: self.newest.clone(), over: self.over.clone(), number }
     }
@@ -166,7 +192,11 @@ impl Shared {
         let id = request.id;
         match request.ask {
             Ask::Edit { changes } => {
-                let applied = self.held().document.apply(&changes);
+                let applied = {
+                    let mut held = self.held();
+                    held.words = None;
+                    held.document.apply(&changes)
+                };
                 match applied {
                     Ok(()) => self.start(runs),
                     Err(error) => {
@@ -182,9 +212,23 @@ impl Shared {
             Ask::Chords { tolerance_mm, balanced } => self.chords(id, tolerance_mm, balanced),
             Ask::State { done, line } => {
                 let ran = self.held().ran.clone();
-                let state = ran.map(|ran| ran.modal.at(done, line));
+                let mut state = ran.map(|ran| ran.modal.at(done, line));
+                let behind = self.words().and_then(|program| program.modal_behind(line));
+                if let (Some(state), Some(behind)) = (&mut state, behind) {
+                    state["codes"] = json!(behind.codes);
+                }
                 self.out.json(&json!({ "type": "state", "id": id, "state": state }));
             }
+            Ask::Tokens { from, to } => {
+                self.answer_words(id, |program| words::tokens(program, from, to));
+            }
+            Ask::Hover { line, column } => {
+                self.answer_words(id, |program| words::hover(program, line, column));
+            }
+            Ask::Definition { line, column } => {
+                self.answer_words(id, |program| words::definition(program, line, column));
+            }
+            Ask::Outline => self.answer_words(id, words::outline),
             Ask::Save { force } => self.save(id, force),
             Ask::Reload => self.load(id, runs),
         }
@@ -208,6 +252,7 @@ impl Shared {
             let mut held = self.held();
             held.document = Document::read(&bytes);
             held.on_disk = Content::of(&bytes);
+            held.words = None;
         }
         // The run first: its picture is made while the text goes over.
         self.start(runs);
@@ -296,7 +341,12 @@ impl Shared {
                 (held.document.text().as_bytes().to_vec(), held.machine.clone())
             };
             let opened = match self.programs.open(text, machine.as_deref()) {
-                Ok(opened) => Arc::new(opened),
+                Ok(opened) => {
+                    let opened = Arc::new(opened);
+                    let mut held = self.held();
+                    (held.opened, held.words) = (Some(opened.clone()), None);
+                    opened
+                }
                 Err(refusal) => {
                     self.out.json(&json!({
                         "type": "refused",

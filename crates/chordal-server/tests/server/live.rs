@@ -221,3 +221,53 @@ fn a_file_is_watched_and_written_whole() {
     fs::remove_file(&path).unwrap();
     live.json("gone");
 }
+
+#[test]
+fn words_have_classes_and_meanings_where_they_stand() {
+    let mut live = serve(Shown::text("(ä😀 part)\nG21 G1 X10. F100.\nT1 M6\nM30\n")).live();
+    live.json("report");
+    live.send(r#"{"id":1,"ask":"tokens","from":1,"to":3}"#);
+    let told = live.json("tokens");
+    let numbers: Vec<usize> = told["tokens"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|number| number.as_u64().unwrap() as usize)
+        .collect();
+    let words: Vec<(usize, usize, usize, &str)> = numbers
+        .chunks(4)
+        .map(|four| (four[0], four[1], four[2], told["classes"][four[3]].as_str().unwrap()))
+        .collect();
+    // The face is two units.
+    assert_eq!(words[0], (1, 0, 10, "comment"));
+    assert_eq!(words[1], (2, 0, 3, "gcode"));
+    assert!(words.contains(&(2, 7, 11, "axis")), "{words:?}");
+    assert!(words.iter().all(|(line, ..)| *line < 3));
+    live.send(r#"{"id":2,"ask":"hover","line":2,"column":1}"#);
+    let hover = &live.json("hover")["hover"];
+    assert_eq!(
+        (&hover["line"], &hover["column"], &hover["end_column"]),
+        (&2.into(), &0.into(), &3.into())
+    );
+    assert!(hover["text"].as_str().unwrap().to_lowercase().contains("millimet"), "{hover}");
+    live.send(r#"{"id":3,"ask":"hover","line":9999,"column":4}"#);
+    assert_eq!(live.json("hover")["hover"], serde_json::Value::Null);
+    live.send(r#"{"id":4,"ask":"outline"}"#);
+    let outline = live.json("outline")["entries"].to_string();
+    assert!(outline.contains("T1"), "{outline}");
+    live.send(r#"{"id":5,"ask":"state","done":1,"line":2}"#);
+    let codes = live.json("state")["state"]["codes"].to_string();
+    assert!(codes.contains("G21") && codes.contains("G1"), "{codes}");
+}
+
+#[test]
+fn a_call_leads_to_its_program() {
+    let text = "O1\nM97 P100\nM30\nN100 G0 X1.\nM99\n";
+    let mut live = serve(Shown::text(text)).live();
+    live.json("report");
+    live.send(r#"{"id":1,"ask":"definition","line":2,"column":5}"#);
+    let place = &live.json("definition")["place"];
+    assert_eq!(place, &serde_json::json!({ "line": 4, "column": 0 }));
+    live.send(r#"{"id":2,"ask":"definition","line":3,"column":0}"#);
+    assert_eq!(live.json("definition")["place"], serde_json::Value::Null);
+}

@@ -180,3 +180,18 @@ fn a_message_beyond_the_limit_ends_the_connection_and_not_the_server() {
     }
     site.live().json("report");
 }
+
+#[test]
+fn more_pages_than_there_is_room_for_are_refused_until_one_goes() {
+    let site = site();
+    let live = format!("/{}/live", site.token);
+    let mut pages: Vec<_> = (0..16).map(|_| site.live()).collect();
+    assert_eq!(site.connect(&live, &[]).err(), Some(503));
+    pages[0].json("report");
+    pages.remove(0).socket.close(None).unwrap();
+    let patience = std::time::Instant::now();
+    while site.connect(&live, &[]).is_err() {
+        assert!(patience.elapsed().as_secs() < 30, "a page that has gone makes room");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+}
