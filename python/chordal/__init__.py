@@ -17,7 +17,7 @@ Threads run at the same time: whatever takes long lets go of the interpreter loc
 
 from __future__ import annotations
 
-from . import geometry, motion
+from . import archive, geometry, motion
 from ._chordal import __version__
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
@@ -56,6 +56,7 @@ __all__ = [
     "Trajectory",
     "UsageError",
     "__version__",
+    "archive",
     "builtin_machines",
     "codes",
     "geometry",

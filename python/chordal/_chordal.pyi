@@ -6,8 +6,10 @@ from typing import Any, Literal, TypeAlias, TypedDict, final
 
 
 __all__ = [
+    "ArchiveWorker",
     "Block",
     "Curve",
+    "Journal",
     "Machine",
     "Motion",
     "Program",
@@ -16,6 +18,9 @@ __all__ = [
     "arc_from_center",
     "arc_from_radius",
     "arc_through",
+    "archive_calls",
+    "archive_failed",
+    "archive_walk",
     "builtin_machines",
     "codes",
     "line",
@@ -150,6 +155,28 @@ class Motion:
     def duration(self) -> float: ...
     def sample(self, period_s: float, max_samples: int) -> Table: ...
 
+@final
+class ArchiveWorker:
+    def __new__(
+        cls,
+        options: _Options,
+        plan: bool,
+        roots: Sequence[str | PathLike[str]],
+        renamed: tuple[str, str],
+    ) -> ArchiveWorker: ...
+    def records(
+        self, files: Sequence[tuple[str, str | PathLike[str], str | None]]
+    ) -> list[bytes]: ...
+
+@final
+class Journal:
+    def __new__(cls, out: str | PathLike[str], names: Sequence[str]) -> Journal: ...
+    @staticmethod
+    def folder_of(out: str | PathLike[str]) -> str: ...
+    def key(self, index: int) -> str | None: ...
+    def put(self, index: int, record: bytes) -> None: ...
+    def finish(self) -> tuple[int, int, int, int, int, int, int]: ...
+
 _GivenMove: TypeAlias = tuple[
     Curve | None, _Point, _Point, float | None, float | None, float, bool
 ]
@@ -190,6 +217,11 @@ def spiral(
     normal: _Point,
     towards: _Point,
 ) -> Curve: ...
+def archive_walk(
+    paths: Sequence[str | PathLike[str]], leave_out: Sequence[str | PathLike[str]]
+) -> list[tuple[str, str, str | None]]: ...
+def archive_calls(text: bytes) -> bool: ...
+def archive_failed(name: str, message: str) -> bytes: ...
 def plan(
     moves: Sequence[_GivenMove],
     limits: Sequence[tuple[float, float, float] | None],

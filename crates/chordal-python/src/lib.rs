@@ -10,6 +10,7 @@
     reason = "a shell: it loads programs for Python"
 )]
 
+mod archive;
 mod curve;
 mod error;
 mod machine;
@@ -48,6 +49,8 @@ fn _chordal(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<table::Block>()?;
     module.add_class::<curve::Curve>()?;
     module.add_class::<motion::Motion>()?;
+    module.add_class::<archive::ArchiveWorker>()?;
+    module.add_class::<archive::Journal>()?;
     module.add_function(wrap_pyfunction!(main, module)?)?;
     module.add_function(wrap_pyfunction!(codes, module)?)?;
     module.add_function(wrap_pyfunction!(machine::builtin_machines, module)?)?;
@@ -59,5 +62,8 @@ fn _chordal(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(curve::arc_from_radius, module)?)?;
     module.add_function(wrap_pyfunction!(curve::spiral, module)?)?;
     module.add_function(wrap_pyfunction!(motion::plan, module)?)?;
+    module.add_function(wrap_pyfunction!(archive::archive_walk, module)?)?;
+    module.add_function(wrap_pyfunction!(archive::archive_calls, module)?)?;
+    module.add_function(wrap_pyfunction!(archive::archive_failed, module)?)?;
     Ok(())
 }

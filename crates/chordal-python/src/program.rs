@@ -48,7 +48,7 @@ pub struct Options {
 }
 
 impl Options {
-    fn request(self, py: Python<'_>, signals: &Arc<Signals>) -> PyResult<Request> {
+    pub fn request(self, py: Python<'_>, signals: &Arc<Signals>) -> PyResult<Request> {
         let control = self.control.map(|name| {
             name.parse().map_err(|error: chordal::machine::UnknownControl| {
                 error::usage(py, &error.to_string(), None)

@@ -1,0 +1,405 @@
+"""Whole archives: every program of folder trees in one table.
+
+>>> from chordal import archive
+>>> done = archive.check("archive/", "results.parquet")                 # doctest: +SKIP
+>>> done.programs, done.with_errors                                     # doctest: +SKIP
+(9812, 431)
+
+The table is the one of ``chordal archive check``, byte for byte, whatever the engine and the number of
+workers. Interrupted and started again with the same ``out``, a run goes on where it was.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import posixpath
+import tempfile
+import threading
+import uuid
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+from . import _chordal
+from ._machine import Machine, MachineLike, machine_of
+from ._program import Tools, _options
+from .errors import UsageError
+
+if TYPE_CHECKING:
+    from ._program import _ControlName
+
+__all__ = ["Done", "check"]
+
+#: Files of one batch: some tenths of a second of work, and what is lost with a worker.
+_FILES_OF_A_BATCH = 16
+
+#: How often a batch is tried whose worker dies, before its files are tried one by one.
+_TRIES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What an archive came to."""
+
+    #: Files that got a row.
+    files: int
+    #: Rows.
+    rows: int
+    #: Programs that were run.
+    programs: int
+    #: Programs with errors, or stopped by their budget.
+    with_errors: int
+    #: Programs with warnings only.
+    with_warnings: int
+    #: Files and programs that could not be run.
+    failed: int
+    #: Files that are no programs.
+    skipped: int
+    #: Files that an earlier run had done.
+    resumed: int
+
+
+class _Tree(NamedTuple):
+    """A folder of a file system of fsspec."""
+
+    url: str
+    system: Any
+    top: str
+
+    def at(self, below: str) -> str:
+        return f"{self.top}/{below}" if self.top else below
+
+
+class _File(NamedTuple):
+    """A file of the archive: in a tree its path is the one below."""
+
+    name: str
+    path: str
+    failure: str | None
+    tree: _Tree | None
+
+
+class _Batch(NamedTuple):
+    """Files of one tree or of the disk, by their places in the table and the keys of old records."""
+
+    tree: _Tree | None
+    files: list[tuple[int, str, str, str | None]]
+
+
+@dataclass(frozen=True)
+class _Run:
+    """What a worker needs beside its files."""
+
+    id: str
+    version: str
+    folder: str
+    roots: tuple[str, ...]
+    plan: bool
+    machine: Machine | None
+    control: _ControlName | None
+    tools: Tools | None
+    settings: Mapping[str, object] | None
+    block_delete: bool
+    max_blocks: int | None
+
+    def worker(
+        self, roots: Sequence[str], renamed: tuple[str, str] = ("", "")
+    ) -> _chordal.ArchiveWorker:
+        options = _options(
+            self.machine,
+            self.control,
+            self.tools,
+            self.settings,
+            None,
+            self.block_delete,
+            self.max_blocks,
+            None,
+        )
+        return _chordal.ArchiveWorker(options, self.plan, roots, renamed)
+
+
+def check(
+    paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    out: str | os.PathLike[str],
+    *,
+    engine: Literal["local", "ray"] = "local",
+    address: str | None = None,
+    jobs: int | None = None,
+    machine: MachineLike | None = None,
+    control: _ControlName | None = None,
+    tools: Tools | None = None,
+    settings: Mapping[str, object] | None = None,
+    block_delete: bool = False,
+    max_blocks: int | None = None,
+    plan: bool = True,
+    storage_options: Mapping[str, Any] | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Done:
+    """Check every program of folder trees into one Parquet table.
+
+    ``paths`` are folders and files, on disk or, as ``s3://bucket/archive``, on any file system of
+    fsspec (``storage_options`` are handed to it). ``out`` is a file on the disk of the caller.
+
+    ``engine="local"`` works with threads of this process, as many as there are processors unless ``jobs``
+    says. ``"ray"`` works with the workers of the Ray cluster at ``address``, or of one that is started
+    here (``pip install chordal[ray]``); ``jobs`` is then the most batches at a time. Paths on disk must be
+    visible to every worker under the same names. A batch whose worker dies is done again.
+
+    ``machine``, ``control``, ``tools``, ``settings``, ``block_delete`` and ``max_blocks`` are as in
+    :func:`chordal.load`. Without ``plan`` there are no times with acceleration and jerk, and it takes half
+    as long. ``progress`` is called with the number of files done and of all.
+
+    Raises :class:`OSError` where a path is not there or the table cannot be written,
+    :class:`~chordal.UsageError` for what makes no sense and :class:`~chordal.MachineError` for a wrong
+    machine. What is wrong with a file of the archive is a row.
+    """
+    given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    target = os.path.abspath(os.fspath(out))
+    if not target.lower().endswith(".parquet") or os.path.isdir(target):
+        raise UsageError(f"the table cannot be {os.fspath(out)}", "give it a name that ends in .parquet")
+    if engine not in ("local", "ray"):
+        raise UsageError(f"there is no engine `{engine}`", "the engines are `local` and `ray`")
+    roots = [os.fspath(path) for path in given]
+    run = _Run(
+        id=uuid.uuid4().hex,
+        version=_chordal.__version__,
+        folder=os.getcwd(),
+        roots=tuple(root for root in roots if "://" not in root),
+        plan=plan,
+        machine=None if machine is None else machine_of(machine),
+        control=control,
+        tools=tools if tools is None or isinstance(tools, Mapping) else os.path.abspath(tools),
+        settings=settings,
+        block_delete=block_delete,
+        max_blocks=max_blocks,
+    )
+    # What is wrong with the machine is told before the archive is gone through.
+    run.worker(())
+    files = _listed(roots, target, storage_options or {})
+    if not files:
+        raise UsageError("there is no file in the folders", "name a folder of programs")
+    journal = _chordal.Journal(target, [file.name for file in files])
+    for place, file in enumerate(files):
+        if file.failure is not None:
+            journal.put(place, _chordal.archive_failed(file.name, file.failure))
+    batches = _batches(files, journal)
+    done = len(files) - sum(len(batch.files) for batch in batches)
+    resumed = 0
+    results = _on_ray(batches, run, address, jobs) if engine == "ray" else _on_threads(batches, run, jobs)
+    for batch, records in results:
+        for (place, *_), record in zip(batch.files, records, strict=True):
+            if record:
+                journal.put(place, record)
+            else:
+                resumed += 1
+        done += len(batch.files)
+        if progress is not None:
+            progress(done, len(files))
+    return Done(*journal.finish(), resumed)
+
+
+def _listed(roots: Sequence[str], target: str, storage: Mapping[str, Any]) -> list[_File]:
+    """All files in the order of the table, each once."""
+    local = [root for root in roots if "://" not in root]
+    for root in local:
+        os.stat(root)  # what is not there at all is a slip
+    own = [target, _chordal.Journal.folder_of(target)]
+    files = [_File(*found, None) for found in _chordal.archive_walk(local, own)]
+    for root in roots:
+        if "://" in root:
+            files.extend(_listed_elsewhere(root, storage))
+    files.sort(key=lambda file: os.fsencode(file.path if file.tree is None else file.name))
+    return [file for i, file in enumerate(files) if i == 0 or file.name != files[i - 1].name]
+
+
+def _listed_elsewhere(root: str, storage: Mapping[str, Any]) -> Iterator[_File]:
+    core: Any = _needed("fsspec.core", f"{root} needs fsspec")
+    system, top = core.url_to_fs(root, **storage)
+    url, top = root.rstrip("/"), top.rstrip("/")
+    if not system.exists(top):
+        raise FileNotFoundError(f"there is no {root}")
+    found = [top] if system.isfile(top) else system.find(top)
+    if found == [top]:
+        url, top = posixpath.dirname(url), posixpath.dirname(top)
+    tree = _Tree(url, system, top)
+    for path in found:
+        below = path[len(top) :].strip("/")
+        if not any(part.startswith(".") for part in below.split("/")):
+            yield _File(f"{url}/{below}", below, None, tree)
+
+
+def _needed(module: str, message: str) -> Any:
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise UsageError(message, "pip install chordal[ray]") from error
+
+
+def _batches(files: Sequence[_File], journal: _chordal.Journal) -> list[_Batch]:
+    batches: list[_Batch] = []
+    for place, file in enumerate(files):
+        if file.failure is not None:
+            continue
+        last = batches[-1] if batches else None
+        if last is None or last.tree is not file.tree or len(last.files) >= _FILES_OF_A_BATCH:
+            last = _Batch(file.tree, [])
+            batches.append(last)
+        last.files.append((place, file.name, file.path, journal.key(place)))
+    return batches
+
+
+#: The worker of a thread, with the run that it is for.
+_held = threading.local()
+
+
+def _done(batch: _Batch, run: _Run) -> list[bytes]:
+    """The records of a batch: the one unit of work, whatever the engine."""
+    if batch.tree is not None:
+        return _done_of_tree(batch.tree, batch.files, run)
+    if getattr(_held, "run", None) != run.id:
+        _held.worker = run.worker(run.roots)
+        _held.run = run.id
+    records: list[bytes] = _held.worker.records([file[1:] for file in batch.files])
+    return records
+
+
+def _done_of_tree(
+    tree: _Tree, files: Sequence[tuple[int, str, str, str | None]], run: _Run
+) -> list[bytes]:
+    """The same of files elsewhere, brought here with all that their runs look for."""
+    with tempfile.TemporaryDirectory(prefix="chordal-") as stage:
+        failures = {name: _bring(tree, below, stage) for _, name, below, _ in files}
+        here = [below for _, name, below, _ in files if failures[name] is None]
+        for folder in sorted({posixpath.dirname(below) for below in here}):
+            texts = [below for below in here if posixpath.dirname(below) == folder]
+            _bring_beside(tree, folder, texts, stage)
+        worker = run.worker([stage], (os.path.join(stage, ""), f"{tree.url}/"))
+        records = []
+        for _, name, below, known in files:
+            failure = failures[name]
+            if failure is None:
+                records += worker.records([(name, _place(stage, below), known)])
+            else:
+                records.append(_chordal.archive_failed(name, failure))
+        return records
+
+
+def _place(stage: str, below: str) -> str:
+    return os.path.join(stage, *below.split("/"))
+
+
+def _bring(tree: _Tree, below: str, stage: str) -> str | None:
+    """Brings a file, or says why it cannot be read. Failures that may pass are raised."""
+    place = _place(stage, below)
+    os.makedirs(os.path.dirname(place), exist_ok=True)
+    try:
+        tree.system.get_file(tree.at(below), place)
+    except (FileNotFoundError, PermissionError) as error:
+        if os.path.exists(place):
+            os.unlink(place)
+        return f"cannot read {tree.url}/{below}: {type(error).__name__}"
+    return None
+
+
+def _bring_beside(tree: _Tree, folder: str, texts: Sequence[str], stage: str) -> None:
+    """Machine files of the folders above, and the whole folder where a program calls others."""
+    above = folder
+    while True:
+        if tree.system.isfile(tree.at(posixpath.join(above, "chordal.toml"))):
+            # It may name a machine file beside it.
+            _bring_all(tree, above, ".toml", stage)
+        if not above:
+            break
+        above = posixpath.dirname(above)
+    if any(_calls(_place(stage, text)) for text in texts):
+        _bring_all(tree, folder, "", stage)
+
+
+def _bring_all(tree: _Tree, folder: str, ending: str, stage: str) -> None:
+    """Brings the files of a folder that end so and are not here yet."""
+    for entry in tree.system.ls(tree.at(folder), detail=True):
+        below = posixpath.join(folder, posixpath.basename(entry["name"].rstrip("/")))
+        wanted = entry["type"] == "file" and below.endswith(ending)
+        if wanted and not os.path.exists(_place(stage, below)):
+            _bring(tree, below, stage)
+
+
+def _calls(path: str) -> bool:
+    with open(path, "rb") as text:
+        return _chordal.archive_calls(text.read())
+
+
+_Results = Iterator[tuple[_Batch, list[bytes]]]
+
+
+def _on_threads(batches: Sequence[_Batch], run: _Run, jobs: int | None) -> _Results:
+    count = max(1, jobs if jobs is not None else os.cpu_count() or 1)
+    left = deque(batches)
+    with ThreadPoolExecutor(count) as pool:
+        running: dict[Future[list[bytes]], _Batch] = {}
+        try:
+            while left or running:
+                while left and len(running) < 2 * count:
+                    batch = left.popleft()
+                    running[pool.submit(_done, batch, run)] = batch
+                finished, _ = wait(running, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    yield running.pop(future), future.result()
+        finally:
+            for future in running:
+                future.cancel()
+
+
+def _done_on_ray(batch: _Batch, run: _Run) -> list[bytes]:
+    if run.version != _chordal.__version__:
+        message = f"a worker has Chordal {_chordal.__version__}, and this is {run.version}"
+        raise UsageError(message, "install the same version on all machines of the cluster")
+    if any(not os.path.isabs(root) for root in run.roots):
+        os.chdir(run.folder)
+    return _done(batch, run)
+
+
+def _on_ray(
+    batches: Sequence[_Batch], run: _Run, address: str | None, jobs: int | None
+) -> _Results:
+    ray: Any = _needed("ray", "the engine `ray` needs Ray")
+    started = not ray.is_initialized()
+    if started:
+        options = {"include_dashboard": False} if address is None else {"address": address}
+        ray.init(log_to_driver=False, **options)
+    try:
+        yield from _by_ray(ray, batches, run, jobs)
+    finally:
+        if started:
+            ray.shutdown()
+
+
+def _by_ray(ray: Any, batches: Sequence[_Batch], run: _Run, jobs: int | None) -> _Results:
+    # A batch that waits for every worker, so that none is idle.
+    most = jobs if jobs is not None else 2 * int(ray.cluster_resources().get("CPU", 1))
+    task = ray.remote(max_retries=_TRIES - 1, retry_exceptions=[OSError])(_done_on_ray)
+    shared = ray.put(run)
+    left = deque(batches)
+    running: dict[Any, _Batch] = {}
+    try:
+        while left or running:
+            while left and len(running) < max(1, most):
+                batch = left.popleft()
+                running[task.remote(batch, shared)] = batch
+            (reference, *_), _ = ray.wait(list(running), num_returns=1)
+            batch = running.pop(reference)
+            try:
+                yield batch, ray.get(reference)
+            except (ray.exceptions.WorkerCrashedError, ray.exceptions.NodeDiedError):
+                if len(batch.files) > 1:
+                    # One of them kills its worker; the others have nothing to do with it.
+                    left.extend(_Batch(batch.tree, [file]) for file in batch.files)
+                else:
+                    message = f"its worker died {_TRIES} times"
+                    yield batch, [_chordal.archive_failed(batch.files[0][1], message)]
+    finally:
+        for reference in running:
+            ray.cancel(reference)
