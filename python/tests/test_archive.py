@@ -160,3 +160,31 @@ def test_ray_workers_may_die(folder: Path) -> None:
     assert (folder / "ray.parquet").read_bytes() == expected
     found = rows(folder / "uri.parquet", f"{(folder / 'in').as_uri()}/")
     assert found == rows(folder / "ray.parquet", "in/")
+
+
+@needs_ray
+def test_a_file_that_ends_every_worker_is_a_row(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ray = importlib.import_module("ray")
+    work = archive._done_on_ray
+
+    def dies(batch: Any, run: Any) -> list[bytes]:
+        if any(file[1].endswith("part.nc") for file in batch.files):
+            os.kill(os.getpid(), signal.SIGKILL)
+        return work(batch, run)
+
+    monkeypatch.setattr(archive, "_done_on_ray", dies)
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+    try:
+        done = check("in/own", "ray.parquet", engine="ray")
+    finally:
+        ray.shutdown()
+    assert done.failed == 1
+    check("in/own", "disk.parquet")
+    found, expected = rows(folder / "ray.parquet", ""), rows(folder / "disk.parquet", "")
+    places = [i for i, row in enumerate(expected) if row["path"] == "in/own/part.nc"]
+    for i in reversed(places):
+        assert found[i]["status"] == "failed" and found[i]["message"] == "its worker died 3 times"
+        del found[i], expected[i]
+    assert len(places) == 1 and found == expected
