@@ -120,7 +120,14 @@ export function askWords(view: EditorView): void {
 /** Paragraphs, code and bold of Markdown; the rest as it stands. */
 export function markdown(text: string): HTMLElement {
   const root = element("div", "meaning");
+  // A fence is a paragraph of its own, whatever stands before it.
+  text = text.replace(/\n*(```\w*\n[\s\S]*?\n?```)\n*/g, "\n\n$1\n\n");
   for (const paragraph of text.split(/\n{2,}/)) {
+    const fenced = /^```\w*\n([\s\S]*?)\n?```$/.exec(paragraph.trim());
+    if (fenced) {
+      root.append(element("pre", "", fenced[1]));
+      continue;
+    }
     const block = element("p");
     for (const [piece, code, bold] of pieces(paragraph)) {
       if (code) block.append(element("code", "", piece));
