@@ -196,7 +196,9 @@ impl Server<'_> {
         let path = path_of(uri);
         let name = path.as_ref().map_or_else(|| key.into(), |path| path.display().to_string());
         let opened = self.opener.open(path.as_deref(), document.text(), self.machine.as_deref());
+        let mut why = None;
         let program = opened.and_then(|opened| {
+            why = opened.why.map(|why| format!("{name}: {why}"));
             let program = Program::new(name, document.text().to_vec(), opened.machine);
             let unknown = |errors| format!("settings of the machine are not known: {errors:?}");
             let program = program.map_err(unknown)?;
@@ -206,6 +208,10 @@ impl Server<'_> {
             Ok(program) => {
                 document.set_program(Some(program));
                 self.start(key);
+                if let Some(message) = why {
+                    let params = LogMessageParams { typ: MessageType::INFO, message };
+                    self.notify::<notification::LogMessage>(params);
+                }
             }
             Err(problem) => {
                 document.set_program(None);

@@ -19,7 +19,8 @@ impl Opener for Typical {
         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"))
             .map_err(|_| "there is no such machine".to_string())?;
         let options = RunOptions::default();
-        Ok(Opened { machine, why: None, options, program: None, beside: Vec::new() })
+        let why = Some("taken for a Haas".to_string());
+        Ok(Opened { machine, why, options, program: None, beside: Vec::new() })
     }
 }
 
@@ -116,6 +117,17 @@ impl Editor {
         }
     }
 
+    /// Waits for a notice, and keeps the others.
+    fn wait(&mut self, method: &str, wanted: impl Fn(&Value) -> bool) {
+        loop {
+            let Message::Notification(notice) = self.receive() else { continue };
+            if notice.method == method && wanted(&notice.params) {
+                return;
+            }
+            self.notices.push(notice);
+        }
+    }
+
     fn end(mut self) {
         self.ask("shutdown", Value::Null).expect("an answer");
         self.tell("exit", Value::Null);
@@ -175,6 +187,8 @@ fn problems_come_and_go_as_one_types() {
 fn every_question_has_its_answer() {
     let mut editor = Editor::start(json!({}));
     editor.open(PART);
+    editor
+        .wait("window/logMessage", |params| params["message"] == "/shop/part.nc: taken for a Haas");
     editor.problems(1);
 
     let hover = editor.of("hover", place(7, 1)).expect("a hover");
