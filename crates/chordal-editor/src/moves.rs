@@ -106,9 +106,16 @@ impl Program {
     /// What is in force behind a line when it runs for the first time; for a line that carries
     /// nothing out, behind the last one before it that does.
     pub fn modal_behind(&self, line: u32) -> Option<Modal> {
-        let mut nearest = Nearest { line, best: None };
-        self.job().run(&mut nearest);
-        let mut taking = Taking { line: nearest.best?, modal: None };
+        self.modal_of(line).or_else(|| {
+            let mut nearest = Nearest { line, best: None };
+            self.job().run(&mut nearest);
+            self.modal_of(nearest.best?)
+        })
+    }
+
+    /// What is in force behind a line, if it carries something out.
+    fn modal_of(&self, line: u32) -> Option<Modal> {
+        let mut taking = Taking { line, modal: None };
         self.job().run(&mut taking);
         taking.modal.map(|(_, modal)| modal)
     }

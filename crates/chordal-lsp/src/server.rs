@@ -19,7 +19,7 @@ use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, to
 use crate::document::Document;
 use crate::features;
 use crate::place::{offset_of, range_of};
-use crate::worker::{Done, Task, Worker};
+use crate::worker::{Done, Found, Task, Worker};
 
 /// Why the server ended other than by the editor's wish.
 #[derive(Debug, thiserror::Error)]
@@ -239,21 +239,26 @@ impl Server<'_> {
         }
     }
 
-    /// A run is over: its problems are told, if the text is still the same.
-    fn take(&mut self, Done { uri, version, ran }: Done) {
+    /// A run is over: what it found is told, if the text is still the same.
+    fn take(&mut self, Done { uri, version, found }: Done) {
         let Some((uri, document)) = self.documents.get_mut(&uri) else { return };
         let Some(program) = document.program.clone().filter(|_| document.version == version) else {
             return;
         };
-        document.ran = Some((version, ran.clone()));
-        let uri = uri.clone();
-        let found = ran.report.diagnostics.iter();
-        let found = found.map(|problem| diagnostic(&program, &uri, problem)).collect();
-        self.publish(uri, found, Some(version));
-        // Hints are asked for again when there is something new to tell.
-        let id = lsp_server::RequestId::from(format!("hints-{version}"));
-        let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
-        self.send(Request::new(id, refresh, Value::Null).into());
+        match found {
+            Found::Problems(problems) => {
+                let uri = uri.clone();
+                let told = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
+                self.publish(uri.clone(), told.collect(), Some(version));
+            }
+            Found::Ran(ran) => {
+                document.ran = Some((version, ran));
+                // Hints are asked for again when there is something new to tell.
+                let id = lsp_server::RequestId::from(format!("hints-{version}"));
+                let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
+                self.send(Request::new(id, refresh, Value::Null).into());
+            }
+        }
     }
 
     fn publish(&self, uri: Uri, diagnostics: Vec<Diagnostic>, version: Option<i32>) {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::thread;
 
+use chordal::Diagnostic;
 use chordal_editor::{Program, Ran};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
@@ -25,7 +26,16 @@ pub struct Done {
     /// The version that ran.
     pub version: i32,
     /// What was found.
-    pub ran: Arc<Ran>,
+    pub found: Found,
+}
+
+/// What a run found.
+#[derive(Debug)]
+pub enum Found {
+    /// The problems, which are told first.
+    Problems(Vec<Diagnostic>),
+    /// What the lines did, too.
+    Ran(Arc<Ran>),
 }
 
 /// The thread, by its two ends. It ends when the tasks do.
@@ -51,9 +61,17 @@ impl Worker {
                     waiting.push(task);
                 }
                 for Task { uri, version, program } in waiting {
-                    let ran = Arc::new(program.ran());
-                    if results.send(Done { uri, version, ran }).is_err() {
+                    let problems = Found::Problems(program.job().check().diagnostics);
+                    let found = Done { uri: uri.clone(), version, found: problems };
+                    if results.send(found).is_err() {
                         return;
+                    }
+                    // Whoever types on wants the problems of the next text first.
+                    if todo.is_empty() {
+                        let found = Found::Ran(Arc::new(program.ran()));
+                        if results.send(Done { uri, version, found }).is_err() {
+                            return;
+                        }
                     }
                 }
             }

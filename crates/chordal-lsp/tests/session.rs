@@ -117,6 +117,19 @@ impl Editor {
         }
     }
 
+    /// Waits until the server asks for hints to be asked for anew: what lines did is known.
+    fn ran(&mut self) {
+        loop {
+            match self.receive() {
+                Message::Request(request) if request.method == "workspace/inlayHint/refresh" => {
+                    return;
+                }
+                Message::Notification(notice) => self.notices.push(notice),
+                _ => {}
+            }
+        }
+    }
+
     /// Waits for a notice, and keeps the others.
     fn wait(&mut self, method: &str, wanted: impl Fn(&Value) -> bool) {
         loop {
@@ -190,6 +203,7 @@ fn every_question_has_its_answer() {
     editor
         .wait("window/logMessage", |params| params["message"] == "/shop/part.nc: taken for a Haas");
     editor.problems(1);
+    editor.ran();
 
     let hover = editor.of("hover", place(7, 1)).expect("a hover");
     let text = hover["contents"]["value"].as_str().expect("a text");
