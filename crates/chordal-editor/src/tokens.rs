@@ -95,8 +95,8 @@ fn block_tokens(program: &Program, block: &Block, tokens: &mut Vec<Token>) {
         BlockKind::Words => {}
     }
     if block.delete.is_some() {
-        let slash = memchr_slash(block.range.slice(program.text()));
-        if let Some(at) = slash {
+        let text = block.range.slice(program.text());
+        if let Some(at) = text.iter().position(|byte| *byte == b'/') {
             let start = block.range.start + at as u32;
             tokens.push(Token { range: TextRange::new(start, start + 1), class: Class::Mark });
         }
@@ -104,10 +104,6 @@ fn block_tokens(program: &Program, block: &Block, tokens: &mut Vec<Token>) {
     for word in &block.words {
         word_tokens(program, word, tokens);
     }
-}
-
-fn memchr_slash(text: &[u8]) -> Option<usize> {
-    text.iter().position(|byte| *byte == b'/')
 }
 
 fn word_tokens(program: &Program, word: &Word, tokens: &mut Vec<Token>) {

@@ -28,9 +28,8 @@ pub fn tokens(program: &Program, from: u32, to: u32) -> Value {
     for token in program.tokens(from, to) {
         let (line, start) = units_of(source, token.range.start);
         let (end_line, end) = units_of(source, token.range.end);
-        let class = Class::ALL.iter().position(|class| *class == token.class);
-        if let Some(class) = class.filter(|_| end_line == line) {
-            numbers.extend([line as usize, start, end, class]);
+        if end_line == line {
+            numbers.extend([line as usize, start, end, token.class as usize]);
         }
     }
     let classes = Class::ALL.map(|class| format!("{class:?}").to_ascii_lowercase());
