@@ -1,25 +1,28 @@
-// Fewer lines while the view turns: as many as this machine draws fast enough.
+// Fewer lines, for while the view turns: levels of detail, made once for a path.
 
 import { Group } from "three";
-import { type Lines, decimated } from "./lines";
+import { type Strands, someStrands, strands } from "./detail";
+import type { Lines } from "./lines";
 import type { Batch } from "./path";
 import { type StrokeMaterials, Strokes } from "./strokes";
 
 /** Lines of each level, about. */
-const LEVELS = [60_000, 15_000, 4_000];
-/** A frame that takes longer asks for fewer lines, ms. */
-const SLOW = 42;
-/** Frames that are faster, many in a row, allow for more, ms. */
-const FAST = 14;
-const IN_A_ROW = 20;
+export const LEVELS = [60_000, 20_000, 8_000, 3_000];
+/** How far a line may be from the path, as a share of the path's size. */
+const FINE = 1 / 2000;
+const ROUGH = 1 / 500;
+
+export interface Part {
+  batch: Batch;
+  lines: { cuts: Lines };
+}
 
 export class Coarse {
   readonly object = new Group();
   private levels: Group[] = [];
-  private level = 0;
-  private before = 0;
-  private fast = 0;
   private strokes: Strokes[] = [];
+  /** Of two builds one after the other only the last counts. */
+  private builds = 0;
 
   constructor() {
     this.object.visible = false;
@@ -30,50 +33,60 @@ export class Coarse {
   }
 
   clear(): void {
+    this.builds++;
     this.strokes.forEach((strokes) => strokes.remove());
     this.levels.forEach((level) => level.removeFromParent());
     this.strokes = [];
     this.levels = [];
   }
 
-  build(batches: Batch[], rows: number, colors: (batch: Batch, lines: Lines) => Uint8Array, materials: StrokeMaterials): void {
-    this.clear();
-    for (const most of LEVELS) {
+  /** Makes the levels, a part of the path at a time; whether they were still wanted at the end. */
+  async build(parts: Part[], size: number, colors: (batch: Batch, lines: Lines) => Uint8Array, materials: StrokeMaterials): Promise<boolean> {
+    const number = ++this.builds;
+    const fine: Strands[] = [];
+    const rough: Strands[] = [];
+    for (const { lines } of parts) {
+      fine.push(strands(lines.cuts, size * FINE));
+      rough.push(strands(fine.at(-1)!.lines, size * ROUGH));
+      await pause();
+      if (number !== this.builds) return false;
+    }
+    const levels: Group[] = [];
+    const made: Strokes[] = [];
+    for (const [index, most] of LEVELS.entries()) {
+      const from = index < LEVELS.length / 2 ? fine : rough;
       const level = new Group();
-      for (const batch of batches) {
-        const lines = decimated(batch, Math.ceil(rows / most));
+      const share = most / from.reduce((sum, { lines }) => sum + lines.count, 0);
+      let before = 0;
+      for (const [at, part] of from.entries()) {
+        const lines = someStrands(part, share, before);
+        before += part.starts.length;
         if (lines.count === 0) continue;
-        const strokes = new Strokes(lines.points, colors(batch, lines), materials, false);
-        this.strokes.push(strokes);
+        const strokes = new Strokes(lines.points, colors(parts[at]!.batch, lines), materials, false);
+        made.push(strokes);
         level.add(strokes.object);
       }
-      this.levels.push(level);
-      this.object.add(level);
+      levels.push(level);
+      await pause();
+      if (number !== this.builds) {
+        made.forEach((strokes) => strokes.remove());
+        return false;
+      }
     }
-    this.choose(Math.min(this.level, LEVELS.length - 1));
+    // The levels before served until now.
+    this.clear();
+    this.levels = levels;
+    this.strokes = made;
+    this.object.add(...levels);
+    return true;
   }
 
-  private choose(level: number): void {
-    this.level = level;
-    this.fast = 0;
+  show(shown: boolean, level: number): void {
+    this.object.visible = shown;
     this.levels.forEach((group, index) => (group.visible = index === level));
   }
+}
 
-  show(shown: boolean): void {
-    if (shown && !this.object.visible) this.before = 0;
-    this.object.visible = shown;
-  }
-
-  /** A frame is drawn at a time, ms: the gap to the one before says whether the level is right. */
-  frame(now: number): void {
-    if (!this.object.visible) return;
-    const gap = now - this.before;
-    const first = this.before === 0;
-    this.before = now;
-    // Whoever rests with the button down makes no frames: that says nothing.
-    if (first || gap > 1000) return;
-    if (gap > SLOW && this.level < this.levels.length - 1) this.choose(this.level + 1);
-    this.fast = gap < FAST ? this.fast + 1 : 0;
-    if (this.fast > IN_A_ROW && this.level > 0) this.choose(this.level - 1);
-  }
+function pause(): Promise<void> {
+  return new Promise((next) => setTimeout(next));
 }

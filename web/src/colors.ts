@@ -1,5 +1,8 @@
 // Colours of the path, for a light and a dark page.
 
+import type { Lines } from "./lines";
+import type { Batch } from "./path";
+
 export type ColorBy = "tool" | "speed";
 
 export interface Palette {
@@ -75,6 +78,26 @@ export function speedColor(palette: Palette, feed: number, [slow, fast]: [number
   return [0, 1, 2].map((c) => Math.round(a[c]! + (b[c]! - a[c]!) * (at - index))) as Rgb;
 }
 
-export function colorOf(palette: Palette, by: ColorBy, tool: number, feed: number, range: [number, number]): Rgb {
-  return by === "tool" ? rgb(toolColor(palette, tool)) : speedColor(palette, feed, range);
+/** Steps of the colours from slow to fast: as many as can be told apart. */
+const SPEED_STEPS = 255;
+
+/** The colours of both ends of each line, by the tool or the feed of its row. */
+export function colorsOf(palette: Palette, by: ColorBy, { tool, feed }: Batch, lines: Lines, range: [number, number]): Uint8Array {
+  const [slow, fast] = range;
+  const steps: Rgb[] = [];
+  for (let step = 0; step <= SPEED_STEPS && by === "speed"; step++) steps.push(speedColor(palette, step, [0, SPEED_STEPS]));
+  const ofFeed = (value: number) => {
+    const share = fast > slow ? Math.min(1, Math.max(0, (value - slow) / (fast - slow))) : 0.5;
+    return steps[Math.round(share * SPEED_STEPS)]!;
+  };
+  const colors = new Uint8Array(6 * lines.count);
+  let last = -1;
+  let color: Rgb = [0, 0, 0];
+  for (let at = 0; at < lines.count; at++) {
+    const row = lines.rows ? lines.rows[at]! : at;
+    if (row !== last) color = by === "tool" ? rgb(toolColor(palette, tool[row]!)) : ofFeed(feed[row]!);
+    last = row;
+    for (let part = 0; part < 3; part++) colors[6 * at + part] = colors[6 * at + 3 + part] = color[part]!;
+  }
+  return colors;
 }

@@ -50,23 +50,9 @@ export interface Told {
   definition: (line: number, column: number) => void;
 }
 
-/** Characters that are taken apart in one go: some milliseconds. */
-const PIECE = 1 << 20;
-
-/** A text by its lines, without keeping the page busy; nothing once it is no longer wanted. */
-export async function textOf(text: string, isWanted: () => boolean): Promise<Text | undefined> {
-  let made = Text.empty;
-  for (let from = 0; from < text.length; ) {
-    const end = text.indexOf("\n", from + PIECE);
-    const to = end < 0 ? text.length : end;
-    // From the second piece on the first line is the empty one before its line end.
-    made = made.append(Text.of(text.slice(from, to).split("\n")));
-    from = to;
-    if (to === text.length) break;
-    await new Promise((next) => setTimeout(next));
-    if (!isWanted()) return undefined;
-  }
-  return isWanted() ? made : undefined;
+/** A text with a piece more behind it, wherever the piece was cut off. */
+export function joined(before: Text, piece: string): Text {
+  return before.append(Text.of(piece.split("\n")));
 }
 
 /** How long nobody must type before the text is run, ms. */
@@ -102,7 +88,7 @@ export class Editor {
   private timer = 0;
   private silent = false;
   private problems: Problem[] = [];
-  private texts = 0;
+  private arriving = Text.empty;
   dirty = false;
   onDirty: (dirty: boolean) => void = () => {};
 
@@ -190,12 +176,15 @@ export class Editor {
     this.onDirty(dirty);
   }
 
-  /** The server's text instead of what is here; of two that come one after the other the last. */
-  async setText(text: string): Promise<void> {
+  /** A piece of the server's text, which takes the place of what is here once the last is there. */
+  addText(piece: string, isFirst: boolean, isLast: boolean): void {
+    this.arriving = joined(isFirst ? Text.empty : this.arriving, piece);
+    if (isLast) this.setText(this.arriving);
+  }
+
+  private setText(doc: Text): void {
     this.pending = undefined;
-    const number = ++this.texts;
-    const doc = await textOf(text, () => number === this.texts);
-    if (!doc) return;
+    this.arriving = Text.empty;
     this.silent = true;
     const line = this.line;
     this.view.setState(this.stateOf(doc));

@@ -4,7 +4,8 @@ import type { ColorBy } from "./colors";
 import type { Report } from "./link";
 import { element } from "./panels";
 import type { Path, Vec3 } from "./path";
-import type { Section, ViewName } from "./scene";
+import type { Section } from "./scene";
+import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
 import { type Units, coordinate, counted, speed } from "./units";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { decimated, drawn, nearest, someRows } from "./lines";
+import { drawn, nearest, someRows } from "./lines";
 import { type Batch, KNOWN } from "./path";
 
 const CUT = 1 | KNOWN;
@@ -53,15 +53,6 @@ describe("what is drawn", () => {
     }
     expect([...cuts.points.slice(6 * (cuts.count - 2) + 3, 6 * (cuts.count - 1))]).toEqual([-1, 0, 0]);
     expect(someRows(mixed, 1, 2, () => 0.01).length / 6).toBe(cuts.count - 1);
-  });
-
-  it("is coarser while the view turns, without a line across a rapid", () => {
-    const points: number[] = [];
-    for (let row = 0; row < 10; row++) points.push(row, 0, 0, row + 1, 0, 0);
-    const kinds = [CUT, CUT, CUT, CUT, RAPID, CUT, CUT, CUT, CUT, CUT];
-    const coarse = decimated(batch(kinds, points), 3);
-    const ends = Array.from({ length: coarse.count }, (_, at) => [coarse.points[6 * at], coarse.points[6 * at + 3]]);
-    expect(ends).toEqual([[0, 3], [3, 4], [5, 8], [8, 10]]);
   });
 });
 

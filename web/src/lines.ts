@@ -128,35 +128,6 @@ export function someRows(batch: Batch, from: number, to: number, tolerance: Tole
 }
 
 /**
- * Every so many rows one line from the first row's start to the last one's end: what is drawn
- * while the view turns. A rapid ends a line, so that none is cut across.
- */
-export function decimated(batch: Batch, stride: number): Lines {
-  const { rows, kind, points } = batch;
-  const lines = new Float32Array(6 * rows);
-  const own = new Uint32Array(rows);
-  let count = 0;
-  let start = -1;
-  const end = (last: number) => {
-    if (start < 0) return;
-    lines.set(points.subarray(6 * start, 6 * start + 3), 6 * count);
-    lines.set(points.subarray(6 * last + 3, 6 * last + 6), 6 * count + 3);
-    own[count++] = start;
-    start = -1;
-  };
-  for (let row = 0; row < rows; row++) {
-    if (!(kind[row]! & KNOWN) || kindOf(kind[row]!) === RAPID) {
-      end(row - 1);
-      continue;
-    }
-    if (start < 0) start = row;
-    if (row - start + 1 >= stride) end(row);
-  }
-  end(rows - 1);
-  return { points: lines.slice(0, 6 * count), rows: own.slice(0, count), count };
-}
-
-/**
  * The segment nearest to a place on the screen, in pixels, no further away than `reach`; the
  * matrix (column-major) takes points to the cube from -1 to 1 without perspective.
  */

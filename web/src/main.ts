@@ -12,7 +12,8 @@ import { someRows } from "./lines";
 import { showOutline, showProblems, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
-import { PathView, type ViewName } from "./scene";
+import type { ViewName } from "./eye";
+import { PathView } from "./scene";
 import { Timeline } from "./timeline";
 import { askWords, words } from "./words";
 import { count, counted, length } from "./units";
@@ -150,7 +151,8 @@ function takeFrame(frame: Frame): void {
   const { header } = frame;
   switch (header.type) {
     case "text":
-      void editor.setText(new TextDecoder().decode(u8(frame, "text")));
+      editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
+      if (!header.first) break;
       if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
       else if (header.mixed_endings) ui.tell("note", "Lines of the file end in several ways; saving makes them one.");
       break;

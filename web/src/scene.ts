@@ -5,46 +5,34 @@ import {
   Color,
   ColorManagement,
   Group,
-  LinearSRGBColorSpace,
   LineBasicMaterial,
   LineDashedMaterial,
   LineSegments,
-  Matrix4,
-  OrthographicCamera,
   Plane,
-  Scene,
   Vector3,
-  WebGLRenderer,
 } from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { Coarse } from "./coarse";
-import { type ColorBy, type Palette, colorOf } from "./colors";
+import { type ColorBy, type Palette, colorsOf } from "./colors";
+import { Eye, type ViewName } from "./eye";
 import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
-import { type Keep, type Lines, drawn, nearest, someRows } from "./lines";
+import { type Keep, type Lines, drawn, someRows } from "./lines";
+import { Painter } from "./painter";
 import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
-import { MOST_WIDE, StrokeMaterials, Strokes, geometryOf } from "./strokes";
+import { type Picked, pick } from "./picking";
+import { StrokeMaterials, Strokes, geometryOf } from "./strokes";
 import { ToolShape } from "./tool";
 
-export type ViewName = "top" | "front" | "right" | "iso";
-
-/** From where each view looks. */
-const VIEWS: Record<ViewName, Vec3> = {
-  top: [0, 0, 1],
-  front: [0, -1, 0],
-  right: [1, 0, 0],
-  iso: [1, -1, 1],
-};
-
 /** Rows from which on fewer lines are drawn while the view turns. */
-const MANY = 120_000;
+const MANY = 20_000;
+/** Rows from which on lines are drawn one pixel wide: wide ones are eight times the work. */
+const MOST_WIDE = 20_000;
+const MOST_WIDE_SOFTWARE = 2_000;
 /** How long the view must be still before all of it is drawn again, ms. */
 const STILL = 160;
-/** How far from a line a click may be, pixels. */
-const REACH = 8;
 
 // Colours are drawn as they are written: the page has no light that would need linear ones.
 ColorManagement.enabled = false;
@@ -56,14 +44,6 @@ interface DrawnBatch {
   lines: { cuts: Lines; rapids: Lines };
 }
 
-export interface Picked {
-  row: number;
-  /** How far along the row, from 0 to 1. */
-  share: number;
-  /** Relative to the origin of the path, mm; an end of the row where one is near. */
-  at: Vec3;
-}
-
 /** What of the path is shown; what is not said is all. */
 export interface Section {
   tool?: number;
@@ -73,17 +53,9 @@ export interface Section {
   depth?: [number, number];
 }
 
-/** How much of the view a fitted path takes. */
-const ROOM = 0.86;
-
-/** How near an end must be to be meant, pixels. */
-const SNAP = 9;
-
 export class PathView {
-  private scene = new Scene();
-  private camera = new OrthographicCamera(-1, 1, 1, -1, -1e6, 1e6);
-  private renderer: WebGLRenderer;
-  private controls: OrbitControls;
+  private eye: Eye;
+  private painter: Painter;
   private path = new Path();
   private drawnBatches: DrawnBatch[] = [];
   private cuts = new Group();
@@ -104,12 +76,15 @@ export class PathView {
   private palette: Palette;
   private colorBy: ColorBy = "tool";
   private turning = false;
+  /** Since the last frame. */
+  private hasMoved = false;
   private stillTimer = 0;
   private wanted = false;
+  /** Work that is done part by part is given up when newer work is asked for. */
+  private refining = 0;
+  private recoloring = 0;
   /** World length of a pixel when arcs were cut last. */
   private cutFor = 0;
-  private userMoved = false;
-  private view: ViewName = "iso";
   private section: Section = {};
   private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
   private measured = new LineSegments2();
@@ -123,31 +98,18 @@ export class PathView {
     palette: Palette,
   ) {
     this.palette = palette;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.zoomToCursor = true;
-    this.controls.rotateSpeed = 0.8;
-    this.controls.addEventListener("change", () => this.moved());
-    this.controls.addEventListener("start", () => (this.userMoved = true));
+    this.eye = new Eye(canvas, () => this.moved());
+    this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.tool = new ToolShape(palette);
-    this.mark.renderOrder = 5;
     this.mark.frustumCulled = false;
     this.mark.material = this.markMaterial;
     this.measured.material = this.measuredMaterial;
-    this.measured.renderOrder = 6;
     this.measured.frustumCulled = false;
     this.measured.visible = false;
-    this.renderer.localClippingEnabled = true;
     this.mark.visible = false;
-    this.chords.renderOrder = 4;
-    this.scene.add(
-      this.fixed.object, this.ghost, this.rapids, this.cuts, this.coarse.object, this.contour, this.chords,
-      this.mark, this.measured, this.tool.object,
-    );
+    this.painter.path.add(this.fixed.object);
+    this.painter.beside.add(this.ghost, this.rapids, this.contour, this.chords);
+    this.painter.over.add(this.mark, this.measured, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -162,6 +124,8 @@ export class PathView {
   begin(path: Path): void {
     this.clearPath();
     this.path = path;
+    this.painter.showsPart = true;
+    this.painter.changed();
   }
 
   private clearPath(): void {
@@ -173,42 +137,49 @@ export class PathView {
 
   add(batch: Batch): void {
     const isFirst = this.drawnBatches.length === 0;
-    if (!this.userMoved) this.fit(false);
-    this.cutFor = this.pixel();
     const part: DrawnBatch = {
       batch,
       cuts: undefined,
       rapids: undefined,
-      lines: drawn(batch, this.tolerance(), this.keep(batch)),
+      lines: { cuts: none(), rapids: none() },
     };
     this.drawnBatches.push(part);
+    part.lines = drawn(batch, this.tolerance(), this.keep(batch));
     this.put(part);
-    if (isFirst && !this.userMoved) this.fit();
+    if (!this.eye.userMoved && (isFirst || !this.eye.sees(batch.points, 3 * 16))) this.fit(true);
+    for (const strokes of [part.cuts?.object, part.rapids]) if (strokes) this.painter.added(strokes);
     this.render();
   }
 
   /** The whole path is there. */
   finish(): void {
-    if (this.path.rows > MOST_WIDE) {
+    if (this.path.rows > this.mostWide) {
       // The first batches did not know that there would be so many.
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
     }
-    if (!this.userMoved) this.fit();
-    this.refine(true);
-    this.makeCoarse();
-    if (this.colorBy === "speed") this.recolor();
-    this.render();
+    this.painter.showsPart = false;
+    if (!this.eye.userMoved) this.fit();
+    void this.refine(true);
+    void this.makeCoarse();
+    if (this.colorBy === "speed") void this.recolor();
+    this.changed();
+  }
+
+  private get mostWide(): number {
+    return this.painter.isSoftware ? MOST_WIDE_SOFTWARE : MOST_WIDE;
   }
 
   /** Puts the lines of a batch into the scene, instead of those before. */
   private put(part: DrawnBatch): void {
+    // A picture that is being drawn must not ask for what goes.
+    if (part.cuts || part.rapids) this.painter.changed();
     part.cuts?.remove();
     remove(part.rapids);
     const { cuts, rapids } = part.lines;
     part.cuts = undefined;
     part.rapids = undefined;
     if (cuts.count > 0) {
-      const wide = this.path.rows <= MOST_WIDE && cuts.count <= MOST_WIDE;
+      const wide = this.path.rows <= this.mostWide && cuts.count <= this.mostWide;
       part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), this.cutMaterials, wide);
       this.cuts.add(part.cuts.object);
     }
@@ -220,48 +191,40 @@ export class PathView {
     }
   }
 
-  private makeCoarse(): void {
-    const { tool, lines } = this.section;
-    if (this.path.rows < MANY || tool !== undefined || lines) return this.coarse.clear();
-    const batches = this.drawnBatches.map(({ batch }) => batch);
-    this.coarse.build(batches, this.path.rows, (batch, lines) => this.colors(batch, lines), this.cutMaterials);
+  private async makeCoarse(): Promise<void> {
+    if (this.path.rows < MANY) return this.coarse.clear();
+    const size = longest(this.path.bounds, 1);
+    const colors = (batch: Batch, lines: Lines) => this.colors(batch, lines);
+    if (await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials)) this.render();
   }
 
   /** The colours of both ends of each line. */
   private colors(batch: Batch, lines: Lines): Uint8Array {
-    const colors = new Uint8Array(6 * lines.count);
-    const { tool, feed } = batch;
-    const range: [number, number] = [this.path.minFeed, this.path.maxFeed];
-    let last = -1;
-    let rgb: [number, number, number] = [0, 0, 0];
-    for (let at = 0; at < lines.count; at++) {
-      const row = lines.rows ? lines.rows[at]! : at;
-      if (row !== last) rgb = colorOf(this.palette, this.colorBy, tool[row]!, feed[row]!, range);
-      last = row;
-      const [r, g, b] = rgb;
-      colors[6 * at] = colors[6 * at + 3] = r;
-      colors[6 * at + 1] = colors[6 * at + 4] = g;
-      colors[6 * at + 2] = colors[6 * at + 5] = b;
-    }
-    return colors;
+    return colorsOf(this.palette, this.colorBy, batch, lines, [this.path.minFeed, this.path.maxFeed]);
   }
 
-  private recolor(): void {
-    for (const part of this.drawnBatches) {
+  /** Gives all lines their colours anew, a part at a time. */
+  private async recolor(): Promise<void> {
+    const number = ++this.recoloring;
+    for (const part of [...this.drawnBatches]) {
       part.cuts?.setColors(this.colors(part.batch, part.lines.cuts));
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.recoloring) return;
     }
-    this.makeCoarse();
+    this.changed();
+    await this.makeCoarse();
   }
 
   setColorBy(by: ColorBy): void {
     this.colorBy = by;
-    this.recolor();
-    this.render();
+    void this.recolor();
+    this.changed();
   }
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    this.renderer.setClearColor(new Color(palette.background));
+    this.painter.renderer.setClearColor(new Color(palette.background));
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.ghostMaterial.color.set(palette.ghost);
@@ -270,8 +233,8 @@ export class PathView {
     this.markMaterial.color.set(palette.mark);
     this.measuredMaterial.color.set(palette.measure);
     this.tool.setPalette(palette);
-    this.recolor();
-    this.render();
+    void this.recolor();
+    this.changed();
   }
 
   /** What compensation was programmed for, beside the path of the tool centre. */
@@ -281,7 +244,7 @@ export class PathView {
     object.computeLineDistances();
     object.position.set(...difference(origin, this.path.origin));
     this.contour.add(object);
-    this.render();
+    this.changed();
   }
 
   /** The path of another machine, where it differs. */
@@ -291,9 +254,9 @@ export class PathView {
       const object = new LineSegments(geometryOf(new Float32Array(points)), this.ghostMaterial);
       object.position.set(...difference(origin, this.path.origin));
       this.ghost.add(object);
-      if (!this.userMoved) this.fit();
+      if (!this.eye.userMoved) this.fit();
     }
-    this.render();
+    this.changed();
   }
 
   setChords(points: Float32Array | undefined, origin: Vec3): void {
@@ -301,10 +264,9 @@ export class PathView {
     if (points && points.length > 0) {
       const object = new LineSegments(geometryOf(points), this.chordMaterial);
       object.position.set(...difference(origin, this.path.origin));
-      object.renderOrder = 4;
       this.chords.add(object);
     }
-    this.render();
+    this.changed();
   }
 
   /** Zeros of work offsets, and the box that the machine can reach; both in the frame of the run. */
@@ -313,17 +275,17 @@ export class PathView {
     const box = travel && { low: difference(travel.low, own), high: difference(travel.high, own) };
     const size = longest(this.path.bounds, 120) / 12;
     this.fixed.set(zeros.map((zero) => difference(zero, own)), box, size);
-    this.render();
+    this.changed();
   }
 
   showTravel(shown: boolean): void {
     this.fixed.showTravel(shown);
-    this.render();
+    this.changed();
   }
 
   showRapids(shown: boolean): void {
     this.rapids.visible = shown;
-    this.render();
+    this.changed();
   }
 
   /** Marks rows; none: nothing is marked. */
@@ -358,15 +320,19 @@ export class PathView {
 
   /** Shows a part of the path only. */
   setSection(section: Section): void {
+    const { tool, lines } = this.section;
+    const isSame = section.tool === tool && String(section.lines) === String(lines);
     this.section = section;
-    const tolerance = this.tolerance();
-    for (const part of this.drawnBatches) {
-      part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
-      this.put(part);
-    }
     this.cutDepth();
-    this.makeCoarse();
-    this.render();
+    if (!isSame) {
+      const tolerance = this.tolerance();
+      for (const part of this.drawnBatches) {
+        part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
+        this.put(part);
+      }
+      void this.makeCoarse();
+    }
+    this.changed();
   }
 
   private keep(batch: Batch): Keep | undefined {
@@ -397,7 +363,7 @@ export class PathView {
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
     this.measured.visible = from !== undefined;
     if (from) {
-      const size = 5 * this.pixel();
+      const size = 5 * this.eye.pixel();
       const cross = (at: Vec3) =>
         [0, 1, 2].flatMap((axis) => [-size, size].flatMap((by) => at.map((value, i) => (i === axis ? value + by : value))));
       const points = [...cross(from), ...(to ? [...cross(to), ...from, ...to] : [])];
@@ -409,95 +375,33 @@ export class PathView {
 
   /** The row at a place of the canvas. */
   pick(x: number, y: number): Picked | undefined {
-    const matrix = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
-    const { clientWidth, clientHeight } = this.canvas;
-    let best: (Picked & { distance: number }) | undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
-    for (const { batch, lines } of this.drawnBatches) {
-      // A cut is meant rather than the rapid over it.
-      for (const [own, handicap] of [[lines.cuts, 0], [lines.rapids, 3]] as const) {
-        if (own === lines.rapids && !this.rapids.visible) continue;
-        const found = nearest(own, matrix.elements, clientWidth, clientHeight, x, y, REACH);
-        if (!found || (best && found.distance + handicap >= best.distance)) continue;
-        const picked = this.picked(batch, own, found.index, found.share, x, y);
-        const z = picked.at[2] + this.path.origin[2];
-        if (z < low - 1e-3 || z > high + 1e-3) continue;
-        best = { ...picked, distance: found.distance + handicap };
-      }
-    }
-    return best;
-  }
-
-  private picked(batch: Batch, lines: Lines, index: number, share: number, x: number, y: number): Picked {
-    const own = (at: number) => (lines.rows ? lines.rows[at]! : at);
-    const row = own(index);
-    let first = index;
-    let last = index;
-    while (first > 0 && own(first - 1) === row) first--;
-    while (last < lines.count - 1 && own(last + 1) === row) last++;
-    const p = lines.points;
-    const mix = (axis: number) => p[6 * index + axis]! + (p[6 * index + 3 + axis]! - p[6 * index + axis]!) * share;
-    const ends: [number, Vec3][] = [
-      [0, [p[6 * first]!, p[6 * first + 1]!, p[6 * first + 2]!]],
-      [1, [p[6 * last + 3]!, p[6 * last + 4]!, p[6 * last + 5]!]],
-    ];
-    for (const [end, at] of ends) {
-      const [ex, ey] = this.project(at);
-      if (Math.hypot(ex - x, ey - y) < SNAP) return { row: batch.first + row, share: end, at };
-    }
-    const along = (index - first + share) / (last - first + 1);
-    return { row: batch.first + row, share: along, at: [mix(0), mix(1), mix(2)] };
+    return pick(this.drawnBatches, this.eye, this.canvas, [x, y], this.rapids.visible, (at) => {
+      const z = at[2] + this.path.origin[2];
+      return z >= low - 1e-3 && z <= high + 1e-3;
+    });
   }
 
   /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
   project(at: Vec3): [number, number] {
-    const v = new Vector3(...at).project(this.camera);
-    const { clientWidth, clientHeight } = this.canvas;
-    return [((v.x + 1) / 2) * clientWidth, ((1 - v.y) / 2) * clientHeight];
+    return this.eye.project(at);
   }
 
   /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
   axes(): Vec3[] {
-    const { elements } = this.camera.matrixWorldInverse;
-    return [0, 4, 8].map((at) => [elements[at]!, elements[at + 1]!, elements[at + 2]!] as Vec3);
+    return this.eye.axes();
   }
 
   setView(view: ViewName): void {
-    this.view = view;
-    this.userMoved = false;
+    this.eye.look(view);
     this.fit();
   }
 
-  /** Everything that is drawn fills the view. */
-  fit(render = true): void {
-    const { low, high } = this.seen();
-    const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
-    const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
-    const from = new Vector3(...VIEWS[this.view]).normalize();
-    // Seen from exactly above the turn about Z would be undefined.
-    if (this.view === "top") from.y -= 1e-5;
-    const look = (at: Vector3) => {
-      this.camera.up.set(0, 0, 1);
-      this.camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
-      this.controls.target.copy(at);
-      this.camera.lookAt(at);
-      this.camera.updateMatrixWorld();
-    };
-    look(center);
-    const [left, right, bottom, top] = this.edges({ low, high });
-    const m = this.camera.matrixWorld.elements;
-    center
-      .addScaledVector(new Vector3(m[0]!, m[1]!, m[2]!), (left + right) / 2)
-      .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
-    look(center);
-    const least = reach * 1e-3;
-    this.camera.zoom = ROOM * Math.min(
-      (this.camera.right - this.camera.left) / Math.max(right - left, least),
-      (this.camera.top - this.camera.bottom) / Math.max(top - bottom, least),
-    );
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
-    if (render) this.moved();
+  /** Everything that is drawn fills the view; with room for more where it still grows. */
+  fit(grows = false): void {
+    const box = this.seen();
+    this.eye.fit(box, (inverse) => this.edges(box, inverse), grows);
+    this.moved();
   }
 
   /** The box of everything that is to be seen, relative to the origin. */
@@ -511,8 +415,8 @@ export class PathView {
   }
 
   /** What is drawn takes of the view, mm from the camera's target. */
-  private edges(box: Bounds): Edges {
-    const extent = new Extent(this.camera.matrixWorldInverse.elements);
+  private edges(box: Bounds, inverse: ArrayLike<number>): Edges {
+    const extent = new Extent(inverse);
     // Of a long path some points tell enough.
     const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
     for (const { lines } of this.drawnBatches) {
@@ -523,96 +427,120 @@ export class PathView {
     return extent.edges;
   }
 
-  /** World length of a pixel, mm. */
-  private pixel(): number {
-    return (this.camera.right - this.camera.left) / this.camera.zoom / Math.max(1, this.canvas.clientWidth);
-  }
-
   /** A quarter of a pixel, for arcs that can be seen; the others stay as coarse as they may. */
   private tolerance(): (arcs: Float32Array, index: number) => number {
-    const pixel = this.pixel();
-    const matrix = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+    const pixel = this.eye.pixel();
+    const matrix = this.eye.matrix();
+    const side = this.eye.shorterSide();
     const center = new Vector3();
     const many = this.path.rows > MANY;
     return (arcs, index) => {
       const reach = arcReach(arcs, index);
       center.set(arcs[13 * index]!, arcs[13 * index + 1]!, arcs[13 * index + 2]!).applyMatrix4(matrix);
-      const margin = 1 + (2 * reach * this.camera.zoom) / Math.min(this.camera.right - this.camera.left, this.camera.top - this.camera.bottom);
+      const margin = 1 + (2 * reach) / side;
       const seen = Math.abs(center.x) < margin && Math.abs(center.y) < margin;
       return seen ? pixel * (many ? 0.5 : 0.25) : Math.max(pixel, reach / 20);
     };
   }
 
-  /** Cuts arcs anew when the zoom has changed so much that it shows. */
-  private refine(always = false): void {
-    const pixel = this.pixel();
-    const has = this.drawnBatches.some(({ batch }) => batch.arcRows.length > 0);
+  /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
+  private async refine(always = false): Promise<void> {
+    const number = ++this.refining;
+    const pixel = this.eye.pixel();
+    const curved = this.drawnBatches.filter(({ batch }) => batch.arcRows.length > 0);
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
-    if (!has || !(near || always || this.userMoved)) return;
+    if (curved.length === 0 || !(near || always || this.eye.userMoved)) return;
     this.cutFor = pixel;
     const tolerance = this.tolerance();
-    for (const part of this.drawnBatches) {
-      if (part.batch.arcRows.length === 0) continue;
+    for (const part of curved) {
       part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
       this.put(part);
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.refining) return;
     }
+    this.changed();
   }
 
   private moved(): void {
-    const many = this.path.rows >= MANY && this.coarse.isReady;
-    if (many && this.userMoved) this.setTurning(true);
-    window.clearTimeout(this.stillTimer);
-    this.stillTimer = window.setTimeout(() => {
-      this.setTurning(false);
-      this.refine();
-      this.render();
-    }, STILL);
-    this.render();
+    this.hasMoved = true;
+    if (this.eye.userMoved && !this.turning) {
+      this.turning = true;
+      this.painter.pace.begin();
+    }
+    this.changed();
   }
 
-  private setTurning(turning: boolean): void {
-    this.turning = turning;
-    this.coarse.show(turning);
-    this.cuts.visible = !turning;
+  /** The view has not moved for a while. */
+  private still(): void {
+    this.turning = false;
+    void this.refine();
+    this.changed();
   }
 
   get isTurning(): boolean {
     return this.turning;
   }
 
+  /** The picture shows all of the path. */
+  get isComplete(): boolean {
+    return !this.turning && this.painter.isComplete;
+  }
+
+  /** Lines of the last frame that are one pixel wide: for tests and measurements. */
+  get drawnLines(): number {
+    return this.painter.drawnLines;
+  }
+
   private resize(): void {
     const parent = this.canvas.parentElement!;
     const [width, height] = [Math.max(1, parent.clientWidth), Math.max(1, parent.clientHeight)];
-    this.renderer.setSize(width, height, false);
-    const half = 50;
-    const aspect = width / height;
-    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
-    this.camera.updateProjectionMatrix();
-    this.markMaterial.resolution.set(width, height);
-    this.measuredMaterial.resolution.set(width, height);
-    this.cutMaterials.wide.resolution.set(width, height);
-    if (!this.userMoved) this.fit(false);
+    this.eye.resize(width, height);
+    this.painter.resize(width, height);
+    if (!this.eye.userMoved) this.fit();
     this.render();
   }
 
-  render(): void {
+  /** What the picture of the path holds is another, or seen from elsewhere. */
+  private changed(): void {
+    this.painter.changed();
+    this.render();
+  }
+
+  /** Draws the next frame. */
+  private render(): void {
     if (this.wanted) return;
     this.wanted = true;
     requestAnimationFrame((now) => {
       this.wanted = false;
-      this.coarse.frame(now);
+      if (this.turning && this.hasMoved) {
+        this.hasMoved = false;
+        this.painter.pace.frame(now);
+        // Counted from a frame: one that took long must not look like rest.
+        window.clearTimeout(this.stillTimer);
+        this.stillTimer = window.setTimeout(() => this.still(), STILL);
+      }
       // Dashes keep their length on the screen.
-      const pixel = this.pixel();
+      const pixel = this.eye.pixel();
       this.rapidMaterial.dashSize = 6 * pixel;
       this.rapidMaterial.gapSize = 4 * pixel;
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
-      this.renderer.render(this.scene, this.camera);
+      this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();
     });
   }
+}
+
+function none(): Lines {
+  return { points: new Float32Array(0), rows: undefined, count: 0 };
+}
+
+/** Lets the page answer. */
+function pause(): Promise<void> {
+  return new Promise((next) => setTimeout(next));
 }
 
 function remove(object: LineSegments | undefined): void {

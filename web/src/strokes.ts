@@ -5,9 +5,6 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
-/** Lines from which on they are drawn one pixel wide: wide ones are eight times the work. */
-export const MOST_WIDE = 20_000;
-
 export class StrokeMaterials {
   thin = new LineBasicMaterial({ vertexColors: true });
   wide = new LineMaterial({ vertexColors: true, linewidth: 1.8 });

@@ -27,6 +27,9 @@ export async function serve(file, ...more) {
   return { url, process: process_, stop: () => process_.kill() };
 }
 
+/** What draws: the processor, the page as well as WebGL. */
+const DRAWS = process.env.CHROMIUM_FLAGS ?? "--use-gl=angle --use-angle=swiftshader";
+
 /** Starts Chromium without what reaches for the network. */
 export async function browser() {
   const folder = mkdtempSync(join(tmpdir(), "chordal-view-"));
@@ -36,8 +39,7 @@ export async function browser() {
     viewport: { width: 1280, height: 720 },
     args: [
       "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
+      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", ...DRAWS.split(" "),
     ],
   });
   if (process.env.CHORDAL_PAGE) await replace(context, process.env.CHORDAL_PAGE);

@@ -1,7 +1,8 @@
 // Measures a large program, from the command on: `node tests/large.mjs FILE`.
 //
-// Prints when the first lines of the path were drawn, when all of them were, how long a frame takes
-// while the view turns, what the page holds, and how long it was busy without a break.
+// Prints when the first lines of the path were drawn, when all of them were, how long a key press
+// waited meanwhile, how long a frame takes while the view turns, what the page holds, and how long it
+// was busy without a break. CHROMIUM_FLAGS chooses what draws (see `browser.mjs`).
 
 import { readFileSync, readdirSync } from "node:fs";
 import { performance } from "node:perf_hooks";
@@ -13,16 +14,34 @@ const chromium = await browser();
 const page = await chromium.context.newPage();
 await page.goto("about:blank");
 await page.addInitScript(() => {
-  window.longest = 0;
+  window.tasks = [];
+  window.events = [];
   new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) window.longest = Math.max(window.longest, duration);
+    for (const { startTime, duration } of list.getEntries()) window.tasks.push([startTime, duration]);
   }).observe({ type: "longtask", buffered: true });
+  new PerformanceObserver((list) => {
+    for (const { name, startTime, processingStart, duration } of list.getEntries()) {
+      if (name === "keydown") window.events.push([startTime, processingStart - startTime, duration]);
+    }
+  }).observe({ type: "event", durationThreshold: 16, buffered: true });
 });
 const begun = performance.now();
 const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
 const server = await serve(file);
 console.log(`address        ${since()}`);
 await page.goto(server.url, { waitUntil: "commit" });
+// Somebody who presses a key all the time while the program is loaded.
+let loading = true;
+let presses = 0;
+const presser = (async () => {
+  await page.waitForSelector("#tab-state");
+  await page.locator("#tab-problems").focus();
+  while (loading) {
+    await page.keyboard.press("ArrowRight");
+    presses++;
+    await page.waitForTimeout(100);
+  }
+})();
 await page.waitForFunction(() => window.chordal?.path().rows > 0 && window.chordal.view.drawnFrames > 0, null, { polling: 20 });
 console.log(`first picture  ${since()}  (${await page.evaluate(() => window.chordal.path().rows)} rows)`);
 await page.waitForFunction(() => window.chordal.report(), null, { polling: 50, timeout: 120_000 });
@@ -31,7 +50,16 @@ await page.waitForFunction(() => window.chordal.editor.view.state.doc.lines > 10
 console.log(`text           ${since()}  (${await page.evaluate(() => window.chordal.editor.view.state.doc.lines)} lines)`);
 await page.waitForFunction(() => window.chordal.setpoints(), null, { polling: 100, timeout: 300_000 });
 console.log(`times          ${since()}`);
-console.log(`longest task   ${(await page.evaluate(() => window.longest)).toFixed(0)} ms`);
+loading = false;
+await presser;
+const tasks = (await page.evaluate(() => window.tasks)).sort((a, b) => b[1] - a[1]);
+const worst = tasks.slice(0, 5).map(([at, ms]) => `${ms.toFixed(0)} ms at ${(at / 1000).toFixed(1)} s`).join(", ");
+console.log(`long tasks     ${tasks.length}: ${worst}`);
+const events = await page.evaluate(() => window.events);
+const most = (index) => Math.max(0, ...events.map((event) => event[index])).toFixed(0);
+console.log(`keys           ${presses} pressed; the longest waited ${most(1)} ms, was seen after ${most(2)} ms`);
+await page.waitForFunction(() => window.chordal.view.isComplete, null, { polling: 100, timeout: 60_000 });
+console.log(`all drawn      ${since()}`);
 await picture(page, "million");
 
 // What Chromium's drawing and page processes have used of a processor, s: other load does not count.
@@ -55,38 +83,40 @@ function processorSeconds(type) {
 }
 const used = () => [processorSeconds("gpu-process"), processorSeconds("renderer")];
 
-// Turning: frames between two animation callbacks, what the graphics card does included.
+// Turning: a pointer that moves at sixty a second, whether or not the page keeps up with it.
 const box = await page.locator("canvas.path").boundingBox();
 await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
 await page.mouse.down();
 await page.evaluate(() => {
   window.turns = [];
-  const count = (at) => {
-    window.turns.push(at);
-    window.counting = requestAnimationFrame(count);
+  const { view } = window.chordal;
+  const drawn = view.onDrawn;
+  view.onDrawn = () => {
+    window.turns.push(performance.now());
+    drawn();
   };
-  window.counting = requestAnimationFrame(count);
 });
 const frames = () => page.evaluate(() => window.chordal.view.drawnFrames);
 const [before, framesBefore] = [used(), await frames()];
 const turning = performance.now();
 let step = 0;
+const moves = [];
 while (performance.now() - turning < 5000) {
   step++;
-  await page.mouse.move(box.x + box.width / 2 + 150 * Math.sin(step / 20), box.y + box.height / 2 + 60 * Math.cos(step / 25));
+  moves.push(page.mouse.move(box.x + box.width / 2 + 150 * Math.sin(step / 20), box.y + box.height / 2 + 60 * Math.cos(step / 25)));
+  await new Promise((next) => setTimeout(next, 16));
 }
+await Promise.all(moves);
 const drawn = (await frames()) - framesBefore;
 const each = used().map((seconds, index) => ((seconds - before[index]) / drawn) * 1000);
+const lines = await page.evaluate(() => window.chordal.view.drawnLines);
 await picture(page, "million-turning");
-const turns = await page.evaluate(() => {
-  cancelAnimationFrame(window.counting);
-  return window.turns;
-});
+const turns = await page.evaluate(() => window.turns);
 await page.mouse.up();
 const gaps = turns.slice(1).map((at, index) => at - turns[index]).sort((a, b) => a - b);
 const mean = (turns.at(-1) - turns[0]) / gaps.length;
-console.log(`turning        ${(1000 / mean).toFixed(0)} frames/s, the slowest of twenty ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms`);
-console.log(`a frame        ${each[0].toFixed(1)} ms of a processor to draw, ${each[1].toFixed(1)} ms in the page (${drawn} frames)`);
+console.log(`turning        ${(1000 / mean).toFixed(0)} frames drawn a second, the slowest of twenty ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms`);
+console.log(`a frame        ${each[0].toFixed(1)} ms of a processor to draw, ${each[1].toFixed(1)} ms in the page (${drawn} frames, ${lines} lines)`);
 const metrics = await chromium.context.newCDPSession(page).then(async (session) => {
   await session.send("HeapProfiler.enable");
   await session.send("HeapProfiler.collectGarbage");

@@ -1,6 +1,9 @@
 //! What the blocks of a text did when it ran.
 
-use chordal::control::{Modal, Origin, Units};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use chordal::control::{CallPath, Modal, Origin, Units};
 use chordal::diagnostics::FileId;
 use chordal::path::PathCommand;
 use chordal::{Command, Diagnostic, Report, Segment, SegmentKind, Sink, Watch};
@@ -115,9 +118,11 @@ impl Program {
 
     /// What is in force behind a line, if it carries something out.
     fn modal_of(&self, line: u32) -> Option<Modal> {
-        let mut taking = Taking { line, modal: None };
-        self.job().run(&mut taking);
-        taking.modal.map(|(_, modal)| modal)
+        let over = Arc::new(AtomicBool::new(false));
+        let asked = over.clone();
+        let mut taking = Taking { line, modal: None, over };
+        self.job().interrupt(Arc::new(move || asked.load(Ordering::Relaxed))).run(&mut taking);
+        taking.modal.map(|(_, _, modal)| modal)
     }
 }
 
@@ -143,10 +148,12 @@ impl Sink for Nearest {
     }
 }
 
-/// The state behind a line's first run; the last block of the line counts.
+/// The state behind a line's first run, which ends the run; the last block of the line counts.
 struct Taking {
     line: u32,
-    modal: Option<(u32, Modal)>,
+    modal: Option<(u32, CallPath, Modal)>,
+    /// The line has run: what follows is no longer wanted.
+    over: Arc<AtomicBool>,
 }
 
 impl Sink for Taking {
@@ -159,10 +166,18 @@ impl Sink for Taking {
     }
 
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        if origin.span.file != FileId(0) || self.over.load(Ordering::Relaxed) {
+            return;
+        }
         let start = origin.span.range.start;
-        let further = self.modal.as_ref().is_none_or(|(last, _)| *last < start);
-        if origin.span.file == FileId(0) && origin.line == self.line && further {
-            self.modal = Some((start, modal()));
+        match &self.modal {
+            // What the line calls is other lines, too.
+            Some((_, call, _)) if origin.line != self.line && origin.call == *call => {
+                self.over.store(true, Ordering::Relaxed);
+            }
+            Some((last, ..)) if *last >= start => {}
+            _ if origin.line == self.line => self.modal = Some((start, origin.call, modal())),
+            _ => {}
         }
     }
 }

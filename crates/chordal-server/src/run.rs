@@ -18,7 +18,7 @@ use crate::wanted::Wanted;
 const FIRST_BATCH: usize = 4_096;
 
 /// Rows of later batches, so that the page is not busy with any one of them for long.
-const BATCH: usize = 65_536;
+const BATCH: usize = 32_768;
 
 /// Most pieces of path that are sent. What comes after is run and judged, not drawn.
 const MOST_ROWS: u32 = 8_000_000;

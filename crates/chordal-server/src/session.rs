@@ -31,6 +31,9 @@ use crate::{answer, chords, times, words};
 /// How often the file is looked at.
 const LOOK_EVERY: Duration = Duration::from_millis(400);
 
+/// Bytes of text that are sent in one message, about: a page is busy with each without a break.
+const TEXT_PIECE: usize = 1 << 20;
+
 /// The page's end of the threads.
 pub struct Session {
     shared: Arc<Shared>,
@@ -265,13 +268,28 @@ impl Shared {
             let document = &held.document;
             (document.text().to_string(), document.form().mixed, document.binary)
         };
-        let mut frame = crate::frame::Frame::default();
-        frame.column("text", text.as_bytes());
-        self.out.binary(frame.finish(json!({
-            "type": "text",
-            "mixed_endings": mixed,
-            "binary": binary,
-        })));
+        let mut rest = text.as_str();
+        loop {
+            let is_first = rest.len() == text.len();
+            let mut end = rest.len().min(TEXT_PIECE);
+            while !rest.is_char_boundary(end) {
+                end += 1;
+            }
+            let (piece, more) = rest.split_at(end);
+            let mut frame = crate::frame::Frame::default();
+            frame.column("text", piece.as_bytes());
+            self.out.binary(frame.finish(json!({
+                "type": "text",
+                "first": is_first,
+                "last": more.is_empty(),
+                "mixed_endings": mixed,
+                "binary": binary,
+            })));
+            rest = more;
+            if rest.is_empty() {
+                return;
+            }
+        }
     }
 
     fn save(&self, id: u64, force: bool) {

@@ -46,6 +46,27 @@ fn the_path_is_columns_and_arcs_have_their_exact_record() {
 }
 
 #[test]
+fn a_long_text_comes_in_pieces_that_cut_no_character() {
+    let line = "G1 X1.5 (ß→)\n";
+    let long = line.repeat(200_000);
+    let mut live = serve(Shown::text(&long)).live();
+    let mut text = Vec::new();
+    let mut pieces = 0;
+    loop {
+        let piece = live.columns("text");
+        assert_eq!(piece.header["first"], pieces == 0);
+        assert!(std::str::from_utf8(&piece.u8("text")).is_ok());
+        text.extend_from_slice(&piece.u8("text"));
+        pieces += 1;
+        if piece.header["last"] == true {
+            break;
+        }
+    }
+    assert!(pieces > 2, "{pieces}");
+    assert!(text == long.as_bytes());
+}
+
+#[test]
 fn the_text_is_the_files_and_edits_are_run() {
     let mut live = serve(Shown::text("G21\r\nG1 X10. F100.\r\nG7 X20.\r\n")).live();
     let text = live.columns("text");

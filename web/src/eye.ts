@@ -1,0 +1,127 @@
+// From where the path is seen: the camera, how the pointer moves it, and how it fits what there is.
+
+import { Matrix4, OrthographicCamera, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { type Edges, Extent } from "./fit";
+import type { Bounds, Vec3 } from "./path";
+
+export type ViewName = "top" | "front" | "right" | "iso";
+
+/** From where each view looks. */
+const VIEWS: Record<ViewName, Vec3> = {
+  top: [0, 0, 1],
+  front: [0, -1, 0],
+  right: [1, 0, 0],
+  iso: [1, -1, 1],
+};
+
+/** How much of the view a fitted path takes. */
+const ROOM = 0.86;
+/** And one that grows: it would be fitted, and drawn, again and again. */
+const GROWING_ROOM = 0.55;
+
+export class Eye {
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e6, 1e6);
+  private controls: OrbitControls;
+  private view: ViewName = "iso";
+  /** The user has chosen what is seen: nothing is fitted any more. */
+  userMoved = false;
+
+  constructor(
+    private canvas: HTMLCanvasElement,
+    moved: () => void,
+  ) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.zoomToCursor = true;
+    this.controls.rotateSpeed = 0.8;
+    this.controls.addEventListener("change", moved);
+    this.controls.addEventListener("start", () => (this.userMoved = true));
+  }
+
+  look(view: ViewName): void {
+    this.view = view;
+    this.userMoved = false;
+  }
+
+  resize(width: number, height: number): void {
+    const half = 50;
+    const aspect = width / height;
+    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** A box fills the view, or what lies in it and takes the edges that are told. */
+  fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => Edges, grows: boolean): void {
+    const { camera } = this;
+    const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
+    const from = new Vector3(...VIEWS[this.view]).normalize();
+    // Seen from exactly above the turn about Z would be undefined.
+    if (this.view === "top") from.y -= 1e-5;
+    const look = (at: Vector3) => {
+      camera.up.set(0, 0, 1);
+      camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
+      this.controls.target.copy(at);
+      camera.lookAt(at);
+      camera.updateMatrixWorld();
+    };
+    look(center);
+    const [left, right, bottom, top] = edgesOf(camera.matrixWorldInverse.elements);
+    const m = camera.matrixWorld.elements;
+    center
+      .addScaledVector(new Vector3(m[0]!, m[1]!, m[2]!), (left + right) / 2)
+      .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
+    look(center);
+    const least = reach * 1e-3;
+    camera.zoom = (grows ? GROWING_ROOM : ROOM) * Math.min(
+      (camera.right - camera.left) / Math.max(right - left, least),
+      (camera.top - camera.bottom) / Math.max(top - bottom, least),
+    );
+    camera.updateProjectionMatrix();
+    this.controls.update();
+  }
+
+  /** Whether places are in the view; every so many numbers of them one is looked at. */
+  sees(points: Float32Array, step: number): boolean {
+    const extent = new Extent(this.camera.matrixWorldInverse.elements);
+    extent.add(points, step);
+    const [left, right, bottom, top] = extent.edges;
+    const { camera } = this;
+    return (
+      extent.isEmpty ||
+      (left >= camera.left / camera.zoom && right <= camera.right / camera.zoom &&
+        bottom >= camera.bottom / camera.zoom && top <= camera.top / camera.zoom)
+    );
+  }
+
+  /** World length of a pixel, mm. */
+  pixel(): number {
+    return (this.camera.right - this.camera.left) / this.camera.zoom / Math.max(1, this.canvas.clientWidth);
+  }
+
+  /** World length of the shorter side of what is seen, mm. */
+  shorterSide(): number {
+    const { left, right, top, bottom, zoom } = this.camera;
+    return Math.min(right - left, top - bottom) / zoom;
+  }
+
+  /** Takes places to the cube from -1 to 1. */
+  matrix(): Matrix4 {
+    return new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+  }
+
+  /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
+  project(at: Vec3): [number, number] {
+    const v = new Vector3(...at).project(this.camera);
+    const { clientWidth, clientHeight } = this.canvas;
+    return [((v.x + 1) / 2) * clientWidth, ((1 - v.y) / 2) * clientHeight];
+  }
+
+  /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
+  axes(): Vec3[] {
+    const { elements } = this.camera.matrixWorldInverse;
+    return [0, 4, 8].map((at) => [elements[at]!, elements[at + 1]!, elements[at + 2]!] as Vec3);
+  }
+}

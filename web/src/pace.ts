@@ -1,0 +1,96 @@
+// How much a frame may hold so that frames follow on each other fast enough, on whatever draws them.
+
+/** What a frame of a turning view is drawn with. */
+export interface Quality {
+  /** Number of the coarse level; -1 is the path itself. */
+  level: number;
+  /** Samples of each pixel. */
+  samples: 0 | 4;
+  /** Pixels drawn to pixels shown, of each side. */
+  scale: number;
+}
+
+/** From the best picture to the cheapest. */
+export const QUALITIES: Quality[] = [
+  { level: -1, samples: 4, scale: 1 },
+  { level: 0, samples: 4, scale: 1 },
+  { level: 0, samples: 0, scale: 1 },
+  { level: 1, samples: 0, scale: 1 },
+  { level: 2, samples: 0, scale: 1 },
+  { level: 3, samples: 0, scale: 1 },
+  { level: 3, samples: 0, scale: 0.5 },
+];
+
+/** A frame that takes longer asks for less, ms: 25 a second. */
+const SLOW_MS = 40;
+/** Frames that are faster, many in a row, allow for more, ms. */
+const FAST_MS = 20;
+const IN_A_ROW = 20;
+/** Whoever rests with the button down makes no frames: a gap as long says nothing. */
+const REST_MS = 1000;
+
+export class Pace {
+  private step: number;
+  private before = 0;
+  private slow = 0;
+  private fast = 0;
+  /** Fast frames before more is tried; twice as many each time that more was too much. */
+  private patience = IN_A_ROW;
+  private tried = false;
+
+  /** Begins with what a machine of its kind is likely to draw. */
+  constructor(isSoftware: boolean) {
+    this.step = isSoftware ? 4 : 1;
+  }
+
+  get quality(): Quality {
+    return QUALITIES[this.step]!;
+  }
+
+  /** The view begins to turn. */
+  begin(): void {
+    this.before = 0;
+    this.slow = this.fast = 0;
+  }
+
+  /** A frame begins at a time, ms: the gap to the one before says what that one took. */
+  frame(now: number): void {
+    const gap = now - this.before;
+    const isFirst = this.before === 0;
+    this.before = now;
+    if (isFirst || gap > REST_MS) return;
+    this.slow = gap > SLOW_MS ? this.slow + 1 : 0;
+    this.fast = gap < FAST_MS ? this.fast + 1 : 0;
+    // One slow frame may be somebody else's.
+    if (this.slow >= 2 && this.step < QUALITIES.length - 1) {
+      if (this.tried) this.patience = Math.min(1280, 2 * this.patience);
+      this.choose(this.step + 1);
+      this.tried = false;
+    } else if (this.fast > this.patience && this.step > 0) {
+      this.choose(this.step - 1);
+      this.tried = true;
+    }
+  }
+
+  private choose(step: number): void {
+    this.step = step;
+    this.slow = this.fast = 0;
+  }
+}
+
+/** How many lines are drawn in one go, so that none keeps the page from answering. */
+export class Slices {
+  lines: number;
+
+  constructor(isSoftware: boolean) {
+    this.lines = isSoftware ? 8_000 : 250_000;
+  }
+
+  /** So many lines took so long, ms. */
+  took(lines: number, ms: number): void {
+    // A few lines tell about what surrounds them, not about themselves.
+    if (lines < this.lines / 2) return;
+    if (ms < 16) this.lines = Math.min(16_000_000, this.lines * 2);
+    else if (ms > 40) this.lines = Math.max(2_000, this.lines / 2);
+  }
+}
