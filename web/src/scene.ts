@@ -483,9 +483,10 @@ export class PathView {
     return this.turning;
   }
 
-  /** The picture shows all of the path. */
+  /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
-    return !this.turning && this.painter.isComplete;
+    const isReady = this.path.rows < MANY || this.coarse.isReady;
+    return !this.turning && isReady && this.painter.isComplete;
   }
 
   /** Lines of the last frame that are one pixel wide: for tests and measurements. */

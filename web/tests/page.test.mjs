@@ -318,3 +318,65 @@ test("a call leads to its program", async () => {
   await page.waitForFunction((call) => window.chordal.editor.line !== call, call);
   await page.close();
 });
+
+test("a long program answers while it loads, and turns at a detail that is soon drawn", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
+  const path = join(folder, "long.ngc");
+  writeFileSync(path, surfacing(200_000));
+  const server = await serve(path);
+  servers.push(server);
+  const page = await chromium.context.newPage();
+  await page.goto(server.url);
+  // How far the run is can be seen, and another panel is chosen meanwhile.
+  await page.waitForFunction(() => !document.querySelector(".progress").hidden, null, { polling: "raf" });
+  await page.locator("#tab-times").click();
+  assert.equal(await page.locator("#tab-times").getAttribute("aria-selected"), "true");
+  const complete = () => page.waitForFunction(() => window.chordal.report() && window.chordal.view.isComplete, null, { timeout: 60_000 });
+  await complete();
+  const drawn = () => page.evaluate(() => window.chordal.view.drawnLines);
+  assert.ok((await drawn()) >= 200_000, `${await drawn()} lines`);
+  await page.waitForFunction((lines) => window.chordal.editor.view.state.doc.lines === lines, 200_000 + 8);
+  // The tool moves over the picture that is there: the path is not drawn anew.
+  const kept = await page.evaluate(async () => {
+    const { view } = window.chordal;
+    view.placeTool([10, 10, 10]);
+    await new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
+    return view.isComplete;
+  });
+  assert.ok(kept);
+  await picture(page, "long");
+  const box = await page.locator("canvas.path").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.evaluate(() => {
+    const { view } = window.chordal;
+    window.turned = [];
+    const drawn = view.onDrawn;
+    view.onDrawn = () => {
+      if (view.isTurning) window.turned.push(view.drawnLines);
+      drawn();
+    };
+  });
+  for (let step = 1; step <= 20; step++) await page.mouse.move(x + 5 * step, y + 2 * step);
+  const turned = await page.evaluate(() => window.turned);
+  assert.ok(turned.length > 0);
+  assert.ok(Math.min(...turned) > 1000 && Math.max(...turned) < 70_000, String(turned));
+  await page.mouse.up();
+  await complete();
+  assert.ok((await drawn()) >= 200_000);
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Passes over a wavy surface: so many lines of a tenth of a millimetre, and eight around them. */
+function surfacing(count) {
+  const lines = ["G21 G90 G17 G64 P0.01", "T1 M6", "S12000 M3", "G0 X0 Y0 Z5", "G1 Z0.3 F3000"];
+  for (let at = 0; at < count; at++) {
+    const [row, step] = [Math.floor(at / 1000), at % 1000];
+    const x = 0.1 * (row % 2 === 0 ? step : 999 - step);
+    const z = 0.6 * Math.sin(0.3 * x) + 0.3 * Math.cos(0.11 * x + 0.05 * row);
+    lines.push(`X${x.toFixed(3)}${step === 0 ? `Y${(0.1 * row).toFixed(3)}` : ""}Z${z.toFixed(4)}`);
+  }
+  return [...lines, "G0 Z5", "M30", ""].join("\n");
+}
