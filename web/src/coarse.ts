@@ -4,6 +4,7 @@ import { Group } from "three";
 import { type Strands, someStrands, strands } from "./detail";
 import type { Lines } from "./lines";
 import type { Batch } from "./path";
+import { pause } from "./pause";
 import { type StrokeMaterials, Strokes } from "./strokes";
 
 /** Lines of each level, about. */
@@ -85,8 +86,4 @@ export class Coarse {
     this.object.visible = shown;
     this.levels.forEach((group, index) => (group.visible = index === level));
   }
-}
-
-function pause(): Promise<void> {
-  return new Promise((next) => setTimeout(next));
 }

@@ -2,13 +2,12 @@
 
 import "./style.css";
 import { type ColorBy, DARK, LIGHT, toolColor } from "./colors";
-import { differences } from "./compare";
+import { differences, pointsOf } from "./compare";
 import { Editor } from "./editor";
 import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
-import { someRows } from "./lines";
 import { showOutline, showProblems, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
@@ -19,6 +18,9 @@ import { askWords, words } from "./words";
 import { count, counted, length } from "./units";
 
 const ui = layout(document.querySelector<HTMLElement>("#app")!);
+
+/** How far the drawn path of the machine before may be from its arcs. */
+const GHOST_TOLERANCE_MM = 0.02;
 
 let path = new Path();
 let former: { path: Path; machine: string } | undefined;
@@ -143,7 +145,7 @@ function startPath(): void {
   if (started) return;
   started = true;
   view.begin(path);
-  view.setGhost([], [0, 0, 0]);
+  view.setGhost(new Float32Array(0), [0, 0, 0]);
   timeline.clear();
 }
 
@@ -217,7 +219,7 @@ function finish(told: Report): void {
   tellTimes();
   void tellOutline();
   if (setpoints) timeline.set(setpoints, { inch: told.inch });
-  compare();
+  void compare();
   cursorAt(editor.line);
   if (ui.chordsOn.checked) askChords();
 }
@@ -240,26 +242,24 @@ function travelBox(at: (number | null)[] | null): Bounds | undefined {
   return { low: ends.map((end) => end![0]) as Vec3, high: ends.map((end) => end![1]) as Vec3 };
 }
 
-function compare(): void {
+/** Tells and draws what the machine before did otherwise. */
+async function compare(): Promise<void> {
   const other = former;
+  const own = run;
+  const isWanted = () => own === run;
   comparing = false;
+  former = undefined;
   if (!other) {
     editor.markLines("differs", []);
     ui.comparison("");
     return;
   }
-  const { lines, rows } = differences(other.path, path);
+  const found = await differences(other.path, path, isWanted);
+  if (!found) return;
+  const { lines, rows } = found;
   editor.markLines("differs", lines.slice(0, 10_000));
-  const points: number[] = [];
-  for (const [from, to] of rows) {
-    for (const batch of other.path.batches) {
-      const first = Math.max(0, from - batch.first);
-      const last = Math.min(batch.rows - 1, to - batch.first);
-      if (first <= last && points.length < 3_000_000) {
-        for (const value of someRows(batch, first, last, () => 0.02)) points.push(value);
-      }
-    }
-  }
+  const points = await pointsOf(other.path, rows, GHOST_TOLERANCE_MM);
+  if (!isWanted()) return;
   view.setGhost(points, other.path.origin);
   ui.comparison(
     lines.length === 0

@@ -21,6 +21,7 @@ import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn, someRows } from "./lines";
 import { Painter } from "./painter";
+import { pause } from "./pause";
 import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
 import { type Picked, pick } from "./picking";
 import { StrokeMaterials, Strokes, geometryOf } from "./strokes";
@@ -248,10 +249,10 @@ export class PathView {
   }
 
   /** The path of another machine, where it differs. */
-  setGhost(points: number[], origin: Vec3): void {
+  setGhost(points: Float32Array, origin: Vec3): void {
     empty(this.ghost);
     if (points.length > 0) {
-      const object = new LineSegments(geometryOf(new Float32Array(points)), this.ghostMaterial);
+      const object = new LineSegments(geometryOf(points), this.ghostMaterial);
       object.position.set(...difference(origin, this.path.origin));
       this.ghost.add(object);
       if (!this.eye.userMoved) this.fit();
@@ -537,11 +538,6 @@ export class PathView {
 
 function none(): Lines {
   return { points: new Float32Array(0), rows: undefined, count: 0 };
-}
-
-/** Lets the page answer. */
-function pause(): Promise<void> {
-  return new Promise((next) => setTimeout(next));
 }
 
 function remove(object: LineSegments | undefined): void {
