@@ -180,6 +180,8 @@ export class Editor {
   addText(piece: string, isFirst: boolean, isLast: boolean): void {
     this.arriving = joined(isFirst ? Text.empty : this.arriving, piece);
     if (isLast) this.setText(this.arriving);
+    // What was typed now would belong to neither text.
+    else if (isFirst) this.view.setState(this.stateOf(this.view.state.doc, true));
   }
 
   private setText(doc: Text): void {

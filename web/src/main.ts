@@ -206,7 +206,7 @@ function finish(told: Report): void {
   startPath();
   report = told;
   ui.progress(1);
-  view.finish();
+  void view.finish();
   const { zeros, machine: at } = told.places;
   view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
   view.showTravel(ui.travel.checked);

@@ -108,9 +108,8 @@ export class PathView {
     this.measured.frustumCulled = false;
     this.measured.visible = false;
     this.mark.visible = false;
-    this.painter.path.add(this.fixed.object);
     this.painter.beside.add(this.ghost, this.rapids, this.contour, this.chords);
-    this.painter.over.add(this.mark, this.measured, this.tool.object);
+    this.painter.over.add(this.fixed.object, this.mark, this.measured, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -153,16 +152,19 @@ export class PathView {
   }
 
   /** The whole path is there. */
-  finish(): void {
-    if (this.path.rows > this.mostWide) {
+  async finish(): Promise<void> {
+    const { path } = this;
+    if (path.rows > this.mostWide) {
       // The first batches did not know that there would be so many.
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
     }
+    // The coarse path first: it is what shows until the picture of the whole one is drawn.
+    if (this.colorBy === "speed") await this.recolor();
+    else await this.makeCoarse();
+    if (path !== this.path) return;
     this.painter.showsPart = false;
     if (!this.eye.userMoved) this.fit();
-    void this.refine(true);
-    void this.makeCoarse();
-    if (this.colorBy === "speed") void this.recolor();
+    await this.refine(true);
     this.changed();
   }
 
@@ -276,12 +278,12 @@ export class PathView {
     const box = travel && { low: difference(travel.low, own), high: difference(travel.high, own) };
     const size = longest(this.path.bounds, 120) / 12;
     this.fixed.set(zeros.map((zero) => difference(zero, own)), box, size);
-    this.changed();
+    this.render();
   }
 
   showTravel(shown: boolean): void {
     this.fixed.showTravel(shown);
-    this.changed();
+    this.render();
   }
 
   showRapids(shown: boolean): void {

@@ -1,6 +1,8 @@
 //! The one connection of a page: requests in, answers and columns out.
 
+use std::pin::pin;
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::{Value, json};
@@ -16,9 +18,15 @@ pub const LARGEST_MESSAGE: usize = 32 << 20;
 /// Messages that wait for a page. A page that is slow makes the run wait, not the memory grow.
 const WAITING: usize = 16;
 
+/// How long a long text waits for the first lines of the path.
+const HOLD: Duration = Duration::from_secs(1);
+
 /// Takes what is for the page, from any thread.
 #[derive(Clone, Debug)]
-pub struct Outbox(mpsc::Sender<Message>);
+pub struct Outbox {
+    soon: mpsc::Sender<Message>,
+    later: mpsc::Sender<Message>,
+}
 
 impl Outbox {
     /// Sends an object.
@@ -31,6 +39,11 @@ impl Outbox {
         self.send(Message::Binary(frame.into()));
     }
 
+    /// Sends columns that the first picture need not wait for.
+    pub fn binary_later(&self, frame: Vec<u8>) {
+        let _ = self.later.blocking_send(Message::Binary(frame.into()));
+    }
+
     /// Sends that a request failed.
     pub fn refuse(&self, id: u64, message: &str, help: Option<&str>) {
         self.json(&json!({ "type": "error", "id": id, "message": message, "help": help }));
@@ -38,14 +51,15 @@ impl Outbox {
 
     fn send(&self, message: Message) {
         // A page that has gone is noticed where its requests are read.
-        let _ = self.0.blocking_send(message);
+        let _ = self.soon.blocking_send(message);
     }
 }
 
 /// Talks with a page until it goes.
 pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
-    let (sender, mut outgoing) = mpsc::channel(WAITING);
-    let session = match Session::begin(programs, Outbox(sender.clone())) {
+    let (soon, mut outgoing) = mpsc::channel(WAITING);
+    let (later, mut outgoing_later) = mpsc::channel(1);
+    let session = match Session::begin(programs, Outbox { soon, later }) {
         Ok(session) => session,
         Err(error) => {
             let told = json!({ "type": "error", "id": 0, "message": error.to_string() });
@@ -53,14 +67,10 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
             return;
         }
     };
+    let mut is_drawn = false;
+    let mut hold = pin!(tokio::time::sleep(HOLD));
     loop {
         tokio::select! {
-            message = outgoing.recv() => {
-                let Some(message) = message else { break };
-                if socket.send(message).await.is_err() {
-                    break;
-                }
-            }
             message = socket.recv() => {
                 let refused = match message {
                     Some(Ok(Message::Text(text))) => take(&session, text.as_str()),
@@ -82,11 +92,25 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {
                     }
                 }
             }
+            message = outgoing.recv() => {
+                let Some(message) = message else { break };
+                is_drawn |= matches!(message, Message::Binary(_));
+                if socket.send(message).await.is_err() {
+                    break;
+                }
+            }
+            Some(message) = outgoing_later.recv(), if is_drawn || hold.is_elapsed() => {
+                if socket.send(message).await.is_err() {
+                    break;
+                }
+            }
+            () = &mut hold, if !hold.is_elapsed() => {}
         }
     }
     session.end();
     // Whoever waits for room in the outbox is let go.
     outgoing.close();
+    outgoing_later.close();
 }
 
 fn take(session: &Session, text: &str) -> Result<(), String> {

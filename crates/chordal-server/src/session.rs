@@ -278,13 +278,17 @@ impl Shared {
             let (piece, more) = rest.split_at(end);
             let mut frame = crate::frame::Frame::default();
             frame.column("text", piece.as_bytes());
-            self.out.binary(frame.finish(json!({
+            let message = frame.finish(json!({
                 "type": "text",
                 "first": is_first,
                 "last": more.is_empty(),
                 "mixed_endings": mixed,
                 "binary": binary,
-            })));
+            }));
+            match is_first && more.is_empty() {
+                true => self.out.binary(message),
+                false => self.out.binary_later(message),
+            }
             rest = more;
             if rest.is_empty() {
                 return;
