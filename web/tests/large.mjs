@@ -14,16 +14,20 @@ const chromium = await browser();
 const page = await chromium.context.newPage();
 await page.goto("about:blank");
 await page.addInitScript(() => {
-  window.tasks = [];
   window.events = [];
-  new PerformanceObserver((list) => {
-    for (const { startTime, duration } of list.getEntries()) window.tasks.push([startTime, duration]);
-  }).observe({ type: "longtask", buffered: true });
   new PerformanceObserver((list) => {
     for (const { name, startTime, processingStart, duration } of list.getEntries()) {
       if (name === "keydown") window.events.push([startTime, processingStart - startTime, duration]);
     }
   }).observe({ type: "event", durationThreshold: 16, buffered: true });
+});
+// What the page's tasks take of a processor: how long they last says as much about other load.
+const session = await chromium.context.newCDPSession(page);
+const events = [];
+session.on("Tracing.dataCollected", ({ value }) => events.push(...value));
+await session.send("Tracing.start", {
+  traceConfig: { includedCategories: ["toplevel", "__metadata"], excludedCategories: ["*"] },
+  transferMode: "ReportEvents",
 });
 const begun = performance.now();
 const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
@@ -52,11 +56,18 @@ await page.waitForFunction(() => window.chordal.setpoints(), null, { polling: 10
 console.log(`times          ${since()}`);
 loading = false;
 await presser;
-const tasks = (await page.evaluate(() => window.tasks)).sort((a, b) => b[1] - a[1]);
-const worst = tasks.slice(0, 5).map(([at, ms]) => `${ms.toFixed(0)} ms at ${(at / 1000).toFixed(1)} s`).join(", ");
-console.log(`long tasks     ${tasks.length}: ${worst}`);
-const events = await page.evaluate(() => window.events);
-const most = (index) => Math.max(0, ...events.map((event) => event[index])).toFixed(0);
+const ended = new Promise((done) => session.once("Tracing.tracingComplete", done));
+await session.send("Tracing.end");
+await ended;
+const mainThreads = new Set(events.filter(({ args }) => args?.name === "CrRendererMain").map(({ pid, tid }) => `${pid} ${tid}`));
+const tasks = events.filter(({ ph, pid, tid, name }) => ph === "X" && /RunTask$/.test(name) && mainThreads.has(`${pid} ${tid}`));
+const first = Math.min(...tasks.map(({ ts }) => ts));
+const longest = (field) => tasks.toSorted((a, b) => (b[field] ?? 0) - (a[field] ?? 0)).slice(0, 4)
+  .map((task) => `${(task[field] / 1000).toFixed(0)} ms at ${((task.ts - first) / 1e6).toFixed(1)} s`).join(", ");
+console.log(`long tasks     ${longest("dur")}`);
+console.log(`of a processor ${longest("tdur")}`);
+const keys = await page.evaluate(() => window.events);
+const most = (index) => Math.max(0, ...keys.map((key) => key[index])).toFixed(0);
 console.log(`keys           ${presses} pressed; the longest waited ${most(1)} ms, was seen after ${most(2)} ms`);
 await page.waitForFunction(() => window.chordal.view.isComplete, null, { polling: 100, timeout: 60_000 });
 console.log(`all drawn      ${since()}`);
@@ -117,11 +128,18 @@ const gaps = turns.slice(1).map((at, index) => at - turns[index]).sort((a, b) =>
 const mean = (turns.at(-1) - turns[0]) / gaps.length;
 console.log(`turning        ${(1000 / mean).toFixed(0)} frames drawn a second, the slowest of twenty ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms`);
 console.log(`a frame        ${each[0].toFixed(1)} ms of a processor to draw, ${each[1].toFixed(1)} ms in the page (${drawn} frames, ${lines} lines)`);
-const metrics = await chromium.context.newCDPSession(page).then(async (session) => {
-  await session.send("HeapProfiler.enable");
-  await session.send("HeapProfiler.collectGarbage");
-  return session.send("Runtime.getHeapUsage");
-});
+// Playback, over the picture that is kept.
+await page.waitForFunction(() => window.chordal.view.isComplete, null, { polling: 100, timeout: 60_000 });
+const [rest, framesAtRest] = [used(), await frames()];
+await page.locator("#play").click();
+await page.waitForTimeout(4000);
+await page.locator("#play").click();
+const played = (await frames()) - framesAtRest;
+const ofPlay = used().map((seconds, index) => ((seconds - rest[index]) / played) * 1000);
+console.log(`playback       ${(played / 4).toFixed(0)} frames a second, each ${ofPlay[0].toFixed(1)} ms to draw, ${ofPlay[1].toFixed(1)} ms in the page`);
+await session.send("HeapProfiler.enable");
+await session.send("HeapProfiler.collectGarbage");
+const metrics = await session.send("Runtime.getHeapUsage");
 const mib = (bytes) => (bytes / 2 ** 20).toFixed(0);
 console.log(`page           ${mib(metrics.usedSize)} MiB of objects, ${mib(metrics.backingStorageSize ?? 0)} MiB of arrays`);
 await chromium.stop();
