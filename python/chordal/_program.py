@@ -256,6 +256,11 @@ class Program:
         table, planned = self._program.trajectory(period, level, max_samples)
         return Trajectory(table, period, planned)
 
+    def report(self, *, date: str | None = None) -> str:
+        """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs
+        nothing else. The same program gives the same text; a date is on it only where one is given."""
+        return self._program.report_html(date)
+
     def svg(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> str:
         """The planned views of the path as SVG, px."""
         return self._program.svg(width, height, dark)

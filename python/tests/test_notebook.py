@@ -18,6 +18,14 @@ def test_a_program_shows_picture_summary_and_problems() -> None:
     assert "no problems" in chordal.loads("G21 G0 X1.\nM30\n", "haas-vf2")._repr_html_()
 
 
+def test_a_setup_sheet_is_one_page_and_the_same_again() -> None:
+    program = chordal.loads(BROKEN, "haas-vf2", name="in/<b>.nc")
+    page = program.report()
+    assert page.startswith("<!DOCTYPE html>") and page == program.report()
+    assert "Do not run: 1 error." in page and "&lt;b&gt;.nc" in page and "<b>" not in page
+    assert "<dd>today</dd>" in program.report(date="today") and "<dt>Date</dt>" not in page
+
+
 def test_pictures_have_their_size() -> None:
     program = chordal.loads(PART, "haas-vf2")
     png = program.png(400, 300)

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
 export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const CHORDAL = process.env.CHORDAL ?? join(ROOT, "target/debug/chordal");
+export const CHORDAL = process.env.CHORDAL ?? join(ROOT, "target/debug/chordal");
 const PICTURES = join(ROOT, "target/view");
 mkdirSync(PICTURES, { recursive: true });
 

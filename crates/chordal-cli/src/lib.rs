@@ -27,11 +27,11 @@ pub mod load;
 mod lsp;
 mod machine;
 mod machines;
-mod numbers;
 mod options;
 mod out;
 mod output;
 mod path;
+mod report;
 mod rows;
 mod run;
 mod sample;
@@ -44,6 +44,7 @@ mod view;
 
 use std::ffi::OsString;
 
+use chordal_export::numbers;
 use clap::{ColorChoice, Parser, Subcommand};
 
 use crate::failure::{Failure, Verdict};
@@ -64,6 +65,7 @@ Examples:
   chordal run part.nc -o part.svg            the same, and a picture
   chordal view part.nc                       program and path side by side, in the browser
   chordal time part.nc                       how long it takes, where and why
+  chordal report part.nc -o setup.html       a setup sheet to print or mail
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
@@ -92,6 +94,7 @@ enum Command {
     Run(run::Args),
     View(view::Args),
     Time(time::Args),
+    Report(report::Args),
     Calibrate(calibrate::Args),
     Check(check::Args),
     Archive(archive::Args),
@@ -113,6 +116,7 @@ impl Command {
             Command::Run(args) => run::run(args, terminal),
             Command::View(args) => view::run(args, terminal),
             Command::Time(args) => time::run(&args, terminal),
+            Command::Report(args) => report::run(&args, terminal),
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),

@@ -6,6 +6,7 @@ use chordal::control::{EndReason, Library};
 use chordal::diagnostics::FileId;
 use chordal::time::Timed;
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
+use chordal_report::title;
 use comfy_table::{CellAlignment, Table};
 
 use crate::machine::Chosen;
@@ -31,7 +32,7 @@ pub fn text(
     timed: Option<&Timed>,
     color: bool,
 ) -> String {
-    let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
+    let units = Units::of(report.summary.inch);
     let mut sheet = Sheet::new(loaded.name(), None, color);
     programs(&mut sheet, job, loaded.program);
     machine(&mut sheet, job, &loaded.chosen);
@@ -80,6 +81,7 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
         let program = &library.programs()[*index];
         let name = program.head.number.map_or("without a number".into(), |n| format!("O{n}"));
         let title = title(library.text(program.file), program.head.head.end as usize);
+        let title = title.map_or_else(String::new, |title| format!(" ({title})"));
         let from = match job.sources().get(program.file) {
             Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),
             _ => String::new(),
@@ -164,18 +166,6 @@ fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
     } else if report.outcomes.iter().any(|outcome| outcome.end == EndReason::Repeats) {
         sheet.row("end", "M99: the control would begin again");
     }
-}
-
-/// The comment behind a program's head, as ` (BRACKET, SIDE 2)`.
-fn title(text: &[u8], from: usize) -> String {
-    let line = text[from..].split(|byte| matches!(byte, b'\n' | b'\r')).next().unwrap_or_default();
-    let line = &line[..line.len().min(200)];
-    let Some(open) = line.iter().position(|byte| *byte == b'(') else { return String::new() };
-    let rest = &line[open + 1..];
-    let comment = rest.split(|byte| *byte == b')').next().unwrap_or(rest);
-    let comment = String::from_utf8_lossy(comment);
-    let comment: String = comment.trim().chars().filter(|c| !c.is_control()).take(60).collect();
-    if comment.is_empty() { comment } else { format!(" ({comment})") }
 }
 
 /// The order in which a run comes by: the place of the outermost call first.

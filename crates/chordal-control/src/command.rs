@@ -418,6 +418,15 @@ impl WorkName {
             WorkName::Machine => "machine".into(),
         }
     }
+
+    /// The name under which the control's table of work offsets has it.
+    pub fn table_key(self, extended: &str) -> String {
+        match self {
+            // Fadal's E1 to E6 are G54 to G59 of its Format 2: one table.
+            WorkName::G(number) if extended == "E" => format!("E{}", number.saturating_sub(53)),
+            other => other.key(extended),
+        }
+    }
 }
 
 /// A command and the block it comes from.

@@ -34,7 +34,9 @@ pub use compensation_settings::CompensationField;
 pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;
-pub use interpreter::{EndReason, Interrupt, Outcome, RunOptions, initial_offset, run};
+pub use interpreter::{
+    EndReason, Interrupt, Outcome, RunOptions, initial_offset, initial_work_offset, run,
+};
 pub use library::{Library, Program, referenced_programs};
 pub use modal::Modal;
 pub use parameters::*;

@@ -137,11 +137,7 @@ impl Offsets {
 
     /// Name of a system in the tables.
     pub fn key(&self, name: WorkName) -> String {
-        match name {
-            // Fadal's E1 to E6 are G54 to G59 of its Format 2: one table.
-            WorkName::G(number) if self.extended_code == "E" => format!("E{}", number - 53),
-            other => other.key(self.extended_code),
-        }
+        name.table_key(self.extended_code)
     }
 
     /// Writes one value of a work offset (G10).

@@ -29,6 +29,7 @@ mod json;
 mod machine_error;
 mod motion;
 mod number;
+pub mod numbers;
 mod plot;
 pub mod report;
 mod samples;
@@ -43,7 +44,9 @@ pub use command_json::CommandJsonLines;
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
-pub use plot::{MotionPlot, Plot, PlotError, PlotOptions, figure_png, figure_svg};
+pub use plot::{
+    MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png, figure_svg,
+};
 pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
 pub use time::{TimeDocument, comment_text, level_word, time_json};
 pub use worked::{worked_json, worked_text};

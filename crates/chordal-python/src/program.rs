@@ -13,6 +13,7 @@ use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_cli::load::{self, Failure, Loaded, Request};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{Plot, PlotOptions, SampleHead, TimeDocument, report, sha256_hex, time_json};
+use chordal_report::{About, gather, html};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -353,6 +354,25 @@ impl Program {
         let timed =
             self.ask(py, |job| Ok(time_of(job, self.told(job)?, &options, what_if, bound)))?;
         timed.map_err(|error| wrong_limit(py, &error))
+    }
+
+    /// The setup sheet as one HTML page.
+    #[pyo3(signature = (date))]
+    fn report_html(&self, py: Python<'_>, date: Option<&str>) -> PyResult<String> {
+        self.ask(py, |job| {
+            let recognized = self.loaded.chosen.why(job.control().table.title);
+            let gathered = gather(
+                job,
+                &About {
+                    file: self.loaded.name(),
+                    program: self.loaded.program,
+                    recognized: recognized.as_deref(),
+                    date,
+                },
+            );
+            self.keep(gathered.report)?;
+            Ok(html(&gathered.document))
+        })
     }
 
     /// The picture of the path as SVG.

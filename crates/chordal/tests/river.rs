@@ -34,6 +34,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
+    ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
     ("chordal-editor", &["chordal"]),
     ("chordal-lsp", &["chordal", "chordal-editor"]),
@@ -45,12 +46,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-calc",
             "chordal-editor",
             "chordal-export",
+            "chordal-report",
             "chordal-archive",
             "chordal-lsp",
             "chordal-server",
         ],
     ),
-    ("chordal-python", &["chordal", "chordal-export", "chordal-archive", "chordal-cli"]),
+    (
+        "chordal-python",
+        &["chordal", "chordal-export", "chordal-report", "chordal-archive", "chordal-cli"],
+    ),
 ];
 
 #[test]

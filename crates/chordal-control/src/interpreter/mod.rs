@@ -221,9 +221,13 @@ pub fn initial_offset(machine: &Machine, control: &Control) -> ([f64; 6], AxisMa
     (offsets.total(), offsets.known())
 }
 
+/// The work coordinate system before the first block.
+pub fn initial_work_offset(control: &Control) -> WorkName {
+    if control.table.work_offset_by_e { WorkName::E(1) } else { WorkName::G(54) }
+}
+
 fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
-    let active = if control.table.work_offset_by_e { WorkName::E(1) } else { WorkName::G(54) };
-    Offsets::new(machine, active, control.table.extended_offset_code)
+    Offsets::new(machine, initial_work_offset(control), control.table.extended_offset_code)
 }
 
 impl<'a> Interpreter<'a> {

@@ -2,7 +2,6 @@
 
 use chordal::geometry::{Aabb, Vec3};
 
-use super::layout::Layout;
 use super::palette::Palette;
 use super::text::{label, px};
 use super::view::{Panel, Rect};
@@ -26,21 +25,21 @@ pub(super) struct Grid {
 
 impl Grid {
     /// A step of 1, 2 or 5 times a power of ten of which the numbers have room.
-    pub fn new(layout: &Layout, inch: bool, bounds: &Aabb) -> Grid {
+    pub fn new(panel: &Panel, unit: f64, inch: bool, bounds: &Aabb) -> Grid {
         let unit_mm = if inch { INCH } else { 1.0 };
-        let scale = layout.panels[0].scale * unit_mm;
+        let scale = panel.scale * unit_mm;
         let largest = [bounds.min, bounds.max]
             .iter()
             .flat_map(|corner| corner.to_array())
             .fold(0.0f64, |largest, value| largest.max(value.abs() / unit_mm));
-        let mut power = (30.0 * layout.unit / scale).log10().floor() as i32;
+        let mut power = (30.0 * unit / scale).log10().floor() as i32;
         loop {
             for factor in [1.0, 2.0, 5.0] {
                 let step = factor * 10f64.powi(power);
                 let decimals = (-power).clamp(0, 12) as usize;
                 let digits = largest.max(1.0).log10().floor() + 2.0;
                 let characters = digits + decimals as f64 + if decimals > 0 { 1.0 } else { 0.0 };
-                let room = (characters * 7.4 + 16.0).max(44.0) * layout.unit;
+                let room = (characters * 7.4 + 16.0).max(44.0) * unit;
                 if step * scale >= room || power > 15 {
                     return Grid { step: step * unit_mm, inch, unit_mm, decimals };
                 }

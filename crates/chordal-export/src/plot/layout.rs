@@ -66,24 +66,32 @@ impl Layout {
             panel(TOP, rect(x, y, left, upper), scale, bounds),
             panel(FRONT, rect(x, y2, left, lower), scale, bounds),
             panel(SIDE, rect(x2, y2, right, lower), scale, bounds),
-            isometric(rect(x2, y, right, upper), bounds, inside),
+            filling(ISOMETRIC, rect(x2, y, right, upper), bounds, inside),
         ];
         Layout { width, height, unit, panels }
     }
+}
+
+/// A view alone on its sheet.
+pub(super) fn single(view: View, width: f64, height: f64, bounds: &Aabb, unit: f64) -> Panel {
+    let (left, below) = if view.along_axes { (TICKS_LEFT, TICKS_BELOW) } else { (1.0, 1.0) };
+    let (x, y) = (left * unit, TITLE * unit);
+    let rect = Rect { x, y, width: width - x - unit, height: height - y - below * unit };
+    filling(view, rect, bounds, 2.0 * INSIDE * unit)
 }
 
 fn panel(view: View, rect: Rect, scale: f64, bounds: &Aabb) -> Panel {
     Panel { view, rect, scale, middle: view.extent(bounds).middle() }
 }
 
-/// The isometric view has a scale of its own: it fills its place.
-fn isometric(rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
+/// A view with a scale of its own: it fills its place.
+fn filling(view: View, rect: Rect, bounds: &Aabb, inside: f64) -> Panel {
     let middle = (bounds.min + bounds.max) * 0.5;
     let half = drawable(bounds.size()) * 0.5;
-    let extent = ISOMETRIC.extent(&Aabb { min: middle - half, max: middle + half });
+    let extent = view.extent(&Aabb { min: middle - half, max: middle + half });
     let scale =
         ((rect.width - inside) / extent.width()).min((rect.height - inside) / extent.height());
-    panel(ISOMETRIC, rect, scale, bounds)
+    panel(view, rect, scale, bounds)
 }
 
 /// The sides of what is drawn, none of them nothing: a point is drawn as if it were 10 mm,

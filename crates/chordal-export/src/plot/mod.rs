@@ -5,6 +5,7 @@ mod figure_labels;
 mod frame;
 mod layout;
 mod motion;
+mod page;
 mod palette;
 mod pen;
 mod sheet;
@@ -21,6 +22,7 @@ use resvg::usvg;
 
 pub use figure::{figure_png, figure_svg};
 pub use motion::MotionPlot;
+pub use page::{PageTool, PageView, Viewpoint};
 use store::Store;
 
 /// What stands on the sheet beside the path, and how large it is.

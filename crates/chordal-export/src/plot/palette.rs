@@ -43,7 +43,48 @@ static DARK: Palette = Palette {
     tools: ["#56b4e9", "#ff8b3d", "#2fc79a", "#e58fbd", "#a79cf5", "#f0c04a", "#dfe3e8"],
 };
 
+/// Names for the page that the drawing stands in, which gives each its colour.
+static PAGE: Palette = Palette {
+    sheet: "var(--plot-sheet)",
+    panel: "var(--plot-panel)",
+    border: "var(--plot-border)",
+    grid: "var(--plot-grid)",
+    zero: "var(--plot-zero)",
+    text: "var(--plot-text)",
+    faint: "var(--plot-faint)",
+    rapid: "var(--plot-rapid)",
+    start: "var(--plot-start)",
+    tools: [
+        "var(--plot-tool-1)",
+        "var(--plot-tool-2)",
+        "var(--plot-tool-3)",
+        "var(--plot-tool-4)",
+        "var(--plot-tool-5)",
+        "var(--plot-tool-6)",
+        "var(--plot-tool-7)",
+    ],
+};
+
 impl Palette {
+    /// The names of a page.
+    pub fn page() -> &'static Palette {
+        &PAGE
+    }
+
+    /// What a page says to give the names their colours on a light or a dark sheet, as CSS.
+    pub fn declarations(dark: bool) -> String {
+        let colors = Palette::of(dark);
+        let pairs = PAGE.all().into_iter().zip(colors.all());
+        let name = |color: &str| color.trim_start_matches("var(").trim_end_matches(')').to_string();
+        pairs.map(|(own, color)| format!("{}:{color};", name(own))).collect()
+    }
+
+    fn all(&self) -> Vec<&'static str> {
+        let Palette { sheet, panel, border, grid, zero, text, faint, rapid, start, tools } = self;
+        let one = [sheet, panel, border, grid, zero, text, faint, rapid, start];
+        one.into_iter().chain(tools).copied().collect()
+    }
+
     /// The colours of a light or a dark sheet.
     pub fn of(dark: bool) -> &'static Palette {
         if dark { &DARK } else { &LIGHT }

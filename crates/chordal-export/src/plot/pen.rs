@@ -23,8 +23,6 @@ const MOST_CHORDS: u64 = 20_000;
 const LARGEST_TURN: f64 = 0.75 * PI;
 /// Radius of a cut seen end on, units.
 const DOT_PX: f64 = 2.6;
-/// Bytes of path data of one view beyond which it is drawn coarser.
-const MOST_BYTES: usize = 3 << 20;
 /// The coarsest a view is drawn, px.
 const COARSEST_PX: f64 = 8.0;
 
@@ -37,14 +35,14 @@ pub(super) struct Paths {
 }
 
 impl Paths {
-    /// Draws a path as finely as the sheet shows it, or coarser when that takes too many
-    /// bytes.
-    pub fn of(store: &Store, panel: &Panel, unit: f64) -> Paths {
+    /// Draws a path as finely as the sheet shows it, or coarser when that takes more than so
+    /// many bytes.
+    pub fn of(store: &Store, panel: &Panel, unit: f64, most_bytes: usize) -> Paths {
         let mut resolution = FINEST_PX * unit.max(1.0);
         loop {
             let paths = Paths::at(store, panel, unit, resolution);
             let bytes = paths.rapids.len() + paths.tools.iter().map(String::len).sum::<usize>();
-            if bytes <= MOST_BYTES || resolution >= COARSEST_PX {
+            if bytes <= most_bytes || resolution >= COARSEST_PX {
                 return paths;
             }
             resolution *= 2.0;

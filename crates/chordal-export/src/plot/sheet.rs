@@ -16,6 +16,9 @@ const LEGEND_ROWS: usize = 3;
 /// Height of a row of the legend, units.
 const ROW: f64 = 25.0;
 
+/// Bytes of path data of one view beyond which it is drawn coarser.
+const MOST_BYTES: usize = 3 << 20;
+
 /// The whole sheet.
 pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
     let colors = Palette::of(options.dark);
@@ -26,7 +29,7 @@ pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
     let bounds = store.extent();
     let drawn = bounds.unwrap_or(Aabb { min: Vec3::ZERO, max: Vec3::ZERO });
     let layout = Layout::new(width, height, &drawn, legend.height());
-    let grid = Grid::new(&layout, inch, &drawn);
+    let grid = Grid::new(&layout.panels[0], unit, inch, &drawn);
 
     let mut out = String::new();
     open(&mut out, &layout, options, colors);
@@ -34,7 +37,7 @@ pub(super) fn svg(store: &Store, inch: bool, options: &PlotOptions) -> String {
     match bounds {
         Some(bounds) => {
             for (index, panel) in layout.panels.iter().enumerate() {
-                view(&mut out, store, panel, index, &grid, &bounds, unit, colors);
+                view(&mut out, store, panel, index, &grid, &bounds, unit, MOST_BYTES, colors);
             }
             legend.draw(&mut out, &layout, colors);
         }
@@ -54,20 +57,25 @@ fn open(out: &mut String, layout: &Layout, options: &PlotOptions, colors: &Palet
     ));
     out.push_str("<defs>\n");
     for (index, panel) in layout.panels.iter().enumerate() {
-        let Rect { x, y, width, height } = panel.rect;
-        out.push_str(&format!(
-            "<clipPath id=\"view{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
-             </clipPath>\n",
-            px(x),
-            px(y),
-            px(width),
-            px(height)
-        ));
+        clip(out, panel, index);
     }
     out.push_str("</defs>\n");
     out.push_str(&format!(
         "<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n",
         colors.sheet
+    ));
+}
+
+/// The clip path of a view.
+pub(super) fn clip(out: &mut String, panel: &Panel, index: usize) {
+    let Rect { x, y, width, height } = panel.rect;
+    out.push_str(&format!(
+        "<clipPath id=\"view{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\
+         </clipPath>\n",
+        px(x),
+        px(y),
+        px(width),
+        px(height)
     ));
 }
 
@@ -133,8 +141,9 @@ fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
     lines
 }
 
-#[allow(clippy::too_many_arguments, reason = "the parts of a sheet, used once")]
-fn view(
+/// A view with everything in it.
+#[allow(clippy::too_many_arguments, reason = "the parts of a sheet")]
+pub(super) fn view(
     out: &mut String,
     store: &Store,
     panel: &Panel,
@@ -142,6 +151,7 @@ fn view(
     grid: &Grid,
     bounds: &Aabb,
     unit: f64,
+    most_bytes: usize,
     colors: &Palette,
 ) {
     frame::under(out, panel, grid, unit, colors);
@@ -149,15 +159,22 @@ fn view(
     if !panel.view.along_axes {
         frame::floor(out, panel, grid, bounds, unit, colors);
     }
-    paths(out, store, panel, unit, colors);
+    paths(out, store, panel, unit, most_bytes, colors);
     frame::origin(out, panel, unit, colors);
     ends(out, store, panel, unit, colors);
     out.push_str("</g>\n");
     frame::over(out, panel, unit, colors);
 }
 
-fn paths(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Palette) {
-    let paths = Paths::of(store, panel, unit);
+fn paths(
+    out: &mut String,
+    store: &Store,
+    panel: &Panel,
+    unit: f64,
+    most_bytes: usize,
+    colors: &Palette,
+) {
+    let paths = Paths::of(store, panel, unit, most_bytes);
     if !paths.rapids.is_empty() {
         out.push_str(&format!(
             "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\"/>\n",
@@ -182,7 +199,7 @@ fn paths(out: &mut String, store: &Store, panel: &Panel, unit: f64, colors: &Pal
 }
 
 /// Tools beyond the last colour have the same colours again, dashed.
-fn tool_dash(colors: &Palette, index: usize, unit: f64) -> String {
+pub(super) fn tool_dash(colors: &Palette, index: usize, unit: f64) -> String {
     let (line, gap) = match colors.round(index) {
         0 => return String::new(),
         1 => (10.0, 5.0),

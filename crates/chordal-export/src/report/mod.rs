@@ -9,8 +9,9 @@ mod text;
 
 pub use github::github;
 pub use json::json;
+pub use place::{Place, place};
 pub use sarif::Sarif;
-pub use text::{one, text};
+pub use text::{excerpt, one, text};
 
 pub(crate) use excerpt::{Excerpts, Mark};
 pub(crate) use text::renderer;

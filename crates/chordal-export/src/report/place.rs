@@ -5,15 +5,18 @@ use chordal::{SourceMap, Span};
 
 /// A span as file, lines and columns. The end is the column after the last character.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Place<'a> {
+pub struct Place<'a> {
+    /// The name of the text.
     pub file: &'a str,
+    /// Its first character.
     pub start: LineColumn,
+    /// Behind its last character.
     pub end: LineColumn,
 }
 
 /// The place of a span; `None` for the span that stands for the program as a whole, and
 /// outside the text.
-pub(crate) fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<Place<'a>> {
+pub fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<Place<'a>> {
     if span == Span::default() {
         return None;
     }

@@ -49,6 +49,20 @@ pub fn one(diagnostic: &Diagnostic, sources: &SourceMap, color: bool) -> String 
     text
 }
 
+/// The lines of a problem with its words underlined, without its message and what follows; empty
+/// where it has no place in a text.
+pub fn excerpt(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
+    let excerpts = Excerpts::new(&marks(diagnostic), sources);
+    if excerpts.first().is_none() {
+        return String::new();
+    }
+    let group = Group::with_level(level(diagnostic.severity)).elements(excerpts.snippets(sources));
+    let mut text = renderer(false).render(&[group]);
+    // As the lines of places are looked for with their ends.
+    text.push('\n');
+    excerpts.correct(text, sources)
+}
+
 /// How problems are drawn. The lines are cut already, so the renderer must not cut them
 /// again.
 pub(crate) fn renderer(color: bool) -> Renderer {

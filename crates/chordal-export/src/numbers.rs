@@ -3,11 +3,18 @@
 /// The units in which a summary speaks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Units {
+    /// Inches.
     Inch,
+    /// Millimetres.
     Millimetre,
 }
 
 impl Units {
+    /// Of a program, as `Summary::inch` tells them.
+    pub fn of(inch: bool) -> Units {
+        if inch { Units::Inch } else { Units::Millimetre }
+    }
+
     /// Of a length.
     pub fn length_unit(self) -> &'static str {
         match self {

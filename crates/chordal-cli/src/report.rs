@@ -1,0 +1,87 @@
+use std::io::Write;
+use std::path::PathBuf;
+
+use chordal_export::columns::ColumnFormat;
+use chordal_report::{About, gather, html, json};
+use clap::ValueEnum;
+
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::out::{self, Out, format_of, trouble};
+use crate::rows::tell;
+use crate::session::load_one;
+use crate::terminal::Terminal;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal report part.nc -o setup.html       a page to print, mail or lay beside the machine
+  chordal report part.nc --machine vf2.toml -o setup.html
+  chordal report part.nc -o setup.html --date 2026-11-21
+  chordal report part.nc -o setup.json       the same as data
+  chordal report part.nc --format json | jq '.tools.rows[].number'
+
+The page needs nothing else: no network, no scripts. For a PDF, print it from the browser. It has
+no date unless one is given: the same program gives the same bytes. A program with errors gets a
+report, too, that says so at its top; problems go to standard error, and the exit code is 1 when
+there are errors.";
+
+/// Writes a setup sheet: path, offsets, tools, times, travel, stops and problems on one page
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// Writes a file, its format by its ending; without it, standard output
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// How the report is written, where no ending says it; a page to standard output
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+
+    /// A date, or any words, to print at the top
+    #[arg(long, value_name = "TEXT")]
+    date: Option<String>,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// A page with everything in it
+    #[value(alias = "htm")]
+    Html,
+    /// One object
+    Json,
+}
+
+impl out::Format for Format {
+    fn columns(self) -> Option<ColumnFormat> {
+        None
+    }
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let path = args.output.as_deref();
+    let format = format_of(args.format, path, Format::Html, "reports")?;
+    let mut out = Out::open(path, &args.file, format)?;
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let recognized = loaded.chosen.why(job.control().table.title);
+    let about = About {
+        file: loaded.name(),
+        program: loaded.program,
+        recognized: recognized.as_deref(),
+        date: args.date.as_deref(),
+    };
+    let gathered = gather(&job, &about);
+    let text = match format {
+        Format::Html => html(&gathered.document),
+        Format::Json => json(&gathered.document),
+    };
+    out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
+    out.put()?;
+    Ok(tell(&gathered.report, &loaded, &job, terminal))
+}

@@ -1,0 +1,108 @@
+//! Single views for a page that has a caption and a legend of its own.
+
+use super::Plot;
+use super::frame::Grid;
+use super::layout::single;
+use super::palette::Palette;
+use super::sheet::{clip, tool_dash, view};
+use super::text::px;
+use super::view::{FRONT, ISOMETRIC, SIDE, TOP, View};
+
+/// Bytes of path data of a view beyond which it is drawn coarser: a page is mailed and printed.
+const MOST_BYTES: usize = 1 << 20;
+
+/// Where one looks from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Viewpoint {
+    /// From above: the XY plane.
+    Top,
+    /// From the operator's place: the plane of X and Z.
+    Front,
+    /// From the right: the plane of Y and Z.
+    Right,
+    /// From the front, the right and above.
+    Isometric,
+}
+
+impl Viewpoint {
+    fn view(self) -> View {
+        match self {
+            Viewpoint::Top => TOP,
+            Viewpoint::Front => FRONT,
+            Viewpoint::Right => SIDE,
+            Viewpoint::Isometric => ISOMETRIC,
+        }
+    }
+}
+
+/// A view of the path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PageView {
+    /// The drawing. Its colours are names, which [`Plot::page_colors`] explains; an id in it is
+    /// another one in each view.
+    pub svg: String,
+    /// The step of its grid, as `10 mm`.
+    pub grid: String,
+}
+
+/// A tool as the drawings show it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PageTool {
+    /// Its number; 0 before any tool was changed.
+    pub number: u32,
+    /// A line as its cuts are drawn, as SVG.
+    pub sign: String,
+}
+
+impl Plot {
+    /// One view as SVG for a page; `None` where there is nothing to draw. Sides below 200 px are
+    /// drawn as 200.
+    pub fn page_view(&self, from: Viewpoint, width_px: u32, height_px: u32) -> Option<PageView> {
+        let bounds = self.store.extent()?;
+        let (width, height) = (f64::from(width_px.max(200)), f64::from(height_px.max(200)));
+        let (unit, index, colors) = (1.0, from as usize, Palette::page());
+        let panel = single(from.view(), width, height, &bounds, unit);
+        let grid = Grid::new(&panel, unit, self.inch, &bounds);
+        let mut svg = format!(
+            "<svg viewBox=\"0 0 {} {}\" role=\"img\" \
+             aria-label=\"Path of the tool, {}\"><defs>",
+            px(width),
+            px(height),
+            panel.view.title.to_lowercase()
+        );
+        clip(&mut svg, &panel, index);
+        svg.push_str("</defs>\n");
+        let store = &self.store;
+        view(&mut svg, store, &panel, index, &grid, &bounds, unit, MOST_BYTES, colors);
+        svg.push_str("</svg>\n");
+        Some(PageView { svg, grid: grid.text() })
+    }
+
+    /// The tools that cut, in the order of their first use.
+    pub fn page_tools(&self) -> Vec<PageTool> {
+        let colors = Palette::page();
+        let tools = self.store.tools().iter().enumerate();
+        tools
+            .map(|(index, tool)| PageTool {
+                number: tool.number,
+                sign: format!(
+                    "<svg viewBox=\"0 0 28 8\" width=\"28\" \
+                     height=\"8\" aria-hidden=\"true\"><path d=\"M0 4h28\" stroke=\"{}\" \
+                     stroke-width=\"4\"{}/></svg>",
+                    colors.tool(index),
+                    tool_dash(colors, index, 1.0)
+                ),
+            })
+            .collect()
+    }
+
+    /// True when cuts came whose place is not known, and which are not drawn.
+    pub fn leaves_out_cuts(&self) -> bool {
+        self.store.has_unknown()
+    }
+
+    /// The colours of [`Plot::page_view`] on a light or a dark page, as CSS declarations.
+    pub fn page_colors(dark: bool) -> String {
+        Palette::declarations(dark)
+    }
+}

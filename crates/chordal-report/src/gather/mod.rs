@@ -1,0 +1,254 @@
+//! One run, watched, and everything a report tells of it.
+
+mod problems;
+mod stops;
+mod text;
+mod time;
+mod tools;
+mod travel;
+
+use chordal::control::{Command, CommandKind, EndReason};
+use chordal::diagnostics::FileId;
+use chordal::geometry::Plane;
+use chordal::motion::{MotionOptions, OperationStart};
+use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
+use chordal_export::{Plot, Viewpoint, sha256_hex};
+
+use self::stops::{Programs, Stops};
+use self::text::{Comments, clean};
+use self::tools::Tools;
+use self::travel::Travels;
+use crate::data::{Document, Head, Moves, Picture, Pictures, Rows, Skipped, ToolSign};
+
+pub use self::text::title;
+
+/// Lines of the program's own output that are told.
+const MOST_PRINTED: usize = 40;
+/// The sides of a picture, px of its own.
+const PICTURE_PX: (u32, u32) = (500, 400);
+
+/// What a report cannot know of itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct About<'a> {
+    /// The file, as it is to be called; without its folder.
+    pub file: &'a str,
+    /// The one program of the text that is run, where the caller chose it.
+    pub program: Option<u32>,
+    /// Why this machine, where nobody said it.
+    pub recognized: Option<&'a str>,
+    /// A date to print. A report reads no clock: the same input gives the same bytes.
+    pub date: Option<&'a str>,
+}
+
+/// A report, and what else the run told.
+#[derive(Clone, Debug)]
+pub struct Gathered {
+    /// The report.
+    pub document: Document,
+    /// The run's own summary and diagnostics.
+    pub report: Report,
+}
+
+/// Runs a program once, with all checks and its time planned, and gathers what a report tells.
+/// Memory is that of the run; what is kept is bounded.
+pub fn gather(job: &Job, about: &About) -> Gathered {
+    let mut seen = Seen::new(job);
+    let options = MotionOptions { operations: OperationStart::Comment, ..MotionOptions::default() };
+    let (report, timed) = job.report_timed(&options, u64::MAX, &mut seen);
+    // Limits nothing can be planned with: the report is without times, and says so.
+    let timed = timed.ok().flatten();
+    let Seen { tools, travels, stops, programs, mut plot, plane_mm, .. } = seen;
+    plot.set_inch(report.summary.inch);
+
+    let comments = Comments::new(job, programs.first_main(about.program));
+    let time = timed.as_ref().map(|timed| &timed.time);
+    let tools_told = tools.tools(job, &comments, &report.summary, time);
+    let time = timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, job));
+    let printed = report.output.iter().take(MOST_PRINTED).map(|line| clean(line, 200));
+    let document = Document {
+        schema: "chordal.report/1",
+        chordal: env!("CARGO_PKG_VERSION"),
+        head: head(job, about, &report, &programs, &comments),
+        errors: report.counts.errors,
+        warnings: report.counts.warnings,
+        notes: report.counts.notes,
+        ends: ends(job, &report),
+        moves: moves(&report),
+        time,
+        tools: tools_told,
+        work_offsets: travels.work_offsets(job),
+        registers: tools.registers(job),
+        travel: travels.travel(job),
+        machine_travel: travels.machine(job),
+        stops: stops.finish(job, &comments),
+        skipped: Skipped {
+            lines: text::skipped(job),
+            left_out: job.machine().switches.block_delete.contains(&true),
+        },
+        printed: Rows {
+            rows: printed.collect(),
+            left_out: report.output.len().saturating_sub(MOST_PRINTED) as u64,
+        },
+        called: programs.called(about.program),
+        problems: problems::problems(&report, job),
+        pictures: pictures(&plot, &plane_mm),
+    };
+    Gathered { document, report }
+}
+
+/// Watches a run.
+struct Seen<'j> {
+    tools: Tools,
+    travels: Travels,
+    stops: Stops,
+    programs: Programs<'j>,
+    plot: Plot,
+    plane: Plane,
+    /// Length of the cuts while each plane was chosen, mm: XY, ZX, YZ.
+    plane_mm: [f64; 3],
+}
+
+impl<'j> Seen<'j> {
+    fn new(job: &'j Job<'j>) -> Seen<'j> {
+        Seen {
+            tools: Tools::new(),
+            travels: Travels::new(job),
+            stops: Stops::default(),
+            programs: Programs::new(job),
+            plot: Plot::new(job),
+            plane: Plane::Xy,
+            plane_mm: [0.0; 3],
+        }
+    }
+}
+
+impl Watch for Seen<'_> {
+    fn programmed(&mut self, command: &Command) {
+        self.programs.see(&command.origin);
+        self.tools.programmed(command);
+        self.stops.programmed(command, self.tools.number());
+    }
+
+    fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
+        if let CommandKind::Plane(plane) = path.command.kind {
+            self.plane = plane;
+        }
+        let lowest_z = self.travels.command(path.command);
+        self.tools.path(path.command, lowest_z);
+        for segment in segments {
+            if segment.kind != SegmentKind::Rapid && segment.length_mm.is_finite() {
+                self.plane_mm[plane_index(self.plane)] += segment.length_mm;
+            }
+            self.plot.segment(segment);
+        }
+    }
+}
+
+fn plane_index(plane: Plane) -> usize {
+    match plane {
+        Plane::Xy => 0,
+        Plane::Zx => 1,
+        Plane::Yz => 2,
+    }
+}
+
+fn head(
+    job: &Job,
+    about: &About,
+    report: &Report,
+    programs: &Programs,
+    comments: &Comments,
+) -> Head {
+    let source = job.sources().get(FileId(0));
+    let text = source.map_or(&[][..], |source| source.text());
+    let ended = text.last().is_none_or(|byte| matches!(byte, b'\n' | b'\r'));
+    let lines = source.map_or(0, |source| u64::from(source.line_of(text.len() as u32)));
+    let file = about.file.rsplit(['/', '\\']).next().unwrap_or(about.file);
+    let machine = job.machine();
+    Head {
+        file: clean(file, 200),
+        programs: programs.mains(about.program),
+        comments: comments.head(),
+        control: job.control().table.title,
+        machine: clean(&machine.title, 120),
+        recognized: about.recognized.map(|why| clean(why, 300)),
+        units: if report.summary.inch { "inch" } else { "mm" },
+        bytes: text.len() as u64,
+        lines: lines - u64::from(ended && lines > 0),
+        sha256: sha256_hex(text),
+        date: about.date.map(|date| clean(date, 60)),
+    }
+}
+
+fn moves(report: &Report) -> Moves {
+    let summary = &report.summary;
+    Moves {
+        blocks: report.outcomes.iter().map(|outcome| outcome.blocks).sum(),
+        lines: summary.lines,
+        arcs: summary.arcs,
+        helices: summary.helices,
+        spirals: summary.spirals,
+        rapids: summary.rapids,
+        dwells: summary.dwells,
+        cut_mm: summary.feed_length_mm,
+        rapid_mm: summary.rapid_length_mm,
+    }
+}
+
+/// How the run ended, where it did not end as programs do; each sentence once.
+fn ends(job: &Job, report: &Report) -> Vec<String> {
+    let mut sentences: Vec<String> = Vec::new();
+    for outcome in &report.outcomes {
+        let sentence = match outcome.end {
+            EndReason::ProgramEnd => continue,
+            EndReason::EndOfText if outcome.blocks == 0 => continue,
+            EndReason::EndOfText => "The text ends without the end of a program (M2, M30).",
+            EndReason::Repeats => {
+                "It ends with M99: the control begins again at the top. This report is of one run."
+            }
+            EndReason::LostJump => {
+                "It jumps to a block that is not there. This report is of the run up to there."
+            }
+            EndReason::Alarm => {
+                "It stops itself with an alarm. This report is of the run up to there."
+            }
+            EndReason::Budget => {
+                "It does not end: the run was given up, and this report is of what came before."
+            }
+            EndReason::Interrupted => "The run was ended early; this report is of its beginning.",
+        };
+        if !sentences.iter().any(|own| own == sentence) {
+            sentences.push(sentence.to_string());
+        }
+    }
+    if job.sources().get(FileId(0)).is_none_or(|source| source.text().is_empty()) {
+        sentences.push("The file is empty.".to_string());
+    }
+    sentences
+}
+
+/// The isometric view, and the plane in which most is cut.
+fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
+    let mut main = (Viewpoint::Top, "the XY plane (G17) from above", plane_mm[0]);
+    let others = [
+        (Viewpoint::Front, "the ZX plane (G18) from the front", plane_mm[1]),
+        (Viewpoint::Right, "the YZ plane (G19) from the right", plane_mm[2]),
+    ];
+    for other in others {
+        if other.2 > main.2 {
+            main = other;
+        }
+    }
+    let (width, height) = PICTURE_PX;
+    let views = [(Viewpoint::Isometric, "from the front right above"), (main.0, main.1)];
+    let view = |(from, what): (Viewpoint, &str)| {
+        let drawn = plot.page_view(from, width, height)?;
+        Some(Picture { caption: format!("{what}; grid {}", drawn.grid), svg: drawn.svg })
+    };
+    let sign = |tool: chordal_export::PageTool| ToolSign { number: tool.number, svg: tool.sign };
+    Pictures {
+        views: views.into_iter().filter_map(view).collect(),
+        tools: plot.page_tools().into_iter().map(sign).collect(),
+        cuts_left_out: plot.leaves_out_cuts(),
+    }
+}

@@ -1,0 +1,70 @@
+//! Problems as rows.
+
+use chordal::{Diagnostic, Job, Report, SourceMap, Span};
+use chordal_export::report::{excerpt, place};
+
+use super::text::clean;
+use crate::data::{Problem, Rows};
+
+/// Problems that are told; the others are counted.
+const MOST: usize = 100;
+/// Characters of a sentence.
+const LONGEST: usize = 600;
+/// Calls told of a deep nesting.
+const MOST_CALLS: usize = 4;
+
+/// The problems of a run, the gravest first, those of one severity by place.
+pub fn problems(report: &Report, job: &Job) -> Rows<Problem> {
+    let mut sorted: Vec<&Diagnostic> = report.diagnostics.iter().collect();
+    sorted.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
+    let rows: Vec<Problem> =
+        sorted.iter().take(MOST).map(|diagnostic| problem(diagnostic, job.sources())).collect();
+    let all = report.counts.errors + report.counts.warnings + report.counts.notes;
+    let left_out = all.saturating_sub(rows.len() as u64);
+    Rows { rows, left_out }
+}
+
+fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
+    let info = diagnostic.code.info();
+    let shown = |text: &str| clean(text, LONGEST);
+    let calls = diagnostic.calls.iter().take(MOST_CALLS);
+    let calls = calls.filter_map(|call| called_from(*call, sources));
+    let found = place(diagnostic.primary.span, sources);
+    Problem {
+        severity: diagnostic.severity.word(),
+        code: info.id,
+        name: info.name,
+        message: shown(&diagnostic.message),
+        place: found.map(|place| (clean(place.file, 200), place.start.line)),
+        excerpt: excerpt(diagnostic, sources),
+        alarm: diagnostic.alarm.as_deref().map(shown),
+        notes: diagnostic.notes.iter().map(|note| shown(note)).chain(calls).collect(),
+        help: diagnostic.help.as_deref().map(shown),
+        fix: diagnostic.fix.as_ref().map(|fix| {
+            let words = sources.words(fix.span);
+            match (words.trim(), fix.replacement.trim()) {
+                ("", new) => format!("{}: add {}", shown(&fix.title), clean(new, 80)),
+                (old, "") => format!("{}: leave out {}", shown(&fix.title), clean(old, 80)),
+                (old, new) => {
+                    format!(
+                        "{}: {} instead of {}",
+                        shown(&fix.title),
+                        clean(new, 80),
+                        clean(old, 80)
+                    )
+                }
+            }
+        }),
+    }
+}
+
+fn called_from(call: Span, sources: &SourceMap) -> Option<String> {
+    let place = place(call, sources)?;
+    let file =
+        if call.file.0 == 0 { String::new() } else { format!("{}, ", clean(place.file, 200)) };
+    Some(format!(
+        "called from {file}line {}: {}",
+        place.start.line,
+        clean(&sources.words(call), 60)
+    ))
+}

@@ -1,0 +1,166 @@
+//! Where an operator is wanted, or told something; and the programs that run.
+
+use std::collections::BTreeMap;
+
+use chordal::control::{Command, CommandKind, Library, Origin};
+use chordal::diagnostics::FileId;
+use chordal::{Job, Span};
+
+use super::text::{Comments, clean, title};
+use crate::data::{Called, Rows, Stop, StopKind};
+
+/// Stops that are told.
+const MOST: usize = 200;
+/// Programs that are told.
+const MOST_CALLED: usize = 60;
+
+#[derive(Debug)]
+struct Seen {
+    kind: StopKind,
+    origin: Origin,
+    /// The words of a message.
+    message: Option<Span>,
+    tool: u32,
+    times: u64,
+}
+
+/// Watches for stops.
+#[derive(Debug, Default)]
+pub struct Stops {
+    seen: Vec<Seen>,
+    by_place: BTreeMap<(StopKind, u32, u32), usize>,
+    left_out: u64,
+}
+
+impl Stops {
+    /// Follows a command as programmed.
+    pub fn programmed(&mut self, command: &Command, tool: u32) {
+        let origin = command.origin;
+        let (kind, message) = match &command.kind {
+            CommandKind::Stop { optional: false } => (StopKind::Stop, None),
+            CommandKind::Stop { optional: true } => (StopKind::OptionalStop, None),
+            CommandKind::Message(range) => {
+                (StopKind::Message, Some(range.in_file(origin.span.file)))
+            }
+            CommandKind::Probed { .. } => (StopKind::Probe, None),
+            _ => return,
+        };
+        let place = (kind, origin.span.file.0, origin.span.range.start);
+        if let Some(seen) = self.by_place.get(&place).and_then(|at| self.seen.get_mut(*at)) {
+            seen.times += 1;
+        } else if self.seen.len() < MOST {
+            self.by_place.insert(place, self.seen.len());
+            self.seen.push(Seen { kind, origin, message, tool, times: 1 });
+        } else {
+            self.left_out += 1;
+        }
+    }
+
+    /// The stops with what the program says beside them.
+    pub fn finish(&self, job: &Job, comments: &Comments) -> Rows<Stop> {
+        let of_stop = |seen: &Seen| Stop {
+            kind: seen.kind,
+            line: seen.origin.line,
+            file: other_file(job, seen.origin.span.file),
+            tool: seen.tool,
+            text: match (seen.message, seen.kind) {
+                (Some(span), _) => Some(clean(&job.sources().words(span), 200)),
+                (None, StopKind::Probe) => None,
+                (None, _) => comments.beside(&seen.origin),
+            },
+            times: seen.times,
+        };
+        Rows { rows: self.seen.iter().map(of_stop).collect(), left_out: self.left_out }
+    }
+}
+
+/// The name of a file that is not the program's own.
+pub fn other_file(job: &Job, file: FileId) -> Option<String> {
+    if file == FileId(0) {
+        return None;
+    }
+    job.sources().get(file).map(|source| clean(source.name(), 200))
+}
+
+/// Watches which programs run.
+#[derive(Debug)]
+pub struct Programs<'j> {
+    job: &'j Job<'j>,
+    library: Library<'j>,
+    ran: Vec<bool>,
+    /// The one that ran last.
+    at: usize,
+}
+
+impl<'j> Programs<'j> {
+    pub fn new(job: &'j Job<'j>) -> Programs<'j> {
+        let library = Library::new(job.sources(), &job.control().table.lexicon);
+        let ran = vec![false; library.programs().len()];
+        Programs { job, library, ran, at: 0 }
+    }
+
+    /// Follows a command.
+    #[inline]
+    pub fn see(&mut self, origin: &Origin) {
+        if !self.holds(self.at, origin) {
+            // Programs of a text mostly run in order.
+            let count = self.ran.len();
+            let mut others = (1..count).map(|step| (self.at + step) % count);
+            let Some(found) = others.find(|index| self.holds(*index, origin)) else { return };
+            self.at = found;
+        }
+        self.ran[self.at] = true;
+    }
+
+    fn holds(&self, index: usize, origin: &Origin) -> bool {
+        self.library.programs().get(index).is_some_and(|program| {
+            let at = origin.span.range.start;
+            program.file == origin.span.file
+                && (program.head.start.offset..program.head.end).contains(&at)
+        })
+    }
+
+    /// The programs that a run begins with.
+    pub fn mains(&self, only: Option<u32>) -> Rows<Called> {
+        self.rows(&self.main_places(only))
+    }
+
+    /// The head of the first of them.
+    pub fn first_main(&self, only: Option<u32>) -> Option<chordal::syntax::ProgramHead> {
+        let first = *self.main_places(only).first()?;
+        self.library.programs().get(first).map(|program| program.head)
+    }
+
+    /// The others that ran.
+    pub fn called(&self, only: Option<u32>) -> Rows<Called> {
+        let mut others = self.ran.clone();
+        self.main_places(only).into_iter().for_each(|main| others[main] = false);
+        let others = (0..others.len()).filter(|at| others[*at]);
+        self.rows(&others.collect::<Vec<usize>>())
+    }
+
+    fn main_places(&self, only: Option<u32>) -> Vec<usize> {
+        let control = self.job.control();
+        match only {
+            Some(number) => self.library.find(number, FileId(0)).into_iter().collect(),
+            None => self.library.mains(&control.table.lexicon, &control.alias_programs()),
+        }
+    }
+
+    fn rows(&self, places: &[usize]) -> Rows<Called> {
+        let rows = places.iter().take(MOST_CALLED).map(|at| {
+            let program = &self.library.programs()[*at];
+            let text = self.library.text(program.file);
+            Called {
+                number: program.head.number,
+                title: program
+                    .head
+                    .number
+                    .and_then(|_| title(text, program.head.head.end as usize)),
+                file: other_file(self.job, program.file),
+                line: program.head.start.line,
+            }
+        });
+        Rows { rows: rows.collect(), left_out: places.len().saturating_sub(MOST_CALLED) as u64 }
+    }
+}

@@ -1,0 +1,72 @@
+//! The planned time as rows.
+
+use chordal::Job;
+use chordal::time::{BlockTime, OperationTime, Timed};
+
+use super::stops::other_file;
+use super::text::{clean, comment};
+use crate::data::{Block, Operation, Rows, Time, Tool, Wait};
+
+/// Operations that are told.
+const MOST: usize = 200;
+
+/// The time; operations without a comment of their own have that of their tool.
+pub fn time(timed: &Timed, tools: &[Tool], job: &Job) -> Time {
+    let (time, motion) = (&timed.time, &timed.motion);
+    let operations: Vec<Operation> = time
+        .operations
+        .iter()
+        .take(MOST)
+        .map(|operation| of_operation(operation, tools, job))
+        .collect();
+    let all = time.operations.len() as u64 + time.operations_left_out;
+    let assumed = motion.limits.assumed.iter();
+    Time {
+        total_s: time.total_s(),
+        cutting_s: time.times.cutting_s,
+        rapid_s: time.times.rapid_s,
+        other_s: time.times.other_s,
+        waits: time
+            .waits
+            .iter()
+            .filter(|(_, seconds)| *seconds > 0.0)
+            .map(|(kind, seconds)| Wait { what: kind.name(), time_s: *seconds })
+            .collect(),
+        at_feed_s: time.at_feed_s,
+        cuts_without_feed: motion.cuts_without_feed,
+        assumed: assumed
+            .map(|limit| format!("{} of {}", limit.quantity, limit.axis.letter()))
+            .collect(),
+        operations: Rows { left_out: all - operations.len() as u64, rows: operations },
+        longest: time.longest.iter().map(|block| of_block(block, job)).collect(),
+    }
+}
+
+fn of_operation(operation: &OperationTime, tools: &[Tool], job: &Job) -> Operation {
+    let own = operation.comment.and_then(|span| comment(span, job));
+    let of_tool = || {
+        let tool = tools.iter().find(|tool| tool.number == operation.tool)?;
+        tool.comment.clone().or_else(|| tool.table.clone())
+    };
+    Operation {
+        tool: operation.tool,
+        comment: own.or_else(of_tool),
+        first_line: operation.first.line,
+        last_line: operation.last.line,
+        total_s: operation.times.total_s(),
+        cutting_s: operation.times.cutting_s,
+        rapid_s: operation.times.rapid_s,
+        other_s: operation.times.other_s,
+    }
+}
+
+fn of_block(block: &BlockTime, job: &Job) -> Block {
+    Block {
+        line: block.origin.line,
+        file: other_file(job, block.origin.span.file),
+        text: clean(&job.sources().words(block.origin.span), 80),
+        runs: block.runs,
+        time_s: block.time_s,
+        reason: block.reason.word(),
+    }
+}

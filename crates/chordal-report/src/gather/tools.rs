@@ -1,0 +1,278 @@
+//! Tools, what they do, and the offsets that they need.
+
+use std::collections::BTreeMap;
+
+use chordal::control::{Command, CommandKind, Coolant, Feed, FeedMode, Origin, Side, SpindleState};
+use chordal::time::TimeReport;
+use chordal::{Job, Summary};
+
+use super::text::{Comments, clean};
+use crate::data::{Feeds, Register, Rows, Tool};
+
+/// Tools and offsets that are told; a magazine holds fewer.
+const MOST: usize = 200;
+/// Numbers of offsets told of a tool, and of tools told of an offset.
+const MOST_NUMBERS: usize = 12;
+/// Offsets that differ by less are the same, mm.
+const SAME_MM: f64 = 1e-9;
+
+/// What one tool does.
+#[derive(Debug, Default)]
+struct Seen {
+    number: u32,
+    call: Option<Origin>,
+    changes: u64,
+    lengths: Vec<u32>,
+    radii: Vec<u32>,
+    rpm: Option<(f64, f64)>,
+    clockwise: bool,
+    counterclockwise: bool,
+    feeds: Feeds,
+    lowest_z: Option<f64>,
+    coolant: Coolant,
+}
+
+#[derive(Debug, Default)]
+struct Use {
+    tools: Vec<u32>,
+    length: bool,
+    length_mm: Option<f64>,
+    radius: bool,
+    radius_mm: Option<f64>,
+}
+
+/// Watches tools go by.
+#[derive(Debug)]
+pub struct Tools {
+    seen: Vec<Seen>,
+    /// The tool in the spindle, where it is one of those that are kept.
+    at: Option<usize>,
+    number: u32,
+    /// The same where the path of the tool centre has come to.
+    path_at: Option<usize>,
+    registers: BTreeMap<u32, Use>,
+    registers_left_out: u64,
+    spindle: (SpindleState, f64),
+    coolant: Coolant,
+    length: Option<u32>,
+    radius: Option<u32>,
+    /// Something of these changed since the last cut.
+    fresh: bool,
+}
+
+impl Tools {
+    pub fn new() -> Tools {
+        Tools {
+            seen: vec![Seen::default()],
+            at: Some(0),
+            number: 0,
+            path_at: Some(0),
+            registers: BTreeMap::new(),
+            registers_left_out: 0,
+            spindle: (SpindleState::Off, 0.0),
+            coolant: Coolant::default(),
+            length: None,
+            radius: None,
+            fresh: true,
+        }
+    }
+
+    /// The number of the tool in the spindle.
+    pub fn number(&self) -> u32 {
+        self.number
+    }
+
+    /// Follows a command as programmed.
+    pub fn programmed(&mut self, command: &Command) {
+        match &command.kind {
+            CommandKind::Tool { number } => self.change(*number, &command.origin),
+            CommandKind::Spindle { state, rpm } => self.spindle = (*state, *rpm),
+            CommandKind::Coolant(coolant) => self.coolant = *coolant,
+            CommandKind::ToolLength { number, length_mm, .. } => {
+                self.length = *number;
+                if let Some(entry) = number.and_then(|number| self.register(number)) {
+                    entry.length = true;
+                    entry.length_mm = *length_mm;
+                }
+            }
+            CommandKind::Compensation { side, number, radius_mm, .. } => {
+                self.radius = number.filter(|_| *side != Side::Off);
+                if let Some(entry) = self.radius.and_then(|number| self.register(number)) {
+                    entry.radius = true;
+                    entry.radius_mm = *radius_mm;
+                }
+            }
+            kind => {
+                if let Some(feed) = kind.feed() {
+                    self.cut(feed);
+                }
+                return;
+            }
+        }
+        self.fresh = true;
+    }
+
+    fn change(&mut self, number: u32, origin: &Origin) {
+        self.number = number;
+        self.at = self.place(number);
+        if let Some(tool) = self.at.and_then(|at| self.seen.get_mut(at)) {
+            tool.call.get_or_insert(*origin);
+            tool.changes += 1;
+        }
+    }
+
+    /// The entry of a tool, made where there is room.
+    fn place(&mut self, number: u32) -> Option<usize> {
+        let found = self.seen.iter().rposition(|tool| tool.number == number);
+        if found.is_none() && self.seen.len() <= MOST {
+            self.seen.push(Seen { number, ..Seen::default() });
+            return Some(self.seen.len() - 1);
+        }
+        found
+    }
+
+    fn register(&mut self, number: u32) -> Option<&mut Use> {
+        if number == 0 {
+            return None;
+        }
+        if self.registers.len() >= MOST && !self.registers.contains_key(&number) {
+            self.registers_left_out += 1;
+            return None;
+        }
+        let tool = self.number;
+        let entry = self.registers.entry(number).or_default();
+        note(&mut entry.tools, tool);
+        Some(entry)
+    }
+
+    fn cut(&mut self, feed: &Feed) {
+        let Some(tool) = self.at.and_then(|at| self.seen.get_mut(at)) else { return };
+        if std::mem::take(&mut self.fresh) {
+            if let Some(number) = self.length {
+                note(&mut tool.lengths, number);
+            }
+            if let Some(number) = self.radius {
+                note(&mut tool.radii, number);
+            }
+            let (state, rpm) = self.spindle;
+            tool.clockwise |= state == SpindleState::Cw;
+            tool.counterclockwise |= state == SpindleState::Ccw;
+            if matches!(state, SpindleState::Cw | SpindleState::Ccw) {
+                widen(&mut tool.rpm, rpm);
+            }
+            tool.coolant.flood |= self.coolant.flood;
+            tool.coolant.mist |= self.coolant.mist;
+            tool.coolant.through_tool |= self.coolant.through_tool;
+        }
+        // There is no feed before the first F.
+        if feed.value.is_nan() || feed.value <= 0.0 {
+            return;
+        }
+        match feed.mode {
+            FeedMode::PerTime => widen(&mut tool.feeds.mm_per_min, 60.0 * feed.value),
+            FeedMode::PerRevolution => widen(&mut tool.feeds.mm_per_rev, feed.value),
+            FeedMode::InverseTime => tool.feeds.inverse_time = true,
+        }
+    }
+
+    /// Follows a command of the tool centre; `lowest_z` is that of its cut, program coordinates.
+    pub fn path(&mut self, command: &Command, lowest_z: Option<f64>) {
+        if let CommandKind::Tool { number } = command.kind {
+            self.path_at = self.seen.iter().rposition(|tool| tool.number == number);
+        }
+        let tool = self.path_at.and_then(|at| self.seen.get_mut(at));
+        if let (Some(tool), Some(z)) = (tool, lowest_z) {
+            tool.lowest_z = Some(tool.lowest_z.map_or(z, |lowest| lowest.min(z)));
+        }
+    }
+
+    /// The tools with what else is known of them.
+    pub fn tools(
+        &self,
+        job: &Job,
+        comments: &Comments,
+        summary: &Summary,
+        time: Option<&TimeReport>,
+    ) -> Rows<Tool> {
+        let of_tool = |seen: &Seen| {
+            let uses = summary.tools.iter().find(|tool| tool.number == seen.number);
+            let cut_mm = uses.map_or(0.0, |tool| tool.feed_length_mm);
+            // Nothing in the spindle, and nothing cut with it: the way to the first tool.
+            if seen.number == 0 && cut_mm == 0.0 {
+                return None;
+            }
+            let time = time.and_then(|time| time.tools.iter().find(|t| t.number == seen.number));
+            let table = job.machine().tools.get(&seen.number);
+            let words = table.and_then(|tool| tool.comment.as_deref().or(tool.kind.as_deref()));
+            let coolant = seen.coolant;
+            let valves = [
+                (coolant.flood, "flood"),
+                (coolant.mist, "mist"),
+                (coolant.through_tool, "through tool"),
+            ];
+            Some(Tool {
+                number: seen.number,
+                comment: seen.call.and_then(|call| comments.of_tool(seen.number, &call)),
+                table: words.map(|words| clean(words, 80)),
+                line: seen.call.map(|call| call.line),
+                changes: seen.changes,
+                length_offsets: seen.lengths.clone(),
+                radius_offsets: seen.radii.clone(),
+                diameter_mm: table.and_then(|tool| tool.diameter_mm),
+                rpm: seen.rpm,
+                clockwise: seen.clockwise,
+                counterclockwise: seen.counterclockwise,
+                feeds: seen.feeds,
+                lowest_z_mm: seen.lowest_z,
+                cut_mm,
+                coolant: valves.into_iter().filter(|valve| valve.0).map(|valve| valve.1).collect(),
+                time_s: time.map(|time| time.times.total_s()),
+            })
+        };
+        let rows: Vec<Tool> = self.seen.iter().filter_map(of_tool).collect();
+        let kept = |number: u32| self.seen.iter().any(|seen| seen.number == number);
+        let left_out = summary.tools.iter().filter(|tool| !kept(tool.number)).count() as u64;
+        Rows { rows, left_out }
+    }
+
+    /// The tool offsets that the program uses, with the machine's values.
+    pub fn registers(&self, job: &Job) -> Rows<Register> {
+        let of_register = |(number, uses): (&u32, &Use)| {
+            let table = job.machine().tools.get(number);
+            let with_wear = |value: Option<f64>, wear: Option<f64>| {
+                value.map(|value| value + wear.unwrap_or(0.0))
+            };
+            let length_mm = table.and_then(|tool| with_wear(tool.length_mm, tool.length_wear_mm));
+            let diameter_mm =
+                table.and_then(|tool| with_wear(tool.diameter_mm, tool.diameter_wear_mm));
+            let other = |used: Option<f64>, own: Option<f64>| match (used, own) {
+                (Some(used), Some(own)) => (used.abs() - own.abs()).abs() > SAME_MM,
+                (used, _) => used.is_some(),
+            };
+            let radius_mm = diameter_mm.map(|diameter| diameter / 2.0);
+            Register {
+                number: *number,
+                tools: uses.tools.iter().copied().filter(|tool| *tool > 0).collect(),
+                uses_length: uses.length,
+                length_mm,
+                uses_radius: uses.radius,
+                diameter_mm,
+                by_program: uses.length && other(uses.length_mm, length_mm)
+                    || uses.radius && other(uses.radius_mm, radius_mm),
+            }
+        };
+        let rows = self.registers.iter().map(of_register).collect();
+        Rows { rows, left_out: self.registers_left_out }
+    }
+}
+
+fn note(numbers: &mut Vec<u32>, number: u32) {
+    if numbers.len() < MOST_NUMBERS && !numbers.contains(&number) {
+        numbers.push(number);
+    }
+}
+
+fn widen(range: &mut Option<(f64, f64)>, value: f64) {
+    let (low, high) = range.unwrap_or((value, value));
+    *range = Some((low.min(value), high.max(value)));
+}

@@ -1,0 +1,262 @@
+//! Where the tool goes: in each work coordinate system, and against the machine's travel.
+
+use chordal::control::{
+    AxisMask, Command, CommandKind, Move, Position, WorkName, initial_offset, initial_work_offset,
+};
+use chordal::geometry::{Aabb, ParamCurve};
+use chordal::machine::Axis;
+use chordal::path::{Frame, curve_of};
+use chordal::{Job, Machine};
+
+use crate::data::{AxisRange, AxisValue, MachineTravel, Rows, Travel, WorkOffset};
+
+/// Work coordinate systems that are told apart, those included that the program moves.
+const MOST: usize = 60;
+/// Lines named where the program moves a work offset.
+const MOST_LINES: usize = 6;
+/// Offsets that differ by less are the same, mm and rad.
+const SAME: f64 = 1e-9;
+
+/// A range of places; empty at first.
+#[derive(Clone, Copy, Debug)]
+struct Range(f64, f64);
+
+impl Range {
+    const EMPTY: Range = Range(f64::INFINITY, f64::NEG_INFINITY);
+
+    fn take(&mut self, value: f64) {
+        self.0 = self.0.min(value);
+        self.1 = self.1.max(value);
+    }
+
+    fn get(self) -> Option<(f64, f64)> {
+        (self.0 <= self.1).then_some((self.0, self.1))
+    }
+}
+
+/// A work coordinate system at one place.
+#[derive(Debug)]
+struct System {
+    name: WorkName,
+    offset: Position,
+    known: AxisMask,
+    /// Where it came into force.
+    line: u32,
+    moves: bool,
+    all: [Range; 6],
+    cuts: [Range; 6],
+}
+
+/// Watches the tool centre go by.
+#[derive(Debug)]
+pub struct Travels {
+    frame: Frame,
+    systems: Vec<System>,
+    /// The one in force, where it is one of those that are kept.
+    at: Option<usize>,
+    left_out: u64,
+    machine: [Range; 6],
+    unknown: AxisMask,
+}
+
+impl Travels {
+    pub fn new(job: &Job) -> Travels {
+        let (offset, known) = initial_offset(job.machine(), job.control());
+        let mut travels = Travels {
+            frame: Frame::new(offset, known),
+            systems: Vec::new(),
+            at: None,
+            left_out: 0,
+            machine: [Range::EMPTY; 6],
+            unknown: AxisMask::NONE,
+        };
+        travels.select(initial_work_offset(job.control()), offset, known, 0);
+        travels
+    }
+
+    /// Follows a command of the tool centre. Gives the lowest Z of a cut, program coordinates.
+    pub fn command(&mut self, command: &Command) -> Option<f64> {
+        if let CommandKind::WorkOffset { name, offset, known, .. } = &command.kind {
+            self.select(*name, *offset, *known, command.origin.line);
+        }
+        if self.frame.follow(command) {
+            return None;
+        }
+        let motion = command.kind.motion()?;
+        let cuts = command.kind.feed().is_some();
+        let bounds = command.kind.shape().map(|shape| curve_of(motion, Some(shape)).bounds());
+        self.motion(motion, bounds, cuts);
+        let z_is_known = motion.from_known.has(2) && motion.to_known.has(2);
+        let lowest = bounds.map_or(motion.from[2].min(motion.to[2]), |bounds| bounds.min.z);
+        (cuts && z_is_known).then_some(lowest)
+    }
+
+    fn select(&mut self, name: WorkName, offset: Position, known: AxisMask, line: u32) {
+        let same = |system: &System| {
+            let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME;
+            system.name == name && system.offset.iter().zip(&offset).all(near)
+        };
+        self.at = self.systems.iter().position(same);
+        if self.at.is_some() {
+            return;
+        }
+        if self.systems.len() >= MOST {
+            self.left_out += 1;
+            return;
+        }
+        self.at = Some(self.systems.len());
+        let (all, cuts) = ([Range::EMPTY; 6], [Range::EMPTY; 6]);
+        self.systems.push(System { name, offset, known, line, moves: false, all, cuts });
+    }
+
+    fn motion(&mut self, motion: &Move, bounds: Option<Aabb>, cuts: bool) {
+        let mut places = [(motion.from, motion.from_known), (motion.to, motion.to_known)];
+        if let Some(bounds) = bounds {
+            // Where an arc reaches is known when both its ends are.
+            let known = motion.from_known.and(motion.to_known);
+            for ((place, mask), corner) in places.iter_mut().zip([bounds.min, bounds.max]) {
+                place[..3].copy_from_slice(&corner.to_array());
+                *mask = known;
+            }
+        }
+        for axis in 0..6 {
+            let stands = motion.from[axis] == motion.to[axis] && bounds.is_none();
+            // An axis that turns is told when it turns.
+            if axis >= 3 && stands {
+                continue;
+            }
+            for (place, known) in places {
+                self.take(axis, &place, known, cuts);
+                if !stands && !(known.has(axis) && self.frame.known.has(axis)) {
+                    self.unknown.insert(axis);
+                }
+            }
+        }
+        if let Some(system) = self.at.and_then(|at| self.systems.get_mut(at)) {
+            system.moves = true;
+        }
+    }
+
+    fn take(&mut self, axis: usize, place: &Position, known: AxisMask, cuts: bool) {
+        if !known.has(axis) {
+            return;
+        }
+        if let Some(system) = self.at.and_then(|at| self.systems.get_mut(at)) {
+            system.all[axis].take(place[axis]);
+            if cuts {
+                system.cuts[axis].take(place[axis]);
+            }
+        }
+        if self.frame.known.has(axis) {
+            self.machine[axis].take(self.frame.machine(place, axis));
+        }
+    }
+
+    /// Where the tool goes in each system.
+    pub fn travel(&self, job: &Job) -> Rows<Travel> {
+        let extended = job.control().table.extended_offset_code;
+        let of_system = |system: &System| {
+            let moved = is_moved(system, job.machine(), extended);
+            let axes = Axis::ALL.into_iter().filter_map(|axis| {
+                let index = axis as usize;
+                let all = system.all[index].get()?;
+                let unset = !moved && !system.known.has(index) && !axis.is_rotary();
+                let limits = job.machine().axis(axis).and_then(|limits| limits.travel);
+                // The place of Z hangs on the tool's length, too.
+                let limits = limits.filter(|_| unset && axis != Axis::Z);
+                Some(AxisRange {
+                    axis: axis.letter(),
+                    all: for_people(axis, all),
+                    cuts: system.cuts[index].get().map(|cuts| for_people(axis, cuts)),
+                    zero_may_lie: limits.map(|(low, high)| (low - all.0, high - all.1)),
+                })
+            });
+            Travel {
+                name: name(system, extended),
+                moved_at: moved.then_some(system.line),
+                axes: axes.collect(),
+            }
+        };
+        let rows = self.systems.iter().filter(|system| system.moves).map(of_system);
+        Rows {
+            rows: rows.filter(|travel| !travel.axes.is_empty()).collect(),
+            left_out: self.left_out,
+        }
+    }
+
+    /// The work offsets under which something moves, with the machine's values.
+    pub fn work_offsets(&self, job: &Job) -> Vec<WorkOffset> {
+        let extended = job.control().table.extended_offset_code;
+        let mut offsets: Vec<WorkOffset> = Vec::new();
+        for system in self.systems.iter().filter(|system| system.moves) {
+            if system.name == WorkName::Machine {
+                continue;
+            }
+            let name = name(system, extended);
+            let values = job.machine().work_offsets.get(&name).map(|offset| offset.values);
+            let place =
+                offsets.iter().position(|offset| offset.name == name).unwrap_or_else(|| {
+                    offsets.push(WorkOffset { name, values: Vec::new(), moved_at: Vec::new() });
+                    offsets.len() - 1
+                });
+            let offset = &mut offsets[place];
+            let moves = |axis: &Axis| {
+                let index = *axis as usize;
+                system.all[index].get().is_some() || index < 3
+            };
+            for axis in Axis::ALL.into_iter().filter(moves) {
+                let letter = axis.letter();
+                if job.machine().axis(axis).is_some()
+                    && offset.values.iter().all(|value| value.axis != letter)
+                {
+                    let value = values.and_then(|values| values[axis as usize]);
+                    let value = value.map(|value| for_people(axis, (value, value)).0);
+                    offset.values.push(AxisValue { axis: letter, value });
+                }
+            }
+            if is_moved(system, job.machine(), extended) && offset.moved_at.len() < MOST_LINES {
+                offset.moved_at.push(system.line);
+            }
+        }
+        offsets
+    }
+
+    /// The axes of the machine that have limits, and where they go.
+    pub fn machine(&self, job: &Job) -> Vec<MachineTravel> {
+        let of_axis = |axis: Axis| {
+            let limits = job.machine().axis(axis)?.travel?;
+            let index = axis as usize;
+            let goes = self.machine[index].get();
+            let partly_unknown = self.unknown.has(index);
+            (goes.is_some() || partly_unknown).then(|| MachineTravel {
+                axis: axis.letter(),
+                limits: for_people(axis, limits),
+                goes: goes.map(|goes| for_people(axis, goes)),
+                partly_unknown,
+            })
+        };
+        Axis::ALL.into_iter().filter_map(of_axis).collect()
+    }
+}
+
+fn name(system: &System, extended: &str) -> String {
+    system.name.table_key(extended)
+}
+
+/// The program itself has put the system where it is.
+fn is_moved(system: &System, machine: &Machine, extended: &str) -> bool {
+    if system.name == WorkName::Machine {
+        return false;
+    }
+    let of = |name: &str, axis: usize| machine.work_offsets.get(name).and_then(|o| o.values[axis]);
+    let key = name(system, extended);
+    (0..6).any(|axis| {
+        let own = of(&key, axis).unwrap_or(0.0) + of("EXT", axis).unwrap_or(0.0);
+        (system.offset[axis] - own).abs() > SAME
+    })
+}
+
+/// Millimetres, or degrees.
+fn for_people(axis: Axis, (low, high): (f64, f64)) -> (f64, f64) {
+    if axis.is_rotary() { (low.to_degrees(), high.to_degrees()) } else { (low, high) }
+}

@@ -1,0 +1,28 @@
+//! The report of a program: what a shop prints, mails and lays beside the machine.
+//!
+//! [`gather`] runs a program once and gathers a [`Document`]: plain data, millimetres, seconds and
+//! degrees. [`html`] makes one page of it that needs nothing else, in the program's own units, and
+//! [`json`] the same as data. Whatever the program, both are of bounded size: rows beyond a table's
+//! most are counted. The same program on the same machine gives the same bytes.
+
+#![forbid(unsafe_code)]
+
+mod data;
+mod gather;
+mod page;
+
+pub use data::{
+    AxisRange, AxisValue, Block, Called, Document, Feeds, Head, MachineTravel, Moves, Operation,
+    Picture, Pictures, Problem, Register, Rows, Skipped, Stop, StopKind, Time, Tool, ToolSign,
+    Travel, Wait, WorkOffset,
+};
+pub use gather::{About, Gathered, gather, title};
+pub use page::html;
+
+/// The document as one JSON object, schema `chordal.report/1`.
+pub fn json(document: &Document) -> String {
+    // Plain data without maps: nothing in it can fail.
+    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    text.push('\n');
+    text
+}

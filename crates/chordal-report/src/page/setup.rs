@@ -1,0 +1,379 @@
+//! What is set before the run: offsets, tools, travel.
+
+use chordal_export::numbers::{duration, grouped, short};
+use maud::{Markup, PreEscaped, html};
+
+use super::{Show, left_out, tool_name};
+use crate::data::{AxisRange, Document, Feeds, MachineTravel, Register, Tool, WorkOffset};
+
+/// Rows of a table on the page.
+const MOST: usize = 100;
+
+/// A place to write a value in.
+fn blank() -> Markup {
+    html! { span.blank { span.hidden { "not set" } } }
+}
+
+/// Work offsets and tool offsets, with blanks where the machine file gives no value.
+pub fn offsets(document: &Document, show: &Show) -> Markup {
+    let (work, registers) = (&document.work_offsets, &document.registers);
+    html! {
+        section aria-labelledby="offsets" {
+            h2 #offsets { "Offsets to set" }
+            @if work.is_empty() && registers.rows.is_empty() {
+                p { "None is used." }
+            }
+            div.sides {
+                @if !work.is_empty() { (work_offsets(work, show)) }
+                @if !registers.rows.is_empty() {
+                    div {
+                        (tool_offsets(&registers.rows[..registers.rows.len().min(MOST)], show))
+                        (left_out(registers, MOST, "tool offsets"))
+                    }
+                }
+            }
+            @if work.iter().any(|offset| offset.values.iter().any(|value| value.value.is_none()))
+                || registers.rows.iter().any(is_unset)
+            {
+                p.faint {
+                    "A line to write on: the machine file has no value. Set it at the control and note it here."
+                }
+            }
+        }
+    }
+}
+
+fn is_unset(register: &Register) -> bool {
+    register.uses_length && register.length_mm.is_none()
+        || register.uses_radius && register.diameter_mm.is_none()
+}
+
+fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
+    let mut axes: Vec<char> =
+        offsets.iter().flat_map(|offset| offset.values.iter().map(|value| value.axis)).collect();
+    axes.sort_by_key(|axis| "XYZABC".find(*axis));
+    axes.dedup();
+    html! {
+        div {
+            table {
+                caption { "Work offsets, machine coordinates" }
+                thead {
+                    tr {
+                        th scope="col" { "Offset" }
+                        @for axis in &axes { th.n scope="col" { (axis) " " (show.unit(*axis)) } }
+                    }
+                }
+                tbody {
+                    @for offset in offsets.iter().take(MOST) {
+                        tr {
+                            th scope="row" { (offset.name) }
+                            @for axis in &axes {
+                                td.n {
+                                    @match offset.values.iter().find(|value| value.axis == *axis) {
+                                        Some(value) => @match value.value {
+                                            Some(place) => (show.place(*axis, place)),
+                                            None => (blank()),
+                                        },
+                                        None => "–",
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+            @for offset in offsets.iter().filter(|offset| !offset.moved_at.is_empty()).take(MOST) {
+                p.faint {
+                    (offset.name) " is set or moved by the program itself, line "
+                    (numbers(&offset.moved_at)) "."
+                }
+            }
+        }
+    }
+}
+
+fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
+    let unit = show.units.length_unit();
+    let value = |used: bool, value: Option<f64>| {
+        html! {
+            @match (used, value) {
+                (false, _) => "–",
+                (true, Some(mm)) => (show.units.coordinate(mm)),
+                (true, None) => (blank()),
+            }
+        }
+    };
+    html! {
+        table {
+            caption { "Tool offsets" }
+            thead {
+                tr {
+                    th scope="col" { "No." }
+                    th scope="col" { "Tool" }
+                    th.n scope="col" { "H length " (unit) }
+                    th.n scope="col" { "D diameter " (unit) }
+                }
+            }
+            tbody {
+                @for register in registers {
+                    tr {
+                        th scope="row" { (register.number) }
+                        td { (tools_of(&register.tools)) }
+                        td.n { (value(register.uses_length, register.length_mm)) }
+                        td.n { (value(register.uses_radius, register.diameter_mm)) }
+                    }
+                }
+            }
+        }
+        @for register in registers.iter().filter(|register| register.by_program) {
+            p.faint { "Offset " (register.number) " is written by the program itself." }
+        }
+    }
+}
+
+fn tools_of(numbers: &[u32]) -> String {
+    let names: Vec<String> = numbers.iter().map(|number| tool_name(*number)).collect();
+    if names.is_empty() { "–".to_string() } else { names.join(", ") }
+}
+
+fn numbers(numbers: &[u32]) -> String {
+    numbers.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// The tools in the order of their first use.
+pub fn tools(document: &Document, show: &Show) -> Markup {
+    let unit = show.units.length_unit();
+    let sign = |number: u32| document.pictures.tools.iter().find(|tool| tool.number == number);
+    html! {
+        section aria-labelledby="tools" {
+            h2 #tools { "Tools in order of use" }
+            @if document.tools.rows.is_empty() {
+                p { "No tool is called, and nothing is cut." }
+            } @else {
+                div.scroll role="region" aria-labelledby="tools" tabindex="0" {
+                    table {
+                        thead {
+                            tr {
+                                th scope="col" { "Tool" }
+                                th scope="col" { "What it is" }
+                                th scope="col" { "H" }
+                                th scope="col" { "D" }
+                                th.n scope="col" { "Ø " (unit) }
+                                th.n scope="col" { "rpm" }
+                                th.n scope="col" { "Feed " (show.units.feed_unit()) }
+                                th.n scope="col" { "Lowest Z" }
+                                th.n scope="col" { "Cuts " (unit) }
+                                th scope="col" { "Coolant" }
+                                th.n scope="col" { "Time" }
+                            }
+                        }
+                        tbody {
+                            @for tool in document.tools.rows.iter().take(MOST) {
+                                tr {
+                                    th scope="row" {
+                                        span.sign {
+                                            @if let Some(sign) = sign(tool.number) { (PreEscaped(&sign.svg)) }
+                                            (tool_name(tool.number))
+                                        }
+                                    }
+                                    td.words { (what(tool)) }
+                                    td { (dash(&numbers(&tool.length_offsets))) }
+                                    td { (dash(&numbers(&tool.radius_offsets))) }
+                                    td.n { (dash(&tool.diameter_mm.map(|mm| show.units.coordinate(mm)).unwrap_or_default())) }
+                                    td.n { (spindle(tool)) }
+                                    td.n { (feeds(&tool.feeds, show)) }
+                                    td.n { (dash(&tool.lowest_z_mm.map(|z| show.units.coordinate(z)).unwrap_or_default())) }
+                                    td.n { (show.units.length(tool.cut_mm)) }
+                                    td { (dash(&tool.coolant.join(", "))) }
+                                    td.n { (dash(&tool.time_s.map(duration).unwrap_or_default())) }
+                                }
+                            }
+                        }
+                    }
+                }
+                (left_out(&document.tools, MOST, "tools"))
+            }
+        }
+    }
+}
+
+fn dash(text: &str) -> &str {
+    if text.is_empty() { "–" } else { text }
+}
+
+fn what(tool: &Tool) -> Markup {
+    html! {
+        @match (&tool.comment, &tool.table) {
+            (Some(comment), Some(table)) if comment != table => {
+                (comment) br; span.faint { "tool table: " (table) }
+            }
+            (Some(text), _) | (None, Some(text)) => (text),
+            (None, None) => "–",
+        }
+        @if tool.changes > 1 { " " span.faint { "(changed in " (grouped(tool.changes)) " times)" } }
+    }
+}
+
+fn spindle(tool: &Tool) -> Markup {
+    let turns = match (tool.clockwise, tool.counterclockwise) {
+        (true, true) => "M3, M4",
+        (true, false) => "M3",
+        (false, true) => "M4",
+        (false, false) => "",
+    };
+    html! {
+        @match tool.rpm {
+            Some(range) => { (span_of(range, |rpm| short(rpm, 1))) " " span.faint { (turns) } }
+            None => "–",
+        }
+    }
+}
+
+fn feeds(feeds: &Feeds, show: &Show) -> Markup {
+    let per_rev = |mm: f64| {
+        let decimals = if show.units.length_unit() == "in" { 5 } else { 4 };
+        let scale = if show.units.length_unit() == "in" { 25.4 } else { 1.0 };
+        short(mm / scale, decimals)
+    };
+    let mut parts = Vec::new();
+    if let Some(range) = feeds.mm_per_min {
+        parts.push(span_of(range, |mm_per_min| show.units.feed(mm_per_min / 60.0)));
+    }
+    if let Some(range) = feeds.mm_per_rev {
+        parts.push(format!("{} per rev", span_of(range, per_rev)));
+    }
+    if feeds.inverse_time {
+        parts.push("by time (G93)".to_string());
+    }
+    html! { (dash(&parts.join("; "))) }
+}
+
+/// `100`, or `100–250`.
+fn span_of((low, high): (f64, f64), text: impl Fn(f64) -> String) -> String {
+    let (low, high) = (text(low), text(high));
+    if low == high { low } else { format!("{low}–{high}") }
+}
+
+/// Where the tool goes.
+pub fn travel(document: &Document, show: &Show) -> Markup {
+    html! {
+        section aria-labelledby="travel" {
+            h2 #travel { "Travel" }
+            @if document.travel.rows.is_empty() {
+                p { "Nothing moves whose place relative to the part is known." }
+            } @else {
+                div.scroll role="region" aria-label="Travel by work offset" tabindex="0" {
+                    table {
+                        thead {
+                            tr {
+                                th scope="col" { "Program coordinates" }
+                                th scope="col" { "Axis" }
+                                th.n scope="col" { "Cuts from" }
+                                th.n scope="col" { "to" }
+                                th.n scope="col" { "All moves from" }
+                                th.n scope="col" { "to" }
+                                th scope="col" { "" span.hidden { "Unit" } }
+                                th.n scope="col" { "Zero may lie at" }
+                            }
+                        }
+                        tbody {
+                            @for travel in document.travel.rows.iter().take(MOST) {
+                                @for (index, axis) in travel.axes.iter().enumerate() {
+                                    tr {
+                                        @if index == 0 {
+                                            th scope="rowgroup" rowspan=(travel.axes.len()) {
+                                                (travel.name)
+                                                @if let Some(line) = travel.moved_at {
+                                                    br; span.faint { "moved, line " (line) }
+                                                }
+                                            }
+                                        }
+                                        (range(axis, show))
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+                (left_out(&document.travel, MOST, "changes of work offsets"))
+            }
+            @if document.travel.rows.iter().any(|t| t.axes.iter().any(|a| a.zero_may_lie.is_some())) {
+                p.faint {
+                    "“Zero may lie at”: the values of a work offset, in machine coordinates, with which all its "
+                    "moves stay within the machine's travel."
+                }
+            }
+            @if !document.machine_travel.is_empty() { (machine(&document.machine_travel, show)) }
+        }
+    }
+}
+
+fn range(axis: &AxisRange, show: &Show) -> Markup {
+    let place = |value: f64| show.place(axis.axis, value);
+    html! {
+        td { (axis.axis) }
+        @match axis.cuts {
+            Some((low, high)) => { td.n { (place(low)) } td.n { (place(high)) } }
+            None => { td.n { "–" } td.n { "–" } }
+        }
+        td.n { (place(axis.all.0)) }
+        td.n { (place(axis.all.1)) }
+        td { (show.unit(axis.axis)) }
+        td.n {
+            @match axis.zero_may_lie {
+                Some((low, high)) if low <= high => { (place(low)) " to " (place(high)) }
+                Some(_) => "nowhere: too far for the machine",
+                None => "",
+            }
+        }
+    }
+}
+
+fn machine(axes: &[MachineTravel], show: &Show) -> Markup {
+    html! {
+        div.keep {
+            h3 { "Against the machine's travel" }
+            table {
+                thead {
+                    tr {
+                        th scope="col" { "Axis" }
+                        th.n scope="col" { "Travel from" }
+                        th.n scope="col" { "to" }
+                        th.n scope="col" { "Goes from" }
+                        th.n scope="col" { "to" }
+                        th scope="col" { "" span.hidden { "Unit" } }
+                        th scope="col" { "" span.hidden { "Remark" } }
+                    }
+                }
+                tbody {
+                    @for axis in axes {
+                        @let place = |value: f64| show.place(axis.axis, value);
+                        tr {
+                            th scope="row" { (axis.axis) }
+                            td.n { (place(axis.limits.0)) }
+                            td.n { (place(axis.limits.1)) }
+                            @match axis.goes {
+                                Some((low, high)) => { td.n { (place(low)) } td.n { (place(high)) } }
+                                None => { td.n { "–" } td.n { "–" } }
+                            }
+                            td { (show.unit(axis.axis)) }
+                            td { (remark(axis)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn remark(axis: &MachineTravel) -> &'static str {
+    let (low, high) = axis.limits;
+    let slack = 1e-6;
+    match axis.goes {
+        Some((from, to)) if from < low - slack || to > high + slack => {
+            "beyond the machine's travel"
+        }
+        _ if axis.partly_unknown => "not all known: an offset is not set",
+        _ => "within",
+    }
+}
