@@ -63,7 +63,8 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
     let comments = Comments::new(job, programs.first_main(about.program));
     let time = timed.as_ref().map(|timed| &timed.time);
     let tools_told = tools.tools(job, &comments, &report.summary, time);
-    let time = timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, job));
+    let time =
+        timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, &comments.head(), job));
     let printed = report.output.iter().take(MOST_PRINTED).map(|line| clean(line, 200));
     let document = Document {
         schema: "chordal.report/1",

@@ -10,14 +10,15 @@ use crate::data::{Block, Operation, Rows, Time, Tool, Wait};
 /// Operations that are told.
 const MOST: usize = 200;
 
-/// The time; operations without a comment of their own have that of their tool.
-pub fn time(timed: &Timed, tools: &[Tool], job: &Job) -> Time {
+/// The time; operations without a comment of their own have that of their tool. `head` are the
+/// comments at the head of the program.
+pub fn time(timed: &Timed, tools: &[Tool], head: &[String], job: &Job) -> Time {
     let (time, motion) = (&timed.time, &timed.motion);
     let operations: Vec<Operation> = time
         .operations
         .iter()
         .take(MOST)
-        .map(|operation| of_operation(operation, tools, job))
+        .map(|operation| of_operation(operation, tools, head, job))
         .collect();
     let all = time.operations.len() as u64 + time.operations_left_out;
     let assumed = motion.limits.assumed.iter();
@@ -42,8 +43,15 @@ pub fn time(timed: &Timed, tools: &[Tool], job: &Job) -> Time {
     }
 }
 
-fn of_operation(operation: &OperationTime, tools: &[Tool], job: &Job) -> Operation {
+fn of_operation(
+    operation: &OperationTime,
+    tools: &[Tool],
+    head: &[String],
+    job: &Job,
+) -> Operation {
+    // What stands at the head speaks of the program.
     let own = operation.comment.and_then(|span| comment(span, job));
+    let own = own.filter(|text| !head.contains(text));
     let of_tool = || {
         let tool = tools.iter().find(|tool| tool.number == operation.tool)?;
         tool.comment.clone().or_else(|| tool.table.clone())

@@ -33,13 +33,15 @@ pub fn html(document: &Document) -> String {
             body {
                 header { (heading(document)) (banner(document)) (facts(document, &show)) }
                 main {
+                    // What must be mended comes before what is set up.
+                    @if document.errors > 0 { (problems(document)) }
                     (pictures(document))
                     (setup::offsets(document, &show))
                     (setup::tools(document, &show))
                     (program::stops(document))
                     (times::times(document))
                     (setup::travel(document, &show))
-                    (problems(document))
+                    @if document.errors == 0 { (problems(document)) }
                     (program::program(document, &show))
                     div.sign-off {
                         span { "Set up by" } span { "Checked by" } span { "Date" }
@@ -174,7 +176,9 @@ fn ends(document: &Document) -> Markup {
 fn facts(document: &Document, show: &Show) -> Markup {
     let head = &document.head;
     let fact = |name: &str, value: &str, large: bool| {
-        html! { div { dt { (name) } dd.large[large] { (value) } } }
+        html! {
+            div { dt { (name) } @if large { dd.large { (value) } } @else { dd { (value) } } }
+        }
     };
     let cuts = format!("{} {}", show.units.length(document.moves.cut_mm), show.units.length_unit());
     html! {
@@ -242,6 +246,16 @@ fn upper_first(text: &str) -> String {
 
 fn tool_name(number: u32) -> String {
     if number == 0 { "no tool".to_string() } else { format!("T{number}") }
+}
+
+/// Rows of a table that goes onto one page of paper as a whole.
+const ON_ONE_PAGE: usize = 16;
+
+/// A table that scrolls where the window is too narrow for it.
+fn scrolling(label: &str, rows: usize, table: Markup) -> Markup {
+    html! {
+        div.scroll.keep[rows <= ON_ONE_PAGE] role="region" aria-label=(label) tabindex="0" { (table) }
+    }
 }
 
 /// The line that tells what a table leaves out.

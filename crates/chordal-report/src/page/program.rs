@@ -3,7 +3,7 @@
 use chordal_export::numbers::{counted, grouped};
 use maud::{Markup, html};
 
-use super::{Show, left_out, program_name, tool_name};
+use super::{Show, left_out, program_name, scrolling, tool_name};
 use crate::data::{Called, Document, Skipped, Stop, StopKind};
 
 /// Stops and programs on the page.
@@ -19,7 +19,7 @@ pub fn stops(document: &Document) -> Markup {
                 p { "None: it runs through to its end." }
             }
             @if !stops.rows.is_empty() {
-                table {
+                (scrolling("Stops and messages", stops.rows.len(), html! { table {
                     thead {
                         tr {
                             th scope="col" { "Line" }
@@ -30,7 +30,7 @@ pub fn stops(document: &Document) -> Markup {
                         }
                     }
                     tbody { @for stop in stops.rows.iter().take(MOST) { (row(stop)) } }
-                }
+                } }))
                 (left_out(stops, MOST, "stops and messages"))
             }
             @if !skipped.lines.rows.is_empty() { (skipped_blocks(skipped)) }
@@ -93,7 +93,7 @@ pub fn program(document: &Document, show: &Show) -> Markup {
             }
             @if !document.called.rows.is_empty() {
                 h3 { "Subprograms that run" }
-                table {
+                (scrolling("Subprograms", document.called.rows.len(), html! { table {
                     thead {
                         tr {
                             th scope="col" { "Program" }
@@ -106,7 +106,7 @@ pub fn program(document: &Document, show: &Show) -> Markup {
                             (subprogram(called, &document.head.file))
                         }
                     }
-                }
+                } }))
                 (left_out(&document.called, MOST, "programs"))
             }
             @if !document.printed.rows.is_empty() {

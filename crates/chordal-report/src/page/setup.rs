@@ -3,7 +3,7 @@
 use chordal_export::numbers::{duration, grouped, short};
 use maud::{Markup, PreEscaped, html};
 
-use super::{Show, left_out, tool_name};
+use super::{Show, left_out, scrolling, tool_name};
 use crate::data::{AxisRange, Document, Feeds, MachineTravel, Register, Tool, WorkOffset};
 
 /// Rows of a table on the page.
@@ -55,7 +55,7 @@ fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
     axes.dedup();
     html! {
         div {
-            table {
+            (scrolling("Work offsets", offsets.len(), html! { table {
                 caption { "Work offsets, machine coordinates" }
                 thead {
                     tr {
@@ -81,7 +81,7 @@ fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
                         }
                     }
                 }
-            }
+            } }))
             @for offset in offsets.iter().filter(|offset| !offset.moved_at.is_empty()).take(MOST) {
                 p.faint {
                     (offset.name) " is set or moved by the program itself, line "
@@ -104,7 +104,7 @@ fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
         }
     };
     html! {
-        table {
+        (scrolling("Tool offsets", registers.len(), html! { table {
             caption { "Tool offsets" }
             thead {
                 tr {
@@ -124,7 +124,7 @@ fn tool_offsets(registers: &[Register], show: &Show) -> Markup {
                     }
                 }
             }
-        }
+        } }))
         @for register in registers.iter().filter(|register| register.by_program) {
             p.faint { "Offset " (register.number) " is written by the program itself." }
         }
@@ -150,8 +150,7 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
             @if document.tools.rows.is_empty() {
                 p { "No tool is called, and nothing is cut." }
             } @else {
-                div.scroll role="region" aria-labelledby="tools" tabindex="0" {
-                    table {
+                (scrolling("Tools", document.tools.rows.len(), html! { table {
                         thead {
                             tr {
                                 th scope="col" { "Tool" }
@@ -189,8 +188,7 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
                                 }
                             }
                         }
-                    }
-                }
+                    } }))
                 (left_out(&document.tools, MOST, "tools"))
             }
         }
@@ -262,8 +260,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
             @if document.travel.rows.is_empty() {
                 p { "Nothing moves whose place relative to the part is known." }
             } @else {
-                div.scroll role="region" aria-label="Travel by work offset" tabindex="0" {
-                    table {
+                (scrolling("Travel by work offset", 3 * document.travel.rows.len(), html! { table {
                         thead {
                             tr {
                                 th scope="col" { "Program coordinates" }
@@ -293,8 +290,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
                                 }
                             }
                         }
-                    }
-                }
+                    } }))
                 (left_out(&document.travel, MOST, "changes of work offsets"))
             }
             @if document.travel.rows.iter().any(|t| t.axes.iter().any(|a| a.zero_may_lie.is_some())) {
@@ -333,7 +329,7 @@ fn machine(axes: &[MachineTravel], show: &Show) -> Markup {
     html! {
         div.keep {
             h3 { "Against the machine's travel" }
-            table {
+            (scrolling("Machine travel", axes.len(), html! { table {
                 thead {
                     tr {
                         th scope="col" { "Axis" }
@@ -361,7 +357,7 @@ fn machine(axes: &[MachineTravel], show: &Show) -> Markup {
                         }
                     }
                 }
-            }
+            } }))
         }
     }
 }

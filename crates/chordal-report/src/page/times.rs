@@ -3,7 +3,7 @@
 use chordal_export::numbers::{counted, duration, fixed, grouped};
 use maud::{Markup, html};
 
-use super::{left_out, tool_name};
+use super::{left_out, scrolling, tool_name};
 use crate::data::{Block, Document, Operation, Time};
 
 /// Operations on the page.
@@ -67,7 +67,7 @@ fn shares(time: &Time) -> Markup {
 
 fn operations(time: &Time) -> Markup {
     html! {
-        table {
+        (scrolling("Times by operation", time.operations.rows.len(), html! { table {
             caption { "By operation" }
             thead {
                 tr {
@@ -84,7 +84,7 @@ fn operations(time: &Time) -> Markup {
             tbody {
                 @for each in time.operations.rows.iter().take(MOST) { (operation(each, time.total_s)) }
             }
-        }
+        } }))
         (left_out(&time.operations, MOST, "operations"))
     }
 }
@@ -110,7 +110,7 @@ fn longest(time: &Time) -> Markup {
     html! {
         div.keep {
             h3 { "The blocks that take the most time" }
-            table {
+            (scrolling("The longest blocks", time.longest.len(), html! { table {
                 thead {
                     tr {
                         th scope="col" { "Line" }
@@ -121,7 +121,7 @@ fn longest(time: &Time) -> Markup {
                     }
                 }
                 tbody { @for block in &time.longest { (row(block)) } }
-            }
+            } }))
         }
     }
 }
