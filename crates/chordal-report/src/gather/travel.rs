@@ -127,7 +127,8 @@ impl Travels {
             }
             for (place, known) in places {
                 self.take(axis, &place, known, cuts);
-                if !stands && !(known.has(axis) && self.frame.known.has(axis)) {
+                let is_known = known.and(self.frame.known).has(axis);
+                if !stands && !is_known {
                     self.unknown.insert(axis);
                 }
             }
