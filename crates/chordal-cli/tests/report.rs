@@ -231,14 +231,15 @@ fn the_same_program_gives_the_same_bytes() {
 #[test]
 fn a_program_with_errors_gets_its_report() {
     let folder = Folder::new();
-    folder.write("broken.nc", BROKEN);
-    let done = folder.run(&["report", "broken.nc", "-m", "haas-vf2", "-o", "setup.html"]);
+    folder.write("jobs/broken.nc", BROKEN);
+    let done = folder.run(&["report", "jobs/broken.nc", "-m", "haas-vf2", "-o", "setup.html"]);
     done.ends(1).complains(&["CH401"]);
     let html = folder.read("setup.html");
     let banner = html.find("Do not run: 1 error.").unwrap();
     assert!(banner < html.find("<h2 id=\"path\">").unwrap(), "at the top");
     assert!(html.contains("6 | G2 X1. Y1. I.4 J0\n"), "the line with its words underlined");
     assert!(html.contains("^^^^") && html.contains("What to do: "));
+    assert!(!html.contains("jobs"), "a sheet does not tell in which folder the program lay");
     let [error, warning] = [html.find("problem error"), html.find("problem warning")];
     assert!(warning.is_none_or(|warning| error.unwrap() < warning), "errors first");
 }

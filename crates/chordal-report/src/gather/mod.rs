@@ -15,7 +15,7 @@ use chordal::{Job, PathCommand, Report, Segment, SegmentKind, Watch};
 use chordal_export::{Plot, Viewpoint, sha256_hex};
 
 use self::stops::{Programs, Stops};
-use self::text::{Comments, clean};
+use self::text::{Comments, clean, file_name};
 use self::tools::Tools;
 use self::travel::Travels;
 use crate::data::{Document, Head, Moves, Picture, Pictures, Rows, Skipped, ToolSign};
@@ -164,10 +164,9 @@ fn head(
     let text = source.map_or(&[][..], |source| source.text());
     let ended = text.last().is_none_or(|byte| matches!(byte, b'\n' | b'\r'));
     let lines = source.map_or(0, |source| u64::from(source.line_of(text.len() as u32)));
-    let file = about.file.rsplit(['/', '\\']).next().unwrap_or(about.file);
     let machine = job.machine();
     Head {
-        file: clean(file, 200),
+        file: file_name(about.file),
         programs: programs.mains(about.program),
         comments: comments.head(),
         control: job.control().table.title,

@@ -1,9 +1,10 @@
 //! Problems as rows.
 
+use chordal::diagnostics::FileId;
 use chordal::{Diagnostic, Job, Report, SourceMap, Span};
 use chordal_export::report::{excerpt, place};
 
-use super::text::clean;
+use super::text::{clean, file_name};
 use crate::data::{Problem, Rows};
 
 /// Problems that are told; the others are counted.
@@ -35,8 +36,8 @@ fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
         code: info.id,
         name: info.name,
         message: shown(&diagnostic.message),
-        place: found.map(|place| (clean(place.file, 200), place.start.line)),
-        excerpt: excerpt(diagnostic, sources),
+        place: found.map(|place| (file_name(place.file), place.start.line)),
+        excerpt: shown_lines(diagnostic, sources),
         alarm: diagnostic.alarm.as_deref().map(shown),
         notes: diagnostic.notes.iter().map(|note| shown(note)).chain(calls).collect(),
         help: diagnostic.help.as_deref().map(shown),
@@ -58,10 +59,24 @@ fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
     }
 }
 
+/// The lines with the words underlined. The program's own name is left out: a sheet that is mailed
+/// need not tell in which folder it lay.
+fn shown_lines(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
+    let own = sources.get(FileId(0)).map_or("", |source| source.name());
+    let names_own = |line: &str| {
+        let place = line.trim_start();
+        let place = place.strip_prefix("--> ").or_else(|| place.strip_prefix("::: "));
+        place.and_then(|place| place.strip_prefix(own)).is_some_and(|rest| rest.starts_with(':'))
+    };
+    let drawn = excerpt(diagnostic, sources);
+    let lines: Vec<&str> = drawn.lines().filter(|line| !names_own(line)).collect();
+    lines.join("\n")
+}
+
 fn called_from(call: Span, sources: &SourceMap) -> Option<String> {
     let place = place(call, sources)?;
     let file =
-        if call.file.0 == 0 { String::new() } else { format!("{}, ", clean(place.file, 200)) };
+        if call.file.0 == 0 { String::new() } else { format!("{}, ", file_name(place.file)) };
     Some(format!(
         "called from {file}line {}: {}",
         place.start.line,

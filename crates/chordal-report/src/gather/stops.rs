@@ -6,7 +6,7 @@ use chordal::control::{Command, CommandKind, Library, Origin};
 use chordal::diagnostics::FileId;
 use chordal::{Job, Span};
 
-use super::text::{Comments, clean, title};
+use super::text::{Comments, clean, file_name, title};
 use crate::data::{Called, Rows, Stop, StopKind};
 
 /// Stops that are told.
@@ -79,7 +79,7 @@ pub fn other_file(job: &Job, file: FileId) -> Option<String> {
     if file == FileId(0) {
         return None;
     }
-    job.sources().get(file).map(|source| clean(source.name(), 200))
+    job.sources().get(file).map(|source| file_name(source.name()))
 }
 
 /// Watches which programs run.

@@ -35,6 +35,11 @@ pub fn clean(text: &str, most: usize) -> String {
     out
 }
 
+/// The name of a file without its folder: where it lay is nobody's business who gets the sheet.
+pub fn file_name(path: &str) -> String {
+    clean(path.rsplit(['/', '\\']).next().unwrap_or(path), 200)
+}
+
 /// The comment behind the head of a program that ends at `from`: `BRACKET, SIDE 2`.
 pub fn title(text: &[u8], from: usize) -> Option<String> {
     let line = text.get(from..)?.split(|byte| matches!(byte, b'\n' | b'\r')).next()?;
