@@ -36,6 +36,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-export", &["chordal", "chordal-calc"]),
     ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
+    ("chordal-compare", &["chordal"]),
     ("chordal-editor", &["chordal"]),
     ("chordal-lsp", &["chordal", "chordal-editor"]),
     ("chordal-server", &["chordal", "chordal-editor"]),

@@ -1,0 +1,240 @@
+//! Two paths walked together.
+
+use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
+
+use crate::bound::{Stretch, bound};
+
+/// A stretch of each path, walked evenly from end to end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Couple {
+    /// The moves of the two paths, by their place in what was given; the nearest one where a path
+    /// waits at its end.
+    pub(crate) moves: [usize; 2],
+    /// The two walkers are never further apart, mm.
+    pub(crate) apart_mm: f64,
+    /// From which fraction to which of its move each went.
+    pub(crate) parts: [[f64; 2]; 2],
+}
+
+impl Couple {
+    /// Both go along a whole move.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.parts == [[0.0, 1.0]; 2]
+    }
+}
+
+/// A path and how far it was walked.
+struct Walker<'a> {
+    curves: &'a [&'a Curve],
+    /// Where the path is when it has no curves.
+    rest: Curve,
+    lengths: Vec<f64>,
+    at: usize,
+    way: f64,
+}
+
+impl<'a> Walker<'a> {
+    fn new(curves: &'a [&'a Curve], rest: Vec3) -> Walker<'a> {
+        let rest = curves.last().map_or(rest, |curve| curve.end());
+        let lengths = curves.iter().map(|curve| curve.length()).collect();
+        Walker { curves, rest: Line { start: rest, end: rest }.into(), lengths, at: 0, way: 0.0 }
+    }
+
+    fn is_done(&self) -> bool {
+        self.at == self.curves.len()
+    }
+
+    fn curve(&self) -> &Curve {
+        self.curves.get(self.at).map_or(&self.rest, |curve| *curve)
+    }
+
+    fn length(&self) -> f64 {
+        self.lengths.get(self.at).copied().unwrap_or(0.0)
+    }
+
+    fn end(&self) -> Vec3 {
+        self.curve().end()
+    }
+
+    fn stretch(&self, to: f64) -> Stretch<'_> {
+        Stretch { curve: self.curve(), from: self.way, to }
+    }
+
+    /// The way to the place of the rest of this curve that is nearest, and its distance.
+    fn nearest(&self, place: Vec3) -> (f64, f64) {
+        let (way, length) = (self.way, self.length());
+        let rest = if way > 0.0 { self.curve().subsegment(way, length) } else { *self.curve() };
+        let nearest = rest.nearest(place);
+        ((way + nearest.s).min(length), nearest.distance)
+    }
+
+    fn walk(&mut self, to: f64) {
+        if to < self.length() {
+            self.way = to;
+        } else {
+            self.at += 1;
+            self.way = 0.0;
+        }
+    }
+
+    /// The fractions of the move from here to there; nothing of it is left where the path has ended.
+    fn part(&self, to: f64) -> [f64; 2] {
+        if self.is_done() {
+            return [1.0; 2];
+        }
+        let length = self.length();
+        let fraction = |way: f64| if length > 0.0 { way / length } else { 1.0 };
+        let from = if self.way > 0.0 { fraction(self.way) } else { 0.0 };
+        [from, if to < length { fraction(to) } else { 1.0 }]
+    }
+
+    fn index(&self) -> usize {
+        self.at.min(self.curves.len().saturating_sub(1))
+    }
+}
+
+/// Walks two paths together, curve by curve: at each end of a curve the other walker goes to the end of
+/// its own curve, or to where it is nearest, whichever keeps them closer. Linear in the number of
+/// curves. The largest distance is an upper bound of the Fréchet distance of the two paths.
+///
+/// A path without curves waits at `rest`. Bounds are found to `precision_mm`.
+pub(crate) fn couple(
+    a: &[&Curve],
+    b: &[&Curve],
+    rest: [Vec3; 2],
+    precision_mm: f64,
+) -> Vec<Couple> {
+    let mut walkers = [Walker::new(a, rest[0]), Walker::new(b, rest[1])];
+    let mut couples = Vec::with_capacity(a.len().max(b.len()));
+    while !(walkers[0].is_done() && walkers[1].is_done()) {
+        let to = together(&walkers);
+        let moves = [walkers[0].index(), walkers[1].index()];
+        let parts = [0, 1].map(|at| walkers[at].part(to[at]));
+        let apart_mm = bound(walkers[0].stretch(to[0]), walkers[1].stretch(to[1]), precision_mm);
+        couples.push(Couple { moves, apart_mm, parts });
+        for (walker, to) in walkers.iter_mut().zip(to) {
+            if !walker.is_done() {
+                walker.walk(to);
+            }
+        }
+    }
+    couples
+}
+
+/// Walks two paths move by move; nothing where they are not made of as many moves of the same kinds.
+pub(crate) fn move_by_move(
+    a: &[&Curve],
+    b: &[&Curve],
+    precision_mm: f64,
+) -> Option<Vec<Couple>> {
+    let is_alike = |(a, b): (&&Curve, &&Curve)| {
+        std::mem::discriminant(*a) == std::mem::discriminant(*b)
+    };
+    if a.len() != b.len() || !a.iter().zip(b).all(is_alike) {
+        return None;
+    }
+    let whole = |curve| Stretch { curve, from: 0.0, to: ParamCurve::length(curve) };
+    let pairs = a.iter().zip(b).enumerate();
+    let couples = pairs.map(|(at, (a, b))| Couple {
+        moves: [at, at],
+        apart_mm: bound(whole(*a), whole(*b), precision_mm),
+        parts: [[0.0, 1.0]; 2],
+    });
+    Some(couples.collect())
+}
+
+/// The largest distance of a walk, mm.
+pub(crate) fn most(couples: &[Couple]) -> f64 {
+    couples.iter().map(|couple| couple.apart_mm).fold(0.0, f64::max)
+}
+
+/// How far both go next; at least one to the end of its curve.
+fn together(walkers: &[Walker<'_>; 2]) -> [f64; 2] {
+    let [a, b] = walkers;
+    let ends = [a.length(), b.length()];
+    if a.is_done() || b.is_done() {
+        return ends;
+    }
+    let both = (a.end() - b.end()).length();
+    if both == 0.0 {
+        return ends;
+    }
+    let (of_b, apart_b) = b.nearest(a.end());
+    let (of_a, apart_a) = a.nearest(b.end());
+    let least = apart_a.min(apart_b);
+    // Where it makes no difference beyond rounding, whole curves go with whole curves.
+    let rounding = 1e-12 * (1.0 + a.end().length().max(b.end().length()));
+    if both <= least + rounding {
+        return ends;
+    }
+    if apart_b <= apart_a { [ends[0], of_b] } else { [of_a, ends[1]] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use chordal::geometry::{Direction, Plane, arc_from_center};
+
+    fn line(a: [f64; 2], b: [f64; 2]) -> Curve {
+        let place = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
+        Line { start: place(a), end: place(b) }.into()
+    }
+
+    fn chain(points: &[[f64; 2]]) -> Vec<Curve> {
+        points.windows(2).map(|ends| line(ends[0], ends[1])).collect()
+    }
+
+    fn most(a: &[Curve], b: &[Curve]) -> f64 {
+        let (a, b): (Vec<&Curve>, Vec<&Curve>) = (a.iter().collect(), b.iter().collect());
+        super::most(&couple(&a, &b, [Vec3::ZERO; 2], 1e-9))
+    }
+
+    fn quarter(from: [f64; 2], to: [f64; 2]) -> Curve {
+        let place = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
+        let center = (0.0, 0.0);
+        arc_from_center(Plane::Xy, place(from), place(to), center, Direction::Ccw, 0, 0.1).curve
+    }
+
+    #[test]
+    fn cut_otherwise() {
+        let a = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 7.0]]);
+        let b = chain(&[[0.0, 0.0], [1.0, 0.0], [9.5, 0.0], [10.0, 0.0], [10.0, 2.0], [10.0, 7.0]]);
+        assert!(most(&a, &b) < 1e-12);
+        assert!(most(&b, &a) < 1e-12);
+    }
+
+    #[test]
+    fn an_arc_in_two() {
+        let root = 50f64.sqrt();
+        let a = [quarter([10.0, 0.0], [0.0, 10.0])];
+        let b = [quarter([10.0, 0.0], [root, root]), quarter([root, root], [0.0, 10.0])];
+        assert!(most(&a, &b) < 1e-9, "{}", most(&a, &b));
+    }
+
+    /// Eight chords of a quarter circle leave it by r(1 − cos(π/32)).
+    #[test]
+    fn chords_of_an_arc() {
+        let a = [quarter([10.0, 0.0], [0.0, 10.0])];
+        let points: Vec<[f64; 2]> = (0..=8)
+            .map(|i| f64::from(i) * std::f64::consts::FRAC_PI_2 / 8.0)
+            .map(|angle| [10.0 * angle.cos(), 10.0 * angle.sin()])
+            .collect();
+        let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 32.0).cos());
+        let found = most(&a, &chain(&points));
+        // Walked evenly the chord lags behind the arc by a little more than the sagitta.
+        assert!(found >= sagitta - 1e-9 && found < sagitta * 1.01, "{found} against {sagitta}");
+    }
+
+    #[test]
+    fn a_moved_corner_is_as_far_as_it_was_moved() {
+        let a = chain(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
+        let b = chain(&[[0.0, 0.0], [10.0, -0.25], [10.0, 10.0], [0.0, 10.0]]);
+        assert!((most(&a, &b) - 0.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_only_one_has_is_held_against_where_the_other_waits() {
+        let a = chain(&[[0.0, 0.0], [3.0, 4.0], [0.0, 0.0]]);
+        assert!((most(&a, &[]) - 5.0).abs() < 1e-12);
+    }
+}

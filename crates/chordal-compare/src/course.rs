@@ -1,0 +1,252 @@
+//! What a program does, in order.
+
+use chordal::control::{
+    Command, CommandKind, Coolant, FeedMode, Origin, Overrides, PathMode, RapidPath, Side,
+    SpindleState, WorkName,
+};
+use chordal::geometry::Curve;
+use chordal::{Job, PathCommand, Report, Segment, Watch};
+
+/// A run: its moves, each with the state that it is made in, and what happens between them.
+#[derive(Debug)]
+pub(crate) struct Course {
+    pub(crate) steps: Vec<Step>,
+    /// States, by the numbers that moves have.
+    pub(crate) states: Vec<State>,
+    /// Rotary axes A B C at both ends of a move, rad, by the numbers that moves have.
+    pub(crate) turns: Vec<[[f64; 3]; 2]>,
+    pub(crate) report: Report,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Step {
+    Move(Moved),
+    Event { what: Event, origin: Origin },
+}
+
+impl Step {
+    pub(crate) fn origin(&self) -> &Origin {
+        match self {
+            Step::Move(moved) => &moved.origin,
+            Step::Event { origin, .. } => origin,
+        }
+    }
+}
+
+/// A move of the tool centre in the frame of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Moved {
+    pub(crate) curve: Curve,
+    pub(crate) length_mm: f64,
+    /// Both ends are known relative to the part.
+    pub(crate) known: bool,
+    pub(crate) way: Way,
+    /// The feed of a cut; nothing for rapids and before any F.
+    pub(crate) feed: Option<Speed>,
+    pub(crate) turn: u32,
+    pub(crate) state: u32,
+    pub(crate) origin: Origin,
+}
+
+/// How a move goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    Cut,
+    Rapid,
+    /// A rapid on which each axis goes at its own speed, so that it is no straight line.
+    DogLeg,
+}
+
+/// How fast a cut is, so that it does not matter how the program counts it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Speed {
+    /// Of the path, mm/s.
+    Path(f64),
+    /// Of a move of rotary axes alone, 1/s: one over its time.
+    Turn(f64),
+    /// For each revolution of a spindle that has no speed, mm.
+    PerRevolution(f64),
+}
+
+/// What holds while a move is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct State {
+    pub(crate) spindle: SpindleState,
+    pub(crate) rpm: f64,
+    pub(crate) coolant: Coolant,
+    pub(crate) length_offset: Option<u32>,
+    pub(crate) radius_offset: Option<u32>,
+    pub(crate) work_offset: u32,
+    pub(crate) path_mode: PathMode,
+    pub(crate) overrides: Overrides,
+}
+
+/// What happens between moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Event {
+    Tool(u32),
+    Dwell(f64),
+    Stop { optional: bool },
+    Probed { hit: bool },
+    Output(String),
+}
+
+impl Course {
+    pub(crate) fn of(job: &Job) -> Course {
+        let mut gather = Gather::new();
+        let report = job.report_watched(&mut gather);
+        Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
+    }
+
+    pub(crate) fn move_count(&self) -> u64 {
+        self.steps.iter().filter(|step| matches!(step, Step::Move(_))).count() as u64
+    }
+
+    /// The move at a step.
+    pub(crate) fn moved(&self, step: usize) -> Option<&Moved> {
+        match self.steps.get(step)? {
+            Step::Move(moved) => Some(moved),
+            Step::Event { .. } => None,
+        }
+    }
+
+    pub(crate) fn state(&self, moved: &Moved) -> &State {
+        &self.states[moved.state as usize]
+    }
+
+    pub(crate) fn turn(&self, moved: &Moved) -> &[[f64; 3]; 2] {
+        &self.turns[moved.turn as usize]
+    }
+}
+
+struct Gather {
+    steps: Vec<Step>,
+    states: Vec<State>,
+    turns: Vec<[[f64; 3]; 2]>,
+    now: State,
+}
+
+impl Gather {
+    fn new() -> Gather {
+        let now = State {
+            spindle: SpindleState::Off,
+            rpm: 0.0,
+            coolant: Coolant::default(),
+            length_offset: None,
+            radius_offset: None,
+            // Which offset holds before the program names one is the control's business: its first.
+            work_offset: 1,
+            path_mode: PathMode::Continuous { tolerance_mm: None },
+            overrides: Overrides::ON,
+        };
+        Gather { steps: Vec::new(), states: vec![now], turns: vec![[[0.0; 3]; 2]], now }
+    }
+
+    fn state(&mut self) -> u32 {
+        if self.states.last() != Some(&self.now) {
+            self.states.push(self.now);
+        }
+        self.states.len() as u32 - 1
+    }
+
+    fn turn(&mut self, segment: &Segment) -> u32 {
+        let turn = [segment.rotary_from, segment.rotary_to];
+        if self.turns.last() != Some(&turn) {
+            self.turns.push(turn);
+        }
+        self.turns.len() as u32 - 1
+    }
+
+    fn event(&mut self, command: &Command, what: Event) {
+        self.steps.push(Step::Event { what, origin: command.origin });
+    }
+
+    fn command(&mut self, command: &Command) {
+        use CommandKind as Kind;
+        match &command.kind {
+            Kind::Tool { number } => self.event(command, Event::Tool(*number)),
+            Kind::Dwell { seconds, .. } if *seconds > 0.0 => {
+                self.event(command, Event::Dwell(*seconds));
+            }
+            Kind::Stop { optional } => self.event(command, Event::Stop { optional: *optional }),
+            Kind::Probed { hit } => self.event(command, Event::Probed { hit: *hit }),
+            Kind::Output { text } => self.event(command, Event::Output(text.clone())),
+            Kind::Spindle { state, rpm } => {
+                self.now.spindle = *state;
+                // A spindle that stands has no speed, whatever S says for later.
+                let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                self.now.rpm = if turns { *rpm } else { 0.0 };
+            }
+            Kind::Coolant(coolant) => self.now.coolant = *coolant,
+            Kind::Compensation { side, number, .. } => {
+                self.now.radius_offset = if *side == Side::Off { None } else { *number };
+            }
+            Kind::ToolLength { number, .. } => self.now.length_offset = *number,
+            Kind::WorkOffset { name, .. } => self.now.work_offset = ordinal(*name),
+            Kind::PathMode(mode) => self.now.path_mode = *mode,
+            Kind::Overrides(overrides) => self.now.overrides = *overrides,
+            // How the words are to be read is in the moves already; a tool that is made ready
+            // moves nothing, and messages are text.
+            _ => {}
+        }
+    }
+}
+
+impl Watch for Gather {
+    fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
+        self.command(path.command);
+        for segment in segments {
+            let turn = self.turn(segment);
+            if segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to {
+                continue;
+            }
+            let moved = Moved {
+                curve: segment.curve,
+                length_mm: segment.length_mm,
+                known: segment.known,
+                way: way(path.command),
+                feed: speed(path.command, segment),
+                turn,
+                state: self.state(),
+                origin: segment.origin,
+            };
+            self.steps.push(Step::Move(moved));
+        }
+    }
+}
+
+/// The number of a work offset, counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1
+/// and G59.1; 0 are machine coordinates.
+fn ordinal(name: WorkName) -> u32 {
+    match name {
+        WorkName::Machine => 0,
+        WorkName::G(number) => u32::from(number).saturating_sub(53),
+        WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
+        WorkName::E(number) => u32::from(number),
+    }
+}
+
+fn way(command: &Command) -> Way {
+    match &command.kind {
+        CommandKind::Rapid { path: RapidPath::DogLeg, motion } => {
+            // Along a single axis both are the same line.
+            let moving = (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).count();
+            if moving > 1 { Way::DogLeg } else { Way::Rapid }
+        }
+        CommandKind::Rapid { .. } => Way::Rapid,
+        _ => Way::Cut,
+    }
+}
+
+/// The feed as speed, from the time that the segment takes without acceleration.
+fn speed(command: &Command, segment: &Segment) -> Option<Speed> {
+    let feed = command.kind.feed()?;
+    if !(segment.duration_s > 0.0 && segment.duration_s.is_finite()) {
+        let is_unknown = feed.mode != FeedMode::PerRevolution || !feed.value.is_finite();
+        return if is_unknown { None } else { Some(Speed::PerRevolution(feed.value)) };
+    }
+    if segment.length_mm > 0.0 {
+        return Some(Speed::Path(segment.length_mm / segment.duration_s));
+    }
+    Some(Speed::Turn(1.0 / segment.duration_s))
+}

@@ -1,0 +1,188 @@
+//! What differs, as plain data.
+
+use chordal::Span;
+use chordal::control::{Coolant, Origin, Overrides, PathMode, SpindleState};
+use serde::Serialize;
+
+/// In what two runs differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Category {
+    /// The path of the tool centre.
+    Path,
+    /// The same moves at another time.
+    Order,
+    /// The place of a rotary axis on the way.
+    Rotary,
+    /// A rapid instead of a cut.
+    Rapid,
+    /// A dog-leg rapid instead of a straight one.
+    RapidPath,
+    /// Moves to places that are not known relative to the part.
+    Unknown,
+    /// The feed.
+    Feed,
+    /// The spindle's direction or speed.
+    Spindle,
+    /// The tool.
+    Tool,
+    /// The number of the tool length offset.
+    LengthOffset,
+    /// The number of the radius offset.
+    RadiusOffset,
+    /// The work offset.
+    WorkOffset,
+    /// The coolant.
+    Coolant,
+    /// How corners are passed.
+    PathMode,
+    /// Which overrides act.
+    Overrides,
+    /// A dwell.
+    Dwell,
+    /// A stop for the operator.
+    Stop,
+    /// A probe move.
+    Probe,
+    /// A printed line.
+    Output,
+    /// A problem that only one of the two has.
+    Problem,
+}
+
+impl Category {
+    /// All of them, in the order in which they are declared.
+    pub const ALL: [Category; 20] = [
+        Category::Path,
+        Category::Order,
+        Category::Rotary,
+        Category::Rapid,
+        Category::RapidPath,
+        Category::Unknown,
+        Category::Feed,
+        Category::Spindle,
+        Category::Tool,
+        Category::LengthOffset,
+        Category::RadiusOffset,
+        Category::WorkOffset,
+        Category::Coolant,
+        Category::PathMode,
+        Category::Overrides,
+        Category::Dwell,
+        Category::Stop,
+        Category::Probe,
+        Category::Output,
+        Category::Problem,
+    ];
+
+    /// The word for people and programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Category::Path => "path",
+            Category::Order => "order",
+            Category::Rotary => "rotary",
+            Category::Rapid => "rapid",
+            Category::RapidPath => "rapid-path",
+            Category::Unknown => "unknown",
+            Category::Feed => "feed",
+            Category::Spindle => "spindle",
+            Category::Tool => "tool",
+            Category::LengthOffset => "length-offset",
+            Category::RadiusOffset => "radius-offset",
+            Category::WorkOffset => "work-offset",
+            Category::Coolant => "coolant",
+            Category::PathMode => "path-mode",
+            Category::Overrides => "overrides",
+            Category::Dwell => "dwell",
+            Category::Stop => "stop",
+            Category::Probe => "probe",
+            Category::Output => "output",
+            Category::Problem => "problem",
+        }
+    }
+}
+
+/// What one of the two has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// Nothing of the kind.
+    Nothing,
+    /// A number: of a tool, of an offset.
+    Number(u32),
+    /// A feed, mm/s.
+    Feed(f64),
+    /// A feed of rotary axes alone, 1/s: one over the time of the move.
+    Turn(f64),
+    /// A feed for each revolution, mm.
+    FeedPerRevolution(f64),
+    /// A spindle, and its speed in revolutions a minute.
+    Spindle(SpindleState, f64),
+    /// Coolant.
+    Coolant(Coolant),
+    /// A path mode.
+    PathMode(PathMode),
+    /// Overrides.
+    Overrides(Overrides),
+    /// A time, s.
+    Seconds(f64),
+    /// Rotary axes A B C, rad.
+    Rotary([f64; 3]),
+    /// Said in words.
+    Text(String),
+}
+
+/// A block of one of the two programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The block, in the sources of its job.
+    pub span: Span,
+    /// Its line, from 1.
+    pub line: u32,
+}
+
+impl From<&Origin> for Place {
+    fn from(origin: &Origin) -> Place {
+        Place { span: origin.span, line: origin.line }
+    }
+}
+
+/// The first and the last block of a stretch, in the order in which they are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Blocks {
+    /// Where it begins.
+    pub first: Place,
+    /// Where it ends.
+    pub last: Place,
+}
+
+impl Blocks {
+    pub(crate) fn at(place: Place) -> Blocks {
+        Blocks { first: place, last: place }
+    }
+
+    /// The smallest and largest line of its two ends; the line of the first alone where they are in
+    /// different files.
+    pub fn lines(&self) -> (u32, u32) {
+        if self.first.span.file != self.last.span.file {
+            return (self.first.line, self.first.line);
+        }
+        (self.first.line.min(self.last.line), self.first.line.max(self.last.line))
+    }
+}
+
+/// A difference of two runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// In what.
+    pub category: Category,
+    /// Where in each of the two; where only one has it, the other says after which block it lacks.
+    pub blocks: [Option<Blocks>; 2],
+    /// How many moves, or other steps, it holds in each.
+    pub steps: [u64; 2],
+    /// What each has, where that is one value.
+    pub values: Option<[Value; 2]>,
+    /// The two paths are nowhere further apart here, mm.
+    pub distance_mm: Option<f64>,
+    /// The second path is the first moved by this, mm, where it is that.
+    pub shift_mm: Option<[f64; 3]>,
+}

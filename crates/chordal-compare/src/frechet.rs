@@ -1,0 +1,176 @@
+//! The Fréchet distance of two chains of straight lines, by Alt and Godau (1995).
+
+use chordal::geometry::Vec3;
+
+/// Most cells of the free-space diagram; longer chains keep the bound of their coupling.
+pub(crate) const MOST_CELLS: usize = 1 << 20;
+
+/// The least distance within which somebody on one chain and somebody on the other can walk from the
+/// beginning to the end without going back: at most this, and above it by no more than `precision`
+/// (both mm). Never above `most`, which must be reachable.
+pub(crate) fn frechet(a: &[Vec3], b: &[Vec3], most: f64, precision: f64) -> f64 {
+    let (Some(first), Some(last)) = (a.first().zip(b.first()), a.last().zip(b.last())) else {
+        return most;
+    };
+    let mut low = (*first.0 - *first.1).length().max((*last.0 - *last.1).length());
+    let mut high = most;
+    if low >= high || reachable(a, b, low) {
+        return low.min(high);
+    }
+    while high - low > precision {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            break;
+        }
+        if reachable(a, b, middle) { high = middle } else { low = middle }
+    }
+    high
+}
+
+/// The part of a line, as fractions, that lies within a distance of a place.
+fn within(place: Vec3, from: Vec3, to: Vec3, distance: f64) -> Option<(f64, f64)> {
+    let (way, off) = (to - from, place - from);
+    let square = way.length_squared();
+    if square == 0.0 {
+        return (off.length() <= distance).then_some((0.0, 1.0));
+    }
+    let foot = off.dot(way) / square;
+    let aside = (off - way * foot).length_squared();
+    let rest = (distance * distance - aside) / square;
+    if rest < 0.0 {
+        return None;
+    }
+    let half = rest.sqrt();
+    let (from, to) = ((foot - half).max(0.0), (foot + half).min(1.0));
+    (from <= to).then_some((from, to))
+}
+
+type Free = Option<(f64, f64)>;
+
+/// Whether the end of the free-space diagram can be reached from its beginning going up and right.
+///
+/// `below[i]` is what can be reached of line i of `a` at place j of `b`, `left` what can be reached of
+/// line j of `b` at place i of `a`.
+fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
+    let (n, m) = (a.len() - 1, b.len() - 1);
+    let is_near = |a: Vec3, b: Vec3| (a - b).length() <= distance;
+    if !(is_near(a[0], b[0]) && is_near(a[n], b[m])) {
+        return false;
+    }
+    if n == 0 || m == 0 {
+        let (point, chain) = if n == 0 { (a[0], b) } else { (b[0], a) };
+        return chain.iter().all(|place| is_near(point, *place));
+    }
+    // Along the lower edge one can only go as long as it is free without a gap.
+    let mut below: Vec<Free> = vec![None; n];
+    let mut is_open = true;
+    for i in 0..n {
+        let free = within(b[0], a[i], a[i + 1], distance);
+        below[i] = free.filter(|free| is_open && free.0 == 0.0);
+        is_open = below[i].is_some_and(|free| free.1 == 1.0);
+    }
+    let mut first_left_open = true;
+    for j in 0..m {
+        let free = within(a[0], b[j], b[j + 1], distance);
+        let mut left = free.filter(|free| first_left_open && free.0 == 0.0);
+        first_left_open = left.is_some_and(|free| free.1 == 1.0);
+        for i in 0..n {
+            let right = within(a[i + 1], b[j], b[j + 1], distance);
+            let top = within(b[j + 1], a[i], a[i + 1], distance);
+            let (from_left, from_below) = (left, below[i]);
+            // A cell is convex: from its lower edge all of its right edge can be reached, from its
+            // left edge what lies above.
+            left = onward(right, from_below, from_left);
+            below[i] = onward(top, from_left, from_below);
+        }
+        if j + 1 == m {
+            return left.is_some_and(|free| free.1 == 1.0);
+        }
+    }
+    false
+}
+
+/// What can be reached of an edge from the edge across the corner and from the one opposite.
+fn onward(edge: Free, across: Free, opposite: Free) -> Free {
+    let (from, to) = edge?;
+    if across.is_some() {
+        return Some((from, to));
+    }
+    let from = from.max(opposite?.0);
+    (from <= to).then_some((from, to))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chain(points: &[[f64; 2]]) -> Vec<Vec3> {
+        points.iter().map(|p| Vec3::new(p[0], p[1], 0.0)).collect()
+    }
+
+    fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+        frechet(&chain(a), &chain(b), 1e3, 1e-9)
+    }
+
+    #[test]
+    fn a_line_in_pieces_is_the_same_line() {
+        let cut = [[0.0, 0.0], [3.0, 0.0], [4.0, 0.0], [10.0, 0.0]];
+        assert!(distance(&[[0.0, 0.0], [10.0, 0.0]], &cut) < 1e-8);
+    }
+
+    #[test]
+    fn parallel_lines() {
+        let found = distance(&[[0.0, 0.0], [10.0, 0.0]], &[[0.0, 2.0], [5.0, 2.0], [10.0, 2.0]]);
+        assert!((found - 2.0).abs() < 1e-8, "{found}");
+    }
+
+    /// As sets of points these are the same; walked, one has to wait half the way of the return.
+    #[test]
+    fn going_back_and_forth_is_another_path() {
+        let forth = [[0.0, 0.0], [10.0, 0.0]];
+        let back = [[0.0, 0.0], [7.0, 0.0], [3.0, 0.0], [10.0, 0.0]];
+        let found = distance(&forth, &back);
+        assert!((found - 2.0).abs() < 1e-8, "{found}");
+    }
+
+    #[test]
+    fn the_other_way_round() {
+        let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+        let mut other = square;
+        other.reverse();
+        // Both begin and end at the same corner; halfway they are together again, and in between a
+        // quarter of the square is between them.
+        let found = distance(&square, &other);
+        assert!(found > 3.9 && found < 4.1 * 2f64.sqrt(), "{found}");
+    }
+
+    /// Against the discrete distance over many samples, which is never below by more than a step.
+    #[test]
+    fn as_samples_say() {
+        let a = [[0.0, 0.0], [3.0, 1.0], [5.0, -2.0], [9.0, 0.5]];
+        let b = [[0.2, 0.1], [2.0, 2.0], [6.0, -1.0], [6.5, -2.5], [9.0, 0.0]];
+        let samples = |points: &[[f64; 2]]| -> Vec<Vec3> {
+            let points = chain(points);
+            let lines = points.windows(2);
+            lines.flat_map(|ends| {
+                let (from, to) = (ends[0], ends[1]);
+                (0..=100).map(move |i| from + (to - from) * (f64::from(i) / 100.0))
+            })
+            .collect()
+        };
+        let (p, q) = (samples(&a), samples(&b));
+        let mut row = vec![f64::INFINITY; q.len()];
+        for (i, x) in p.iter().enumerate() {
+            let mut corner = f64::INFINITY;
+            for (j, y) in q.iter().enumerate() {
+                let before = if j > 0 { row[j - 1] } else { f64::INFINITY };
+                let least = if i == 0 && j == 0 { 0.0 } else { row[j].min(before).min(corner) };
+                corner = row[j];
+                row[j] = least.max((*x - *y).length());
+            }
+        }
+        let sampled = row[q.len() - 1];
+        let found = distance(&a, &b);
+        assert!(found <= sampled + 1e-9 && found >= sampled - 0.06, "{found}, sampled {sampled}");
+    }
+}

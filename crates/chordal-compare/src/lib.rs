@@ -1,0 +1,115 @@
+//! Two runs held against each other: how far apart their paths are, and in what else they differ.
+//!
+//! Programs are compared by what they do, not by their text: steps that do the same find each other
+//! wherever they stand, and what lies between is walked together. Neither spaces, numbers of blocks,
+//! subprograms, units nor the way lines and arcs are cut make a difference.
+//!
+//! The distance is an upper bound of the Fréchet distance of the two paths of the tool centre, in the
+//! frame of the run (the program coordinates of the first cut), rapids and cuts in the order in which
+//! they are made: two who walk the paths from beginning to end without going back are never further
+//! apart than this. It is exact for straight lines and for equal arcs and spirals, else found within
+//! [`Options::precision_mm`].
+
+#![forbid(unsafe_code)]
+
+mod align;
+mod bound;
+mod couple;
+mod course;
+mod difference;
+mod frechet;
+mod order;
+mod problems;
+mod steps;
+mod walk;
+
+use chordal::{Job, Report};
+
+pub use difference::{Blocks, Category, Difference, Place, Value};
+
+/// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
+/// computed from a radius; no control computes as finely.
+pub const SAME_MM: f64 = 1e-9;
+
+/// How two runs are held against each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Paths may be this far apart, mm.
+    pub tolerance_mm: f64,
+    /// Feeds and speeds may differ by this part of them.
+    pub feed_tolerance: f64,
+    /// Bounds of distances between curves of different kinds are found to this, mm.
+    pub precision_mm: f64,
+    /// So many differences are kept; the rest is counted.
+    pub kept: usize,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { tolerance_mm: 0.0, feed_tolerance: 1e-6, precision_mm: 1e-6, kept: 1000 }
+    }
+}
+
+/// The answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// The same motion, and everything else the same.
+    Same,
+    /// The paths are apart, but nowhere by more than the tolerance; everything else is the same.
+    Within,
+    /// Something differs.
+    Different,
+}
+
+/// What came out.
+#[derive(Debug)]
+pub struct Comparison {
+    /// The answer.
+    pub verdict: Verdict,
+    /// The paths are nowhere further apart than this, mm; nothing where one of the two has no moves that
+    /// the other's could be held against.
+    pub max_distance_mm: Option<f64>,
+    /// The blocks where they are furthest apart.
+    pub farthest: Option<[Place; 2]>,
+    /// The differences, in the order of the first program; paths within the tolerance are none.
+    pub differences: Vec<Difference>,
+    /// How many more there are.
+    pub dropped: u64,
+    /// How many moves each has.
+    pub moves: [u64; 2],
+    /// What the runs themselves found.
+    pub reports: [Report; 2],
+}
+
+/// Runs both and holds them against each other.
+pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
+    let jobs = [a, b];
+    let (a, b) = (course::Course::of(a), course::Course::of(b));
+    let mut walk = walk::Walk::new(&a, &b, *options);
+    // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
+    // what rounding may do.
+    let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
+    for region in align::align(&a, &b, grid_mm) {
+        walk.region(region);
+    }
+    let mut found = walk.finish();
+    problems::compare(jobs, [&a.report, &b.report], &mut found);
+    let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
+    let verdict = match (found.differences.is_empty(), has_path) {
+        (true, false) => Verdict::Same,
+        (true, true) => Verdict::Within,
+        (false, _) => Verdict::Different,
+    };
+    let dropped = found.differences.len().saturating_sub(options.kept) as u64;
+    found.differences.truncate(options.kept);
+    Comparison {
+        verdict,
+        max_distance_mm: found.max_distance_mm,
+        farthest: found.farthest,
+        differences: found.differences,
+        dropped,
+        moves: [&a, &b].map(course::Course::move_count),
+        reports: [a.report, b.report],
+    }
+}

@@ -1,0 +1,302 @@
+//! What differs beside the path: the state that moves are made in, and what happens between them.
+
+use std::ops::Range;
+
+use imara_diff::{Algorithm, Diff, InternedInput};
+
+use crate::course::{Course, Event, Moved, Speed, State, Step, Way};
+use crate::difference::{Blocks, Category, Difference, Place, Value};
+
+/// Rotary places and times that differ by less are the same, rad and s.
+const SAME: f64 = 1e-9;
+
+/// Gathers differences; those of one kind that follow each other are one.
+pub(crate) struct Steps<'a> {
+    courses: [&'a Course; 2],
+    feed_tolerance: f64,
+    /// By category: what differs at the moves just seen.
+    open: [Option<Difference>; Category::ALL.len()],
+    done: Vec<Difference>,
+}
+
+impl<'a> Steps<'a> {
+    pub(crate) fn new(courses: [&'a Course; 2], feed_tolerance: f64) -> Steps<'a> {
+        let open = [const { None }; Category::ALL.len()];
+        Steps { courses, feed_tolerance, open, done: Vec::new() }
+    }
+
+    pub(crate) fn finish(&mut self) -> Vec<Difference> {
+        for open in &mut self.open {
+            self.done.extend(open.take());
+        }
+        std::mem::take(&mut self.done)
+    }
+
+    /// What holds at two moves that belong together.
+    fn note(&mut self, category: Category, values: Option<[Value; 2]>, at: [Place; 2]) {
+        let open = &mut self.open[category as usize];
+        let Some(values) = values else {
+            self.done.extend(open.take());
+            return;
+        };
+        match open {
+            Some(open) if open.values.as_ref() == Some(&values) => {
+                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps) {
+                    if let Some(blocks) = blocks
+                        && blocks.last != place
+                    {
+                        blocks.last = place;
+                        *steps += 1;
+                    }
+                }
+            }
+            _ => {
+                self.done.extend(open.take());
+                *open = Some(Difference {
+                    category,
+                    blocks: at.map(|place| Some(Blocks::at(place))),
+                    steps: [1; 2],
+                    values: Some(values),
+                    distance_mm: None,
+                    shift_mm: None,
+                });
+            }
+        }
+    }
+
+    /// The state, the way and the feed of two moves that belong together.
+    pub(crate) fn moves(&mut self, one: &Moved, other: &Moved) {
+        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+        let both = (one.way, other.way);
+        let is_cut = |way: Way| way == Way::Cut;
+        let rapid = (is_cut(both.0) != is_cut(both.1)).then(|| [word(both.0), word(both.1)]);
+        let is_path = rapid.is_none() && both.0 != both.1;
+        self.note(Category::Rapid, rapid, at);
+        self.note(Category::RapidPath, is_path.then(|| [word(both.0), word(both.1)]), at);
+        if both == (Way::Cut, Way::Cut) {
+            let feed = (!self.is_feed_same(one.feed, other.feed))
+                .then(|| [feed_value(one.feed), feed_value(other.feed)]);
+            self.note(Category::Feed, feed, at);
+        }
+        let states = (self.courses[0].state(one), self.courses[1].state(other));
+        for (category, values) in differences(states.0, states.1, self.feed_tolerance) {
+            self.note(category, values, at);
+        }
+    }
+
+    fn is_feed_same(&self, a: Option<Speed>, b: Option<Speed>) -> bool {
+        let is_near = |a: f64, b: f64| is_part(a, b, self.feed_tolerance);
+        match (a, b) {
+            (None, None) => true,
+            (Some(Speed::Path(a)), Some(Speed::Path(b)))
+            | (Some(Speed::Turn(a)), Some(Speed::Turn(b)))
+            | (Some(Speed::PerRevolution(a)), Some(Speed::PerRevolution(b))) => is_near(a, b),
+            _ => false,
+        }
+    }
+
+    /// The rotary axes at both ends of what is walked together.
+    pub(crate) fn rotary(&mut self, moves: [&Moved; 2], parts: [[f64; 2]; 2]) {
+        let [one, other] = moves;
+        if one.turn == 0 && other.turn == 0 {
+            return;
+        }
+        let turns = [self.courses[0].turn(one), self.courses[1].turn(other)];
+        let at_end = |end: usize| -> [[f64; 3]; 2] {
+            [0, 1].map(|side: usize| {
+                let ([from, to], fraction) = (turns[side], parts[side][end]);
+                [0, 1, 2].map(|axis: usize| from[axis] + (to[axis] - from[axis]) * fraction)
+            })
+        };
+        let is_off = |[a, b]: &[[f64; 3]; 2]| {
+            a.iter().zip(b).any(|(a, b)| (a - b).abs() > SAME || (a - b).is_nan())
+        };
+        let off = [at_end(1), at_end(0)].into_iter().find(is_off);
+        let values = off.map(|both| both.map(Value::Rotary));
+        self.note(Category::Rotary, values, moves.map(|moved| Place::from(&moved.origin)));
+    }
+
+    /// Two events of one kind.
+    pub(crate) fn events(&mut self, at: [usize; 2]) {
+        let [Some((one, a)), Some((other, b))] =
+            [0, 1].map(|side| event(self.courses[side], at[side]))
+        else {
+            return;
+        };
+        let is_same = match (one, other) {
+            (Event::Dwell(a), Event::Dwell(b)) => is_part(*a, *b, self.feed_tolerance),
+            _ => one == other,
+        };
+        if !is_same {
+            self.done.push(Difference {
+                category: category(one),
+                blocks: [a, b].map(|place| Some(Blocks::at(place))),
+                steps: [1; 2],
+                values: Some([event_value(one), event_value(other)]),
+                distance_mm: None,
+                shift_mm: None,
+            });
+        }
+    }
+
+    /// The events of a gap: those of one kind that stand in the same order belong together.
+    pub(crate) fn gap_events(&mut self, ranges: [Range<usize>; 2]) {
+        let events = [0, 1].map(|side: usize| -> Vec<usize> {
+            let course = self.courses[side];
+            ranges[side].clone().filter(|at| event(course, *at).is_some()).collect()
+        });
+        if events.iter().all(Vec::is_empty) {
+            return;
+        }
+        let kind = |side: usize, at: &usize| {
+            event(self.courses[side], *at).map(|(event, _)| category(event))
+        };
+        let mut input = InternedInput::default();
+        input.update_before(events[0].iter().map(|at| kind(0, at)));
+        input.update_after(events[1].iter().map(|at| kind(1, at)));
+        let diff = Diff::compute(Algorithm::Myers, &input);
+        let mut at = [0usize; 2];
+        let together = |steps: &mut Self, at: &mut [usize; 2], to: [usize; 2]| {
+            while at[0] < to[0] && at[1] < to[1] {
+                steps.events([events[0][at[0]], events[1][at[1]]]);
+                *at = at.map(|at| at + 1);
+            }
+        };
+        for hunk in diff.hunks() {
+            together(self, &mut at, [hunk.before.start as usize, hunk.after.start as usize]);
+            for (side, range) in [&hunk.before, &hunk.after].into_iter().enumerate() {
+                for event in &events[side][range.start as usize..range.end as usize] {
+                    self.only_one(&ranges, side, *event);
+                }
+                at[side] = range.end as usize;
+            }
+        }
+        together(self, &mut at, events.each_ref().map(Vec::len));
+    }
+
+    fn only_one(&mut self, ranges: &[Range<usize>; 2], side: usize, at: usize) {
+        let Some((what, _)) = event(self.courses[side], at) else { return };
+        let mut steps: [&[usize]; 2] = [&[]; 2];
+        let only = [at];
+        steps[side] = &only;
+        let mut difference = lacking(self.courses, ranges, steps, category(what));
+        let mut values = [Value::Nothing, Value::Nothing];
+        values[side] = event_value(what);
+        difference.values = Some(values);
+        self.done.push(difference);
+    }
+}
+
+/// A difference of steps that are not the same number on both sides. Where a side has none, its block is
+/// the one before the gap.
+pub(crate) fn lacking(
+    courses: [&Course; 2],
+    ranges: &[Range<usize>; 2],
+    steps: [&[usize]; 2],
+    category: Category,
+) -> Difference {
+    let blocks = [0, 1].map(|side: usize| {
+        let place = |at: usize| courses[side].steps.get(at).map(|step| Place::from(step.origin()));
+        match steps[side] {
+            [] => place(ranges[side].start.saturating_sub(1)).map(Blocks::at),
+            [first, .., last] => {
+                place(*first).zip(place(*last)).map(|(first, last)| Blocks { first, last })
+            }
+            [only] => place(*only).map(Blocks::at),
+        }
+    });
+    let steps = steps.map(|steps| steps.len() as u64);
+    Difference { category, blocks, steps, values: None, distance_mm: None, shift_mm: None }
+}
+
+fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {
+    match course.steps.get(at)? {
+        Step::Event { what, origin } => Some((what, Place::from(origin))),
+        Step::Move(_) => None,
+    }
+}
+
+fn category(event: &Event) -> Category {
+    match event {
+        Event::Tool(_) => Category::Tool,
+        Event::Dwell(_) => Category::Dwell,
+        Event::Stop { .. } => Category::Stop,
+        Event::Probed { .. } => Category::Probe,
+        Event::Output(_) => Category::Output,
+    }
+}
+
+fn event_value(event: &Event) -> Value {
+    match event {
+        Event::Tool(number) => Value::Number(*number),
+        Event::Dwell(seconds) => Value::Seconds(*seconds),
+        Event::Stop { optional: true } => Value::Text("optional stop".into()),
+        Event::Stop { optional: false } => Value::Text("stop".into()),
+        Event::Probed { hit: true } => Value::Text("touched".into()),
+        Event::Probed { hit: false } => Value::Text("not touched".into()),
+        Event::Output(text) => Value::Text(text.clone()),
+    }
+}
+
+fn word(way: Way) -> Value {
+    Value::Text(
+        match way {
+            Way::Cut => "cut",
+            Way::Rapid => "rapid",
+            Way::DogLeg => "dog-leg rapid",
+        }
+        .into(),
+    )
+}
+
+fn feed_value(feed: Option<Speed>) -> Value {
+    match feed {
+        None => Value::Nothing,
+        Some(Speed::Path(speed)) => Value::Feed(speed),
+        Some(Speed::Turn(speed)) => Value::Turn(speed),
+        Some(Speed::PerRevolution(feed)) => Value::FeedPerRevolution(feed),
+    }
+}
+
+/// The two differ by no more than this part of the larger.
+fn is_part(a: f64, b: f64, part: f64) -> bool {
+    (a - b).abs() <= part * a.abs().max(b.abs())
+}
+
+/// What differs of two states; nothing for each category that is the same.
+fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Value; 2]>); 7] {
+    let number = |number: Option<u32>| number.map_or(Value::Nothing, Value::Number);
+    let is_spindle_same = a.spindle == b.spindle && is_part(a.rpm, b.rpm, tolerance);
+    let spindle = [Value::Spindle(a.spindle, a.rpm), Value::Spindle(b.spindle, b.rpm)];
+    let of = |is_other: bool, values: [Value; 2]| is_other.then_some(values);
+    [
+        (Category::Spindle, of(!is_spindle_same, spindle)),
+        (
+            Category::LengthOffset,
+            of(a.length_offset != b.length_offset, [number(a.length_offset), number(b.length_offset)]),
+        ),
+        (
+            Category::RadiusOffset,
+            of(a.radius_offset != b.radius_offset, [number(a.radius_offset), number(b.radius_offset)]),
+        ),
+        (
+            Category::WorkOffset,
+            of(
+                a.work_offset != b.work_offset,
+                [Value::Number(a.work_offset), Value::Number(b.work_offset)],
+            ),
+        ),
+        (
+            Category::Coolant,
+            of(a.coolant != b.coolant, [Value::Coolant(a.coolant), Value::Coolant(b.coolant)]),
+        ),
+        (
+            Category::PathMode,
+            of(a.path_mode != b.path_mode, [Value::PathMode(a.path_mode), Value::PathMode(b.path_mode)]),
+        ),
+        (
+            Category::Overrides,
+            of(a.overrides != b.overrides, [Value::Overrides(a.overrides), Value::Overrides(b.overrides)]),
+        ),
+    ]
+}

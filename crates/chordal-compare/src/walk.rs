@@ -1,0 +1,320 @@
+//! The walk along both runs: distances of what belongs together, and what differs there.
+
+use std::ops::Range;
+
+use chordal::geometry::{Curve, ParamCurve, Placement, Vec3};
+
+use crate::align::Region;
+use crate::bound::{Stretch, bound};
+use crate::couple::{Couple, couple, most, move_by_move};
+use crate::course::{Course, Moved, Step};
+use crate::difference::{Blocks, Category, Difference, Place};
+use crate::frechet::{MOST_CELLS, frechet};
+use crate::order::reordered;
+use crate::steps::{Steps, lacking};
+use crate::{Options, SAME_MM};
+
+/// What a walk has found.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    pub(crate) differences: Vec<Difference>,
+    pub(crate) max_distance_mm: Option<f64>,
+    pub(crate) farthest: Option<[Place; 2]>,
+}
+
+impl Found {
+    fn distance(&mut self, apart_mm: f64, at: [Place; 2]) {
+        if self.max_distance_mm.is_none_or(|most| apart_mm > most || apart_mm.is_nan()) {
+            self.max_distance_mm = Some(apart_mm);
+            self.farthest = (apart_mm > SAME_MM).then_some(at);
+        }
+    }
+}
+
+pub(crate) struct Walk<'a> {
+    courses: [&'a Course; 2],
+    options: Options,
+    steps: Steps<'a>,
+    found: Found,
+    /// A stretch of the path that is too far apart, not yet at its end.
+    open: Option<Difference>,
+    /// Gaps that hold moves, for what is the same in another order.
+    gaps: Vec<[Range<usize>; 2]>,
+}
+
+impl<'a> Walk<'a> {
+    pub(crate) fn new(a: &'a Course, b: &'a Course, options: Options) -> Walk<'a> {
+        let steps = Steps::new([a, b], options.feed_tolerance);
+        let found = Found::default();
+        Walk { courses: [a, b], options, steps, found, open: None, gaps: Vec::new() }
+    }
+
+    /// Goes on; regions come in order.
+    pub(crate) fn region(&mut self, region: Region) {
+        match region {
+            Region::Matched(a, b) => {
+                for (a, b) in a.zip(b) {
+                    self.matched(a, b);
+                }
+            }
+            Region::Gap(a, b) => self.gap([a, b]),
+        }
+    }
+
+    /// Ends the walk.
+    pub(crate) fn finish(mut self) -> Found {
+        self.close();
+        self.found.differences.append(&mut self.steps.finish());
+        reordered(self.courses, &self.gaps, &mut self.found.differences);
+        let order = |difference: &Difference| {
+            let at = difference.blocks.each_ref().map(|blocks| blocks.map(|at| at.lines().0));
+            (at[0].or(at[1]), at[1], difference.category)
+        };
+        self.found.differences.sort_by_key(order);
+        self.found
+    }
+
+    fn matched(&mut self, a: usize, b: usize) {
+        let [course_a, course_b] = self.courses;
+        match (&course_a.steps[a], &course_b.steps[b]) {
+            (Step::Move(one), Step::Move(other)) => {
+                if one.known && other.known {
+                    let stretch = |moved: &'a Moved| Stretch {
+                        curve: &moved.curve,
+                        from: 0.0,
+                        to: moved.length_mm,
+                    };
+                    let apart_mm = bound(stretch(one), stretch(other), self.precision());
+                    let whole = [[0.0, 1.0]; 2];
+                    self.pair(&Couple { moves: [a, b], apart_mm, parts: whole });
+                } else {
+                    self.steps.moves(one, other);
+                }
+            }
+            (Step::Event { .. }, Step::Event { .. }) => self.steps.events([a, b]),
+            _ => {}
+        }
+    }
+
+    /// Finer than what makes a difference.
+    fn precision(&self) -> f64 {
+        let tolerance = self.options.tolerance_mm;
+        if tolerance > 0.0 {
+            self.options.precision_mm.min(tolerance / 100.0)
+        } else {
+            self.options.precision_mm
+        }
+    }
+
+    /// Two moves, or parts of them, that are walked together.
+    fn pair(&mut self, couple: &Couple) {
+        let [a, b] = couple.moves;
+        let (Some(one), Some(other)) = (self.courses[0].moved(a), self.courses[1].moved(b)) else {
+            return;
+        };
+        self.steps.moves(one, other);
+        self.steps.rotary([one, other], couple.parts);
+        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+        self.found.distance(couple.apart_mm, at);
+        // What is no number is too far.
+        if couple.apart_mm <= self.threshold() {
+            self.close();
+            return;
+        }
+        let shift = couple.is_whole().then(|| shift(&one.curve, &other.curve)).flatten();
+        self.extend(at, Some(couple.apart_mm), shift);
+    }
+
+    /// The path is too far apart here, as it may have been just before.
+    fn extend(&mut self, at: [Place; 2], apart_mm: Option<f64>, shift: Option<[f64; 3]>) {
+        match &mut self.open {
+            Some(open) => {
+                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps) {
+                    if let Some(blocks) = blocks
+                        && blocks.last != place
+                    {
+                        blocks.last = place;
+                        *steps += 1;
+                    }
+                }
+                open.distance_mm = open.distance_mm.zip(apart_mm).map(|(a, b)| a.max(b));
+                let is_same = open.shift_mm.zip(shift).is_some_and(|(a, b)| is_near(a, b));
+                open.shift_mm = open.shift_mm.filter(|_| is_same);
+            }
+            None => {
+                self.open = Some(Difference {
+                    category: Category::Path,
+                    blocks: at.map(|place| Some(Blocks::at(place))),
+                    steps: [1; 2],
+                    values: None,
+                    distance_mm: apart_mm,
+                    shift_mm: shift,
+                });
+            }
+        }
+    }
+
+    fn close(&mut self) {
+        self.found.differences.extend(self.open.take());
+    }
+
+    fn gap(&mut self, ranges: [Range<usize>; 2]) {
+        let [a, b] = &ranges;
+        let moves = |side: usize, known: bool| -> Vec<usize> {
+            let is_meant = |at: &usize| {
+                self.courses[side].moved(*at).is_some_and(|moved| moved.known == known)
+            };
+            ranges[side].clone().filter(is_meant).collect()
+        };
+        let (known, unknown) = ([0, 1].map(|side| moves(side, true)), [0, 1].map(|side| moves(side, false)));
+        self.steps.gap_events([a.clone(), b.clone()]);
+        for (one, other) in unknown[0].iter().zip(&unknown[1]) {
+            let moved = |side: usize, at: &usize| self.courses[side].moved(*at);
+            if let (Some(one), Some(other)) = (moved(0, one), moved(1, other)) {
+                self.steps.moves(one, other);
+            }
+        }
+        if unknown[0].len() != unknown[1].len() {
+            let common = unknown[0].len().min(unknown[1].len());
+            let rest = [0, 1].map(|side| &unknown[side][common..]);
+            self.found.differences.push(lacking(self.courses, &ranges, rest, Category::Unknown));
+        }
+        if known.iter().any(|moves| !moves.is_empty()) {
+            self.paths(&ranges, &known);
+        }
+    }
+
+    /// Walks the moves of a gap together.
+    fn paths(&mut self, ranges: &[Range<usize>; 2], moves: &[Vec<usize>; 2]) {
+        let curves = [0, 1].map(|side| {
+            let moved = moves[side].iter().filter_map(|at| self.courses[side].moved(*at));
+            moved.map(|moved| &moved.curve).collect::<Vec<&Curve>>()
+        });
+        let rest = [0, 1].map(|side| self.rest(side, &ranges[side]));
+        if curves[0].is_empty() || curves[1].is_empty() {
+            self.only_one(ranges, moves, &curves, rest);
+            return;
+        }
+        let mut couples = self.couples(&curves);
+        for couple in &mut couples {
+            couple.moves = [0, 1].map(|side| moves[side][couple.moves[side]]);
+            self.pair(couple);
+        }
+        self.close();
+        self.gaps.push(ranges.clone());
+    }
+
+    /// Move by move, which is how a person reads two programs, unless another way to walk shows that the
+    /// paths are much nearer.
+    fn couples(&self, curves: &[Vec<&Curve>; 2]) -> Vec<Couple> {
+        let [a, b] = curves;
+        let by_moves = move_by_move(a, b, self.precision());
+        let threshold = self.threshold();
+        if let Some(by_moves) = &by_moves
+            && most(by_moves) <= threshold
+        {
+            return by_moves.clone();
+        }
+        let mut couples = couple(a, b, [a[0].start(), b[0].start()], self.precision());
+        self.tighten(curves, &mut couples);
+        let least = most(&couples);
+        by_moves.filter(|by_moves| least > threshold && most(by_moves) <= 2.0 * least).unwrap_or(couples)
+    }
+
+    /// What is further apart than this is a difference, mm.
+    fn threshold(&self) -> f64 {
+        self.options.tolerance_mm.max(SAME_MM)
+    }
+
+    /// Where the simple walk stays too far apart, the best walk along chords may not.
+    fn tighten(&self, curves: &[Vec<&Curve>; 2], couples: &mut [Couple]) {
+        let most = most(couples);
+        let precision = self.precision();
+        if most <= self.threshold() || !most.is_finite() {
+            return;
+        }
+        let is_index_wise = curves[0].len() == 1 && curves[1].len() == 1;
+        if is_index_wise || curves[0].len() * curves[1].len() > MOST_CELLS {
+            return;
+        }
+        let chains = curves.each_ref().map(|curves| chain(curves, precision));
+        let [Some(a), Some(b)] = &chains else { return };
+        if a.len() * b.len() > MOST_CELLS {
+            return;
+        }
+        let best = frechet(a, b, most, precision) + 2.0 * precision;
+        for couple in couples {
+            couple.apart_mm = couple.apart_mm.min(best);
+        }
+    }
+
+    /// Moves that only one of the two has are held against where the other stands meanwhile.
+    fn only_one(
+        &mut self,
+        ranges: &[Range<usize>; 2],
+        moves: &[Vec<usize>; 2],
+        curves: &[Vec<&Curve>; 2],
+        rest: [Option<Vec3>; 2],
+    ) {
+        let side = usize::from(curves[0].is_empty());
+        let mut missing = lacking(
+            self.courses,
+            ranges,
+            [0, 1].map(|side| moves[side].as_slice()),
+            Category::Path,
+        );
+        let stands = rest[1 - side];
+        if let Some(stands) = stands {
+            let both = [curves[0].as_slice(), curves[1].as_slice()];
+            let couples = couple(both[0], both[1], [stands; 2], self.precision());
+            let most = most(&couples);
+            missing.distance_mm = Some(most);
+            if let [Some(a), Some(b)] = missing.blocks {
+                self.found.distance(most, [a.first, b.first]);
+            }
+            if most <= self.threshold() {
+                return;
+            }
+        }
+        self.found.differences.push(missing);
+        self.gaps.push(ranges.clone());
+    }
+
+    /// Where a path stands before a range of steps; else where it goes on behind it.
+    fn rest(&self, side: usize, range: &Range<usize>) -> Option<Vec3> {
+        let course = self.courses[side];
+        let known = |at: usize| course.moved(at).filter(|moved| moved.known);
+        let before = (0..range.start).rev().find_map(known).map(|moved| moved.curve.end());
+        before.or_else(|| {
+            let behind = (range.end..course.steps.len()).find_map(known);
+            behind.map(|moved| moved.curve.start())
+        })
+    }
+}
+
+/// By how much a whole curve is moved to be the other, mm; nothing where it is not only moved.
+fn shift(a: &Curve, b: &Curve) -> Option<[f64; 3]> {
+    let at_start = (b.start() - a.start()).to_array();
+    let at_end = (b.end() - a.end()).to_array();
+    let is_alike = std::mem::discriminant(a) == std::mem::discriminant(b)
+        && (a.length() - b.length()).abs() <= SAME_MM;
+    (is_alike && is_near(at_start, at_end)).then_some(at_start)
+}
+
+fn is_near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_MM)
+}
+
+/// The corners of the chords within a precision; nothing where there would be too many.
+fn chain(curves: &[&Curve], precision_mm: f64) -> Option<Vec<Vec3>> {
+    let mut points: Vec<Vec3> = Vec::new();
+    for curve in curves {
+        let chords = curve.chords(precision_mm, Placement::Inscribed).ok()?;
+        if points.len() as u64 + chords.chord_count() > MOST_CELLS as u64 {
+            return None;
+        }
+        points.extend(chords);
+    }
+    points.dedup();
+    Some(points)
+}

@@ -1,0 +1,265 @@
+//! Programs held against each other: what makes a difference and what makes none.
+
+use chordal::{Job, Machine, Source, SourceMap};
+use chordal_compare::{Category, Comparison, Options, Value, Verdict, compare};
+
+fn job<'a>(name: &str, machine: &str, text: &'a str) -> Job<'a> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new(name, text.as_bytes()));
+    Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap()
+}
+
+fn held(a: &str, b: &str, options: &Options) -> Comparison {
+    compare(&job("a.nc", "haas-vf2", a), &job("b.nc", "haas-vf2", b), options)
+}
+
+fn plain(a: &str, b: &str) -> Comparison {
+    held(a, b, &Options::default())
+}
+
+fn lines(found: &Comparison, at: usize) -> [(u32, u32); 2] {
+    found.differences[at].blocks.map(|blocks| blocks.unwrap().lines())
+}
+
+fn only(found: &Comparison, category: Category) -> &chordal_compare::Difference {
+    assert_eq!(found.verdict, Verdict::Different);
+    let categories: Vec<_> = found.differences.iter().map(|one| one.category).collect();
+    assert_eq!(categories, [category], "{:#?}", found.differences);
+    &found.differences[0]
+}
+
+const PART: &str = "\
+G21 G90 G17 G54
+T1 M6
+S3000 M3
+G43 H1 Z10.
+G0 X0 Y0
+M8
+G1 Z-2. F200.
+X40. F600.
+G3 X50. Y10. I0 J10.
+G1 Y30.
+X0
+Y0
+G0 Z10.
+M9
+M30
+";
+
+/// The same part in other words: other numbers of blocks, spaces, R for the centre, increments, lines
+/// and arcs in pieces, the contour in a subprogram.
+const OTHERWISE: &str = "\
+N5 G54 G17 G90 G21
+N10 T01 M06
+(rough)
+N15 M03 S3000
+N20 G43 H01 Z10.
+N25 G00 X0. Y0.
+N30 M08
+N35 G01 Z-2. F200.
+N40 M97 P100
+N45 G00 Z10.
+N50 M09
+N55 M30
+N100 G91 X15. F600.
+X25.
+G90 G03 X47.07106781186548 Y2.92893218813452 R10.
+X50. Y10. R10.
+G01 Y30. X50.
+X0.
+Y12.
+Y0.
+M99
+";
+
+#[test]
+fn a_program_is_the_same_as_itself() {
+    let found = plain(PART, PART);
+    assert_eq!(found.verdict, Verdict::Same);
+    assert_eq!(found.max_distance_mm, Some(0.0));
+    assert_eq!(found.moves[0], found.moves[1]);
+    assert!(found.farthest.is_none());
+}
+
+#[test]
+fn other_words_for_the_same_motion() {
+    let found = plain(PART, OTHERWISE);
+    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+    assert!(found.max_distance_mm.unwrap() < 1e-9);
+    // 7 lines and an arc against lines in two, an arc in two.
+    assert!(found.moves[1] > found.moves[0]);
+}
+
+#[test]
+fn inches_are_millimetres() {
+    let mm = "G21 G90\nG0 X0 Y0 Z5.08\nG1 Z0 F254.\nX25.4\nG2 X50.8 Y25.4 I0 J25.4\nG1 X0\nM30\n";
+    let inch = "G20 G90\nG0 X0 Y0 Z.2\nG1 Z0 F10.\nX1.\nG2 X2. Y1. I0 J1.\nG1 X0\nM30\n";
+    let found = plain(mm, inch);
+    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+}
+
+#[test]
+fn a_digit_of_a_coordinate() {
+    let found = plain(PART, &PART.replace("X0\nY0\n", "X.1\nY0\n"));
+    let one = only(&found, Category::Path);
+    assert!((one.distance_mm.unwrap() - 0.1).abs() < 1e-9, "{one:?}");
+    // The line to the place, the one along it, and the rapid from there.
+    assert_eq!(lines(&found, 0), [(11, 13), (11, 13)]);
+    assert_eq!(one.steps, [3, 3]);
+}
+
+#[test]
+fn an_arc_that_leaves_its_circle_is_another_path_and_a_problem() {
+    let found = plain(PART, &PART.replace("X40. F600.", "X40.1 F600."));
+    let path = found.differences.iter().find(|one| one.category == Category::Path).unwrap();
+    // Line and arc move by 0.1 mm at most.
+    assert!((path.distance_mm.unwrap() - 0.1).abs() < 1e-6, "{path:?}");
+    let problem = found.differences.iter().find(|one| one.category == Category::Problem).unwrap();
+    assert_eq!((problem.steps, problem.blocks[1].unwrap().lines()), ([0, 1], (9, 9)));
+}
+
+#[test]
+fn a_corner_moved_by_a_quarter() {
+    let found = plain(PART, &PART.replace("G1 Y30.", "G1 Y30.25"));
+    let one = only(&found, Category::Path);
+    assert!((one.distance_mm.unwrap() - 0.25).abs() < 1e-9, "{one:?}");
+    // The line to the corner, the one along it and the one from there.
+    assert_eq!(lines(&found, 0), [(10, 12), (10, 12)]);
+}
+
+#[test]
+fn within_the_tolerance() {
+    let other = PART.replace("G1 Y30.", "G1 Y30.002");
+    let options = Options { tolerance_mm: 0.005, ..Options::default() };
+    let found = held(PART, &other, &options);
+    assert_eq!(found.verdict, Verdict::Within);
+    assert!((found.max_distance_mm.unwrap() - 0.002).abs() < 1e-9);
+    assert_eq!(found.farthest.map(|at| at.map(|place| place.line)), Some([10, 10]));
+    let options = Options { tolerance_mm: 0.001, ..Options::default() };
+    assert_eq!(held(PART, &other, &options).verdict, Verdict::Different);
+}
+
+#[test]
+fn everything_shifted_is_told_as_a_shift() {
+    let one = "G21 G90\nG0 X0 Y0 Z0\nG1 X10. F100.\nG91\nX10.\nY5.\nX-10.\nY-5.\nM30\n";
+    let other = one.replace("G1 X10. F100.", "G1 X10.5 F100.");
+    let found = plain(one, &other);
+    let difference = only(&found, Category::Path);
+    assert!((difference.distance_mm.unwrap() - 0.5).abs() < 1e-9, "{difference:?}");
+    assert_eq!(lines(&found, 0), [(3, 8), (3, 8)]);
+    assert_eq!(difference.shift_mm, None);
+}
+
+#[test]
+fn the_other_way_round_is_another_path() {
+    let ccw = "G21 G90\nG0 X10. Y0 Z0\nG3 X-10. Y0 I-10. F100.\nM30\n";
+    let found = plain(ccw, &ccw.replace("G3", "G2"));
+    let one = only(&found, Category::Path);
+    // Half circles on either side of their diameter, 20 mm apart in the middle.
+    assert!((one.distance_mm.unwrap() - 20.0).abs() < 1e-5, "{one:?}");
+}
+
+#[test]
+fn an_arc_and_its_chords() {
+    let arc = "G21 G90\nG0 X10. Y0 Z0\nG3 X0 Y10. I-10. F100.\nM30\n";
+    let mut chords = String::from("G21 G90\nG0 X10. Y0 Z0\nG1 F100.\n");
+    for i in 1..=20 {
+        let angle = f64::from(i) * std::f64::consts::FRAC_PI_2 / 20.0;
+        chords += &format!("X{:.9} Y{:.9}\n", 10.0 * angle.cos(), 10.0 * angle.sin());
+    }
+    chords += "M30\n";
+    // Each chord leaves the arc by r(1 − cos(π/80)) = 7.709 µm.
+    let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 80.0).cos());
+    let options = Options { tolerance_mm: 0.01, ..Options::default() };
+    let found = held(arc, &chords, &options);
+    assert_eq!(found.verdict, Verdict::Within, "{:#?}", found.differences);
+    let most = found.max_distance_mm.unwrap();
+    assert!(most >= sagitta - 1e-6 && most < sagitta * 1.02, "{most} against {sagitta}");
+    let options = Options { tolerance_mm: 0.007, ..Options::default() };
+    assert_eq!(held(arc, &chords, &options).verdict, Verdict::Different);
+}
+
+#[test]
+fn a_feed() {
+    let found = plain(PART, &PART.replace("F600.", "F650."));
+    let one = only(&found, Category::Feed);
+    assert_eq!(found.max_distance_mm, Some(0.0));
+    let Some([Value::Feed(a), Value::Feed(b)]) = one.values.clone() else { panic!("{one:?}") };
+    assert!((a - 10.0).abs() < 1e-9 && (b - 650.0 / 60.0).abs() < 1e-9);
+    assert_eq!(lines(&found, 0), [(8, 12), (8, 12)]);
+    assert_eq!(one.steps, [5, 5]);
+}
+
+#[test]
+fn a_spindle_a_tool_an_offset_a_coolant() {
+    for (from, to, category) in [
+        ("S3000", "S3001", Category::Spindle),
+        ("M3", "M4", Category::Spindle),
+        ("T1", "T2", Category::Tool),
+        ("H1", "H2", Category::LengthOffset),
+        ("G54", "G55", Category::WorkOffset),
+        ("M8", "M88", Category::Coolant),
+        ("M30", "M0\nM30", Category::Stop),
+        ("M9\n", "G4 P1.5\nM9\n", Category::Dwell),
+        ("G1 Y30.", "G0 Y30.", Category::Rapid),
+    ] {
+        let found = plain(PART, &PART.replacen(from, to, 1));
+        assert_eq!(found.verdict, Verdict::Different, "{from} {to}");
+        let categories: Vec<_> = found.differences.iter().map(|one| one.category).collect();
+        assert!(categories.contains(&category), "{from} {to}: {:#?}", found.differences);
+        assert_eq!(found.max_distance_mm, Some(0.0), "{from} {to}");
+    }
+}
+
+#[test]
+fn a_move_more() {
+    let found = plain(PART, &PART.replace("G0 Z10.\nM9", "G0 Z10.\nX-30. Y0\nM9"));
+    let one = only(&found, Category::Path);
+    assert_eq!(one.steps, [0, 1]);
+    assert!((one.distance_mm.unwrap() - 30.0).abs() < 1e-9);
+    assert_eq!(lines(&found, 0)[1], (14, 14));
+    // It is missing after line 13 of the other.
+    assert_eq!(lines(&found, 0)[0], (13, 13));
+}
+
+#[test]
+fn two_pockets_in_another_order() {
+    let pocket = |x: f64| format!("G0 X{x:.1} Y0\nG1 Z-1. F100.\nX{:.1}\nY5.\nG0 Z5.\n", x + 9.0);
+    let (one, two, three) = (pocket(0.0), pocket(20.0), pocket(40.0));
+    let program = |parts: [&str; 3]| {
+        format!("G21 G90\nG0 X0 Y0 Z5.\n{}{}{}G0 X0 Y0\nM30\n", parts[0], parts[1], parts[2])
+    };
+    let a = program([&one, &two, &three]);
+    let b = program([&one, &three, &two]);
+    let found = plain(&a, &b);
+    println!("{:#?}", found.differences);
+    assert_eq!(found.verdict, Verdict::Different);
+    assert!(found.max_distance_mm.unwrap() > 1.0);
+    assert!(found.differences.iter().any(|one| one.category == Category::Order));
+}
+
+#[test]
+fn an_error_that_only_one_has() {
+    let found = plain(PART, &PART.replace("I0 J10.", "I0 J12."));
+    let problem = found.differences.iter().find(|one| one.category == Category::Problem).unwrap();
+    assert_eq!(problem.steps, [0, 1]);
+    assert_eq!(problem.blocks[1].unwrap().lines(), (9, 9));
+}
+
+#[test]
+fn nothing_against_something() {
+    let found = plain("", PART);
+    assert_eq!(found.verdict, Verdict::Different);
+    let found = plain("", "");
+    assert_eq!(found.verdict, Verdict::Same);
+    assert_eq!(found.max_distance_mm, None);
+}
+
+/// One program on two controls: G90 G91 in one line, arcs, all the same here but for what the machines do.
+#[test]
+fn one_program_on_two_machines() {
+    let text = "G20 G90\nG0 X0 Y0 Z.1\nG1 Z-.1 F10.\nX1.\nG3 X2. Y1. I0 J1.\nM2\n";
+    let options = Options::default();
+    let found = compare(&job("a", "fanuc-6m", text), &job("a", "haas-vf2", text), &options);
+    assert!(found.max_distance_mm.unwrap() < 1e-9, "{:#?}", found.differences);
+}
