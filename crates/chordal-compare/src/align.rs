@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use chordal::geometry::{Curve, ParamCurve, Vec3};
-use imara_diff::{Algorithm, Diff, InternedInput, Interner};
+use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token as InternedToken};
 
 use crate::course::{Course, Event, Moved, Step, Way};
 
@@ -30,8 +30,17 @@ enum Token {
     Output(String),
 }
 
-/// Regions in order, gaps where nothing matches; together they hold every step once.
-pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Vec<Region> {
+/// Which steps of two runs belong together.
+#[derive(Debug, Default)]
+pub(crate) struct Alignment {
+    /// Regions in order; together they hold every step once.
+    pub(crate) regions: Vec<Region>,
+    /// Moves of the gaps that both runs make, at another time: as many steps on both sides, each the same.
+    pub(crate) moved: Vec<[Vec<usize>; 2]>,
+}
+
+/// Puts together what does the same; places are rounded to the grid.
+pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
     let (before, after) = (Vec::new(), Vec::new());
     let interner = Interner::new(a.steps.len() + b.steps.len());
     let mut input = InternedInput { before, after, interner };
@@ -39,21 +48,67 @@ pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Vec<Region> {
     input.update_after(b.steps.iter().map(|step| token(b, step, grid_mm)));
     let diff = Diff::compute(Algorithm::Histogram, &input);
     let mut regions = Vec::new();
-    let (mut at_a, mut at_b) = (0, 0);
-    let matched = |at_a: &mut usize, at_b: &mut usize, to_a: usize, to_b: usize| {
-        let region = Region::Matched(*at_a..to_a, *at_b..to_b);
-        (*at_a, *at_b) = (to_a, to_b);
-        (!matches!(&region, Region::Matched(range, _) if range.is_empty())).then_some(region)
-    };
-    for hunk in diff.hunks() {
-        let [gap_a, gap_b] = [&hunk.before, &hunk.after]
-            .map(|range| range.start as usize..range.end as usize);
-        regions.extend(matched(&mut at_a, &mut at_b, gap_a.start, gap_b.start));
-        (at_a, at_b) = (gap_a.end, gap_b.end);
-        regions.push(Region::Gap(gap_a, gap_b));
+    for (is_matched, before, after) in stretches(&diff, [a.steps.len(), b.steps.len()]) {
+        regions.push(if is_matched {
+            Region::Matched(before, after)
+        } else {
+            Region::Gap(before, after)
+        });
     }
-    regions.extend(matched(&mut at_a, &mut at_b, a.steps.len(), b.steps.len()));
-    regions
+    let moved = moved([a, b], &input, &regions);
+    Alignment { regions, moved }
+}
+
+/// What is the same and what is not, in order.
+fn stretches(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<usize>)> {
+    let mut all = Vec::new();
+    let mut at = [0, 0];
+    let hunks = diff.hunks().map(|hunk| [hunk.before, hunk.after]);
+    let hunks = hunks.map(|hunk| hunk.map(|range| range.start as usize..range.end as usize));
+    for [before, after] in hunks.chain([ends.map(|end| end..end)]) {
+        if at[0] < before.start {
+            all.push((true, at[0]..before.start, at[1]..after.start));
+        }
+        at = [before.end, after.end];
+        if !(before.is_empty() && after.is_empty()) {
+            all.push((false, before, after));
+        }
+    }
+    all
+}
+
+/// What one run lacks in a gap and has in another: found by leaving out all that matched.
+fn moved(
+    courses: [&Course; 2],
+    input: &InternedInput<Token>,
+    regions: &[Region],
+) -> Vec<[Vec<usize>; 2]> {
+    let left = [0, 1].map(|side: usize| -> Vec<usize> {
+        let gaps = regions.iter().filter_map(|region| match region {
+            Region::Gap(a, b) => Some([a, b][side].clone()),
+            Region::Matched(..) => None,
+        });
+        let is_known = |at: &usize| courses[side].moved(*at).is_some_and(|moved| moved.known);
+        gaps.flatten().filter(is_known).collect()
+    });
+    if left.iter().any(Vec::is_empty) {
+        return Vec::new();
+    }
+    let tokens = |side: usize, all: &[InternedToken]| -> Vec<InternedToken> {
+        left[side].iter().map(|at| all[*at]).collect()
+    };
+    let (before, after) = (tokens(0, &input.before), tokens(1, &input.after));
+    let mut diff = Diff::default();
+    diff.compute_with(Algorithm::Histogram, &before, &after, input.interner.num_tokens());
+    let same = stretches(&diff, [before.len(), after.len()]).into_iter();
+    let same = same.filter(|(is_matched, ..)| *is_matched);
+    let same = same.map(|(_, a, b)| [left[0][a].to_vec(), left[1][b].to_vec()]);
+    // A rapid alone may be the same by chance: to one retract plane, to one tool change.
+    let has_cut = |[moves, _]: &[Vec<usize>; 2]| {
+        let mut moves = moves.iter().filter_map(|at| courses[0].moved(*at));
+        moves.any(|moved| moved.way == Way::Cut)
+    };
+    same.filter(has_cut).collect()
 }
 
 fn token(course: &Course, step: &Step, grid_mm: f64) -> Token {

@@ -18,7 +18,6 @@ mod couple;
 mod course;
 mod difference;
 mod frechet;
-mod order;
 mod problems;
 mod steps;
 mod walk;
@@ -90,9 +89,7 @@ pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
-    for region in align::align(&a, &b, grid_mm) {
-        walk.region(region);
-    }
+    walk.along(&align::align(&a, &b, grid_mm));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);

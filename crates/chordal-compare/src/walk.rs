@@ -1,16 +1,16 @@
 //! The walk along both runs: distances of what belongs together, and what differs there.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use chordal::geometry::{Curve, ParamCurve, Placement, Vec3};
 
-use crate::align::Region;
+use crate::align::{Alignment, Region};
 use crate::bound::{Stretch, bound};
 use crate::couple::{Couple, couple, most, move_by_move};
 use crate::course::{Course, Moved, Step};
 use crate::difference::{Blocks, Category, Difference, Place};
 use crate::frechet::{MOST_CELLS, frechet};
-use crate::order::reordered;
 use crate::steps::{Steps, lacking};
 use crate::{Options, SAME_MM};
 
@@ -38,26 +38,46 @@ pub(crate) struct Walk<'a> {
     found: Found,
     /// A stretch of the path that is too far apart, not yet at its end.
     open: Option<Difference>,
-    /// Gaps that hold moves, for what is the same in another order.
-    gaps: Vec<[Range<usize>; 2]>,
+    /// Moves that the other run makes at another time.
+    elsewhere: [HashSet<usize>; 2],
 }
 
 impl<'a> Walk<'a> {
     pub(crate) fn new(a: &'a Course, b: &'a Course, options: Options) -> Walk<'a> {
         let steps = Steps::new([a, b], options.feed_tolerance);
         let found = Found::default();
-        Walk { courses: [a, b], options, steps, found, open: None, gaps: Vec::new() }
+        let elsewhere = Default::default();
+        Walk { courses: [a, b], options, steps, found, open: None, elsewhere }
     }
 
-    /// Goes on; regions come in order.
-    pub(crate) fn region(&mut self, region: Region) {
-        match region {
-            Region::Matched(a, b) => {
-                for (a, b) in a.zip(b) {
-                    self.matched(a, b);
+    /// Goes along both.
+    pub(crate) fn along(&mut self, alignment: &Alignment) {
+        for moved in &alignment.moved {
+            self.moved(moved);
+        }
+        for region in &alignment.regions {
+            match region {
+                Region::Matched(a, b) => {
+                    for (a, b) in a.clone().zip(b.clone()) {
+                        self.matched(a, b);
+                    }
                 }
+                Region::Gap(a, b) => self.gap([a.clone(), b.clone()]),
             }
-            Region::Gap(a, b) => self.gap([a, b]),
+        }
+    }
+
+    /// Moves that both make, at another time: held against each other where they are.
+    fn moved(&mut self, moves: &[Vec<usize>; 2]) {
+        let nowhere = [0..0, 0..0];
+        let steps = moves.each_ref().map(Vec::as_slice);
+        self.found.differences.push(lacking(self.courses, &nowhere, steps, Category::Order));
+        for (a, b) in moves[0].iter().zip(&moves[1]) {
+            self.matched(*a, *b);
+        }
+        self.close();
+        for (elsewhere, moves) in self.elsewhere.iter_mut().zip(moves) {
+            elsewhere.extend(moves);
         }
     }
 
@@ -65,7 +85,6 @@ impl<'a> Walk<'a> {
     pub(crate) fn finish(mut self) -> Found {
         self.close();
         self.found.differences.append(&mut self.steps.finish());
-        reordered(self.courses, &self.gaps, &mut self.found.differences);
         let order = |difference: &Difference| {
             let at = difference.blocks.each_ref().map(|blocks| blocks.map(|at| at.lines().0));
             (at[0].or(at[1]), at[1], difference.category)
@@ -162,7 +181,9 @@ impl<'a> Walk<'a> {
         let [a, b] = &ranges;
         let moves = |side: usize, known: bool| -> Vec<usize> {
             let is_meant = |at: &usize| {
-                self.courses[side].moved(*at).is_some_and(|moved| moved.known == known)
+                let moved = self.courses[side].moved(*at);
+                moved.is_some_and(|moved| moved.known == known)
+                    && !self.elsewhere[side].contains(at)
             };
             ranges[side].clone().filter(is_meant).collect()
         };
@@ -201,7 +222,6 @@ impl<'a> Walk<'a> {
             self.pair(couple);
         }
         self.close();
-        self.gaps.push(ranges.clone());
     }
 
     /// Move by move, which is how a person reads two programs, unless another way to walk shows that the
@@ -277,7 +297,6 @@ impl<'a> Walk<'a> {
             }
         }
         self.found.differences.push(missing);
-        self.gaps.push(ranges.clone());
     }
 
     /// Where a path stands before a range of steps; else where it goes on behind it.

