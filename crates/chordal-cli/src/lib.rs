@@ -19,6 +19,7 @@ mod chords;
 mod command_rows;
 mod commands;
 mod comp_range;
+mod compare;
 mod completions;
 mod explain;
 mod failure;
@@ -69,6 +70,7 @@ Examples:
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
+  chordal compare released.nc returned.nc    how far apart two programs move
   chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -98,6 +100,7 @@ enum Command {
     Calibrate(calibrate::Args),
     Check(check::Args),
     Archive(archive::Args),
+    Compare(compare::Args),
     Commands(commands::Args),
     Path(path::Args),
     CompRange(comp_range::Args),
@@ -120,6 +123,7 @@ impl Command {
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),
+            Command::Compare(args) => compare::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),

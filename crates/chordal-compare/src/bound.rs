@@ -175,7 +175,8 @@ impl Turning {
         let way = self.center - other.center;
         let aside = (way - self.w * way.dot(self.w)).length();
         let height = way.dot(self.w);
-        let height = most(at.map(|end: usize| height + self.heights[end] - sign * other.heights[end]));
+        let height =
+            most(at.map(|end: usize| height + self.heights[end] - sign * other.heights[end]));
         let largest = other.radii[0].max(other.radii[1]);
         Some(libm::hypot(aside + radius + largest * angle, height))
     }

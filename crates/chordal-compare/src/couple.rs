@@ -122,14 +122,9 @@ pub(crate) fn couple(
 }
 
 /// Walks two paths move by move; nothing where they are not made of as many moves of the same kinds.
-pub(crate) fn move_by_move(
-    a: &[&Curve],
-    b: &[&Curve],
-    precision_mm: f64,
-) -> Option<Vec<Couple>> {
-    let is_alike = |(a, b): (&&Curve, &&Curve)| {
-        std::mem::discriminant(*a) == std::mem::discriminant(*b)
-    };
+pub(crate) fn move_by_move(a: &[&Curve], b: &[&Curve], precision_mm: f64) -> Option<Vec<Couple>> {
+    let is_alike =
+        |(a, b): (&&Curve, &&Curve)| std::mem::discriminant(*a) == std::mem::discriminant(*b);
     if a.len() != b.len() || !a.iter().zip(b).all(is_alike) {
         return None;
     }

@@ -152,11 +152,12 @@ mod tests {
         let samples = |points: &[[f64; 2]]| -> Vec<Vec3> {
             let points = chain(points);
             let lines = points.windows(2);
-            lines.flat_map(|ends| {
-                let (from, to) = (ends[0], ends[1]);
-                (0..=100).map(move |i| from + (to - from) * (f64::from(i) / 100.0))
-            })
-            .collect()
+            lines
+                .flat_map(|ends| {
+                    let (from, to) = (ends[0], ends[1]);
+                    (0..=100).map(move |i| from + (to - from) * (f64::from(i) / 100.0))
+                })
+                .collect()
         };
         let (p, q) = (samples(&a), samples(&b));
         let mut row = vec![f64::INFINITY; q.len()];

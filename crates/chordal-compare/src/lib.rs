@@ -31,7 +31,7 @@ pub use difference::{Blocks, Category, Difference, Place, Value};
 pub const SAME_MM: f64 = 1e-9;
 
 /// How two runs are held against each other.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// Paths may be this far apart, mm.
     pub tolerance_mm: f64,
@@ -39,13 +39,21 @@ pub struct Options {
     pub feed_tolerance: f64,
     /// Bounds of distances between curves of different kinds are found to this, mm.
     pub precision_mm: f64,
+    /// Differences of these are none.
+    pub ignored: Vec<Category>,
     /// So many differences are kept; the rest is counted.
     pub kept: usize,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance_mm: 0.0, feed_tolerance: 1e-6, precision_mm: 1e-6, kept: 1000 }
+        Options {
+            tolerance_mm: 0.0,
+            feed_tolerance: 1e-6,
+            precision_mm: 1e-6,
+            ignored: Vec::new(),
+            kept: 1000,
+        }
     }
 }
 
@@ -85,16 +93,18 @@ pub struct Comparison {
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
     let jobs = [a, b];
     let (a, b) = (course::Course::of(a), course::Course::of(b));
-    let mut walk = walk::Walk::new(&a, &b, *options);
+    let mut walk = walk::Walk::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
     walk.along(&align::align(&a, &b, grid_mm));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
+    found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
     let verdict = match (found.differences.is_empty(), has_path) {
         (true, false) => Verdict::Same,
+        // Paths further apart than the tolerance are among the differences, unless they do not count.
         (true, true) => Verdict::Within,
         (false, _) => Verdict::Different,
     };

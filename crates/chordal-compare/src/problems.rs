@@ -18,7 +18,9 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found)
             continue;
         }
         let values = of.map(|of| {
-            of.map_or(Value::Nothing, |(_, first)| Value::Text(format!("{code}: {}", first.message)))
+            of.map_or(Value::Nothing, |(_, first)| {
+                Value::Text(format!("{code}: {}", first.message))
+            })
         });
         let blocks = [0, 1].map(|side: usize| {
             let span = of[side]?.1.primary.span;

@@ -41,7 +41,8 @@ impl<'a> Steps<'a> {
         };
         match open {
             Some(open) if open.values.as_ref() == Some(&values) => {
-                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps) {
+                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps)
+                {
                     if let Some(blocks) = blocks
                         && blocks.last != place
                     {
@@ -273,11 +274,17 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
         (Category::Spindle, of(!is_spindle_same, spindle)),
         (
             Category::LengthOffset,
-            of(a.length_offset != b.length_offset, [number(a.length_offset), number(b.length_offset)]),
+            of(
+                a.length_offset != b.length_offset,
+                [number(a.length_offset), number(b.length_offset)],
+            ),
         ),
         (
             Category::RadiusOffset,
-            of(a.radius_offset != b.radius_offset, [number(a.radius_offset), number(b.radius_offset)]),
+            of(
+                a.radius_offset != b.radius_offset,
+                [number(a.radius_offset), number(b.radius_offset)],
+            ),
         ),
         (
             Category::WorkOffset,
@@ -292,11 +299,17 @@ fn differences(a: &State, b: &State, tolerance: f64) -> [(Category, Option<[Valu
         ),
         (
             Category::PathMode,
-            of(a.path_mode != b.path_mode, [Value::PathMode(a.path_mode), Value::PathMode(b.path_mode)]),
+            of(
+                a.path_mode != b.path_mode,
+                [Value::PathMode(a.path_mode), Value::PathMode(b.path_mode)],
+            ),
         ),
         (
             Category::Overrides,
-            of(a.overrides != b.overrides, [Value::Overrides(a.overrides), Value::Overrides(b.overrides)]),
+            of(
+                a.overrides != b.overrides,
+                [Value::Overrides(a.overrides), Value::Overrides(b.overrides)],
+            ),
         ),
     ]
 }

@@ -33,7 +33,7 @@ impl Found {
 
 pub(crate) struct Walk<'a> {
     courses: [&'a Course; 2],
-    options: Options,
+    options: &'a Options,
     steps: Steps<'a>,
     found: Found,
     /// A stretch of the path that is too far apart, not yet at its end.
@@ -43,7 +43,7 @@ pub(crate) struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    pub(crate) fn new(a: &'a Course, b: &'a Course, options: Options) -> Walk<'a> {
+    pub(crate) fn new(a: &'a Course, b: &'a Course, options: &'a Options) -> Walk<'a> {
         let steps = Steps::new([a, b], options.feed_tolerance);
         let found = Found::default();
         let elsewhere = Default::default();
@@ -148,7 +148,8 @@ impl<'a> Walk<'a> {
     fn extend(&mut self, at: [Place; 2], apart_mm: Option<f64>, shift: Option<[f64; 3]>) {
         match &mut self.open {
             Some(open) => {
-                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps) {
+                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps)
+                {
                     if let Some(blocks) = blocks
                         && blocks.last != place
                     {
@@ -187,7 +188,8 @@ impl<'a> Walk<'a> {
             };
             ranges[side].clone().filter(is_meant).collect()
         };
-        let (known, unknown) = ([0, 1].map(|side| moves(side, true)), [0, 1].map(|side| moves(side, false)));
+        let (known, unknown) =
+            ([0, 1].map(|side| moves(side, true)), [0, 1].map(|side| moves(side, false)));
         self.steps.gap_events([a.clone(), b.clone()]);
         for (one, other) in unknown[0].iter().zip(&unknown[1]) {
             let moved = |side: usize, at: &usize| self.courses[side].moved(*at);
@@ -238,7 +240,9 @@ impl<'a> Walk<'a> {
         let mut couples = couple(a, b, [a[0].start(), b[0].start()], self.precision());
         self.tighten(curves, &mut couples);
         let least = most(&couples);
-        by_moves.filter(|by_moves| least > threshold && most(by_moves) <= 2.0 * least).unwrap_or(couples)
+        by_moves
+            .filter(|by_moves| least > threshold && most(by_moves) <= 2.0 * least)
+            .unwrap_or(couples)
     }
 
     /// What is further apart than this is a difference, mm.

@@ -35,6 +35,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc"]),
     ("chordal-report", &["chordal", "chordal-export"]),
+    ("chordal-export", &["chordal", "chordal-calc", "chordal-compare"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
     ("chordal-compare", &["chordal"]),
     ("chordal-editor", &["chordal"]),
@@ -45,6 +46,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &[
             "chordal",
             "chordal-calc",
+            "chordal-compare",
             "chordal-editor",
             "chordal-export",
             "chordal-report",

@@ -1,0 +1,157 @@
+//! A comparison of two programs as JSON and as words.
+
+use chordal::Job;
+use chordal::control::{PathMode, Units};
+use chordal::diagnostics::FileId;
+use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
+use serde_json::{Value, json};
+
+use crate::motion::spindle_word;
+
+/// One JSON object, schema `chordal.compare/1`: lengths in mm, feeds in mm/min, angles in degrees, the
+/// first program as `a`, the second as `b`.
+pub fn comparison_json(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> String {
+    let sides = |of: &dyn Fn(usize) -> Value| json!({"a": of(0), "b": of(1)});
+    let differences = found.differences.iter().map(|one| difference(one, jobs));
+    let document = json!({
+        "schema": "chordal.compare/1",
+        "verdict": found.verdict,
+        "tolerance_mm": tolerance_mm,
+        "max_distance_mm": found.max_distance_mm,
+        "farthest": found.farthest.map(|at| sides(&|side| place(&at[side], jobs[side]))),
+        "programs": sides(&|side| json!({
+            "file": file(FileId(0), jobs[side]),
+            "machine": jobs[side].machine().name,
+            "moves": found.moves[side],
+            "errors": found.reports[side].counts.errors,
+        })),
+        "differences": differences.collect::<Vec<Value>>(),
+        "dropped": found.dropped,
+    });
+    format!("{document:#}\n")
+}
+
+fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {
+    let side = |side: usize| {
+        let mut row = match &one.blocks[side] {
+            Some(at) => blocks(at, jobs[side]),
+            None => json!({}),
+        };
+        row["steps"] = json!(one.steps[side]);
+        if let Some(values) = &one.values {
+            row["value"] = value(&values[side]);
+        }
+        row
+    };
+    let mut row = json!({"category": one.category, "a": side(0), "b": side(1)});
+    if let Some(distance) = one.distance_mm {
+        row["distance_mm"] = json!(distance);
+    }
+    if let Some(shift) = one.shift_mm {
+        row["shift_mm"] = json!(shift);
+    }
+    row
+}
+
+fn blocks(at: &Blocks, job: &Job) -> Value {
+    let (from, to) = at.lines();
+    let mut row = json!({
+        "lines": [from, to],
+        "text": job.sources().words(at.first.span).trim(),
+    });
+    if at.first.span.file != FileId(0) {
+        row["file"] = json!(file(at.first.span.file, job));
+    }
+    row
+}
+
+fn place(at: &Place, job: &Job) -> Value {
+    let mut row = json!({"line": at.line, "text": job.sources().words(at.span).trim()});
+    if at.span.file != FileId(0) {
+        row["file"] = json!(file(at.span.file, job));
+    }
+    row
+}
+
+fn file<'a>(file: FileId, job: &'a Job) -> &'a str {
+    job.sources().get(file).map_or("", |source| source.name())
+}
+
+fn value(had: &Had) -> Value {
+    match had {
+        Had::Nothing => Value::Null,
+        Had::Number(number) => json!(number),
+        Had::Feed(mm_per_s) => json!({"mm_per_min": mm_per_s * 60.0}),
+        Had::Turn(per_s) => json!({"per_min": per_s * 60.0}),
+        Had::FeedPerRevolution(mm) => json!({"mm_per_rev": mm}),
+        Had::Spindle(state, rpm) => json!({"state": spindle_word(*state), "rpm": rpm}),
+        Had::Seconds(seconds) => json!({"s": seconds}),
+        Had::Rotary(axes) => json!({"deg": axes.map(f64::to_degrees)}),
+        Had::PathMode(PathMode::Continuous { tolerance_mm }) => {
+            json!({"mode": "continuous", "tolerance_mm": tolerance_mm})
+        }
+        Had::PathMode(mode) => json!({"mode": path_mode(*mode)}),
+        other => json!(value_text(other, Units::Millimetre)),
+    }
+}
+
+fn path_mode(mode: PathMode) -> &'static str {
+    match mode {
+        PathMode::ExactPath => "exact path",
+        PathMode::ExactStop => "exact stop",
+        PathMode::Continuous { .. } => "continuous",
+    }
+}
+
+/// What one of the two has, in words and in the units of the program.
+pub fn value_text(had: &Had, units: Units) -> String {
+    let (unit, mm) = match units {
+        Units::Inch => ("in", 25.4),
+        Units::Millimetre => ("mm", 1.0),
+    };
+    let short = |value: f64| {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_string()
+    };
+    match had {
+        Had::Nothing => "none".into(),
+        Had::Number(number) => number.to_string(),
+        Had::Feed(mm_per_s) => format!("{} {unit}/min", short(mm_per_s * 60.0 / mm)),
+        Had::Turn(per_s) => format!("{} moves/min", short(per_s * 60.0)),
+        Had::FeedPerRevolution(feed) => format!("{} {unit}/rev", short(feed / mm)),
+        Had::Spindle(state, rpm) if *rpm > 0.0 => {
+            format!("{} at {} rev/min", spindle_word(*state), short(*rpm))
+        }
+        Had::Spindle(state, _) => spindle_word(*state).into(),
+        Had::Coolant(coolant) => {
+            let valves = [
+                (coolant.mist, "mist"),
+                (coolant.flood, "flood"),
+                (coolant.through_tool, "through the tool"),
+            ];
+            let open: Vec<&str> =
+                valves.into_iter().filter(|valve| valve.0).map(|valve| valve.1).collect();
+            if open.is_empty() { "off".into() } else { open.join(" and ") }
+        }
+        Had::PathMode(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
+            format!("continuous within {} {unit}", short(tolerance / mm))
+        }
+        Had::PathMode(mode) => path_mode(*mode).into(),
+        Had::Overrides(overrides) => match (overrides.feed, overrides.rapid) {
+            (true, true) => "both act".into(),
+            (true, false) => "of the feed alone".into(),
+            (false, true) => "of rapids alone".into(),
+            (false, false) => "none acts".into(),
+        },
+        Had::Seconds(seconds) => format!("{} s", short(*seconds)),
+        Had::Rotary(axes) => {
+            let names = ["A", "B", "C"];
+            let axes = names
+                .iter()
+                .zip(axes)
+                .map(|(name, rad)| format!("{name}{}", short(rad.to_degrees())));
+            axes.collect::<Vec<String>>().join(" ")
+        }
+        Had::Text(text) => text.clone(),
+    }
+}
