@@ -7,7 +7,7 @@ use chordal_export::{comparison_json, value_text};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::numbers::{counted, short};
+use crate::numbers::{counted, grouped, short};
 use crate::options::Common;
 use crate::session::{Loaded, load_one};
 use crate::terminal::{Terminal, say};
@@ -220,6 +220,9 @@ fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Uni
     if let Some(shift) = one.shift_mm {
         let shift = shift.map(|mm| length(mm, units));
         head += &format!(", moved by X {} Y {} Z {}", shift[0], shift[1], shift[2]);
+    }
+    if one.times > 1 {
+        head += &format!(", {} times", grouped(one.times));
     }
     let mut text = head + "\n";
     let places = [0, 1].map(|side: usize| match &one.blocks[side] {

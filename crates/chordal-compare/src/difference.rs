@@ -155,6 +155,30 @@ pub struct Blocks {
     pub last: Place,
 }
 
+impl Difference {
+    /// Takes the same difference of another turn; false where it is another one.
+    fn again(&mut self, other: &Difference) -> bool {
+        let key = |one: &Difference| (one.category, one.blocks, one.steps);
+        let is_same = key(self) == key(other) && self.values == other.values;
+        if is_same {
+            self.times += other.times;
+            self.distance_mm = self.distance_mm.zip(other.distance_mm).map(|(a, b)| a.max(b));
+            self.shift_mm = self.shift_mm.filter(|shift| Some(*shift) == other.shift_mm);
+        }
+        is_same
+    }
+}
+
+/// Puts differences in the order of the first program, each once.
+pub(crate) fn in_order(differences: &mut Vec<Difference>) {
+    let lines = |difference: &Difference| {
+        let at = difference.blocks.map(|blocks| blocks.map(|at| at.lines()));
+        (at[0].or(at[1]), at[1], difference.category, difference.steps)
+    };
+    differences.sort_by_key(lines);
+    differences.dedup_by(|next, before| before.again(next));
+}
+
 impl Blocks {
     pub(crate) fn at(place: Place) -> Blocks {
         Blocks { first: place, last: place }
@@ -179,6 +203,8 @@ pub struct Difference {
     pub blocks: [Option<Blocks>; 2],
     /// How many moves, or other steps, it holds in each.
     pub steps: [u64; 2],
+    /// How often, where a loop or a subprogram makes the same difference again.
+    pub times: u64,
     /// What each has, where that is one value.
     pub values: Option<[Value; 2]>,
     /// The two paths are nowhere further apart here, mm.

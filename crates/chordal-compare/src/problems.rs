@@ -31,6 +31,7 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found)
             category: Category::Problem,
             blocks,
             steps: counts,
+            times: 1,
             values: Some(values),
             distance_mm: None,
             shift_mm: None,

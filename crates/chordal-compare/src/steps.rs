@@ -57,6 +57,7 @@ impl<'a> Steps<'a> {
                     category,
                     blocks: at.map(|place| Some(Blocks::at(place))),
                     steps: [1; 2],
+                    times: 1,
                     values: Some(values),
                     distance_mm: None,
                     shift_mm: None,
@@ -133,6 +134,7 @@ impl<'a> Steps<'a> {
                 category: category(one),
                 blocks: [a, b].map(|place| Some(Blocks::at(place))),
                 steps: [1; 2],
+                times: 1,
                 values: Some([event_value(one), event_value(other)]),
                 distance_mm: None,
                 shift_mm: None,
@@ -207,7 +209,15 @@ pub(crate) fn lacking(
         }
     });
     let steps = steps.map(|steps| steps.len() as u64);
-    Difference { category, blocks, steps, values: None, distance_mm: None, shift_mm: None }
+    Difference {
+        category,
+        blocks,
+        steps,
+        times: 1,
+        values: None,
+        distance_mm: None,
+        shift_mm: None,
+    }
 }
 
 fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {

@@ -9,7 +9,7 @@ use crate::align::{Alignment, Region};
 use crate::bound::{Stretch, bound};
 use crate::couple::{Couple, couple, most, move_by_move};
 use crate::course::{Course, Moved, Step};
-use crate::difference::{Blocks, Category, Difference, Place};
+use crate::difference::{Blocks, Category, Difference, Place, in_order};
 use crate::frechet::{MOST_CELLS, frechet};
 use crate::steps::{Steps, lacking};
 use crate::{Options, SAME_MM};
@@ -85,11 +85,7 @@ impl<'a> Walk<'a> {
     pub(crate) fn finish(mut self) -> Found {
         self.close();
         self.found.differences.append(&mut self.steps.finish());
-        let order = |difference: &Difference| {
-            let at = difference.blocks.each_ref().map(|blocks| blocks.map(|at| at.lines().0));
-            (at[0].or(at[1]), at[1], difference.category)
-        };
-        self.found.differences.sort_by_key(order);
+        in_order(&mut self.found.differences);
         self.found
     }
 
@@ -166,6 +162,7 @@ impl<'a> Walk<'a> {
                     category: Category::Path,
                     blocks: at.map(|place| Some(Blocks::at(place))),
                     steps: [1; 2],
+                    times: 1,
                     values: None,
                     distance_mm: apart_mm,
                     shift_mm: shift,

@@ -43,7 +43,7 @@ fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {
         }
         row
     };
-    let mut row = json!({"category": one.category, "a": side(0), "b": side(1)});
+    let mut row = json!({"category": one.category, "times": one.times, "a": side(0), "b": side(1)});
     if let Some(distance) = one.distance_mm {
         row["distance_mm"] = json!(distance);
     }
