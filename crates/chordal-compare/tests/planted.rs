@@ -94,10 +94,14 @@ fn apart(a: &[Segment], b: &[Segment]) -> Option<f64> {
     Some(most)
 }
 
-/// Where another digit makes other moves of the same path.
-const SAME_PATH: [&str; 1] = [
-    // `Z#3` becomes a variable without a value: the retract is left to the next rapid, along the same line.
+/// Where another digit makes other moves of the same path: a retract ends elsewhere, and the next rapid goes on along
+/// the same line.
+const SAME_PATH: [&str; 5] = [
+    "drilled-plate.nc:13",
+    "parametric.nc:226",
     "parametric.nc:236",
+    "parametric.nc:386",
+    "parametric.nc:411",
 ];
 
 /// `CHORDAL_DIGITS=1` plants each digit; without it, one in 19.
