@@ -21,9 +21,9 @@ Examples:
   chordal compare old.nc new.nc --ignore feed --ignore spindle
   chordal compare old.nc new.nc --format json | jq .max_distance_mm
 
-What the programs do is compared, not their text: numbers of blocks, spaces, subprograms, units, and how
-lines and arcs are cut make no difference. The distance holds for two who walk the paths together from
-beginning to end, cuts and rapids in their order; nowhere are they further apart.
+What the programs do is compared, not their text: numbers of blocks, spaces, subprograms, units,
+and how lines and arcs are cut make no difference. The distance holds for two who walk the paths
+together from beginning to end, cuts and rapids in their order; nowhere are they further apart.
 
 Exit code: 0 the same, or within the tolerance, 1 different, 2 wrong use.";
 

@@ -25,9 +25,9 @@ fn a_difference_and_a_tolerance() {
     folder.run(&two).ends(1).says(&[
         "different: ",
         "at most 0.01 in apart",
-        "a.nc:7",
-        "b.nc:7",
-        "X1.01",
+        "a.nc:6",
+        "b.nc:6",
+        "Z-.11",
     ]);
     let within = [&two[..], &["--tolerance", "0.02in"]].concat();
     folder.run(&within).ends(0).says(&["within: ", "at most 0.01 in apart, 0.02 in are allowed"]);
