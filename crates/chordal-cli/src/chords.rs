@@ -2,14 +2,14 @@ use std::io;
 use std::path::PathBuf;
 
 use chordal::geometry::Placement;
-use chordal::machine::{Dimension, parse_quantity};
+use chordal::machine::Dimension;
 use chordal::{Job, Segment};
 use chordal_export::ChordWriter;
 use chordal_export::columns::{ChordColumns, ColumnFile};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::options::{Common, quantity};
 use crate::out::{Format, Out, RowFormat, keep};
 use crate::rows::Output;
 use crate::terminal::Terminal;
@@ -68,13 +68,9 @@ impl Lie {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    match parse_quantity(text, Dimension::Length) {
-        Ok(mm) if mm > 0.0 => Ok(mm),
-        Ok(_) => Err("a tolerance is above zero".to_string()),
-        Err(error) => Err(match error.help() {
-            Some(help) => format!("{error}; {help}"),
-            None => error.to_string(),
-        }),
+    match quantity(text, Dimension::Length)? {
+        mm if mm > 0.0 => Ok(mm),
+        _ => Err("a tolerance is above zero".to_string()),
     }
 }
 

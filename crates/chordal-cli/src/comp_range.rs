@@ -2,10 +2,9 @@ use std::path::PathBuf;
 
 use chordal::ContourRange;
 use chordal_export::{contour_ranges_json, contour_ranges_text};
-use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::options::{AnswerFormat, Common};
 use crate::session::load_one;
 
 const EXAMPLES: &str = "\
@@ -28,18 +27,10 @@ pub struct Args {
 
     /// How the ranges are told
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: AnswerFormat,
 
     #[command(flatten)]
     common: Common,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// For people
-    Text,
-    /// One object
-    Json,
 }
 
 pub fn run(args: &Args) -> Result<Verdict, Failure> {
@@ -47,8 +38,8 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
     let job = loaded.job()?;
     let found = job.contour_ranges();
     let text = match args.format {
-        Format::Text => contour_ranges_text(&found, &job),
-        Format::Json => contour_ranges_json(&found),
+        AnswerFormat::Text => contour_ranges_text(&found, &job),
+        AnswerFormat::Json => contour_ranges_json(&found),
     };
     anstream::print!("{text}");
     let outside = found.ranges.iter().any(|range: &ContourRange| !range.fits());

@@ -1,14 +1,13 @@
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal::control::Units;
+use chordal::machine::Dimension;
 use chordal_compare::{Category, Comparison, Difference, Options, Verdict as Answer, compare};
 use chordal_export::{comparison_json, value_text};
-use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
-use crate::numbers::{counted, grouped, short};
-use crate::options::Common;
+use crate::numbers::{Units, counted, grouped, short};
+use crate::options::{AnswerFormat, Common, quantity};
 use crate::session::{Loaded, load_one};
 use crate::terminal::{Terminal, say};
 
@@ -55,18 +54,10 @@ pub struct Args {
 
     /// How the answer is told
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: AnswerFormat,
 
     #[command(flatten)]
     common: Common,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// For people
-    Text,
-    /// One object
-    Json,
 }
 
 /// Most differences that are told to people.
@@ -79,18 +70,11 @@ fn category(text: &str) -> Result<Category, String> {
     })
 }
 
-/// A length above or at zero with its unit, mm.
+/// A length of zero or more with its unit, or in mm without.
 fn length_mm(text: &str) -> Result<f64, String> {
-    let (number, factor) = match text.trim().strip_suffix("in") {
-        Some(number) => (number, 25.4),
-        None => (text.trim().strip_suffix("mm").unwrap_or(text), 1.0),
-    };
-    let value: f64 = number.trim().parse().map_err(|_| "a length is due, as 0.01mm or 0.0005in")?;
-    if value >= 0.0 && value.is_finite() {
-        Ok(value * factor)
-    } else {
-        Err("a length of zero or more is due".into())
-    }
+    let bare = text.trim().parse().map_err(|_| ());
+    let mm: f64 = bare.or_else(|()| quantity(text, Dimension::Length))?;
+    if mm >= 0.0 && mm.is_finite() { Ok(mm) } else { Err("a length of zero or more is due".into()) }
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
@@ -110,8 +94,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     };
     let found = compare(jobs[0], jobs[1], &options);
     match args.format {
-        Format::Text => say(&text(&found, [&a, &b], jobs, args.tolerance))?,
-        Format::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
+        AnswerFormat::Text => say(&text(&found, [&a, &b], jobs, args.tolerance))?,
+        AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
     Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
 }
@@ -142,7 +126,7 @@ fn sides(args: &Args) -> Result<[(&PathBuf, Common); 2], Failure> {
 }
 
 fn text(found: &Comparison, loaded: [&Loaded; 2], jobs: [&Job; 2], tolerance_mm: f64) -> String {
-    let units = if found.reports[0].summary.inch { Units::Inch } else { Units::Millimetre };
+    let units = Units::of(found.reports[0].summary.inch);
     let mut text = headline(found, units, tolerance_mm);
     let names = names(loaded, jobs);
     if let Some(at) = found.farthest {
@@ -255,11 +239,8 @@ fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Uni
 
 /// To a hundredth of a micrometre: what is less is written as a power of ten.
 fn length(mm: f64, units: Units) -> String {
-    let (value, unit) = match units {
-        Units::Inch => (mm / 25.4, "in"),
-        Units::Millimetre => (mm, "mm"),
-    };
+    let value = mm / units.length_mm();
     let text =
         if value == 0.0 || value.abs() >= 1e-4 { short(value, 5) } else { format!("{value:.1e}") };
-    format!("{text} {unit}")
+    format!("{text} {}", units.length_unit())
 }

@@ -1,5 +1,17 @@
 use std::path::PathBuf;
 
+use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use clap::ValueEnum;
+
+/// How an answer is told that has no other form.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum AnswerFormat {
+    /// For people
+    Text,
+    /// One object
+    Json,
+}
+
 /// What all commands that run a program share.
 #[derive(clap::Args, Clone, Debug)]
 #[command(next_help_heading = "Machine")]
@@ -39,4 +51,17 @@ pub struct Common {
 fn program_number(text: &str) -> Result<u32, String> {
     let digits = text.strip_prefix(['O', 'o', ':']).unwrap_or(text);
     digits.parse().map_err(|_| "a program number is due, as `1000` or `O1000`".to_string())
+}
+
+/// A quantity with its unit, in that of its dimension; what is wrong with it in words.
+pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+    parse_quantity(text, dimension).map_err(|error| wrong_quantity(&error))
+}
+
+/// What is wrong with a quantity, and what to write.
+pub fn wrong_quantity(error: &QuantityError) -> String {
+    match error.help() {
+        Some(help) => format!("{error}; {help}"),
+        None => error.to_string(),
+    }
 }

@@ -1,7 +1,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use chordal::machine::{Dimension, parse_quantity};
+use chordal::machine::Dimension;
 use chordal::motion::{
     Level, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step, StepSource,
 };
@@ -11,7 +11,7 @@ use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted, duration, grouped, short};
-use crate::options::Common;
+use crate::options::{Common, quantity};
 use crate::out::{Out, RowFormat, format_of, keep, trouble};
 use crate::session::load_one;
 use crate::terminal::{BOLD, Terminal, style};
@@ -84,18 +84,11 @@ fn inside(format: RowFormat) -> SampleFormat {
 fn period(text: &str) -> Result<f64, String> {
     let micro =
         ["us", "\u{b5}s", "\u{3bc}s"].iter().find_map(|unit| text.trim().strip_suffix(unit));
-    let read = match micro {
-        Some(number) => parse_quantity(&format!("{number} ms"), Dimension::Time).map(|s| s / 1e3),
-        None => parse_quantity(text, Dimension::Time),
+    let seconds = match micro {
+        Some(number) => quantity(&format!("{number} ms"), Dimension::Time)? / 1e3,
+        None => quantity(text, Dimension::Time)?,
     };
-    match read {
-        Ok(seconds) if seconds > 0.0 => Ok(seconds),
-        Ok(_) => Err("a period is above zero".to_string()),
-        Err(error) => Err(match error.help() {
-            Some(help) => format!("{error}; {help}"),
-            None => error.to_string(),
-        }),
-    }
+    if seconds > 0.0 { Ok(seconds) } else { Err("a period is above zero".to_string()) }
 }
 
 /// Setpoints on their way from the planner to the output.

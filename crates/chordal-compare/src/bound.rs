@@ -13,7 +13,12 @@ pub(crate) struct Stretch<'a> {
     pub(crate) to: f64,
 }
 
-impl Stretch<'_> {
+impl<'a> Stretch<'a> {
+    /// All of a curve, which is so long, mm.
+    pub(crate) fn whole(curve: &'a Curve, length_mm: f64) -> Stretch<'a> {
+        Stretch { curve, from: 0.0, to: length_mm }
+    }
+
     fn at(&self, fraction: f64) -> Vec3 {
         // The ends as they are: whole curves have their ends as given.
         if fraction <= 0.0 {

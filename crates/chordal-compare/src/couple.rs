@@ -16,10 +16,18 @@ pub(crate) struct Couple {
     pub(crate) parts: [[f64; 2]; 2],
 }
 
+/// All of both moves.
+const WHOLE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
+
 impl Couple {
+    /// Two moves from beginning to end.
+    pub(crate) fn whole(moves: [usize; 2], apart_mm: f64) -> Couple {
+        Couple { moves, apart_mm, parts: WHOLE }
+    }
+
     /// Both go along a whole move.
     pub(crate) fn is_whole(&self) -> bool {
-        self.parts == [[0.0, 1.0]; 2]
+        self.parts == WHOLE
     }
 }
 
@@ -128,13 +136,10 @@ pub(crate) fn move_by_move(a: &[&Curve], b: &[&Curve], precision_mm: f64) -> Opt
     if a.len() != b.len() || !a.iter().zip(b).all(is_alike) {
         return None;
     }
-    let whole = |curve| Stretch { curve, from: 0.0, to: ParamCurve::length(curve) };
+    let whole = |curve| Stretch::whole(curve, ParamCurve::length(curve));
     let pairs = a.iter().zip(b).enumerate();
-    let couples = pairs.map(|(at, (a, b))| Couple {
-        moves: [at, at],
-        apart_mm: bound(whole(*a), whole(*b), precision_mm),
-        parts: [[0.0, 1.0]; 2],
-    });
+    let couples = pairs
+        .map(|(at, (a, b))| Couple::whole([at, at], bound(whole(*a), whole(*b), precision_mm)));
     Some(couples.collect())
 }
 

@@ -156,6 +156,33 @@ pub struct Blocks {
 }
 
 impl Difference {
+    /// A difference made once, of which no more is known yet.
+    pub(crate) fn new(
+        category: Category,
+        blocks: [Option<Blocks>; 2],
+        steps: [u64; 2],
+        values: Option<[Value; 2]>,
+    ) -> Difference {
+        Difference { category, blocks, steps, times: 1, values, distance_mm: None, shift_mm: None }
+    }
+
+    /// A difference of one block and another.
+    pub(crate) fn at(category: Category, at: [Place; 2], values: Option<[Value; 2]>) -> Difference {
+        Difference::new(category, at.map(|place| Some(Blocks::at(place))), [1; 2], values)
+    }
+
+    /// Goes on to the next blocks.
+    pub(crate) fn extend(&mut self, at: [Place; 2]) {
+        for ((blocks, place), steps) in self.blocks.iter_mut().zip(at).zip(&mut self.steps) {
+            if let Some(blocks) = blocks
+                && blocks.last != place
+            {
+                blocks.last = place;
+                *steps += 1;
+            }
+        }
+    }
+
     /// Takes the same difference of another turn; false where it is another one.
     fn again(&mut self, other: &Difference) -> bool {
         let key = |one: &Difference| (one.category, one.blocks, one.steps);

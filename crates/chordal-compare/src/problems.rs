@@ -27,15 +27,7 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Found)
             let line = jobs[side].sources().get(span.file)?.line_of(span.range.start);
             Some(Blocks::at(Place { span, line }))
         });
-        found.differences.push(Difference {
-            category: Category::Problem,
-            blocks,
-            steps: counts,
-            times: 1,
-            values: Some(values),
-            distance_mm: None,
-            shift_mm: None,
-        });
+        found.differences.push(Difference::new(Category::Problem, blocks, counts, Some(values)));
     }
 }
 

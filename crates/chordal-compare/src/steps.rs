@@ -40,28 +40,10 @@ impl<'a> Steps<'a> {
             return;
         };
         match open {
-            Some(open) if open.values.as_ref() == Some(&values) => {
-                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps)
-                {
-                    if let Some(blocks) = blocks
-                        && blocks.last != place
-                    {
-                        blocks.last = place;
-                        *steps += 1;
-                    }
-                }
-            }
+            Some(open) if open.values.as_ref() == Some(&values) => open.extend(at),
             _ => {
                 self.done.extend(open.take());
-                *open = Some(Difference {
-                    category,
-                    blocks: at.map(|place| Some(Blocks::at(place))),
-                    steps: [1; 2],
-                    times: 1,
-                    values: Some(values),
-                    distance_mm: None,
-                    shift_mm: None,
-                });
+                *open = Some(Difference::at(category, at, Some(values)));
             }
         }
     }
@@ -130,20 +112,13 @@ impl<'a> Steps<'a> {
             _ => one == other,
         };
         if !is_same {
-            self.done.push(Difference {
-                category: category(one),
-                blocks: [a, b].map(|place| Some(Blocks::at(place))),
-                steps: [1; 2],
-                times: 1,
-                values: Some([event_value(one), event_value(other)]),
-                distance_mm: None,
-                shift_mm: None,
-            });
+            let values = Some([event_value(one), event_value(other)]);
+            self.done.push(Difference::at(category(one), [a, b], values));
         }
     }
 
     /// The events of a gap: those of one kind that stand in the same order belong together.
-    pub(crate) fn gap_events(&mut self, ranges: [Range<usize>; 2]) {
+    pub(crate) fn gap_events(&mut self, ranges: &[Range<usize>; 2]) {
         let events = [0, 1].map(|side: usize| -> Vec<usize> {
             let course = self.courses[side];
             ranges[side].clone().filter(|at| event(course, *at).is_some()).collect()
@@ -169,7 +144,7 @@ impl<'a> Steps<'a> {
             together(self, &mut at, [hunk.before.start as usize, hunk.after.start as usize]);
             for (side, range) in [&hunk.before, &hunk.after].into_iter().enumerate() {
                 for event in &events[side][range.start as usize..range.end as usize] {
-                    self.only_one(&ranges, side, *event);
+                    self.only_one(ranges, side, *event);
                 }
                 at[side] = range.end as usize;
             }
@@ -209,15 +184,7 @@ pub(crate) fn lacking(
         }
     });
     let steps = steps.map(|steps| steps.len() as u64);
-    Difference {
-        category,
-        blocks,
-        steps,
-        times: 1,
-        values: None,
-        distance_mm: None,
-        shift_mm: None,
-    }
+    Difference::new(category, blocks, steps, None)
 }
 
 fn event(course: &Course, at: usize) -> Option<(&Event, Place)> {

@@ -9,7 +9,7 @@ use crate::align::{Alignment, Region};
 use crate::bound::{Stretch, bound};
 use crate::couple::{Couple, couple, most, move_by_move};
 use crate::course::{Course, Moved, Step};
-use crate::difference::{Blocks, Category, Difference, Place, in_order};
+use crate::difference::{Category, Difference, Place, in_order};
 use crate::frechet::{MOST_CELLS, frechet};
 use crate::steps::{Steps, lacking};
 use crate::{Options, SAME_MM};
@@ -94,14 +94,9 @@ impl<'a> Walk<'a> {
         match (&course_a.steps[a], &course_b.steps[b]) {
             (Step::Move(one), Step::Move(other)) => {
                 if one.known && other.known {
-                    let stretch = |moved: &'a Moved| Stretch {
-                        curve: &moved.curve,
-                        from: 0.0,
-                        to: moved.length_mm,
-                    };
-                    let apart_mm = bound(stretch(one), stretch(other), self.precision());
-                    let whole = [[0.0, 1.0]; 2];
-                    self.pair(&Couple { moves: [a, b], apart_mm, parts: whole });
+                    let whole = |moved: &'a Moved| Stretch::whole(&moved.curve, moved.length_mm);
+                    let apart_mm = bound(whole(one), whole(other), self.precision());
+                    self.pair(&Couple::whole([a, b], apart_mm));
                 } else {
                     self.steps.moves(one, other);
                 }
@@ -144,29 +139,14 @@ impl<'a> Walk<'a> {
     fn extend(&mut self, at: [Place; 2], apart_mm: Option<f64>, shift: Option<[f64; 3]>) {
         match &mut self.open {
             Some(open) => {
-                for ((blocks, place), steps) in open.blocks.iter_mut().zip(at).zip(&mut open.steps)
-                {
-                    if let Some(blocks) = blocks
-                        && blocks.last != place
-                    {
-                        blocks.last = place;
-                        *steps += 1;
-                    }
-                }
+                open.extend(at);
                 open.distance_mm = open.distance_mm.zip(apart_mm).map(|(a, b)| a.max(b));
                 let is_same = open.shift_mm.zip(shift).is_some_and(|(a, b)| is_near(a, b));
                 open.shift_mm = open.shift_mm.filter(|_| is_same);
             }
             None => {
-                self.open = Some(Difference {
-                    category: Category::Path,
-                    blocks: at.map(|place| Some(Blocks::at(place))),
-                    steps: [1; 2],
-                    times: 1,
-                    values: None,
-                    distance_mm: apart_mm,
-                    shift_mm: shift,
-                });
+                let path = Difference::at(Category::Path, at, None);
+                self.open = Some(Difference { distance_mm: apart_mm, shift_mm: shift, ..path });
             }
         }
     }
@@ -176,7 +156,6 @@ impl<'a> Walk<'a> {
     }
 
     fn gap(&mut self, ranges: [Range<usize>; 2]) {
-        let [a, b] = &ranges;
         let moves = |side: usize, known: bool| -> Vec<usize> {
             let is_meant = |at: &usize| {
                 let moved = self.courses[side].moved(*at);
@@ -187,7 +166,7 @@ impl<'a> Walk<'a> {
         };
         let (known, unknown) =
             ([0, 1].map(|side| moves(side, true)), [0, 1].map(|side| moves(side, false)));
-        self.steps.gap_events([a.clone(), b.clone()]);
+        self.steps.gap_events(&ranges);
         for (one, other) in unknown[0].iter().zip(&unknown[1]) {
             let moved = |side: usize, at: &usize| self.courses[side].moved(*at);
             if let (Some(one), Some(other)) = (moved(0, one), moved(1, other)) {
@@ -210,9 +189,8 @@ impl<'a> Walk<'a> {
             let moved = moves[side].iter().filter_map(|at| self.courses[side].moved(*at));
             moved.map(|moved| &moved.curve).collect::<Vec<&Curve>>()
         });
-        let rest = [0, 1].map(|side| self.rest(side, &ranges[side]));
         if curves[0].is_empty() || curves[1].is_empty() {
-            self.only_one(ranges, moves, &curves, rest);
+            self.only_one(ranges, moves, &curves);
             return;
         }
         let mut couples = self.couples(&curves);
@@ -275,19 +253,16 @@ impl<'a> Walk<'a> {
         ranges: &[Range<usize>; 2],
         moves: &[Vec<usize>; 2],
         curves: &[Vec<&Curve>; 2],
-        rest: [Option<Vec3>; 2],
     ) {
-        let side = usize::from(curves[0].is_empty());
         let mut missing = lacking(
             self.courses,
             ranges,
             [0, 1].map(|side| moves[side].as_slice()),
             Category::Path,
         );
-        let stands = rest[1 - side];
-        if let Some(stands) = stands {
-            let both = [curves[0].as_slice(), curves[1].as_slice()];
-            let couples = couple(both[0], both[1], [stands; 2], self.precision());
+        let waits = usize::from(!curves[0].is_empty());
+        if let Some(stands) = self.rest(waits, &ranges[waits]) {
+            let couples = couple(&curves[0], &curves[1], [stands; 2], self.precision());
             let most = most(&couples);
             missing.distance_mm = Some(most);
             if let [Some(a), Some(b)] = missing.blocks {

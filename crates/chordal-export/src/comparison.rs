@@ -1,12 +1,13 @@
 //! A comparison of two programs as JSON and as words.
 
 use chordal::Job;
-use chordal::control::{PathMode, Units};
-use chordal::diagnostics::FileId;
+use chordal::control::PathMode;
+use chordal::diagnostics::{FileId, Span};
 use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
 use serde_json::{Value, json};
 
 use crate::motion::spindle_word;
+use crate::numbers::{self, Units};
 
 /// One JSON object, schema `chordal.compare/1`: lengths in mm, feeds in mm/min, angles in degrees, the
 /// first program as `a`, the second as `b`.
@@ -55,20 +56,18 @@ fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {
 
 fn blocks(at: &Blocks, job: &Job) -> Value {
     let (from, to) = at.lines();
-    let mut row = json!({
-        "lines": [from, to],
-        "text": job.sources().words(at.first.span).trim(),
-    });
-    if at.first.span.file != FileId(0) {
-        row["file"] = json!(file(at.first.span.file, job));
-    }
-    row
+    in_file(json!({"lines": [from, to]}), at.first.span, job)
 }
 
 fn place(at: &Place, job: &Job) -> Value {
-    let mut row = json!({"line": at.line, "text": job.sources().words(at.span).trim()});
-    if at.span.file != FileId(0) {
-        row["file"] = json!(file(at.span.file, job));
+    in_file(json!({"line": at.line}), at.span, job)
+}
+
+/// With the words of a block, and its file where that is not the program's.
+fn in_file(mut row: Value, span: Span, job: &Job) -> Value {
+    row["text"] = json!(job.sources().words(span).trim());
+    if span.file != FileId(0) {
+        row["file"] = json!(file(span.file, job));
     }
     row
 }
@@ -105,14 +104,8 @@ fn path_mode(mode: PathMode) -> &'static str {
 
 /// What one of the two has, in words and in the units of the program.
 pub fn value_text(had: &Had, units: Units) -> String {
-    let (unit, mm) = match units {
-        Units::Inch => ("in", 25.4),
-        Units::Millimetre => ("mm", 1.0),
-    };
-    let short = |value: f64| {
-        let text = format!("{value:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').to_string()
-    };
+    let (unit, mm) = (units.length_unit(), units.length_mm());
+    let short = |value: f64| numbers::short(value, 4);
     match had {
         Had::Nothing => "none".into(),
         Had::Number(number) => number.to_string(),

@@ -23,6 +23,14 @@ impl Units {
         }
     }
 
+    /// How long that is, mm.
+    pub fn length_mm(self) -> f64 {
+        match self {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
     /// Of a feed.
     pub fn feed_unit(self) -> &'static str {
         match self {

@@ -1,12 +1,12 @@
 use std::path::PathBuf;
 
 use chordal_archive::diff::{DiffRow, Status, compare_all, write_table};
-use clap::ValueEnum;
 
 use super::progress::Meter;
 use super::{Disk, Machines, jobs};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
+use crate::options::AnswerFormat;
 use crate::output;
 use crate::summary::plain_table;
 use crate::terminal::{Terminal, say};
@@ -35,7 +35,7 @@ pub struct Args {
 
     /// How changes are told
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: AnswerFormat,
 
     /// The comparison as a table, too; written whole or not at all
     #[arg(long, short, value_name = "FILE.parquet")]
@@ -55,14 +55,6 @@ pub struct Args {
 
     #[command(flatten)]
     machines: Machines,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// For people
-    Text,
-    /// One object
-    Json,
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
@@ -91,8 +83,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         output::write_whole(out, &table)?;
     }
     match args.format {
-        Format::Text => say(&text(&rows, args.all))?,
-        Format::Json => say(&json(&rows)?)?,
+        AnswerFormat::Text => say(&text(&rows, args.all))?,
+        AnswerFormat::Json => say(&json(&rows)?)?,
     }
     let is_clean = |row: &DiffRow| matches!(row.status, Status::Same | Status::Text);
     Ok(if rows.iter().all(is_clean) { Verdict::Clean } else { Verdict::Problems })

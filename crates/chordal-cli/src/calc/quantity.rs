@@ -5,6 +5,7 @@ use chordal_calc::Units;
 use clap::ValueEnum;
 
 use crate::failure::Failure;
+use crate::options::wrong_quantity;
 
 /// What `--units` takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -32,16 +33,9 @@ fn written(text: &str, dimension: Dimension) -> Result<Written, String> {
             Some((value, unit.starts_with("in") || unit.starts_with('"') || unit == "ipm"))
         }
         Err(QuantityError::NoUnit { .. }) => None,
-        Err(error) => return Err(told(&error)),
+        Err(error) => return Err(wrong_quantity(&error)),
     };
     Ok(Written { text: text.trim().to_string(), dimension, read })
-}
-
-fn told(error: &QuantityError) -> String {
-    match error.help() {
-        Some(help) => format!("{error}; {help}"),
-        None => error.to_string(),
-    }
 }
 
 /// `1.5in`, `38 mm`, or a number alone.
@@ -62,7 +56,7 @@ pub fn angle(text: &str) -> Result<f64, String> {
         }
         other => other,
     }
-    .map_err(|error| told(&error))
+    .map_err(|error| wrong_quantity(&error))
 }
 
 /// `1200`, `1200rpm`. In rpm.
@@ -73,7 +67,7 @@ pub fn spindle(text: &str) -> Result<f64, String> {
         }
         other => other,
     }
-    .map_err(|error| told(&error))
+    .map_err(|error| wrong_quantity(&error))
 }
 
 /// The unit of an answer, and of numbers without one.

@@ -13,7 +13,7 @@ use clap::ValueEnum;
 
 use self::picture::Picture;
 use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::options::{AnswerFormat, Common};
 use crate::rows::tell;
 use crate::session::load_one;
 use crate::summary::subtitle;
@@ -46,7 +46,7 @@ pub struct Args {
 
     /// How the time is told
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: AnswerFormat,
 
     /// Draws speed, acceleration and jerk over time and speed along the path: .svg or .png
     #[arg(long, short, value_name = "PICTURE")]
@@ -110,14 +110,6 @@ impl From<LevelName> for Level {
     }
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum Format {
-    /// For people
-    Text,
-    /// One object
-    Json,
-}
-
 /// Most moves of a program that is planned again unasked: all changes together then take less
 /// than a second.
 const MOST_UNASKED: u64 = 20_000;
@@ -156,8 +148,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         least: least.as_ref(),
     };
     let text = match args.format {
-        Format::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
-        Format::Json => time_json(&document, &report, &job),
+        AnswerFormat::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
+        AnswerFormat::Json => time_json(&document, &report, &job),
     };
     if let Some(picture) = &picture {
         let plot = PlotOptions {

@@ -1,6 +1,6 @@
 //! What is set before the run: offsets, tools, travel.
 
-use chordal_export::numbers::{duration, grouped, short};
+use chordal_export::numbers::{Units, duration, grouped, short};
 use maud::{Markup, PreEscaped, html};
 
 use super::{Show, left_out, scrolling, tool_name};
@@ -228,11 +228,11 @@ fn spindle(tool: &Tool) -> Markup {
 }
 
 fn feeds(feeds: &Feeds, show: &Show) -> Markup {
-    let per_rev = |mm: f64| {
-        let decimals = if show.units.length_unit() == "in" { 5 } else { 4 };
-        let scale = if show.units.length_unit() == "in" { 25.4 } else { 1.0 };
-        short(mm / scale, decimals)
+    let decimals = match show.units {
+        Units::Inch => 5,
+        Units::Millimetre => 4,
     };
+    let per_rev = |mm: f64| short(mm / show.units.length_mm(), decimals);
     let mut parts = Vec::new();
     if let Some(range) = feeds.mm_per_min {
         parts.push(span_of(range, |mm_per_min| show.units.feed(mm_per_min / 60.0)));
