@@ -25,6 +25,7 @@
 //! | ask it at many places | [`Tracer`] |
 //! | make a curve of an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
 //! | cut it into chords | [`ParamCurve::chords`], [`Chords`] |
+//! | lay lines and arcs through points, thin points out | [`fit_path`], [`simplify`] |
 //! | intersect and offset | [`line_line`], [`line_circle`], [`circle_circle`], [`Line::offset`], [`Arc::offset`] |
 
 #![forbid(unsafe_code)]
@@ -34,6 +35,7 @@ mod arc;
 mod chords;
 mod curve;
 mod fit;
+mod fitting;
 mod frame;
 mod growth;
 mod intersect;
@@ -55,6 +57,7 @@ pub use arc::Arc;
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
 pub use curve::{Curve, Nearest, ParamCurve};
 pub use fit::{ArcFit, RadiusError, arc_from_center, center_from_radius, spiral_from_center};
+pub use fitting::{FitError, FitOptions, FitPiece, Measure, breaks, fit_path, simplify};
 pub use frame::Frame;
 pub use intersect::{Circle2, Line2, LineCrossing, Meeting, circle_circle, line_circle, line_line};
 pub use line::Line;

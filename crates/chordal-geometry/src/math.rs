@@ -81,6 +81,16 @@ pub(crate) fn asin(x: f64) -> f64 {
     libm::asin(x)
 }
 
+/// The whole number above.
+pub(crate) fn ceil(x: f64) -> f64 {
+    libm::ceil(x)
+}
+
+/// The nearest whole number, halves away from zero.
+pub(crate) fn round(x: f64) -> f64 {
+    libm::round(x)
+}
+
 /// `e^x − 1` without cancellation near zero.
 pub(crate) fn exp_m1(x: f64) -> f64 {
     libm::expm1(x)

@@ -1,0 +1,125 @@
+//! How far a piece is from the points that it stands for.
+
+use crate::{Vec2, math};
+
+use super::Measure;
+use super::flat::{Flat, Piece, Shape};
+
+/// Points alone must not be further apart than this along an arc, radians: between them nothing says
+/// where the path is.
+const WIDEST_STEP: f64 = math::PI / 4.0;
+
+/// An upper bound of the Fréchet distance between a piece and its part of the path, mm; `None` where
+/// the path does not go along it.
+///
+/// The walk: a point of the path stands for the one of the piece at its foot, or for the furthest
+/// that was reached already. Distances along it are largest at the ends of chords, or where a chord
+/// is nearest to the centre.
+pub(super) fn deviation(flat: &Flat, piece: &Piece, measure: Measure) -> Option<f64> {
+    match piece.shape {
+        Shape::Line => along_line(flat, piece),
+        Shape::Arc { center, sweep } => along_arc(flat, piece, center, sweep, measure),
+    }
+}
+
+/// The points of a part of the path: both its ends, and those between.
+fn points(flat: &Flat, span: [f64; 2]) -> impl Iterator<Item = (Vec2, f64)> + '_ {
+    let [from, to] = span;
+    let (first, behind) = (from as usize + 1, math::ceil(to) as usize);
+    let inner = (first..behind.max(first)).map(|index| (flat.at[index], flat.height[index]));
+    let end = (to > from).then(|| flat.point(to));
+    core::iter::once(flat.point(from)).chain(inner).chain(end)
+}
+
+fn distance(a: (Vec2, f64), b: (Vec2, f64)) -> f64 {
+    let (flat, high) = (a.0 - b.0, a.1 - b.1);
+    (flat.dot(flat) + high * high).sqrt()
+}
+
+fn along_line(flat: &Flat, piece: &Piece) -> Option<f64> {
+    let (chord, rise) = (piece.chord(), piece.heights[1] - piece.heights[0]);
+    let square = chord.dot(chord) + rise * rise;
+    let at = |t: f64| (piece.ends[0] + chord * t, piece.heights[0] + rise * t);
+    let (mut worst, mut reached) = (0.0f64, 0.0f64);
+    for (index, point) in points(flat, piece.span).enumerate() {
+        let (off, high) = (point.0 - piece.ends[0], point.1 - piece.heights[0]);
+        let t = if square > 0.0 { (off.dot(chord) + high * rise) / square } else { 0.0 };
+        let fraction = t.clamp(reached, 1.0);
+        // Who waits on the line has been there when the path was at its last point, too.
+        if index == 0 {
+            worst = distance(point, at(0.0));
+        }
+        worst = worst.max(distance(point, at(fraction)));
+        reached = fraction;
+    }
+    let end = flat.point(piece.span[1]);
+    worst = worst.max(distance(end, at(1.0)));
+    worst.is_finite().then_some(worst)
+}
+
+fn along_arc(
+    flat: &Flat,
+    piece: &Piece,
+    center: Vec2,
+    sweep: f64,
+    measure: Measure,
+) -> Option<f64> {
+    let spoke = piece.ends[0] - center;
+    let radius = spoke.length();
+    let (sign, sweep) = (sweep.signum(), sweep.abs());
+    let rise = (piece.heights[1] - piece.heights[0]) / sweep;
+    let at = |angle: f64| {
+        let (sin, cos) = math::sin_cos(angle * sign);
+        let turned = spoke * cos + spoke.turned_left() * sin;
+        (center + turned, piece.heights[0] + rise * angle)
+    };
+    let step = |a: Vec2, b: Vec2| math::atan2(sign * a.cross(b), a.dot(b));
+    let mut row = points(flat, piece.span);
+    let first = row.next()?;
+    let mut arm = first.0 - center;
+    let mut arm_length = arm.length();
+    let mut angle = step(spoke, arm);
+    let mut reached = angle.clamp(0.0, sweep);
+    let mut worst = distance(first, (piece.ends[0], piece.heights[0]));
+    worst = worst.max(distance(first, at(reached)));
+    let mut last = first;
+    for point in row {
+        let next = point.0 - center;
+        let (turn, length) = (step(arm, next), next.length());
+        angle += turn;
+        if turn.abs() > if measure == Measure::Points { WIDEST_STEP } else { 0.9 * math::PI } {
+            return None;
+        }
+        if angle <= reached {
+            worst = worst.max(distance(point, at(reached)));
+        } else {
+            let mut off = (length - radius).abs().max((arm_length - radius).abs());
+            if measure == Measure::Chords {
+                off = off.max((least(arm, next) - radius).abs());
+            }
+            let mut high = (point.1 - piece.heights[0] - rise * angle.min(sweep)).abs();
+            if rise != 0.0 {
+                // Along a chord the angle does not change evenly; twice this is the second derivative.
+                let bend = (next - arm).length() / length.min(arm_length);
+                high = high.max((last.1 - piece.heights[0] - rise * (angle - turn)).abs());
+                high += rise.abs() * 0.25 * bend * bend;
+            }
+            worst = worst.max((off * off + high * high).sqrt());
+            reached = angle.min(sweep);
+            if angle > sweep {
+                worst = worst.max(distance(point, at(sweep)));
+            }
+        }
+        (arm, arm_length, last) = (next, length, point);
+    }
+    worst = worst.max(distance(last, (piece.ends[1], piece.heights[1])));
+    worst.is_finite().then_some(worst)
+}
+
+/// The least distance from zero of the chord between two points.
+fn least(a: Vec2, b: Vec2) -> f64 {
+    let chord = b - a;
+    let square = chord.dot(chord);
+    let t = if square > 0.0 { (-a.dot(chord) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (a + chord * t).length()
+}

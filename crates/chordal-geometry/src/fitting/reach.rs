@@ -1,0 +1,156 @@
+//! The longest line or arc from a point on, and the fewest of them in a row.
+
+use crate::math;
+
+use super::Measure;
+use super::deviation::deviation;
+use super::flat::{Flat, Piece};
+
+/// Arcs turn by no more than this, radians: near a whole turn the ends say little about the centre.
+const MOST_HALF_TURN: f64 = 5.0 / 6.0 * math::PI;
+
+/// A line is taken where it comes this near to what an arc would reach.
+const LINE_FOR_ARC: f64 = 0.85;
+
+/// Looks for pieces along a row of points.
+pub(super) struct Reach<'a> {
+    pub(super) flat: &'a Flat,
+    pub(super) tolerance: f64,
+    pub(super) measure: Measure,
+    pub(super) max_radius: f64,
+}
+
+impl Reach<'_> {
+    /// Lines and arcs from the first point to the last, each as long as it can be.
+    pub(super) fn chain(&self) -> Vec<Piece> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        let (mut at, mut hint) = (0, 1);
+        while at < self.flat.last() {
+            let piece = self.longest(at, hint);
+            let to = piece.span[1] as usize;
+            hint = to - at;
+            at = to;
+            pieces.push(piece);
+        }
+        pieces
+    }
+
+    /// The longest line or arc from a point on.
+    fn longest(&self, from: usize, hint: usize) -> Piece {
+        let last = self.flat.last();
+        let stiff = self.flat.stiff[from];
+        let line = self.furthest(from, last, hint, |to| self.line(from, to, self.tolerance));
+        let straight = || {
+            // Further than the straight part of the path a line only cuts into the bend behind it.
+            let fine = self.tolerance / 10.0;
+            let to = line.span[1] as usize;
+            let near = self.furthest(from, to, to - from, |to| self.line(from, to, fine));
+            let is_enough = self.length(&near) >= 0.8 * self.length(&line);
+            if is_enough || stiff == from { near } else { line }
+        };
+        if stiff == from {
+            return straight();
+        }
+        let arc = self.furthest(from, stiff.min(last), hint, |to| self.arc(from, to));
+        if self.length(&line) >= LINE_FOR_ARC * self.length(&arc) { straight() } else { arc }
+    }
+
+    fn length(&self, piece: &Piece) -> f64 {
+        self.flat.length(piece.span[0] as usize, piece.span[1] as usize)
+    }
+
+    /// The piece to the furthest point for which there is one: by steps that double, then by halving.
+    fn furthest(
+        &self,
+        from: usize,
+        last: usize,
+        hint: usize,
+        piece: impl Fn(usize) -> Option<Piece>,
+    ) -> Piece {
+        let mut best = Piece::between(self.flat, from, from + 1, 0.0);
+        let (mut good, mut bad) = (1, last - from + 1);
+        let mut step = (hint / 2).max(1);
+        while good + 1 < bad {
+            let next = (good + step).min(bad - 1);
+            match piece(from + next) {
+                Some(found) => {
+                    (best, good) = (found, next);
+                    step *= 2;
+                }
+                None => {
+                    bad = next;
+                    break;
+                }
+            }
+        }
+        // To a sixty-fourth: the row of pieces is made even afterwards.
+        while bad - good > 1 + good / 64 {
+            let next = good + (bad - good) / 2;
+            match piece(from + next) {
+                Some(found) => (best, good) = (found, next),
+                None => bad = next,
+            }
+        }
+        best
+    }
+
+    fn line(&self, from: usize, to: usize, tolerance: f64) -> Option<Piece> {
+        let piece = Piece::between(self.flat, from, to, 0.0);
+        let deviation = deviation(self.flat, &piece, self.measure)?;
+        (deviation <= tolerance).then_some(Piece { deviation, ..piece })
+    }
+
+    fn arc(&self, from: usize, to: usize) -> Option<Piece> {
+        if to - from < 2 {
+            return None;
+        }
+        let half = self.half_turn(from, to)?;
+        let length = self.flat.at[from].distance(self.flat.at[to]);
+        if length > 2.0 * self.max_radius * math::sin_cos(half).0.abs() {
+            return None;
+        }
+        let piece = Piece::between(self.flat, from, to, half);
+        let deviation = deviation(self.flat, &piece, self.measure)?;
+        (deviation <= self.tolerance).then_some(Piece { deviation, ..piece })
+    }
+
+    /// Half of the turn of the arc between two points that keeps furthest from the limits that the
+    /// points between set; `None` where they leave nothing.
+    ///
+    /// In the frame of the chord of length 2h, with (x, y) from its middle: a circle through both ends
+    /// passes within e of a point where |k/2·sin ω + y·cos ω| ≤ e, k = (x² + y² − h² − e²)/h and ω half
+    /// of the turn to the right. That is an interval about ω₀ = atan2(2y, −k).
+    fn half_turn(&self, from: usize, to: usize) -> Option<f64> {
+        let at = &self.flat.at;
+        let chord = at[to] - at[from];
+        let h = 0.5 * chord.length();
+        let along = chord.normalized()?;
+        let middle = (at[from] + at[to]) * 0.5;
+        let e = self.tolerance;
+        let (mut low, mut high) = (-MOST_HALF_TURN, MOST_HALF_TURN);
+        let mut narrow = |x: f64, y: f64| {
+            let k = (x * x + y * y - h * h - e * e) / h;
+            let amplitude = (0.25 * k * k + y * y).sqrt();
+            if amplitude > e {
+                let (zero, width) = (math::atan2(2.0 * y, -k), math::asin(e / amplitude));
+                low = low.max(zero - width);
+                high = high.min(zero + width);
+            }
+            low <= high
+        };
+        for index in from..to {
+            let here = at[index] - middle;
+            if index > from && !narrow(here.dot(along), along.cross(here)) {
+                return None;
+            }
+            if self.flat.deep[index] {
+                let deep = (at[index] + at[index + 1]) * 0.5 - middle;
+                if !narrow(deep.dot(along), along.cross(deep)) {
+                    return None;
+                }
+            }
+        }
+        let half = -0.5 * (low + high);
+        (half != 0.0).then_some(half)
+    }
+}
