@@ -1,8 +1,8 @@
 //! Lines and arcs through points: how many, how far off, and in one direction where they meet.
 
 use chordal_geometry::{
-    Arc, Curve, FitOptions, FitPiece, Measure, ParamCurve, Placement, Plane, Vec3, breaks, fit_path,
-    simplify,
+    Arc, Curve, FitOptions, FitPiece, Measure, ParamCurve, Placement, Plane, Vec3, breaks,
+    fit_path, simplify,
 };
 use core::f64::consts::{PI, TAU};
 use proptest::prelude::*;
@@ -23,7 +23,8 @@ fn asymptotic(
     let width = (range.1 - range.0) / f64::from(steps);
     (0..steps)
         .map(|step| {
-            let [[x1, y1], [x2, y2], [x3, y3]] = derivatives(range.0 + width * (f64::from(step) + 0.5));
+            let [[x1, y1], [x2, y2], [x3, y3]] =
+                derivatives(range.0 + width * (f64::from(step) + 0.5));
             let speed2 = x1 * x1 + y1 * y1;
             let cross = x1 * y2 - y1 * x2;
             // κ = cross/v³; its derivative by arc length.
@@ -140,7 +141,8 @@ fn a_spiral_of_short_lines() {
     for tolerance in [0.05, 0.01, 0.005] {
         let least = asymptotic((0.0, 6.0 * TAU), derivatives, 72.0 * 3f64.sqrt(), tolerance);
         let measure = Measure::Points;
-        let pieces = fit_path(&points, &FitOptions { measure, ..FitOptions::within(tolerance) }).unwrap();
+        let pieces =
+            fit_path(&points, &FitOptions { measure, ..FitOptions::within(tolerance) }).unwrap();
         let from_points = points.iter().map(|point| {
             pieces.iter().map(|piece| piece.curve.nearest(*point).distance).fold(f64::MAX, f64::min)
         });
@@ -216,7 +218,7 @@ fn odd_points_are_answered() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(60) })]
 
     /// Whatever the points, the new path is joined, within the tolerance by a look that knows nothing of
     /// how it was found, and corners are the only turns.
@@ -231,7 +233,7 @@ proptest! {
         for (length, turn, rise) in steps {
             bend = if smooth { (bend + 0.1 * turn).clamp(-0.3, 0.3) } else { turn };
             heading += bend;
-            at = at + Vec3::new(heading.cos(), heading.sin(), if smooth { 0.0 } else { rise }) * length;
+            at += Vec3::new(heading.cos(), heading.sin(), if smooth { 0.0 } else { rise }) * length;
             points.push(at);
         }
         let pieces = fit_path(&points, &FitOptions::within(tolerance)).unwrap();
@@ -268,7 +270,8 @@ fn a_million_points() {
         let pieces = fit_path(&points, &FitOptions::within(tolerance)).unwrap();
         let fitted = start.elapsed();
         let kinks = kinks(&pieces, 1.0);
-        let any = fit_path(&points, &FitOptions { tangent: false, ..FitOptions::within(tolerance) });
+        let any =
+            fit_path(&points, &FitOptions { tangent: false, ..FitOptions::within(tolerance) });
         let kept = simplify(&points, tolerance).unwrap();
         println!(
             "{tolerance} mm: {} pieces in {fitted:?}, {kinks} joints not tangent; {} not tangent; {} chords",

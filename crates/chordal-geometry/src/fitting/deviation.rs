@@ -10,16 +10,17 @@ use super::flat::{Flat, Piece, Shape};
 const WIDEST_STEP: f64 = math::PI / 4.0;
 
 /// An upper bound of the Fréchet distance between a piece and its part of the path, mm; `None` where
-/// the path does not go along it.
+/// the path does not go along it, or goes further off than `limit`.
 ///
 /// The walk: a point of the path stands for the one of the piece at its foot, or for the furthest
 /// that was reached already. Distances along it are largest at the ends of chords, or where a chord
 /// is nearest to the centre.
-pub(super) fn deviation(flat: &Flat, piece: &Piece, measure: Measure) -> Option<f64> {
-    match piece.shape {
-        Shape::Line => along_line(flat, piece),
-        Shape::Arc { center, sweep } => along_arc(flat, piece, center, sweep, measure),
-    }
+pub(super) fn deviation(flat: &Flat, piece: &Piece, measure: Measure, limit: f64) -> Option<f64> {
+    let worst = match piece.shape {
+        Shape::Line => along_line(flat, piece, limit),
+        Shape::Arc { center, sweep } => along_arc(flat, piece, (center, sweep), measure, limit),
+    };
+    worst.filter(|worst| *worst <= limit && worst.is_finite())
 }
 
 /// The points of a part of the path: both its ends, and those between.
@@ -36,7 +37,7 @@ fn distance(a: (Vec2, f64), b: (Vec2, f64)) -> f64 {
     (flat.dot(flat) + high * high).sqrt()
 }
 
-fn along_line(flat: &Flat, piece: &Piece) -> Option<f64> {
+fn along_line(flat: &Flat, piece: &Piece, limit: f64) -> Option<f64> {
     let (chord, rise) = (piece.chord(), piece.heights[1] - piece.heights[0]);
     let square = chord.dot(chord) + rise * rise;
     let at = |t: f64| (piece.ends[0] + chord * t, piece.heights[0] + rise * t);
@@ -51,18 +52,20 @@ fn along_line(flat: &Flat, piece: &Piece) -> Option<f64> {
         }
         worst = worst.max(distance(point, at(fraction)));
         reached = fraction;
+        if worst > limit {
+            return None;
+        }
     }
     let end = flat.point(piece.span[1]);
-    worst = worst.max(distance(end, at(1.0)));
-    worst.is_finite().then_some(worst)
+    Some(worst.max(distance(end, at(1.0))))
 }
 
 fn along_arc(
     flat: &Flat,
     piece: &Piece,
-    center: Vec2,
-    sweep: f64,
+    (center, sweep): (Vec2, f64),
     measure: Measure,
+    limit: f64,
 ) -> Option<f64> {
     let spoke = piece.ends[0] - center;
     let radius = spoke.length();
@@ -110,10 +113,12 @@ fn along_arc(
                 worst = worst.max(distance(point, at(sweep)));
             }
         }
+        if worst > limit {
+            return None;
+        }
         (arm, arm_length, last) = (next, length, point);
     }
-    worst = worst.max(distance(last, (piece.ends[1], piece.heights[1])));
-    worst.is_finite().then_some(worst)
+    Some(worst.max(distance(last, (piece.ends[1], piece.heights[1]))))
 }
 
 /// The least distance from zero of the chord between two points.

@@ -56,7 +56,7 @@ impl Row<'_> {
     /// One round; later ones come nearer to the largest distance.
     pub(super) fn ease(&mut self, flat: &Flat, probes: &[Vec<usize>], round: usize) -> Option<()> {
         let pieces = self.halves.len();
-        let mut rows: Vec<(Vec<(usize, f64)>, f64)> = Vec::new();
+        let mut rows: Vec<(Terms, f64)> = Vec::with_capacity(pieces * (PROBES + 1));
         let mut largest = 0.0f64;
         for (piece, probes) in probes.iter().enumerate() {
             let ends = [self.joints[piece], self.joints[piece + 1]];
@@ -66,7 +66,7 @@ impl Row<'_> {
                 let (off, left) = left_of(ends, shape, flat.at[*probe]);
                 let part = flat.length(from, *probe) / flat.length(from, to);
                 largest = largest.max(off.abs());
-                let mut row = Vec::with_capacity(5);
+                let mut row = Terms::default();
                 self.joint_terms(piece, left * (1.0 - part), &mut row);
                 self.joint_terms(piece + 1, left * part, &mut row);
                 if !self.lines[piece] {
@@ -76,18 +76,22 @@ impl Row<'_> {
             }
         }
         let mut system = Band::new(pieces * EACH);
-        let power = [2.0, 4.0, 8.0][(round / 2).min(2)];
+        let power = [2, 4, 8][(round / 2).min(2)];
+        let weight = |part: f64| {
+            let square = part * part;
+            [1.0, square, square * square * square][(round / 2).min(2)]
+        };
         for (row, off) in &rows {
             // What is far off weighs more: the norm of this power, by least squares.
             let part = (off.abs() / largest.max(f64::MIN_POSITIVE)).max(0.05);
-            system.add(row, *off, libm::pow(part, power - 2.0));
+            system.add(row.slice(), *off, weight(part));
         }
         for (joint, off) in self.off().iter().enumerate() {
             if !self.is_free(joint) {
                 continue;
             }
             let equation = self.equation(joint);
-            let mut row = Vec::with_capacity(8);
+            let mut row = Terms::default();
             for (beside, gradient) in equation.joints.iter().enumerate() {
                 self.joint_terms(joint + beside - 1, *gradient, &mut row);
             }
@@ -97,20 +101,20 @@ impl Row<'_> {
                 }
             }
             let length = self.chord(joint - 1).length().min(self.chord(joint).length());
-            system.add(&row, -off, DIRECTION * length * length);
+            system.add(row.slice(), -off, DIRECTION * length * length);
         }
         for unknown in 0..pieces * EACH {
             system.add(&[(unknown, 1.0)], 0.0, if unknown % EACH == 1 { SLIDE } else { CHANGE });
         }
         let change = system.solve()?;
         // Steps in a high norm overshoot.
-        let part = 1.0 / (power - 1.0).max(1.0);
+        let part = 1.0 / f64::from(power - 1);
         self.change(&change, part);
         self.is_sound().then_some(())
     }
 
     /// What a joint's unknowns add to a row, for a gradient by its place.
-    fn joint_terms(&self, joint: usize, gradient: Vec2, row: &mut Vec<(usize, f64)>) {
+    fn joint_terms(&self, joint: usize, gradient: Vec2, row: &mut Terms) {
         if self.is_free(joint) {
             let along = self.along(joint);
             row.push((joint * EACH, along.turned_left().dot(gradient)));
@@ -139,6 +143,25 @@ impl Row<'_> {
         for (joint, by) in self.joints.iter_mut().zip(moves) {
             *joint = *joint + by;
         }
+    }
+}
+
+/// The terms of an equation: unknown and factor. The most are of a joint's equation, three joints and
+/// two bulges.
+#[derive(Clone, Copy, Default)]
+struct Terms {
+    terms: [(usize, f64); 8],
+    count: usize,
+}
+
+impl Terms {
+    fn push(&mut self, term: (usize, f64)) {
+        self.terms[self.count] = term;
+        self.count += 1;
+    }
+
+    fn slice(&self) -> &[(usize, f64)] {
+        &self.terms[..self.count]
     }
 }
 
@@ -173,8 +196,8 @@ impl Band {
             }
             for shift in 1..BAND.min(count - row) {
                 let factor = pivot[shift] / pivot[0];
-                for behind in shift..BAND {
-                    self.rows[row + shift][behind - shift] -= factor * pivot[behind];
+                for (entry, behind) in self.rows[row + shift].iter_mut().zip(&pivot[shift..]) {
+                    *entry -= factor * behind;
                 }
                 self.right[row + shift] -= factor * self.right[row];
             }

@@ -86,7 +86,9 @@ impl core::fmt::Display for FitError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             FitError::Tolerance(value) => write!(f, "a tolerance above zero is due, not {value}"),
-            FitError::NotFinite(index) => write!(f, "point {index} has a coordinate that is no number"),
+            FitError::NotFinite(index) => {
+                write!(f, "point {index} has a coordinate that is no number")
+            }
         }
     }
 }

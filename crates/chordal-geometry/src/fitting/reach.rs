@@ -96,8 +96,8 @@ impl Reach<'_> {
 
     fn line(&self, from: usize, to: usize, tolerance: f64) -> Option<Piece> {
         let piece = Piece::between(self.flat, from, to, 0.0);
-        let deviation = deviation(self.flat, &piece, self.measure)?;
-        (deviation <= tolerance).then_some(Piece { deviation, ..piece })
+        let deviation = deviation(self.flat, &piece, self.measure, tolerance)?;
+        Some(Piece { deviation, ..piece })
     }
 
     fn arc(&self, from: usize, to: usize) -> Option<Piece> {
@@ -110,8 +110,8 @@ impl Reach<'_> {
             return None;
         }
         let piece = Piece::between(self.flat, from, to, half);
-        let deviation = deviation(self.flat, &piece, self.measure)?;
-        (deviation <= self.tolerance).then_some(Piece { deviation, ..piece })
+        let deviation = deviation(self.flat, &piece, self.measure, self.tolerance)?;
+        Some(Piece { deviation, ..piece })
     }
 
     /// Half of the turn of the arc between two points that keeps furthest from the limits that the
@@ -127,16 +127,22 @@ impl Reach<'_> {
         let along = chord.normalized()?;
         let middle = (at[from] + at[to]) * 0.5;
         let e = self.tolerance;
-        let (mut low, mut high) = (-MOST_HALF_TURN, MOST_HALF_TURN);
+        let mut range = [-MOST_HALF_TURN, MOST_HALF_TURN];
+        let mut limits = range.map(math::sin_cos);
         let mut narrow = |x: f64, y: f64| {
-            let k = (x * x + y * y - h * h - e * e) / h;
-            let amplitude = (0.25 * k * k + y * y).sqrt();
-            if amplitude > e {
-                let (zero, width) = (math::atan2(2.0 * y, -k), math::asin(e / amplitude));
-                low = low.max(zero - width);
-                high = high.min(zero + width);
+            let half_k = 0.5 * (x * x + y * y - h * h - e * e) / h;
+            let is_within = |(sin, cos): (f64, f64)| (half_k * sin + y * cos).abs() <= e;
+            // Where both ends of a short interval are within, all of it is.
+            if range[1] - range[0] < 1.0 && is_within(limits[0]) && is_within(limits[1]) {
+                return true;
             }
-            low <= high
+            let amplitude = (half_k * half_k + y * y).sqrt();
+            if amplitude > e {
+                let (zero, width) = (math::atan2(y, -half_k), math::asin(e / amplitude));
+                range = [range[0].max(zero - width), range[1].min(zero + width)];
+                limits = range.map(math::sin_cos);
+            }
+            range[0] <= range[1]
         };
         for index in from..to {
             let here = at[index] - middle;
@@ -150,7 +156,7 @@ impl Reach<'_> {
                 }
             }
         }
-        let half = -0.5 * (low + high);
+        let half = -0.5 * (range[0] + range[1]);
         (half != 0.0).then_some(half)
     }
 }

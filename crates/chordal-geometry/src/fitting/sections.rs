@@ -8,6 +8,8 @@ use super::{FitOptions, FitPiece, Measure, tangent};
 
 /// Parts of the tolerance that rows are also tried with: shorter arcs leave more room to be tangent.
 const TRIED: [f64; 7] = [0.97, 0.93, 0.88, 0.8, 0.72, 0.64, 0.55];
+/// A tangent row is good enough with this many times the pieces of one that is not.
+const ENOUGH: (usize, usize) = (6, 5);
 /// Halvings of the tolerance when a row is made even.
 const HALVINGS: usize = 5;
 /// Rounds in which a row is made tangent; in the first of them pieces may be cut in two.
@@ -50,12 +52,15 @@ fn by_plane(points: &[Vec3], [from, to]: [usize; 2], tolerance: f64, sections: &
     let level = 1e-6 + tolerance / 1000.0;
     let reach = |start: usize, plane: Plane| {
         let height = plane.height(points[start]);
-        (start + 1..=to).take_while(|at| (plane.height(points[*at]) - height).abs() <= level).count()
+        (start + 1..=to)
+            .take_while(|at| (plane.height(points[*at]) - height).abs() <= level)
+            .count()
     };
     let (mut at, mut loose) = (from, from);
     while at < to {
         let [best, ..] = {
-            let mut planes = [Plane::Xy, Plane::Zx, Plane::Yz].map(|plane| (reach(at, plane), plane));
+            let mut planes =
+                [Plane::Xy, Plane::Zx, Plane::Yz].map(|plane| (reach(at, plane), plane));
             planes.sort_by_key(|(reach, _)| core::cmp::Reverse(*reach));
             planes
         };
@@ -90,7 +95,12 @@ pub(super) fn fit(
     let row = circle(&flat, options).map_or_else(|| fit_flat(&flat, options), |one| vec![one]);
     pieces.extend(row.iter().map(|piece| {
         let span = piece.span.map(|place| place + section.from as f64);
-        FitPiece { span, plane: section.plane, deviation: piece.deviation, curve: curve(piece, section.plane) }
+        FitPiece {
+            span,
+            plane: section.plane,
+            deviation: piece.deviation,
+            curve: curve(piece, section.plane),
+        }
     }));
 }
 
@@ -115,7 +125,7 @@ fn circle(flat: &Flat, options: &FitOptions) -> Option<Piece> {
     let [a, b, c] = [0, last / 3, 2 * last / 3].map(|index| flat.at[index]);
     let (ab, ac) = (b - a, c - a);
     let twice = 2.0 * ab.cross(ac);
-    let to_center = (ab * ac.dot(ac) - ac * ab.dot(ab)).turned_left() * (-1.0 / twice);
+    let to_center = (ab * ac.dot(ac) - ac * ab.dot(ab)).turned_left() * (1.0 / twice);
     let radius = to_center.length();
     if !(radius > 0.0 && radius <= options.max_radius) {
         return None;
@@ -123,10 +133,9 @@ fn circle(flat: &Flat, options: &FitOptions) -> Option<Piece> {
     let sweep = math::TAU * twice.signum();
     let shape = Shape::Arc { center: a + to_center, sweep };
     let heights = [flat.height[0], flat.height[last]];
-    let piece =
-        Piece { ends: [a, a], heights, shape, span: [0.0, last as f64], deviation: 0.0 };
-    let deviation = super::deviation::deviation(flat, &piece, options.measure)?;
-    (deviation <= options.tolerance).then_some(Piece { deviation, ..piece })
+    let piece = Piece { ends: [a, a], heights, shape, span: [0.0, last as f64], deviation: 0.0 };
+    let deviation = super::deviation::deviation(flat, &piece, options.measure, options.tolerance)?;
+    Some(Piece { deviation, ..piece })
 }
 
 fn fit_flat(flat: &Flat, options: &FitOptions) -> Vec<Piece> {
@@ -157,6 +166,9 @@ fn fit_flat(flat: &Flat, options: &FitOptions) -> Vec<Piece> {
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, row));
         }
+        if best.as_ref().is_some_and(|(cost, _)| cost * ENOUGH.1 <= even.len() * ENOUGH.0) {
+            break;
+        }
     }
     best.map_or(even, |(_, row)| row)
 }
@@ -180,7 +192,8 @@ fn even(longest: &[Piece], tolerance: f64, chain: impl Fn(f64) -> Vec<Piece>) ->
 
 /// Makes a row tangent. Where that leads beyond the tolerance a piece is cut in two; joints at which not
 /// even that helps are let go.
-fn smooth(flat: &Flat, mut row: Vec<Piece>, tolerance: f64, measure: Measure) -> (usize, Vec<Piece>) {
+fn smooth(flat: &Flat, first: Vec<Piece>, tolerance: f64, measure: Measure) -> (usize, Vec<Piece>) {
+    let mut row = first.clone();
     let mut joints = tangent::smooth_joints(&row);
     let free = |joints: &[bool]| joints.iter().filter(|joint| **joint).count();
     let mut all = free(&joints);
@@ -207,7 +220,7 @@ fn smooth(flat: &Flat, mut row: Vec<Piece>, tolerance: f64, measure: Measure) ->
             }
         }
     }
-    (all, row)
+    (free(&tangent::smooth_joints(&first)), first)
 }
 
 /// Of pieces beside each other that are beyond the tolerance the one that is most.
@@ -247,7 +260,8 @@ fn cut(flat: &Flat, piece: &Piece) -> Option<[Piece; 2]> {
     let middle = 0.5 * (flat.along[from] + flat.along[to]);
     let at = flat.along.partition_point(|along| *along < middle).clamp(from + 2, to - 2);
     let part = |from: usize, to: usize| {
-        let share = flat.length(from, to) / flat.length(piece.span[0] as usize, piece.span[1] as usize);
+        let share =
+            flat.length(from, to) / flat.length(piece.span[0] as usize, piece.span[1] as usize);
         let new = Piece::between(flat, from, to, piece.half() * share);
         Piece { deviation: piece.deviation, ..new }
     };

@@ -49,10 +49,10 @@ pub(super) fn tangent(flat: &Flat, pieces: &[Piece], smooth: &[bool]) -> Option<
     (largest <= TANGENT * 100.0).then(|| row.pieces(flat, pieces))?
 }
 
-/// Measures pieces anew; the number of those beyond a tolerance is told.
+/// Measures pieces anew.
 pub(super) fn measure(flat: &Flat, pieces: &mut [Piece], measure: Measure) {
     for piece in pieces {
-        piece.deviation = deviation(flat, piece, measure).unwrap_or(f64::INFINITY);
+        piece.deviation = deviation(flat, piece, measure, f64::INFINITY).unwrap_or(f64::INFINITY);
     }
 }
 
@@ -97,7 +97,8 @@ impl<'a> Row<'a> {
                 return 0.0;
             }
             let (a, b) = (self.chord(piece - 1), self.chord(piece));
-            let turn = math::atan2(a.cross(b), a.dot(b)) - self.halves[piece - 1] - self.halves[piece];
+            let turn =
+                math::atan2(a.cross(b), a.dot(b)) - self.halves[piece - 1] - self.halves[piece];
             turn - math::TAU * math::round(turn / math::TAU)
         };
         (0..self.halves.len()).map(off).collect()
