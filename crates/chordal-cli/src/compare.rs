@@ -71,7 +71,7 @@ fn category(text: &str) -> Result<Category, String> {
 }
 
 /// A length of zero or more with its unit, or in mm without.
-fn length_mm(text: &str) -> Result<f64, String> {
+pub fn length_mm(text: &str) -> Result<f64, String> {
     let bare = text.trim().parse().map_err(|_| ());
     let mm: f64 = bare.or_else(|()| quantity(text, Dimension::Length))?;
     if mm >= 0.0 && mm.is_finite() { Ok(mm) } else { Err("a length of zero or more is due".into()) }
@@ -149,7 +149,7 @@ fn text(found: &Comparison, loaded: [&Loaded; 2], jobs: [&Job; 2], tolerance_mm:
     text
 }
 
-fn headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
+pub fn headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
     let total = found.differences.len() as u64 + found.dropped;
     let differences = counted(total, "difference", "differences");
     match (found.verdict, found.max_distance_mm) {
@@ -196,7 +196,7 @@ fn names(loaded: [&Loaded; 2], jobs: [&Job; 2]) -> [String; 2] {
     jobs.map(|job| job.machine().name.clone())
 }
 
-fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Units) -> String {
+pub fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Units) -> String {
     let mut head = format!("\n{}", one.category.word());
     if let Some(distance) = one.distance_mm {
         head += &format!(": at most {} apart", length(distance, units));
@@ -238,7 +238,7 @@ fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Uni
 }
 
 /// To a hundredth of a micrometre: what is less is written as a power of ten.
-fn length(mm: f64, units: Units) -> String {
+pub fn length(mm: f64, units: Units) -> String {
     let value = mm / units.length_mm();
     let text =
         if value == 0.0 || value.abs() >= 1e-4 { short(value, 5) } else { format!("{value:.1e}") };

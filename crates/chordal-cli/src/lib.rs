@@ -21,6 +21,7 @@ mod commands;
 mod comp_range;
 mod compare;
 mod completions;
+mod convert;
 mod explain;
 mod failure;
 mod input;
@@ -71,6 +72,7 @@ Examples:
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
   chordal compare released.nc returned.nc    how far apart two programs move
+  chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
   chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -101,6 +103,7 @@ enum Command {
     Check(check::Args),
     Archive(archive::Args),
     Compare(compare::Args),
+    Convert(convert::Args),
     Commands(commands::Args),
     Path(path::Args),
     CompRange(comp_range::Args),
@@ -124,6 +127,7 @@ impl Command {
             Command::Check(args) => check::run(args, terminal),
             Command::Archive(args) => archive::run(&args, terminal),
             Command::Compare(args) => compare::run(&args, terminal),
+            Command::Convert(args) => convert::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),

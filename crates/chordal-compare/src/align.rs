@@ -20,9 +20,21 @@ pub(crate) enum Region {
 /// does not keep moves from finding each other; how far apart they are is measured afterwards.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Token {
-    Line { ends: [i64; 6], turn: [i64; 6] },
-    Curve { ends: [i64; 6], middle: [i64; 3], length: i64, turn: [i64; 6] },
-    Unknown { rapid: bool },
+    Line {
+        ends: [i64; 6],
+        turn: [i64; 6],
+    },
+    Curve {
+        ends: [i64; 6],
+        middle: [i64; 3],
+        length: i64,
+        turn: [i64; 6],
+    },
+    /// Where it goes is not known, but whither in numbers: moves that say the same find each other.
+    Unknown {
+        rapid: bool,
+        way: [i64; 3],
+    },
     Tool,
     Dwell,
     Stop,
@@ -125,12 +137,13 @@ fn token(course: &Course, step: &Step, grid_mm: f64) -> Token {
 }
 
 fn move_token(course: &Course, moved: &Moved, grid_mm: f64) -> Token {
-    if !moved.known {
-        return Token::Unknown { rapid: moved.way != Way::Cut };
-    }
     // Rounding saturates: a place that is no number is at zero, one beyond all bounds at the bound.
     let grid = |value: f64| (value / grid_mm).round() as i64;
     let place = |place: Vec3| place.to_array().map(grid);
+    if !moved.known {
+        let way = place(moved.curve.end() - moved.curve.start());
+        return Token::Unknown { rapid: moved.way != Way::Cut, way };
+    }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));
     let ends = [start[0], start[1], start[2], end[0], end[1], end[2]];
     // An angle moves what is turned by about a tenth of a metre.

@@ -105,17 +105,19 @@ impl<'a> Walker<'a> {
 /// its own curve, or to where it is nearest, whichever keeps them closer. Linear in the number of
 /// curves. The largest distance is an upper bound of the Fréchet distance of the two paths.
 ///
-/// A path without curves waits at `rest`. Bounds are found to `precision_mm`.
+/// A path without curves waits at `rest`. Bounds are found to `precision_mm`; ends that are within the
+/// tolerance of each other are taken for the same.
 pub(crate) fn couple(
     a: &[&Curve],
     b: &[&Curve],
     rest: [Vec3; 2],
     precision_mm: f64,
+    tolerance_mm: f64,
 ) -> Vec<Couple> {
     let mut walkers = [Walker::new(a, rest[0]), Walker::new(b, rest[1])];
     let mut couples = Vec::with_capacity(a.len().max(b.len()));
     while !(walkers[0].is_done() && walkers[1].is_done()) {
-        let to = together(&walkers);
+        let to = together(&walkers, tolerance_mm);
         let moves = [walkers[0].index(), walkers[1].index()];
         let parts = [0, 1].map(|at| walkers[at].part(to[at]));
         let apart_mm = bound(walkers[0].stretch(to[0]), walkers[1].stretch(to[1]), precision_mm);
@@ -149,7 +151,7 @@ pub(crate) fn most(couples: &[Couple]) -> f64 {
 }
 
 /// How far both go next; at least one to the end of its curve.
-fn together(walkers: &[Walker<'_>; 2]) -> [f64; 2] {
+fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64) -> [f64; 2] {
     let [a, b] = walkers;
     let ends = [a.length(), b.length()];
     if a.is_done() || b.is_done() {
@@ -162,9 +164,9 @@ fn together(walkers: &[Walker<'_>; 2]) -> [f64; 2] {
     let (of_b, apart_b) = b.nearest(a.end());
     let (of_a, apart_a) = a.nearest(b.end());
     let least = apart_a.min(apart_b);
-    // Where it makes no difference beyond rounding, whole curves go with whole curves.
+    // Where it makes no difference that counts, whole curves go with whole curves.
     let rounding = 1e-12 * (1.0 + a.end().length().max(b.end().length()));
-    if both <= least + rounding {
+    if both <= least + rounding || both <= tolerance_mm {
         return ends;
     }
     if apart_b <= apart_a { [ends[0], of_b] } else { [of_a, ends[1]] }
@@ -186,7 +188,7 @@ mod tests {
 
     fn most(a: &[Curve], b: &[Curve]) -> f64 {
         let (a, b): (Vec<&Curve>, Vec<&Curve>) = (a.iter().collect(), b.iter().collect());
-        super::most(&couple(&a, &b, [Vec3::ZERO; 2], 1e-9))
+        super::most(&couple(&a, &b, [Vec3::ZERO; 2], 1e-9, 0.0))
     }
 
     fn quarter(from: [f64; 2], to: [f64; 2]) -> Curve {

@@ -2,9 +2,10 @@
 
 use chordal::control::{
     Command, CommandKind, Coolant, FeedMode, Origin, Overrides, PathMode, RapidPath, Side,
-    SpindleState, WorkName,
+    SpindleState, WorkName, initial_offset,
 };
-use chordal::geometry::Curve;
+use chordal::geometry::{Curve, ParamCurve};
+use chordal::path::PathBuilder;
 use chordal::{Job, PathCommand, Report, Segment, Watch};
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
@@ -92,9 +93,16 @@ pub(crate) enum Event {
 }
 
 impl Course {
-    pub(crate) fn of(job: &Job) -> Course {
+    pub(crate) fn of(job: &Job, programmed: bool) -> Course {
         let mut gather = Gather::new();
-        let report = job.report_watched(&mut gather);
+        let report = if programmed {
+            let (offset, known) = initial_offset(job.machine(), job.control());
+            let builder = PathBuilder::new(job.machine(), offset, known);
+            let mut contour = Programmed { gather: &mut gather, builder, segments: Vec::new() };
+            job.report_watched(&mut contour)
+        } else {
+            job.report_watched(&mut gather)
+        };
         Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
     }
 
@@ -118,6 +126,9 @@ impl Course {
         &self.turns[moved.turn as usize]
     }
 }
+
+/// Arcs of more turns stay whole.
+const MOST_TURNS: f64 = 1e5;
 
 struct Gather {
     steps: Vec<Step>,
@@ -147,6 +158,31 @@ impl Gather {
             self.states.push(self.now);
         }
         self.states.len() as u32 - 1
+    }
+
+    /// An arc of several turns passes its own places again and again: it is held turn by turn.
+    fn push(&mut self, moved: Moved) {
+        let turns = match moved.curve {
+            Curve::Arc(arc)
+                if self.turns[moved.turn as usize][0] == self.turns[moved.turn as usize][1] =>
+            {
+                arc.sweep.abs() / std::f64::consts::TAU
+            }
+            _ => 1.0,
+        };
+        if !(turns > 1.0 + 1e-9 && turns < MOST_TURNS) {
+            self.steps.push(Step::Move(moved));
+            return;
+        }
+        let turn_mm = moved.length_mm / turns;
+        let mut from = 0.0;
+        for turn in 1..=(turns - 1e-9).ceil() as u32 {
+            let to = (turn_mm * f64::from(turn)).min(moved.length_mm);
+            let curve = moved.curve.subsegment(from, to);
+            let piece = Moved { curve, length_mm: to - from, ..moved.clone() };
+            self.steps.push(Step::Move(piece));
+            from = to;
+        }
     }
 
     fn turn(&mut self, segment: &Segment) -> u32 {
@@ -194,7 +230,28 @@ impl Gather {
 
 impl Watch for Gather {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
-        self.command(path.command);
+        self.take(path.command, segments);
+    }
+}
+
+/// The path before cutter compensation.
+struct Programmed<'g, 'm> {
+    gather: &'g mut Gather,
+    builder: PathBuilder<'m>,
+    segments: Vec<Segment>,
+}
+
+impl Watch for Programmed<'_, '_> {
+    fn programmed(&mut self, command: &Command) {
+        self.segments.clear();
+        self.builder.command(command, |segment| self.segments.push(*segment));
+        self.gather.take(command, &self.segments);
+    }
+}
+
+impl Gather {
+    fn take(&mut self, command: &Command, segments: &[Segment]) {
+        self.command(command);
         for segment in segments {
             let turn = self.turn(segment);
             if segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to {
@@ -204,13 +261,13 @@ impl Watch for Gather {
                 curve: segment.curve,
                 length_mm: segment.length_mm,
                 known: segment.known,
-                way: way(path.command),
-                feed: speed(path.command, segment),
+                way: way(command),
+                feed: speed(command, segment),
                 turn,
                 state: self.state(),
                 origin: segment.origin,
             };
-            self.steps.push(Step::Move(moved));
+            self.push(moved);
         }
     }
 }

@@ -39,6 +39,9 @@ pub struct Options {
     pub feed_tolerance: f64,
     /// Bounds of distances between curves of different kinds are found to this, mm.
     pub precision_mm: f64,
+    /// The path as it is programmed is compared, not that of the tool centre: cutter compensation
+    /// is a state of its moves.
+    pub programmed: bool,
     /// Differences of these are none.
     pub ignored: Vec<Category>,
     /// So many differences are kept; the rest is counted.
@@ -51,6 +54,7 @@ impl Default for Options {
             tolerance_mm: 0.0,
             feed_tolerance: 1e-6,
             precision_mm: 1e-6,
+            programmed: false,
             ignored: Vec::new(),
             kept: 1000,
         }
@@ -92,7 +96,7 @@ pub struct Comparison {
 /// Runs both and holds them against each other.
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
     let jobs = [a, b];
-    let (a, b) = (course::Course::of(a), course::Course::of(b));
+    let [a, b] = jobs.map(|job| course::Course::of(job, options.programmed));
     let mut walk = walk::Walk::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.

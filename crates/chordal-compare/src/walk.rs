@@ -122,7 +122,13 @@ impl<'a> Walk<'a> {
         let (Some(one), Some(other)) = (self.courses[0].moved(a), self.courses[1].moved(b)) else {
             return;
         };
-        self.steps.moves(one, other);
+        // Where one of the two ends a little before the other, what comes next only begins.
+        let walked = |moved: &Moved, [from, to]: [f64; 2]| moved.length_mm * (to - from);
+        let is_whole = couple.is_whole();
+        let [of_one, of_other] = couple.parts;
+        if is_whole || walked(one, of_one).max(walked(other, of_other)) > self.threshold() {
+            self.steps.moves(one, other);
+        }
         self.steps.rotary([one, other], couple.parts);
         let at = [Place::from(&one.origin), Place::from(&other.origin)];
         self.found.distance(couple.apart_mm, at);
@@ -212,7 +218,8 @@ impl<'a> Walk<'a> {
         {
             return by_moves.clone();
         }
-        let mut couples = couple(a, b, [a[0].start(), b[0].start()], self.precision());
+        let rest = [a[0].start(), b[0].start()];
+        let mut couples = couple(a, b, rest, self.precision(), self.options.tolerance_mm);
         self.tighten(curves, &mut couples);
         let least = most(&couples);
         by_moves
@@ -262,7 +269,7 @@ impl<'a> Walk<'a> {
         );
         let waits = usize::from(!curves[0].is_empty());
         if let Some(stands) = self.rest(waits, &ranges[waits]) {
-            let couples = couple(&curves[0], &curves[1], [stands; 2], self.precision());
+            let couples = couple(&curves[0], &curves[1], [stands; 2], self.precision(), 0.0);
             let most = most(&couples);
             missing.distance_mm = Some(most);
             if let [Some(a), Some(b)] = missing.blocks {

@@ -14,6 +14,14 @@ use crate::table::Action;
 pub struct Modal {
     /// The G codes in force by the control's own numbers (`G1`, `G17`, `G41`), the motion first.
     pub codes: Vec<String>,
+    /// What a block without a motion code does; `None` where it needs one.
+    pub motion: Option<Action>,
+    /// G91 is in force.
+    pub incremental: bool,
+    /// The plane of arcs and compensation.
+    pub plane: Plane,
+    /// The side of cutter compensation.
+    pub side: Side,
     /// The tool tip in program coordinates, mm and rad.
     pub position: Position,
     /// The axes whose program coordinate is known.
@@ -59,6 +67,10 @@ impl Modal {
         let work = state.offsets.active();
         Modal {
             codes: codes(state, control),
+            motion: motion(state),
+            incremental: state.incremental,
+            plane: state.plane,
+            side: state.side,
             position: state.position,
             known: state.known,
             machine_position,
@@ -84,16 +96,7 @@ impl Modal {
 /// tool length have names of their own.
 fn codes(state: &State, control: &Control) -> Vec<String> {
     let mut actions = Vec::new();
-    match (&state.cycle, state.motion) {
-        (Some(cycle), _) => actions.push(Action::Cycle(cycle.kind)),
-        (None, Motion::Rapid) => actions.push(Action::Rapid),
-        (None, Motion::Linear) => actions.push(Action::Linear),
-        (None, Motion::Arc(Direction::Cw)) => actions.push(Action::ArcCw),
-        (None, Motion::Arc(Direction::Ccw)) => actions.push(Action::ArcCcw),
-        (None, Motion::Spiral(Direction::Cw)) => actions.push(Action::SpiralCw),
-        (None, Motion::Spiral(Direction::Ccw)) => actions.push(Action::SpiralCcw),
-        (None, Motion::None) => {}
-    }
+    actions.extend(motion(state));
     actions.push(match state.plane {
         Plane::Xy => Action::PlaneXy,
         Plane::Zx => Action::PlaneZx,
@@ -120,4 +123,17 @@ fn codes(state: &State, control: &Control) -> Vec<String> {
     let rows = control.table.g_codes;
     let code = |action| rows.iter().find(|row| row.action == action).map(|row| row.name(b'G'));
     actions.into_iter().filter_map(code).collect()
+}
+
+fn motion(state: &State) -> Option<Action> {
+    match (&state.cycle, state.motion) {
+        (Some(cycle), _) => Some(Action::Cycle(cycle.kind)),
+        (None, Motion::Rapid) => Some(Action::Rapid),
+        (None, Motion::Linear) => Some(Action::Linear),
+        (None, Motion::Arc(Direction::Cw)) => Some(Action::ArcCw),
+        (None, Motion::Arc(Direction::Ccw)) => Some(Action::ArcCcw),
+        (None, Motion::Spiral(Direction::Cw)) => Some(Action::SpiralCw),
+        (None, Motion::Spiral(Direction::Ccw)) => Some(Action::SpiralCcw),
+        (None, Motion::None) => None,
+    }
 }

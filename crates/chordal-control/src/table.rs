@@ -436,12 +436,25 @@ pub struct ControlTable {
     pub spindle_stops_at_tool_change: bool,
     /// The code of extended work offsets in machine files (`G54.1`, `G154`).
     pub extended_offset_code: &'static str,
+    /// How its programs are numbered.
+    pub program_numbers: ProgramNumbers,
     /// Start label word of M98 (Mitsubishi H).
     pub call_start_label: Option<u8>,
     /// Its macro language.
     pub macros: &'static MacroRules,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],
+}
+
+/// How programs are numbered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ProgramNumbers {
+    /// The largest number behind O.
+    pub largest: u32,
+    /// Digits of the number as the control lists it, with zeros in front.
+    pub digits: usize,
+    /// A program has a number; without, it may be a text alone.
+    pub required: bool,
 }
 
 /// What P means on an arc.

@@ -4,6 +4,7 @@ use chordal::Job;
 use chordal::control::PathMode;
 use chordal::diagnostics::{FileId, Span};
 use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
+use chordal_rewrite::convert::Conversion;
 use serde_json::{Value, json};
 
 use crate::motion::spindle_word;
@@ -12,9 +13,48 @@ use crate::numbers::{self, Units};
 /// One JSON object, schema `chordal.compare/1`: lengths in mm, feeds in mm/min, angles in degrees, the
 /// first program as `a`, the second as `b`.
 pub fn comparison_json(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> String {
+    format!("{:#}\n", comparison(found, jobs, tolerance_mm))
+}
+
+/// A conversion as one JSON object, schema `chordal.convert/1`: the changes, what was refused, the
+/// comparison as `proof`, and the new program's text.
+pub fn conversion_json(found: &Conversion, old: &Job) -> String {
+    let new = found.job("converted");
+    let proof = found.certificate.as_ref().zip(new.as_ref()).map(|(certificate, new)| {
+        let jobs = [old, new];
+        let mut proof = comparison(&certificate.comparison, jobs, certificate.tolerance_mm);
+        let expected = certificate.expected.iter().map(|one| difference(one, jobs));
+        proof["of_the_machines"] = expected.collect();
+        proof
+    });
+    let changes = found.changes.iter().map(|change| {
+        json!({
+            "line": change.line,
+            "before": change.before,
+            "after": change.after,
+            "reason": change.reason,
+        })
+    });
+    let refusals = found.refusals.iter().map(
+        |refusal| json!({"line": refusal.line, "text": refusal.words, "reason": refusal.reason}),
+    );
+    let document = json!({
+        "schema": "chordal.convert/1",
+        "from": old.machine().name,
+        "to": found.machine.name,
+        "holds": found.holds(),
+        "refusals": refusals.collect::<Vec<Value>>(),
+        "changes": changes.collect::<Vec<Value>>(),
+        "proof": proof,
+        "text": found.text,
+    });
+    format!("{document:#}\n")
+}
+
+fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> Value {
     let sides = |of: &dyn Fn(usize) -> Value| json!({"a": of(0), "b": of(1)});
     let differences = found.differences.iter().map(|one| difference(one, jobs));
-    let document = json!({
+    json!({
         "schema": "chordal.compare/1",
         "verdict": found.verdict,
         "tolerance_mm": tolerance_mm,
@@ -28,8 +68,7 @@ pub fn comparison_json(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -
         })),
         "differences": differences.collect::<Vec<Value>>(),
         "dropped": found.dropped,
-    });
-    format!("{document:#}\n")
+    })
 }
 
 fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {

@@ -42,7 +42,7 @@ pub use chords::ChordWriter;
 pub use columns::column_reference;
 pub use command_csv::CommandCsv;
 pub use command_json::CommandJsonLines;
-pub use comparison::{comparison_json, value_text};
+pub use comparison::{comparison_json, conversion_json, value_text};
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;

@@ -7,7 +7,8 @@
 #![forbid(unsafe_code)]
 
 mod change;
+pub mod convert;
 mod proof;
 
 pub use change::Change;
-pub use proof::{Certificate, prove};
+pub use proof::{Certificate, prove, prove_contour};

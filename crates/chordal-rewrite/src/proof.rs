@@ -12,6 +12,9 @@ pub struct Certificate {
     pub expected: Vec<Difference>,
     /// What the paths were allowed to be apart, mm.
     pub tolerance_mm: f64,
+    /// Where the tool centre goes another way because the controls compensate otherwise: the
+    /// comparison of its paths. That of the certificate is then about the programmed contours.
+    pub tool_center: Option<Comparison>,
 }
 
 impl Certificate {
@@ -19,22 +22,55 @@ impl Certificate {
     pub fn holds(&self) -> bool {
         self.comparison.verdict != Verdict::Different
     }
+
+    /// Takes differences for expected ones.
+    pub fn set_aside(&mut self, is_expected: impl Fn(&Difference) -> bool) {
+        let comparison = &mut self.comparison;
+        let (mut expected, others): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut comparison.differences).into_iter().partition(is_expected);
+        self.expected.append(&mut expected);
+        comparison.differences = others;
+        let nothing_left = comparison.differences.is_empty() && comparison.dropped == 0;
+        if comparison.verdict == Verdict::Different && nothing_left {
+            let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::SAME_MM;
+            comparison.verdict = if apart { Verdict::Within } else { Verdict::Same };
+        }
+    }
 }
 
 /// Runs both and holds them against each other; differences of the categories `expected` are told
 /// apart from the others.
 pub fn prove(old: &Job, new: &Job, options: &Options, expected: &[Category]) -> Certificate {
-    let mut comparison = compare(old, new, options);
-    let (expected, others): (Vec<_>, Vec<_>) = std::mem::take(&mut comparison.differences)
-        .into_iter()
-        .partition(|difference| expected.contains(&difference.category));
-    comparison.differences = others;
-    if comparison.verdict == Verdict::Different
-        && comparison.differences.is_empty()
-        && comparison.dropped == 0
-    {
-        let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::SAME_MM;
-        comparison.verdict = if apart { Verdict::Within } else { Verdict::Same };
+    let mut certificate = Certificate {
+        comparison: compare(old, new, options),
+        expected: Vec::new(),
+        tolerance_mm: options.tolerance_mm,
+        tool_center: None,
+    };
+    certificate.set_aside(|difference| expected.contains(&difference.category));
+    certificate
+}
+
+/// The same for programs that two controls compensate each in its own way: where the tool centres go
+/// differently, the contours as they are programmed must be the same.
+pub fn prove_contour(
+    old: &Job,
+    new: &Job,
+    options: &Options,
+    expected: impl Fn(&Difference) -> bool + Copy,
+) -> Certificate {
+    let prove = |options: &Options| {
+        let mut certificate = prove(old, new, options, &[]);
+        certificate.set_aside(expected);
+        certificate
+    };
+    let whole = prove(options);
+    if whole.holds() {
+        return whole;
     }
-    Certificate { comparison, expected, tolerance_mm: options.tolerance_mm }
+    let contour = prove(&Options { programmed: true, ..options.clone() });
+    if !contour.holds() {
+        return whole;
+    }
+    Certificate { tool_center: Some(whole.comparison), ..contour }
 }

@@ -15,7 +15,7 @@ use crate::path_modes::{PathField, PathRules, StartMode};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, ProgramNumbers, Sign, Subroutines, row,
 };
 
 /// Fadal CNC 88, Format 1 and 2.
@@ -42,6 +42,7 @@ pub static FADAL: ControlTable = ControlTable {
     alone: &[530, 920],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",
+    program_numbers: ProgramNumbers { largest: 9999, digits: 1, required: false },
     call_start_label: None,
     macros: &MACROS,
     evidence: EVIDENCE,

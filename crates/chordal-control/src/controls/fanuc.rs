@@ -11,7 +11,7 @@ use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, ProgramNumbers, Sign, Subroutines, row,
 };
 
 /// Fanuc 0i, 16i, 30i and, by settings, the 6M.
@@ -38,6 +38,7 @@ pub static FANUC: ControlTable = ControlTable {
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
+    program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: None,
     macros: &super::macro_b::FANUC,
     evidence: EVIDENCE,

@@ -19,7 +19,7 @@ use crate::path_modes::PathRules;
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, ProgramNumbers, Sign, Subroutines, row,
 };
 
 /// LinuxCNC (RS274/NGC), version 2.9.
@@ -46,6 +46,7 @@ pub static LINUXCNC: ControlTable = ControlTable {
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G59",
+    program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     call_start_label: None,
     macros: &MACROS,
     evidence: EVIDENCE,

@@ -11,7 +11,7 @@ use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
     Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Evidence, Group,
-    LineRepeat, MotionModality, Sign, Subroutines, row,
+    LineRepeat, MotionModality, ProgramNumbers, Sign, Subroutines, row,
 };
 
 /// Mitsubishi M700 and M800.
@@ -38,6 +38,7 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",
+    program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),
     macros: &super::macro_b::MITSUBISHI,
     evidence: EVIDENCE,

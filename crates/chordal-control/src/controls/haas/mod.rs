@@ -17,8 +17,8 @@ use crate::cycle_rules::{
 use crate::parameters::{CenterAndRadius, DecimalPoint, OffsetKind, Parameters};
 use crate::path_modes::PathRules;
 use crate::table::{
-    ArcTurns, ControlTable, DataTarget, DwellWord, Evidence, LineRepeat, MotionModality, Sign,
-    Subroutines,
+    ArcTurns, ControlTable, DataTarget, DwellWord, Evidence, LineRepeat, MotionModality,
+    ProgramNumbers, Sign, Subroutines,
 };
 
 /// Haas mill, NGC.
@@ -45,6 +45,7 @@ pub static HAAS: ControlTable = ControlTable {
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G154",
+    program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
     call_start_label: None,
     macros: &super::macro_b::HAAS,
     evidence: EVIDENCE,

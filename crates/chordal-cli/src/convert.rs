@@ -1,0 +1,231 @@
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use chordal::Job;
+use chordal_compare::Category;
+use chordal_export::conversion_json;
+use chordal_rewrite::convert::{Conversion, Options, convert};
+use chordal_rewrite::{Certificate, Change};
+
+use crate::compare::{difference, headline, length, length_mm};
+use crate::failure::{Failure, Verdict};
+use crate::numbers::{Units, counted};
+use crate::options::{AnswerFormat, Common};
+use crate::out::{Out, trouble};
+use crate::session::load_one;
+use crate::terminal::{Terminal, say};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal convert part.nc --to haas-vf2                    what would change, and the proof
+  chordal convert part.nc --machine fadal-4020 --to haas-vf2 -o part-haas.nc
+  chordal convert part.nc --to haas-vf2 -o - | diff part.nc -
+  chordal convert part.nc --to fanuc-30i --tolerance 0.005mm -o part-fanuc.nc
+  chordal convert part.nc --to mill.toml --certificate proof.json -o part-mill.nc
+
+The program is run on its own machine, written anew from what it does, run on the other one and
+held against the first run, move by move. Its tools and work offsets are taken along. Nothing is
+written where something cannot be carried over or where the motion is not the same, unless
+--unproved asks for it.
+
+Exit code: 0 converted and proved, 1 not, 2 wrong use.";
+
+/// Writes a program for another machine, and proves that the cut is the same
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// The machine to write it for: a built-in name or a machine file
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    to: String,
+
+    /// Writes the new program here, `-` to standard output; without, it is only told
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// How far the path may be from the old one where a form must be written out
+    #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0.0025mm")]
+    tolerance: f64,
+
+    /// Digits behind the point of computed words; without, those that the control keeps
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=9))]
+    digits: Option<u8>,
+
+    /// Writes the certificate here, as JSON
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+
+    /// Converts a program that has errors on its own control
+    #[arg(long)]
+    despite_errors: bool,
+
+    /// Writes the program although the motion is not the same
+    #[arg(long)]
+    unproved: bool,
+
+    /// How the answer is told
+    #[arg(long, value_enum, default_value = "text")]
+    format: AnswerFormat,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let target = crate::machine::named(&args.to)?;
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
+    terminal.tell(&told.unwrap_or_default());
+    let options = Options {
+        tolerance_mm: args.tolerance,
+        digits: args.digits.map(usize::from),
+        despite_errors: args.despite_errors,
+    };
+    let found = convert(&job, &target, &options);
+    let json = conversion_json(&found, &job);
+    if let Some(path) = &args.certificate {
+        write(path, &args.file, &json)?;
+    }
+    let may_write = found.holds() || (args.unproved && !found.text.is_empty());
+    let output = args.output.as_deref();
+    let streams = output == Some(Path::new("-"));
+    let answer = match args.format {
+        AnswerFormat::Text => text(&found, &job, may_write, output),
+        AnswerFormat::Json => json,
+    };
+    if let Some(path) = output.filter(|_| may_write && !streams) {
+        write(path, &args.file, &found.text)?;
+    }
+    if streams {
+        terminal.tell(&answer);
+    } else {
+        say(&answer)?;
+    }
+    if streams && may_write {
+        say(&found.text)?;
+    }
+    Ok(if found.holds() { Verdict::Clean } else { Verdict::Problems })
+}
+
+fn write(path: &Path, program: &Path, text: &str) -> Result<(), Failure> {
+    let mut out = Out::open(Some(path), program, Plain::Text)?;
+    out.write_all(text.as_bytes()).map_err(|error| trouble(Some(path), error))?;
+    out.put()
+}
+
+/// Text, whatever the name's ending.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Plain {
+    Text,
+}
+
+impl crate::out::Format for Plain {
+    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
+        None
+    }
+}
+
+fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -> String {
+    let [from, to] = [&job.machine().name, &found.machine.name];
+    let mut text = format!("{from} to {to}: ");
+    let changes = counted(found.changes.len() as u64, "change", "changes");
+    let refused = counted(found.refusals.len() as u64, "block", "blocks");
+    let within = found.certificate.as_ref().is_some_and(|certificate| {
+        certificate.comparison.verdict == chordal_compare::Verdict::Within
+    });
+    text += &match (found.holds(), found.refusals.is_empty()) {
+        (true, _) if within => format!("{changes}; the motion is the same within the tolerance\n"),
+        (true, _) => format!("{changes}; the motion is the same\n"),
+        (false, true) => format!("{changes}; the motion is not the same\n"),
+        (false, false) => format!("{refused} cannot be carried over\n"),
+    };
+    for refusal in &found.refusals {
+        text += &format!("\nline {}  {}\n  {}\n", refusal.line, refusal.words, refusal.reason);
+    }
+    if !found.changes.is_empty() {
+        text += "\nchanges\n";
+    }
+    for (change, times) in grouped(&found.changes) {
+        text += &shown(change, times);
+    }
+    if let Some(certificate) = &found.certificate {
+        text += &proof(found, certificate, job);
+    }
+    let Some(path) = output.filter(|path| *path != Path::new("-")) else { return text };
+    text += &match may_write {
+        true => format!("\nwrote {}\n", path.display()),
+        false => format!(
+            "\n{} is not written: mend what is above first, or ask for it with --unproved\n",
+            path.display()
+        ),
+    };
+    text
+}
+
+/// The same change again and again is told once.
+fn grouped(changes: &[Change]) -> Vec<(&Change, usize)> {
+    let mut groups: Vec<(&Change, usize)> = Vec::new();
+    for change in changes {
+        let same = |one: &&mut (&Change, usize)| {
+            (&one.0.before, &one.0.after, &one.0.reason)
+                == (&change.before, &change.after, &change.reason)
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.1 += 1,
+            None => groups.push((change, 1)),
+        }
+    }
+    groups
+}
+
+/// Lines of a change that are shown.
+const MOST_LINES: usize = 4;
+
+fn shown(change: &Change, times: usize) -> String {
+    let lines: Vec<&str> = change.after.lines().collect();
+    let after = match lines.as_slice() {
+        [] => "(nothing)".into(),
+        [one] => (*one).to_string(),
+        many if many.len() <= MOST_LINES => many.join(" | "),
+        many => format!("{} | … {} lines", many[..2].join(" | "), many.len()),
+    };
+    let before = if change.before.is_empty() { "(nothing)" } else { &change.before };
+    let again = if times > 1 { format!(" and {} times more", times - 1) } else { String::new() };
+    format!("  line {}{again}: {before} -> {after}\n      {}\n", change.line, change.reason)
+}
+
+fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
+    let Some(new) = found.job("the new program") else { return String::new() };
+    let comparison = &certificate.comparison;
+    let units = Units::of(comparison.reports[0].summary.inch);
+    let mut text = format!("\nproof: {}", headline(comparison, units, certificate.tolerance_mm));
+    let names = ["old".to_string(), "new".to_string()];
+    let jobs = [job, &new];
+    for one in comparison.differences.iter().take(20) {
+        text += &difference(one, &names, jobs, units);
+    }
+    if let Some(center) = &certificate.tool_center {
+        let most = center.max_distance_mm.map_or_else(String::new, |most| {
+            format!(", up to {} from each other", length(most, units))
+        });
+        text += &format!(
+            "  the contours are as programmed; the controls compensate each in its own way{most}\n"
+        );
+    }
+    let mut expected = std::collections::BTreeMap::new();
+    for one in &certificate.expected {
+        if one.category == Category::Problem {
+            text += &difference(one, &names, jobs, units);
+            continue;
+        }
+        *expected.entry(one.category.word()).or_insert(0) += one.times;
+    }
+    for (word, count) in expected {
+        let times = counted(count, "difference", "differences");
+        text += &format!("  {word}: {times}, of the machines and not of the text\n");
+    }
+    text
+}

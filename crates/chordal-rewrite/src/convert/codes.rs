@@ -1,0 +1,261 @@
+//! G and M codes of one control on another: by what they do.
+
+use chordal::control::table::{Action, CodeRow, Group};
+use chordal::control::{Control, UnitCodes, WorkName};
+
+use super::draft::{Draft, Expand};
+use super::emit::spelt;
+use super::source::{Style, code_number, whole};
+
+/// The row of a control that does this.
+pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow, u8)> {
+    let usable = |row: &&CodeRow| {
+        row.group != Group::Units
+            || match control.parameters.unit_codes {
+                UnitCodes::Both | UnitCodes::G20 => row.code < 700,
+                UnitCodes::G70 => row.code >= 700,
+            }
+    };
+    let mut g = control.table.g_codes.iter().filter(usable).filter(|row| same(row.action, action));
+    // Of several codes the first is the plain one; of path modes (G62, G64) the last.
+    let g = match g.next() {
+        Some(row) if row.group == Group::PathMode => g.next_back().or(Some(row)),
+        row => row,
+    };
+    let m = || control.table.m_codes.iter().find(|row| same(row.action, action));
+    g.map(|row| (row, b'G')).or_else(|| m().map(|row| (row, b'M')))
+}
+
+/// True when two actions do the same, so far as a program can tell.
+fn same(one: Action, other: Action) -> bool {
+    match (one, other) {
+        (Action::Overrides { on, .. }, Action::Overrides { on: other, .. }) => on == other,
+        (Action::NoEffect | Action::NotSimulated | Action::ShopCode, _) => false,
+        _ => one == other,
+    }
+}
+
+/// The code that does this, as the programmer writes codes.
+pub(crate) fn name(action: Action, control: &Control, style: Style) -> Option<String> {
+    row(action, control).map(|(row, letter)| spelt(row, letter, style))
+}
+
+pub(crate) fn overrides(on: bool, control: &Control, style: Style) -> Option<String> {
+    name(Action::Overrides { on, rapid: false }, control, style)
+}
+
+/// What an action is, for people.
+pub(crate) fn what(action: Action) -> String {
+    let rows = chordal::control::CONTROLS
+        .iter()
+        .flat_map(|table| table.g_codes.iter().chain(table.m_codes));
+    let title = rows.into_iter().find(|row| same(row.action, action)).map(|row| row.title);
+    title.unwrap_or("a code of the control").into()
+}
+
+/// Counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1.
+fn ordinal(name: WorkName) -> u32 {
+    match name {
+        WorkName::Machine => 0,
+        WorkName::G(number) => u32::from(number).saturating_sub(53),
+        WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
+        WorkName::E(number) => u32::from(number),
+    }
+}
+
+/// The words that choose a work offset; nothing where the control does not have so many.
+pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Option<String> {
+    let number = ordinal(name);
+    let table = control.table;
+    if table.work_offset_by_e {
+        return Some(format!("E{number}"));
+    }
+    match number {
+        0 => None,
+        1..=6 => self::name(Action::WorkOffset(53 + number as u16), control, style),
+        _ => {
+            let point = self::name(Action::WorkOffsetPoint(number as u16 - 6), control, style);
+            point.or_else(|| {
+                let code = self::name(Action::WorkOffsetExtended, control, style)?;
+                let gap = if style.spaced { " " } else { "" };
+                Some(format!("{code}{gap}P{}", number - 6))
+            })
+        }
+    }
+}
+
+/// What becomes of the G and M words of a block.
+pub(crate) fn translate(
+    draft: &mut Draft,
+    from: &Control,
+    to: &Control,
+    style: Style,
+) -> Result<(), Expand> {
+    for at in 0..draft.block.words.len() {
+        let word = draft.block.words[at];
+        if !matches!(word.letter, b'G' | b'M') || draft.is_changed(at) {
+            continue;
+        }
+        let Some(code) = word.number().and_then(code_number) else { continue };
+        let own = if word.letter == b'G' { from.g_code(code) } else { from.m_code(code) };
+        let Some(own) = own else { continue };
+        one(draft, at, own, [from, to], style)?;
+    }
+    Ok(())
+}
+
+fn one(
+    draft: &mut Draft,
+    at: usize,
+    own: &'static CodeRow,
+    [from, to]: [&Control; 2],
+    style: Style,
+) -> Result<(), Expand> {
+    let letter = draft.block.words[at].letter;
+    let there = if letter == b'G' { to.g_code(own.code) } else { to.m_code(own.code) };
+    let title = to.table.title;
+    match own.action {
+        Action::WorkOffset(_)
+        | Action::WorkOffsetExtended
+        | Action::WorkOffsetNumbered(_)
+        | Action::WorkOffsetPoint(_) => {
+            return offset_code(draft, at, own.action, [from, to], style);
+        }
+        // What holes these make is looked at with their cycle.
+        Action::Pattern(_) | Action::RunCycleHere => return Ok(()),
+        Action::PlaneZx | Action::PlaneYz
+            if from.parameters.plane_codes != to.parameters.plane_codes =>
+        {
+            let is_zx = own.action == Action::PlaneZx;
+            let other = if is_zx { Action::PlaneYz } else { Action::PlaneZx };
+            let new = name(other, to, style).ok_or_else(|| missing(own, to))?;
+            draft.replace(at, new, format!("{title} calls this plane so"));
+            return Ok(());
+        }
+        Action::NoEffect | Action::NotSimulated | Action::ShopCode => {
+            if there.is_some_and(|row| row.action == own.action && row.title == own.title) {
+                return Ok(());
+            }
+            leave_out(draft, at, own, to);
+            return Ok(());
+        }
+        Action::ExactStopOnce if row(own.action, to).is_none() => {
+            exact_stop_once(draft, at, to, style);
+            return Ok(());
+        }
+        _ => {}
+    }
+    // The same number for the same thing is the rule.
+    if there.is_some_and(|row| same(row.action, own.action) && is_chosen(row, to)) {
+        return Ok(());
+    }
+    if let Some(new) = name(own.action, to, style) {
+        draft.replace(at, new, format!("{}: {title} has another code for it", own.title));
+        return Ok(());
+    }
+    match own.action {
+        Action::PathExact if row(Action::PathExactStop, to).is_some() => {
+            let new = name(Action::PathExactStop, to, style).unwrap_or_default();
+            draft.replace(at, new, format!("{title} has no exact path without a stop"));
+        }
+        Action::PathExact
+        | Action::PathExactStop
+        | Action::PathContinuous
+        | Action::PathHighAccuracy
+        | Action::PathTapping
+        | Action::LookAhead { .. }
+        | Action::Smoothness
+        | Action::Overrides { .. }
+        | Action::OverridesByP => leave_out(draft, at, own, to),
+        // Centres are written as the new control reads them.
+        Action::ArcCenterAbsolute | Action::ArcCenterIncremental => {
+            draft.remove(at, format!("centres are written as {title} reads them"));
+        }
+        Action::Probe { must_hit } => {
+            let new = name(Action::Probe { must_hit: !must_hit }, to, style);
+            let Some(new) = new else { return Err(missing(own, to)) };
+            draft.replace(at, new, format!("{title} tells a probe without touch another way"));
+        }
+        _ => return Err(missing(own, to)),
+    }
+    Ok(())
+}
+
+fn is_chosen(row: &CodeRow, control: &Control) -> bool {
+    self::row(row.action, control)
+        .is_none_or(|(first, _)| row.group != Group::Units || first.code == row.code)
+}
+
+fn missing(own: &CodeRow, to: &Control) -> Expand {
+    Expand(format!("{} has no code for {}", to.table.title, own.title))
+}
+
+/// Takes a code out that moves nothing, with the words that only it takes.
+fn leave_out(draft: &mut Draft, at: usize, own: &CodeRow, to: &Control) {
+    let reason = format!("{} has no code for it ({})", to.table.title, own.title);
+    let code = draft.written(at);
+    draft.remove(at, reason);
+    let axes = chordal::syntax::Letters::of("XYZABCFSTHDN");
+    let others = draft.block.words.iter().enumerate().any(|(other, word)| {
+        other != at && matches!(word.letter, b'G' | b'M') && !draft.is_gone(other)
+    });
+    for other in 0..draft.block.words.len() {
+        let letter = draft.block.words[other].letter;
+        if !others && own.words.without(axes).has(letter) && !matches!(letter, b'G' | b'M') {
+            draft.remove(other, format!("belongs to {code}"));
+        }
+    }
+}
+
+fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
+    let stop = name(Action::PathExactStop, to, style);
+    let go_on = name(Action::PathContinuous, to, style);
+    let (Some(stop), Some(go_on)) = (stop, go_on) else {
+        return draft.remove(at, format!("{} stops at corners by its mode", to.table.title));
+    };
+    draft.replace(
+        at,
+        stop,
+        format!("{} stops at corners by its mode, so for this block", to.table.title),
+    );
+    draft.after.push(go_on);
+}
+
+fn offset_code(
+    draft: &mut Draft,
+    at: usize,
+    action: Action,
+    [from, to]: [&Control; 2],
+    style: Style,
+) -> Result<(), Expand> {
+    let p = draft.block.words.iter().position(|word| word.letter == b'P');
+    let name = match action {
+        Action::WorkOffset(number) => WorkName::G(number),
+        Action::WorkOffsetPoint(number) => WorkName::G59(number),
+        Action::WorkOffsetNumbered(number) => WorkName::Extended(number),
+        _ => {
+            let number = whole(p.map(|p| &draft.block.words[p]));
+            let number = number.and_then(|number| u16::try_from(number).ok());
+            let Some(number) = number else {
+                return Err(Expand("the number of the work offset is computed".into()));
+            };
+            if from.table.extended_offset_code == to.table.extended_offset_code {
+                return Ok(());
+            }
+            draft.set(p.unwrap_or(at), "");
+            WorkName::Extended(number)
+        }
+    };
+    let new = work_offset(name, to, style).ok_or_else(|| {
+        Expand(format!("{} has no work offset {}", to.table.title, ordinal(name)))
+    })?;
+    let reason = format!("work offset {} is called {new} on {}", ordinal(name), to.table.title);
+    let written = draft.written(at);
+    let is_same = chordal::syntax::Decimal::parse(&written.as_bytes()[1..])
+        .and_then(code_number)
+        .is_some_and(|code| new == chordal::control::table::code_name(b'G', code));
+    if !is_same {
+        draft.replace(at, new, reason);
+    }
+    Ok(())
+}

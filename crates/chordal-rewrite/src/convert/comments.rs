@@ -1,0 +1,72 @@
+//! Comments as the new control reads them.
+
+use chordal::control::Control;
+use chordal::syntax::{Lexicon, ParenthesisComment};
+
+use super::draft::Draft;
+
+/// Puts the comments of a block into the marks of the new control.
+pub(crate) fn translate(draft: &mut Draft, from: &Control, to: &Control) {
+    let last_word = draft.block.words.last().map_or(0, |word| word.range.end);
+    for at in 0..draft.block.comments.len() {
+        let range = draft.block.comments[at];
+        let written = draft.slice(range);
+        let new = comment(&written, &from.table.lexicon, &to.table.lexicon);
+        let acts = from.macros.comments_act && acts(&written);
+        if acts && !to.macros.comments_act {
+            draft.note(written.clone(), new.clone(), "a comment that acts is only a comment now");
+        }
+        // Where a comment takes the rest of the line, nothing may follow.
+        let ends_line = to.table.lexicon.parenthesis == ParenthesisComment::ToEndOfLine;
+        if ends_line && (range.start < last_word || !draft.back.is_empty()) {
+            draft.set_comment(at, "");
+            draft.trailing.push(new);
+        } else if new != written {
+            draft.set_comment(at, new);
+        }
+    }
+}
+
+/// Messages that LinuxCNC takes out of comments.
+fn acts(comment: &str) -> bool {
+    let inner = comment.trim_start_matches(['(', ';', ' ']).to_ascii_uppercase();
+    ["MSG,", "DEBUG,", "PRINT,", "LOG", "PROBE"].iter().any(|word| inner.starts_with(word))
+}
+
+/// One comment in the marks of another control.
+pub(crate) fn comment(written: &str, from: &Lexicon, to: &Lexicon) -> String {
+    let trimmed = written.trim_end();
+    let is_closed = trimmed.starts_with('(') && trimmed.ends_with(')') && trimmed.len() > 1;
+    let is_nested =
+        trimmed.len() > 2 && is_closed && trimmed[1..trimmed.len() - 1].contains(['(', ')']);
+    if is_closed && (!is_nested || to.parenthesis == ParenthesisComment::ToEndOfLine) {
+        return trimmed.into();
+    }
+    if from == to {
+        return trimmed.into();
+    }
+    let inner = match trimmed.strip_prefix('(') {
+        Some(inner) => inner.strip_suffix(')').unwrap_or(inner),
+        None => trimmed.trim_start_matches(['*', ';', '\'']),
+    };
+    let inner = inner.trim_end_matches('*').trim();
+    let inner = inner.replace('(', "[").replace(')', "]");
+    if inner.is_empty() { String::new() } else { format!("({inner})") }
+}
+
+#[cfg(test)]
+mod tests {
+    use chordal::control::table;
+    use chordal::machine::ControlName;
+
+    #[test]
+    fn open_comments_are_closed() {
+        let [fadal, haas] = [ControlName::Fadal, ControlName::Haas].map(|name| table(name).lexicon);
+        let comment = |text: &str| super::comment(text, &fadal, &haas);
+        assert_eq!(comment("(TOOL 3, .5 END MILL"), "(TOOL 3, .5 END MILL)");
+        assert_eq!(comment("(CLOSED)"), "(CLOSED)");
+        assert_eq!(comment("(A (B) C"), "(A [B] C)");
+        assert_eq!(comment("********MAIN PROGRAM *********"), "(MAIN PROGRAM)");
+        assert_eq!(comment("********"), "");
+    }
+}

@@ -1,0 +1,299 @@
+//! Canned cycles: the same words where both controls have the cycle.
+
+use chordal::CommandKind;
+use chordal::control::table::{Action, CycleKind};
+use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
+
+use super::codes;
+use super::draft::{Draft, Expand};
+use super::numbers;
+use super::source::code_action;
+use super::trace::Exec;
+use super::translate::Context;
+
+/// Words of cycles, and codes that end them.
+pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+    ending(context, draft, at);
+    apart_from_motion(context, draft, at);
+    let kind = context.source.blocks[at].words.iter().find_map(|word| {
+        match code_action(word, context.from)? {
+            Action::Cycle(kind) => Some(kind),
+            Action::CircularPocketCw | Action::CircularPocketCcw | Action::GeneralPocket
+                if context.from.table.name != context.to.table.name =>
+            {
+                Some(CycleKind::BackBore)
+            }
+            _ => None,
+        }
+    });
+    let Some(run) = context.run(at) else { return Ok(()) };
+    if places_alone(context, draft, at, run)? {
+        return Ok(());
+    }
+    count(context, draft, run);
+    let Some(kind) = kind else { return hole(context, run) };
+    let title = context.to.table.title;
+    if context.from.table.name == context.to.table.name {
+        return Ok(());
+    }
+    let own = format!("{} of {title} is another one", kind.name());
+    if !same_cycle(kind, context.from, context.to) {
+        return Err(Expand(own));
+    }
+    if run.before.incremental
+        && context.to.parameters.cycles.incremental == IncrementalLevels::Refused
+    {
+        return Err(Expand(format!("{title} takes cycles in absolute coordinates only")));
+    }
+    let letters = draft.block.letters();
+    first_hole(context, draft, run)?;
+    if kind.is_tap() {
+        tap(context, draft, run)?;
+    }
+    if letters.has(b'P') {
+        dwell(context, draft);
+    }
+    Ok(())
+}
+
+/// Cycles whose moves do not depend on how a control carries them out.
+fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
+    let [one, other] = [from, to].map(|control| control.parameters.cycles);
+    let parameters = [&from.parameters, &to.parameters];
+    let approaches = one.axis == other.axis && one.approach == other.approach;
+    if codes::row(Action::Cycle(kind), to).is_none() || !(approaches || kind.is_tap()) {
+        return false;
+    }
+    match kind {
+        CycleKind::Drill | CycleKind::DrillDwell => true,
+        // A tap cannot be written out: the spindle would not follow. The proof tells what differs.
+        CycleKind::Tap | CycleKind::LeftTap => true,
+        CycleKind::BoreFeedOut | CycleKind::BoreDwell => {
+            one.bore.dwell_out_to_clear == other.bore.dwell_out_to_clear
+        }
+        CycleKind::ChipBreak => {
+            parameters[0].chip_break_mm == parameters[1].chip_break_mm
+                && one.peck.p_is_lift == other.peck.p_is_lift
+        }
+        CycleKind::Peck => parameters[0].peck_clearance_mm == parameters[1].peck_clearance_mm,
+        CycleKind::BoreStop | CycleKind::BoreManual => true,
+        _ => false,
+    }
+}
+
+/// A hole of a cycle that a block before set up.
+fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
+    let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(()) };
+    let makes_holes = context.in_cycle(run);
+    let same = context.from.table.name == context.to.table.name;
+    if !same && makes_holes && !same_cycle(kind, context.from, context.to) {
+        let title = context.to.table.title;
+        return Err(Expand(format!("{} of {title} is another one", kind.name())));
+    }
+    Ok(())
+}
+
+/// Holes on a circle or a line, or where the tool stands, as places: the cycle stays.
+fn places_alone(
+    context: &Context,
+    draft: &mut Draft,
+    at: usize,
+    run: &Exec,
+) -> Result<bool, Expand> {
+    let is_pattern = |action| matches!(action, Action::Pattern(_) | Action::RunCycleHere);
+    let Some(word) = (0..draft.block.words.len())
+        .find(|word| code_action(&draft.block.words[*word], context.from).is_some_and(is_pattern))
+    else {
+        return Ok(false);
+    };
+    if context.from.table.name == context.to.table.name {
+        return Ok(true);
+    }
+    let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(false) };
+    let others = context.source.has_action(at, context.from, |action| !is_pattern(action));
+    if !same_cycle(kind, context.from, context.to) || others {
+        let title = context.to.table.title;
+        return Err(Expand(format!("{title} has no code for these holes")));
+    }
+    let (a, b, _) = run.after.plane.axes();
+    let mut holes: Vec<[f64; 2]> = Vec::new();
+    for command in context.trace.commands_of(run) {
+        if let CommandKind::Line { motion, .. } = &command.kind {
+            let hole = [motion.to[a], motion.to[b]];
+            if holes.last() != Some(&hole) {
+                holes.push(hole);
+            }
+        }
+    }
+    let digits = numbers::digits(context.to, run.after.units);
+    let style = context.style();
+    let gap = if style.spaced { " " } else { "" };
+    let lines = holes.iter().map(|hole| {
+        let text = |mm| numbers::length(mm, run.after.units, digits, style);
+        let [x, y] = hole.map(text);
+        format!("{}{x}{gap}{}{y}", AXES[a], AXES[b])
+    });
+    let mut lines: Vec<String> = lines.collect();
+    if run.after.incremental {
+        lines.insert(0, "G90".into());
+        lines.push("G91".into());
+    }
+    let before = draft.written(word);
+    for word in 0..draft.block.words.len() {
+        draft.set(word, "");
+    }
+    draft.note(
+        before,
+        lines.join("\n"),
+        format!("{} has no code for these holes: place by place", context.to.table.title),
+    );
+    draft.after.extend(lines);
+    Ok(true)
+}
+
+const AXES: [char; 3] = ['X', 'Y', 'Z'];
+
+/// The place of the first hole, where the new control drills only at a place that is named.
+fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+    let rules = context.controls().map(|control| control.parameters.cycles);
+    let (a, b, _) = run.after.plane.axes();
+    let letters = draft.block.letters();
+    let named = letters.has(b"XYZ"[a]) || letters.has(b"XYZ"[b]);
+    let fires = context.in_cycle(run);
+    let title = context.to.table.title;
+    match rules[1].definition {
+        _ if named => Ok(()),
+        DefinitionFires::Always if fires => Ok(()),
+        DefinitionFires::Always => Err(Expand(format!("{title} drills where the cycle is called"))),
+        _ if !fires => Ok(()),
+        DefinitionFires::Never => {
+            Err(Expand(format!("{title} does not drill where the cycle is called")))
+        }
+        DefinitionFires::WithPlace => {
+            let digits = numbers::digits(context.to, run.after.units);
+            for axis in [a, b] {
+                let value = if run.after.incremental { 0.0 } else { run.before.position[axis] };
+                let text = numbers::length(value, run.after.units, digits, context.style());
+                draft.append(
+                    format!("{}{text}", AXES[axis]),
+                    format!("{title} drills only at a place that is named"),
+                );
+            }
+            Ok(())
+        }
+    }
+}
+
+/// The letter that counts holes.
+fn count(context: &Context, draft: &mut Draft, run: &Exec) {
+    let [one, other] = context.controls().map(|control| control.parameters.cycles.repeat_letter);
+    if one == other || !matches!(run.after.motion, Some(Action::Cycle(_))) {
+        return;
+    }
+    if let Some(word) = draft.block.words.iter().position(|word| word.letter == one) {
+        let new = format!("{}{}", char::from(other), &draft.written(word)[1..]);
+        draft.replace(word, new, format!("{} counts holes so", context.to.table.title));
+    }
+}
+
+/// F and Q of a tap.
+fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
+    let [one, other] = context.controls().map(|control| control.parameters.cycles.tap.feed);
+    if one == other {
+        return Ok(());
+    }
+    let cut = context.trace.commands_of(run).iter().find_map(|command| match &command.kind {
+        CommandKind::Line { feed, .. } => Some(*feed),
+        _ => None,
+    });
+    let Some(cut) = cut else { return Err(Expand("a tap without a hole of its own".into())) };
+    let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
+    let speed = cut.spindle_rev_per_s * 60.0;
+    let per_minute = match cut.mode {
+        chordal::control::FeedMode::PerRevolution => cut.value * speed / unit,
+        _ => cut.value * 60.0 / unit,
+    };
+    let place = |letter: u8| draft.block.words.iter().position(|word| word.letter == letter);
+    let (f, q) = (place(b'F'), place(b'Q'));
+    let style = context.style();
+    let title = context.to.table.title;
+    match (one, other) {
+        (TapFeed::SpeedWithLeadQ, TapFeed::Programmed) => {
+            if let Some(f) = f {
+                let new = format!("F{}", numbers::plain(per_minute, 4, style));
+                draft.replace(f, new, format!("F of a tap is its feed on {title}"));
+            }
+            if let Some(q) = q {
+                draft.remove(q, format!("{title} takes the lead from F and S"));
+            }
+            Ok(())
+        }
+        (TapFeed::Programmed, TapFeed::SpeedWithLeadQ) if speed > 0.0 => {
+            if let Some(f) = f {
+                let new = format!("F{}", numbers::plain(speed, 3, style));
+                draft.replace(f, new, format!("F of a tap is its speed on {title}"));
+            }
+            let lead = numbers::plain(per_minute / speed, 6, style);
+            draft.append(format!("Q{lead}"), format!("{title} takes the lead from Q"));
+            Ok(())
+        }
+        _ => Err(Expand(format!("F of a tap is another one on {title}"))),
+    }
+}
+
+/// P of a cycle.
+fn dwell(context: &Context, draft: &mut Draft) {
+    let [one, other] = context.controls().map(|control| control.parameters.cycles);
+    let Some(p) = draft.block.words.iter().position(|word| word.letter == b'P') else { return };
+    let Some(number) = draft.block.words[p].number() else { return };
+    let unit = |rules: &chordal::control::CycleRules, has_point: bool| {
+        if has_point { rules.dwell_point_s } else { rules.dwell_integer_s }
+    };
+    if unit(&one, number.has_point) == unit(&other, number.has_point) {
+        return;
+    }
+    let seconds = number.to_f64() * unit(&one, number.has_point);
+    let whole = seconds / other.dwell_integer_s;
+    let new = if (whole - whole.round()).abs() < 1e-6 {
+        format!("P{:.0}", whole.round())
+    } else {
+        format!("P{}", format!("{:.6}", seconds / other.dwell_point_s).trim_end_matches('0'))
+    };
+    draft.replace(p, new, format!("{} counts the time of a cycle so", context.to.table.title));
+}
+
+/// G80 in a block of its own, where it excludes motion codes.
+fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
+    let [one, other] =
+        context.controls().map(|control| control.parameters.cycles.one_group_with_motion);
+    let moves = context.source.has_action(at, context.from, |action| {
+        matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
+    });
+    if one || !other || !moves {
+        return;
+    }
+    for word in 0..draft.block.words.len() {
+        if code_action(&draft.block.words[word], context.from) == Some(Action::CancelCycle) {
+            let code = draft.now(word);
+            let reason = format!("{code} excludes motion codes on {}", context.to.table.title);
+            draft.replace(word, "", reason);
+            draft.before.push(code);
+        }
+    }
+}
+
+/// G80 where only the old control ends a cycle by another code.
+fn ending(context: &Context, draft: &mut Draft, at: usize) {
+    let Some(run) = context.run(at) else { return };
+    let was = matches!(run.before.motion, Some(Action::Cycle(_)));
+    let is = matches!(run.after.motion, Some(Action::Cycle(_)));
+    let own = context.source.has_action(at, context.from, |action| action == Action::CancelCycle);
+    let [one, other] = context.controls().map(|control| control.parameters.cycles.cancel);
+    if !was || is || own || one == other {
+        return;
+    }
+    let Some(code) = codes::name(Action::CancelCycle, context.to, context.style()) else { return };
+    let title = context.to.table.title;
+    draft.note(String::new(), code.clone(), format!("ends the cycle, which runs on on {title}"));
+    draft.before.push(code);
+}

@@ -1,0 +1,494 @@
+//! Blocks written from what they do, where the new control has no form for how they were written.
+
+use chordal::control::table::{Action, CodeRow};
+use chordal::control::{
+    ArcShape, Control, Coolant, Feed, FeedAlong, FeedMode, Move, Overrides, PathMode, Side,
+    SpindleState, Units, WorkName,
+};
+use chordal::geometry::Plane;
+use chordal::{Command, CommandKind};
+
+use super::codes;
+use super::numbers;
+use super::source::Style;
+use super::spiral;
+use super::trace::Modes;
+
+/// Writes commands as blocks in absolute coordinates.
+#[derive(Clone)]
+pub(crate) struct Emitter<'a> {
+    to: &'a Control,
+    style: Style,
+    tolerance_mm: f64,
+    units: Units,
+    digits: Option<usize>,
+    /// What the new control has in force, where it is known.
+    motion: Option<Action>,
+    incremental: Option<bool>,
+    plane: Plane,
+    feed: Option<String>,
+    /// Words that go into the next block that moves.
+    pending: Vec<String>,
+    pub lines: Vec<String>,
+    /// Text that was printed is a remark now.
+    pub printed: bool,
+}
+
+/// Why commands cannot be written.
+pub(crate) type Refused = String;
+
+impl<'a> Emitter<'a> {
+    pub fn new(
+        to: &'a Control,
+        style: Style,
+        tolerance_mm: f64,
+        digits: Option<usize>,
+        before: &Modes,
+    ) -> Emitter<'a> {
+        Emitter {
+            to,
+            style,
+            tolerance_mm,
+            units: before.units,
+            digits,
+            motion: None,
+            incremental: Some(before.incremental),
+            plane: before.plane,
+            feed: None,
+            pending: Vec::new(),
+            lines: Vec::new(),
+            printed: false,
+        }
+    }
+
+    /// Writes the commands of a block.
+    pub fn block(&mut self, commands: &[Command]) -> Result<(), Refused> {
+        for command in commands {
+            let is_tap = command.origin.cycle && matches!(command.kind, CommandKind::Overrides(_));
+            if is_tap {
+                return Err("the spindle would not follow the moves of a tap".into());
+            }
+            self.command(&command.kind)?;
+        }
+        self.flush();
+        Ok(())
+    }
+
+    /// A line as it is; what is in force behind it is not known.
+    pub fn foreign(&mut self, lines: impl IntoIterator<Item = String>, after: &Modes) {
+        self.flush();
+        self.lines.extend(lines);
+        self.motion = None;
+        self.feed = None;
+        self.incremental = Some(after.incremental);
+        self.plane = after.plane;
+        self.units = after.units;
+    }
+
+    /// Puts in force what the old control has in force here.
+    pub fn restore(&mut self, modes: &Modes) {
+        let mut words = Vec::new();
+        if self.plane != modes.plane {
+            words.extend(self.code(plane_action(modes.plane)));
+            self.plane = modes.plane;
+        }
+        if self.incremental != Some(modes.incremental) {
+            words.extend(self.code(distance_action(modes.incremental)));
+            self.incremental = Some(modes.incremental);
+        }
+        let wanted = modes.motion.filter(|action| is_plain_motion(*action));
+        if let Some(action) = wanted
+            && self.motion.is_some()
+            && self.motion != Some(action)
+            && matches!(action, Action::Rapid | Action::Linear)
+        {
+            words.extend(self.code(action));
+            self.motion = Some(action);
+        }
+        self.pending.extend(words);
+        self.restore_feed(modes);
+        self.flush();
+    }
+
+    /// F, where what was written holds another one.
+    fn restore_feed(&mut self, modes: &Modes) {
+        let Some(value) = modes.feed.filter(|_| self.feed.is_some()) else { return };
+        let feed =
+            Feed { value, mode: modes.feed_mode, along: FeedAlong::Path, spindle_rev_per_s: 0.0 };
+        if feed.mode != FeedMode::InverseTime {
+            let mut words = Vec::new();
+            self.feed(&mut words, &feed, 1.0, false);
+            self.pending.extend(words);
+        }
+    }
+
+    /// Lines that do nothing.
+    pub fn remarks(&mut self, lines: Vec<String>) {
+        self.lines.extend(lines);
+    }
+
+    /// Writes what is held for the next block.
+    pub fn finish(&mut self) {
+        self.flush();
+    }
+
+    fn flush(&mut self) {
+        if self.pending.is_empty() {
+            return;
+        }
+        let words = std::mem::take(&mut self.pending);
+        self.line(&words);
+    }
+
+    fn line(&mut self, words: &[String]) {
+        self.lines.push(words.join(if self.style.spaced { " " } else { "" }));
+    }
+
+    fn code(&self, action: Action) -> Option<String> {
+        codes::name(action, self.to, self.style)
+    }
+
+    fn due(&self, action: Action) -> Result<String, Refused> {
+        self.code(action).ok_or_else(|| {
+            format!("{} has no code for it ({})", self.to.table.title, codes::what(action))
+        })
+    }
+
+    fn command(&mut self, kind: &CommandKind) -> Result<(), Refused> {
+        match kind {
+            CommandKind::Rapid { motion, .. } => self.rapid(motion)?,
+            CommandKind::Line { motion, feed } => self.cut(motion, feed)?,
+            CommandKind::Arc { motion, shape, feed }
+            | CommandKind::Spiral { motion, shape, feed } => self.arc(motion, shape, feed)?,
+            CommandKind::Dwell { seconds, .. } => {
+                self.flush();
+                let word = numbers::dwell_word(*seconds, self.to.table);
+                let code = self.due(Action::Dwell)?;
+                self.line(&[code, word.unwrap_or_default()]);
+            }
+            CommandKind::Tool { number } => {
+                self.flush();
+                let code = self.due(Action::ToolChange)?;
+                self.line(&[format!("T{number}"), code]);
+            }
+            CommandKind::ToolSelect { .. } | CommandKind::Idle | CommandKind::Message(_) => {}
+            CommandKind::ToolLength { number: None, .. } => {
+                let code = self.due(Action::LengthCancel)?;
+                self.pending.push(code);
+            }
+            CommandKind::ToolLength { number: Some(number), .. } => {
+                let code = self.due(Action::LengthPlus)?;
+                self.pending.extend([code, format!("H{number}")]);
+            }
+            CommandKind::Compensation { side, number, toward, .. } => {
+                if toward.is_some() {
+                    return Err("compensation with a direction of its own (I J K)".into());
+                }
+                self.compensation(*side, *number)?;
+            }
+            CommandKind::Spindle { state, rpm } => self.spindle(*state, *rpm)?,
+            CommandKind::Coolant(coolant) => self.coolant(*coolant)?,
+            CommandKind::Stop { optional } => {
+                self.flush();
+                let action = if *optional { Action::OptionalStop } else { Action::ProgramStop };
+                let code = self.due(action)?;
+                self.line(&[code]);
+            }
+            CommandKind::End => {
+                self.flush();
+                let code = self.due(Action::ProgramEnd { rewind: true })?;
+                self.line(&[code]);
+            }
+            CommandKind::Units(units) => {
+                let action = if *units == Units::Inch { Action::Inch } else { Action::Millimetre };
+                let code = self.due(action)?;
+                self.pending.push(code);
+                self.units = *units;
+                self.feed = None;
+            }
+            CommandKind::Plane(plane) => {
+                if self.plane != *plane {
+                    let code = self.due(plane_action(*plane))?;
+                    self.pending.push(code);
+                    self.plane = *plane;
+                }
+            }
+            CommandKind::FeedMode(mode) => {
+                let code = self.due(feed_action(*mode))?;
+                self.pending.push(code);
+                self.feed = None;
+            }
+            // F is written with the cut that it holds for.
+            CommandKind::FeedRate { .. } => {}
+            CommandKind::PathMode(mode) => self.path_mode(*mode),
+            CommandKind::Overrides(overrides) => self.overrides(*overrides)?,
+            CommandKind::WorkOffset { name, .. } => self.work_offset(*name)?,
+            CommandKind::CornerArc { .. } => return Err("a corner arc of its own".into()),
+            CommandKind::Probed { .. } => return Err("a probing move".into()),
+            CommandKind::Output { text } => {
+                self.flush();
+                let text = text.replace('(', "[").replace(')', "]");
+                self.lines.push(format!("(PRINTED: {})", text.trim()));
+                self.printed = true;
+            }
+        }
+        Ok(())
+    }
+
+    fn length(&self, mm: f64) -> String {
+        let digits = self.digits.unwrap_or_else(|| numbers::digits(self.to, self.units));
+        numbers::length(mm, self.units, digits, self.style)
+    }
+
+    /// The axis words of a move; an end that is not known relative to the part cannot be written.
+    fn axes(&self, motion: &Move) -> Result<Vec<String>, Refused> {
+        let mut words = Vec::new();
+        for axis in 0..6 {
+            let (from, to) = (motion.from[axis], motion.to[axis]);
+            let is_new = motion.to_known.has(axis) && !motion.from_known.has(axis);
+            if from == to && !is_new {
+                continue;
+            }
+            if !motion.to_known.has(axis) {
+                return Err("a place that is not known relative to the part".into());
+            }
+            let letter = b"XYZABC"[axis] as char;
+            let value = if axis < 3 {
+                self.length(to)
+            } else {
+                numbers::plain(to.to_degrees(), 3, self.style)
+            };
+            words.push(format!("{letter}{value}"));
+        }
+        Ok(words)
+    }
+
+    /// Begins a block that moves: distance mode and motion code where they are needed.
+    fn head(&mut self, action: Action) -> Result<Vec<String>, Refused> {
+        let mut words = Vec::new();
+        if self.incremental != Some(false) {
+            words.push(self.due(Action::Absolute)?);
+            self.incremental = Some(false);
+        }
+        words.append(&mut self.pending);
+        let is_arc = matches!(action, Action::ArcCw | Action::ArcCcw);
+        if self.motion != Some(action) || is_arc {
+            words.push(self.due(action)?);
+        }
+        self.motion = Some(action);
+        Ok(words)
+    }
+
+    fn rapid(&mut self, motion: &Move) -> Result<(), Refused> {
+        let axes = self.axes(motion)?;
+        if axes.is_empty() {
+            return Ok(());
+        }
+        let mut words = self.head(Action::Rapid)?;
+        words.extend(axes);
+        self.line(&words);
+        Ok(())
+    }
+
+    fn cut(&mut self, motion: &Move, feed: &Feed) -> Result<(), Refused> {
+        let axes = self.axes(motion)?;
+        if axes.is_empty() {
+            return Ok(());
+        }
+        let mut words = self.head(Action::Linear)?;
+        words.extend(axes);
+        let rotary_only = motion.from[..3] == motion.to[..3];
+        self.feed(&mut words, feed, 1.0, rotary_only);
+        self.line(&words);
+        Ok(())
+    }
+
+    fn arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), Refused> {
+        if shape.plane != self.plane {
+            return Err("an arc outside the plane in force".into());
+        }
+        let along = Feed { along: FeedAlong::Path, ..*feed };
+        let most = self.to.parameters.radius_error_tolerance_mm.min(self.tolerance_mm);
+        for piece in spiral::as_arcs(motion, shape, most, self.tolerance_mm) {
+            let new = self.to.parameters.helix_feed;
+            let scale = spiral::feed_scale(&piece.motion, &piece.shape, feed, new);
+            self.one_arc(&piece.motion, &piece.shape, &along, scale)?;
+        }
+        Ok(())
+    }
+
+    /// An arc of at most a turn.
+    fn one_arc(
+        &mut self,
+        motion: &Move,
+        shape: &ArcShape,
+        feed: &Feed,
+        scale: f64,
+    ) -> Result<(), Refused> {
+        let action = if shape.sweep < 0.0 { Action::ArcCw } else { Action::ArcCcw };
+        let mut words = self.axes(motion)?;
+        let (a, b, _) = shape.plane.axes();
+        // Where an axis of the plane stays, the end may be left out; both left out is a full circle.
+        let turn = std::f64::consts::TAU;
+        let is_full = (shape.sweep.abs() - turn).abs() < 1e-9;
+        let in_plane = |word: &String| [a, b].iter().any(|axis| word.starts_with(AXES[*axis]));
+        if !is_full && !words.iter().any(in_plane) {
+            words.push(format!("{}{}", AXES[a], self.length(motion.to[a])));
+        }
+        let absolute = self.to.parameters.arc_center == chordal::control::ArcCenter::Absolute;
+        let back = self.to.parameters.arc_center == chordal::control::ArcCenter::FromCenter;
+        let mut centers = Vec::new();
+        for (axis, center) in [a, b].into_iter().zip(shape.center) {
+            let way = center - motion.from[axis];
+            let value = if absolute {
+                center
+            } else if back {
+                -way
+            } else {
+                way
+            };
+            if value.abs() > 1e-7 || absolute {
+                centers.push(format!("{}{}", CENTERS[axis], self.length(value)));
+            }
+        }
+        centers.sort();
+        if centers.is_empty() {
+            centers.push(format!("{}0.", CENTERS[a]));
+        }
+        words.extend(centers);
+        let mut line = self.head(action)?;
+        line.extend(words);
+        self.feed(&mut line, feed, scale, false);
+        self.line(&line);
+        Ok(())
+    }
+
+    fn feed(&mut self, words: &mut Vec<String>, feed: &Feed, scale: f64, rotary_only: bool) {
+        if !feed.value.is_finite() {
+            return;
+        }
+        let unit = if self.units == Units::Inch { 25.4 } else { 1.0 };
+        let value = match feed.mode {
+            FeedMode::PerTime if rotary_only => feed.value.to_degrees() * 60.0,
+            FeedMode::PerTime => feed.value * 60.0 / unit * scale,
+            FeedMode::InverseTime => feed.value * 60.0,
+            FeedMode::PerRevolution => feed.value / unit,
+        };
+        let text = numbers::feed(value, self.style);
+        if self.feed.as_ref() != Some(&text) || feed.mode == FeedMode::InverseTime {
+            words.push(format!("F{text}"));
+            self.feed = Some(text);
+        }
+    }
+
+    fn compensation(&mut self, side: Side, number: Option<u32>) -> Result<(), Refused> {
+        let action = match side {
+            Side::Off => Action::CompensationOff,
+            Side::Left => Action::CompensationLeft,
+            Side::Right => Action::CompensationRight,
+        };
+        let code = self.due(action)?;
+        self.pending.push(code);
+        if side != Side::Off {
+            self.pending.extend(number.map(|number| format!("D{number}")));
+        }
+        Ok(())
+    }
+
+    fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), Refused> {
+        self.flush();
+        let action = match state {
+            SpindleState::Off => Action::SpindleStop,
+            SpindleState::Cw => Action::SpindleCw,
+            SpindleState::Ccw => Action::SpindleCcw,
+            SpindleState::Oriented => Action::SpindleOrient,
+        };
+        let code = self.due(action)?;
+        let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+        let mut words = Vec::new();
+        if turns {
+            words.push(format!("S{rpm}"));
+        }
+        words.push(code);
+        self.line(&words);
+        Ok(())
+    }
+
+    fn coolant(&mut self, coolant: Coolant) -> Result<(), Refused> {
+        let mut words = Vec::new();
+        if coolant.mist {
+            words.push(self.due(Action::CoolantMist)?);
+        }
+        if coolant.flood {
+            words.push(self.due(Action::CoolantFlood)?);
+        }
+        if coolant.through_tool {
+            words.push(self.due(Action::CoolantThroughTool)?);
+        }
+        if words.is_empty() {
+            words.push(self.due(Action::CoolantOff)?);
+        }
+        self.flush();
+        self.line(&words);
+        Ok(())
+    }
+
+    /// Where the control has no code for it, it has no other way of passing corners either.
+    fn path_mode(&mut self, mode: PathMode) {
+        let action = match mode {
+            PathMode::ExactPath => Action::PathExact,
+            PathMode::ExactStop => Action::PathExactStop,
+            PathMode::Continuous { .. } => Action::PathContinuous,
+        };
+        self.pending.extend(self.code(action));
+    }
+
+    fn overrides(&mut self, overrides: Overrides) -> Result<(), Refused> {
+        let code = codes::overrides(overrides.feed, self.to, self.style);
+        let code = code.ok_or("a code for the overrides is missing")?;
+        self.pending.push(code);
+        Ok(())
+    }
+
+    fn work_offset(&mut self, name: WorkName) -> Result<(), Refused> {
+        let words = codes::work_offset(name, self.to, self.style);
+        let words = words.ok_or("a work offset that the control does not have")?;
+        self.pending.push(words);
+        Ok(())
+    }
+}
+
+const AXES: [char; 3] = ['X', 'Y', 'Z'];
+const CENTERS: [char; 3] = ['I', 'J', 'K'];
+
+fn is_plain_motion(action: Action) -> bool {
+    matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
+}
+
+pub(crate) fn plane_action(plane: Plane) -> Action {
+    match plane {
+        Plane::Xy => Action::PlaneXy,
+        Plane::Zx => Action::PlaneZx,
+        Plane::Yz => Action::PlaneYz,
+    }
+}
+
+pub(crate) fn distance_action(incremental: bool) -> Action {
+    if incremental { Action::Incremental } else { Action::Absolute }
+}
+
+fn feed_action(mode: FeedMode) -> Action {
+    match mode {
+        FeedMode::PerTime => Action::FeedPerTime,
+        FeedMode::InverseTime => Action::FeedInverseTime,
+        FeedMode::PerRevolution => Action::FeedPerRevolution,
+    }
+}
+
+/// A row's code as the programmer writes codes.
+pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
+    if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
+        return format!("{}{:02}", char::from(letter), row.code / 10);
+    }
+    row.name(letter)
+}

@@ -1,0 +1,93 @@
+//! What holds at power-on on the old control and is not said by the program.
+
+use chordal::control::table::{Action, Group};
+use chordal::syntax::Letters;
+
+use super::codes;
+use super::emit::distance_action;
+use super::plan::Rendered;
+use super::source::code_number;
+use super::trace::Exec;
+use super::translate::Context;
+use crate::Change;
+
+/// Words whose meaning depends on inch and millimetres.
+const LENGTHS: Letters = Letters::of("XYZIJKRFQ");
+const AXES: Letters = Letters::of("XYZABC");
+
+/// Puts a line before the first block of each main program, where the new control would begin
+/// otherwise.
+pub(crate) fn begin(context: &Context, rendered: &mut Rendered) {
+    let parameters = context.controls().map(|control| control.parameters);
+    for main in &context.source.mains {
+        let runs: Vec<&Exec> = context
+            .trace
+            .execs
+            .iter()
+            .filter(|exec| exec.block.is_some_and(|at| main.contains(&at)))
+            .collect();
+        let Some(first) = runs.iter().find_map(|exec| {
+            exec.block.filter(|at| {
+                context.source.sub_of(*at).is_none()
+                    && !context.source.heads.contains(at)
+                    && !context.source.blocks[*at].words.is_empty()
+            })
+        }) else {
+            continue;
+        };
+        let mut words = Vec::new();
+        let start = runs.first().map(|exec| exec.before.units);
+        if parameters[0].units != parameters[1].units
+            && is_silent(context, &runs, Group::Units, LENGTHS)
+            && start == Some(parameters[0].units)
+        {
+            let inch = parameters[0].units == chordal::control::Units::Inch;
+            words.push(if inch { Action::Inch } else { Action::Millimetre });
+        }
+        if parameters[0].starts_incremental != parameters[1].starts_incremental
+            && is_silent(context, &runs, Group::Distance, AXES)
+        {
+            words.push(distance_action(parameters[0].starts_incremental));
+        }
+        if parameters[0].starts_linear != parameters[1].starts_linear
+            && is_silent(context, &runs, Group::Motion, AXES)
+        {
+            words.push(if parameters[0].starts_linear { Action::Linear } else { Action::Rapid });
+        }
+        let style = context.style();
+        let names = words.into_iter().filter_map(|action| codes::name(action, context.to, style));
+        let names: Vec<String> = names.collect();
+        if names.is_empty() {
+            continue;
+        }
+        let line = names.join(if style.spaced { " " } else { "" });
+        rendered.changes.push(Change {
+            line: context.source.blocks[first].line,
+            before: String::new(),
+            after: line.clone(),
+            reason: format!("{} does not begin so by itself", context.to.table.title),
+        });
+        // The block may be written out elsewhere: the program's first lines are what counts.
+        let at = (first..main.end).find(|at| rendered.lines[*at].is_some()).unwrap_or(first);
+        rendered.lines[at].get_or_insert_default().insert(0, line);
+    }
+}
+
+/// True when words of these letters come before any code of the group.
+fn is_silent(context: &Context, runs: &[&Exec], group: Group, letters: Letters) -> bool {
+    for exec in runs {
+        let Some(at) = exec.block else { return true };
+        let block = &context.source.blocks[at];
+        let says = block.all(b'G').any(|word| {
+            let code = word.number().and_then(code_number);
+            code.and_then(|code| context.from.g_code(code)).is_some_and(|row| row.group == group)
+        });
+        if says {
+            return false;
+        }
+        if block.letters().meets(letters) || block.expressions {
+            return true;
+        }
+    }
+    false
+}

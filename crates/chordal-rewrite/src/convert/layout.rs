@@ -1,0 +1,178 @@
+//! The new text: the blocks in the places where the new control wants them.
+
+use std::ops::Range;
+
+use chordal::control::table::Action;
+use chordal::control::{Control, referenced_programs};
+use chordal::syntax::{BlockKind, Semicolon};
+
+use super::codes;
+use super::source::{Form, Source};
+use super::structure::{Structure, program_name};
+
+/// The new lines of each block; nothing for blocks that are left out.
+pub(crate) type Lines = Vec<Option<Vec<String>>>;
+
+/// A text and the block that each of its lines comes from.
+#[derive(Debug, Default)]
+pub(crate) struct Layout {
+    pub text: String,
+    /// By line, from 0.
+    pub from: Vec<Option<usize>>,
+}
+
+impl Layout {
+    fn push(&mut self, line: &str, end: &str, block: Option<usize>) {
+        self.text.push_str(line);
+        self.text.push_str(end);
+        self.from.push(block);
+    }
+}
+
+/// Puts the blocks together. Subprograms that nothing calls any more would be programs of their own:
+/// they are left out.
+pub(crate) fn lay_out(
+    source: &Source,
+    structure: &Structure,
+    mut lines: Lines,
+    controls: [&Control; 2],
+) -> Layout {
+    loop {
+        let layout = lay_out_all(source, structure, &lines, controls);
+        let called = referenced_programs(layout.text.as_bytes(), &controls[1].table.lexicon);
+        let mut dropped = false;
+        for (sub, target) in source.subs.iter().zip(&structure.targets) {
+            let is_there = lines[sub.blocks.clone()].iter().any(Option::is_some);
+            if target.0 == Form::Program && is_there && !called.contains(&target.1) {
+                lines[sub.blocks.clone()].fill(None);
+                dropped = true;
+            }
+        }
+        if !dropped {
+            return layout;
+        }
+    }
+}
+
+fn lay_out_all(
+    source: &Source,
+    structure: &Structure,
+    lines: &Lines,
+    [from, to]: [&Control; 2],
+) -> Layout {
+    let mut layout = Layout::default();
+    let writer = Writer { source, lines, to };
+    let all = 0..source.blocks.len();
+    let needs_head = structure
+        .mains
+        .iter()
+        .zip(&source.mains)
+        .any(|(number, main)| number.is_some() && !source.heads.contains(&main.start));
+    if structure.stays(source) && !needs_head {
+        writer.blocks(all, &mut layout);
+        return layout;
+    }
+    let tape_end = source.blocks.iter().rposition(|block| block.kind != BlockKind::Percent);
+    let tape_end = tape_end.map_or(0, |at| at + 1);
+    let sections: Vec<Range<usize>> = source
+        .subs
+        .iter()
+        .filter(|sub| sub.form != Form::Program)
+        .map(|s| s.blocks.clone())
+        .collect();
+    let in_section = |at: usize| {
+        sections.iter().any(|range| range.contains(&at)) || source.section_end == Some(at)
+    };
+    for (index, main) in source.mains.iter().enumerate() {
+        let main = main.start..main.end.min(tape_end);
+        let body = source.first_words(&main);
+        writer.blocks(main.start..body, &mut layout);
+        if let Some(number) = structure.mains[index].filter(|_| !source.heads.contains(&main.start))
+        {
+            if index == 0 && source.blocks.first().is_none_or(|b| b.kind != BlockKind::Percent) {
+                layout.text.insert_str(0, "%\n");
+                layout.from.insert(0, None);
+            }
+            layout.push(&program_name(number, to), "\n", None);
+        }
+        let place = |form: Form, layout: &mut Layout| {
+            for (sub, target) in source.subs.iter().zip(&structure.targets) {
+                let moved = sub.form != Form::Program && target.0 == form;
+                if moved && main.contains(&sub.blocks.start) {
+                    writer.blocks(sub.blocks.clone(), layout);
+                    writer.close(sub.blocks.clone(), form, from, layout);
+                }
+            }
+        };
+        place(Form::Letter, &mut layout);
+        let has_sections = source
+            .subs
+            .iter()
+            .zip(&structure.targets)
+            .any(|(sub, target)| target.0 == Form::Letter && main.contains(&sub.blocks.start));
+        if has_sections {
+            let end = codes::name(Action::ProgramEnd { rewind: true }, to, source.style);
+            layout.push(&end.unwrap_or_default(), "\n", source.section_end);
+        }
+        for at in body..main.end {
+            if !in_section(at) {
+                writer.blocks(at..at + 1, &mut layout);
+            }
+        }
+        place(Form::Label, &mut layout);
+        place(Form::Program, &mut layout);
+    }
+    for sub in source.subs.iter().filter(|sub| sub.form == Form::Program) {
+        writer.blocks(sub.blocks.start..sub.blocks.end.min(tape_end), &mut layout);
+    }
+    writer.blocks(tape_end..source.blocks.len(), &mut layout);
+    if layout.text.starts_with("%\n") && tape_end == source.blocks.len() {
+        layout.push("%", "\n", None);
+    }
+    layout
+}
+
+struct Writer<'a> {
+    source: &'a Source<'a>,
+    lines: &'a Lines,
+    to: &'a Control,
+}
+
+impl Writer<'_> {
+    /// Writes blocks, each with what stood behind it up to the next.
+    fn blocks(&self, blocks: Range<usize>, layout: &mut Layout) {
+        for at in blocks {
+            let Some(lines) = &self.lines[at] else { continue };
+            let block = &self.source.blocks[at];
+            let next = self.source.blocks.get(at + 1);
+            let end = next.map_or(self.source.text.len() as u32, |next| next.range.start);
+            let gap = &self.source.text[block.range.end as usize..end as usize];
+            let gap = String::from_utf8_lossy(gap);
+            let (mark, rest) = match gap.find('\n') {
+                Some(end) => gap.split_at(end + 1),
+                None => (gap.as_ref(), ""),
+            };
+            let is_comment = self.to.table.lexicon.semicolon == Semicolon::Comment;
+            let mark = mark.trim_end();
+            let mark = if is_comment { mark.replace(';', "") } else { mark.to_string() };
+            let mark = mark.trim_end();
+            for line in lines {
+                layout.push(line, &format!("{mark}\n"), Some(at));
+            }
+            for _ in rest.matches('\n') {
+                layout.push("", "\n", None);
+            }
+        }
+    }
+
+    /// The end of a subprogram that ended where the next began.
+    fn close(&self, blocks: Range<usize>, form: Form, from: &Control, layout: &mut Layout) {
+        let is_end = |action| matches!(action, Action::SubroutineEnd | Action::Return);
+        if blocks.clone().any(|at| self.source.has_action(at, from, is_end)) {
+            return;
+        }
+        let action = if form == Form::Letter { Action::SubroutineEnd } else { Action::Return };
+        let name = codes::name(action, self.to, self.source.style);
+        layout.push(&name.unwrap_or_default(), "\n", Some(blocks.end.saturating_sub(1)));
+    }
+}

@@ -1,0 +1,324 @@
+//! A program of one control for another.
+//!
+//! `source` finds the parts of the text, `trace` runs it block by block, `structure` decides where
+//! subprograms go, `translate` and what it calls put the words of a block into those of the new
+//! control, `emit` writes blocks from what they do where there are no such words, `plan` decides
+//! which of the two it is, `layout` puts the text together. The comparison of both programs has the
+//! last word: what moves otherwise is written out, until nothing does.
+
+mod codes;
+mod comments;
+mod cycles;
+mod draft;
+mod emit;
+mod initial;
+mod layout;
+mod numbers;
+mod plan;
+mod source;
+mod spiral;
+mod structure;
+mod trace;
+mod translate;
+
+use chordal::control::table::Action;
+use chordal::control::{RapidPath, Side};
+use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
+use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
+use chordal_compare::{Category, Difference, Value};
+
+use self::layout::Layout;
+use self::plan::{Plan, Rendered};
+use self::source::Source;
+use self::structure::Structure;
+use self::trace::Trace;
+use self::translate::Context;
+use crate::{Certificate, Change, prove, prove_contour};
+
+/// How a program is converted.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// What the new path may be away from the old one where a form must be written out, mm.
+    pub tolerance_mm: f64,
+    /// Digits behind the point of computed words; without, those that the control keeps.
+    pub digits: Option<usize>,
+    /// Problems that the program has on its own control do not keep it from being converted.
+    pub despite_errors: bool,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { tolerance_mm: 0.0025, digits: None, despite_errors: false }
+    }
+}
+
+/// A block that cannot be carried over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// Its line in the old text, from 1; 0 for the program as a whole.
+    pub line: u32,
+    /// Its words.
+    pub words: String,
+    /// Why, for people.
+    pub reason: String,
+}
+
+/// A program for another control.
+#[derive(Debug)]
+pub struct Conversion {
+    /// The new text.
+    pub text: String,
+    /// What was changed, in the order of the old text.
+    pub changes: Vec<Change>,
+    /// What could not be carried over; with any, the text is not to be used.
+    pub refusals: Vec<Refusal>,
+    /// The new program on its machine held against the old one on its own.
+    pub certificate: Option<Certificate>,
+    /// The job of the new text: the target machine with the tools and work offsets of the old one.
+    pub machine: Machine,
+}
+
+impl Conversion {
+    /// The text may be used: nothing was refused and the proof holds.
+    pub fn holds(&self) -> bool {
+        self.refusals.is_empty() && self.certificate.as_ref().is_some_and(Certificate::holds)
+    }
+
+    /// The new text as a program on the machine that it was proved on.
+    ///
+    /// # Panics
+    /// Never: the machine's settings were good for the proof.
+    pub fn job(&self, name: &str) -> Option<Job<'static>> {
+        job(name, self.text.clone(), &self.machine)
+    }
+}
+
+fn job(name: &str, text: String, machine: &Machine) -> Option<Job<'static>> {
+    let mut sources = SourceMap::new();
+    sources.add(Text::new(name.to_string(), text.into_bytes()));
+    Job::new(sources, machine.clone()).ok()
+}
+
+/// Whole categories of those.
+const OF_MACHINES: &[Category] =
+    &[Category::RapidPath, Category::PathMode, Category::Unknown, Category::Overrides];
+
+/// Rounds of writing out what differs. Each writes out more blocks, so that there is an end anyway.
+const MOST_ROUNDS: usize = 8;
+
+/// Differences of one round that are followed.
+const MOST_FOLLOWED: usize = 200;
+
+/// Writes a program for another machine.
+pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
+    let machine = with_tables_of(old, target);
+    let mut conversion = Conversion {
+        text: String::new(),
+        changes: Vec::new(),
+        refusals: own_problems(old, options),
+        certificate: None,
+        machine,
+    };
+    let Some(empty) = job("", String::new(), &conversion.machine) else {
+        conversion.refusals.push(Refusal {
+            line: 0,
+            words: String::new(),
+            reason: "the machine has settings that its control does not know".into(),
+        });
+        return conversion;
+    };
+    if !conversion.refusals.is_empty() {
+        return conversion;
+    }
+    let source = Source::of(old);
+    let trace = Trace::of(old, &source);
+    let (from, to) = (old.control(), empty.control());
+    let structure = Structure::of(&source, from, to);
+    let context = Context { source: &source, trace: &trace, structure: &structure, from, to };
+    let compensates = trace.commands.iter().any(|command| {
+        matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
+    });
+    let mut plan = Plan::new(&context, options);
+    // Writing out more may end worse than before: the nearest attempt is the one that is shown.
+    let mut best = usize::MAX;
+    for round in 0..MOST_ROUNDS {
+        let Rendered { lines, changes, refusals, printed } = plan.render();
+        let layout = layout::lay_out(&source, &structure, lines, [from, to]);
+        let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
+        let certificate = proof(old, &new, options, compensates, printed);
+        let holds = certificate.holds() && refusals.is_empty();
+        let more =
+            !holds && round + 1 < MOST_ROUNDS && follow(&mut plan, &certificate, &source, &layout);
+        let faults = refusals.len() + certificate.comparison.differences.len();
+        if holds || faults < best {
+            best = faults;
+            conversion.text = layout.text;
+            conversion.changes = changes;
+            conversion.refusals = refusals;
+            conversion.certificate = Some(certificate);
+        }
+        if !more {
+            break;
+        }
+    }
+    conversion
+}
+
+fn proof(old: &Job, new: &Job, options: &Options, compensates: bool, printed: bool) -> Certificate {
+    let compare = chordal_compare::Options {
+        tolerance_mm: options.tolerance_mm,
+        feed_tolerance: 1e-5,
+        kept: 100_000,
+        ..chordal_compare::Options::default()
+    };
+    let is_expected = |difference: &Difference| {
+        is_of_machine(difference) || (printed && difference.category == Category::Output)
+    };
+    if compensates {
+        return prove_contour(old, new, &compare, is_expected);
+    }
+    let mut certificate = prove(old, new, &compare, &[]);
+    certificate.set_aside(is_expected);
+    certificate
+}
+
+/// Differences that belong to the machines, not to the text.
+fn is_of_machine(difference: &Difference) -> bool {
+    match (difference.category, &difference.values) {
+        (
+            Category::Problem,
+            Some([Value::Nothing, Value::Text(text)] | [Value::Text(text), Value::Nothing]),
+        ) => {
+            let id = text.split(':').next().unwrap_or_default();
+            LIMITS.iter().any(|code| code.id() == id)
+        }
+        // E0 of one control is G53 of the others.
+        (Category::WorkOffset, Some(values)) => values.contains(&Value::Number(0)),
+        // How wide a printed number is, is a setting.
+        (Category::Output, Some([Value::Text(one), Value::Text(other)])) => {
+            one.split_whitespace().eq(other.split_whitespace())
+        }
+        (category, _) => OF_MACHINES.contains(&category),
+    }
+}
+
+/// What a program may ask too much of one machine and not of another.
+const LIMITS: &[Code] = &[
+    Code::TravelExceeded,
+    Code::FeedOverLimit,
+    Code::SpindleOverLimit,
+    Code::LengthOffsetOfOtherTool,
+    Code::OffsetNotSet,
+];
+
+/// Writes out the blocks that differ; false where there is nothing left to do.
+fn follow(plan: &mut Plan, certificate: &Certificate, source: &Source, layout: &Layout) -> bool {
+    let mut any = false;
+    for difference in certificate.comparison.differences.iter().take(MOST_FOLLOWED) {
+        let reason = format!("its words do not do the same ({})", difference.category.word());
+        for at in blocks_of(difference, source, layout) {
+            any |= plan.write_out(at, &reason);
+        }
+    }
+    any || plan.write_all("the parts do not add up to the same")
+}
+
+/// The blocks of the old text that a difference is about.
+fn blocks_of(difference: &Difference, source: &Source, layout: &Layout) -> Vec<usize> {
+    let mut found = Vec::new();
+    if let Some(at) = difference.blocks[0].filter(|_| difference.category != Category::Problem) {
+        let (from, to) = at.lines();
+        found.extend(source.blocks_on(from, to));
+    }
+    if let Some(at) = &difference.blocks[1] {
+        let (from, to) = at.lines();
+        let lines = layout.from.iter().skip(from as usize - 1).take((to + 1 - from) as usize);
+        found.extend(lines.flatten().copied());
+    }
+    found
+}
+
+/// Errors of the program on its own control.
+fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
+    if options.despite_errors {
+        return Vec::new();
+    }
+    let report = old.check();
+    let errors = report
+        .diagnostics
+        .iter()
+        .filter(|one| one.severity == Severity::Error && !LIMITS.contains(&one.code));
+    errors
+        .map(|one| {
+            let span = one.primary.span;
+            let source = old.sources().get(span.file);
+            let line = source.map_or(0, |source| source.line_of(span.range.start));
+            let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
+            Refusal {
+                line,
+                words: words.unwrap_or_default().trim().to_string(),
+                reason: format!("an error on its own control: {}", one.message),
+            }
+        })
+        .collect()
+}
+
+/// The target with what the old machine's tables hold: the cut depends on both.
+fn with_tables_of(job: &Job, target: &Machine) -> Machine {
+    let old = job.machine();
+    let mut machine = target.clone();
+    // The shape of rapids is the machine's; held against each other, both go alike.
+    machine.rapid = Some(match job.control().parameters.rapid {
+        RapidPath::DogLeg => RapidShape::DogLeg,
+        RapidPath::Straight => RapidShape::Straight,
+    });
+    machine.tools = old.tools.clone();
+    machine.macros = old.macros.clone();
+    machine.probe = old.probe;
+    machine.switches = old.switches;
+    machine.clearance_mm = old.clearance_mm.or(target.clearance_mm);
+    machine.work_offsets = old
+        .work_offsets
+        .iter()
+        .map(|(name, offset)| (renamed(name, target), *offset))
+        .collect::<std::collections::BTreeMap<String, WorkOffset>>();
+    machine
+}
+
+/// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
+fn renamed(name: &str, target: &Machine) -> String {
+    let table = chordal::control::table(target.control);
+    let number = |text: &str| text.trim().parse::<u32>().ok();
+    let ordinal = match name.split_once(" P") {
+        Some((_, extended)) => number(extended).map(|number| number + 6),
+        None => match name.strip_prefix("G59.") {
+            Some(point) => number(point).map(|number| number + 6),
+            None => name
+                .strip_prefix('E')
+                .and_then(number)
+                .or_else(|| name.strip_prefix('G').and_then(number)?.checked_sub(53)),
+        },
+    };
+    let Some(ordinal) = ordinal else { return name.into() };
+    let new = match (table.work_offset_by_e, ordinal) {
+        (true, _) => format!("E{ordinal}"),
+        (false, 1..=6) => format!("G{}", 53 + ordinal),
+        (false, _) => format!("{} P{}", table.extended_offset_code, ordinal.saturating_sub(6)),
+    };
+    work_offset_name(&new).unwrap_or(new)
+}
+
+/// Codes whose words are not those of a move.
+fn takes_axes(action: Action) -> bool {
+    matches!(
+        action,
+        Action::Dwell
+            | Action::SetData
+            | Action::ReturnToReference { .. }
+            | Action::ReturnFromReference
+            | Action::LocalShift
+            | Action::PresetPosition
+            | Action::Probe { .. }
+            | Action::CornerArc { own_block: true }
+    )
+}

@@ -1,0 +1,472 @@
+//! Which blocks keep their words and which are written out, and the lines of each.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use chordal::CommandKind;
+use chordal::control::table::Action;
+use chordal::syntax::BlockKind;
+
+use super::comments;
+use super::draft::{Draft, Expand};
+use super::emit::Emitter;
+use super::initial;
+use super::layout::Lines;
+use super::trace::Exec;
+use super::translate::Context;
+use super::{Options, Refusal};
+use crate::Change;
+
+/// The decisions made so far.
+pub(crate) struct Plan<'c, 'a> {
+    context: &'c Context<'a>,
+    options: &'c Options,
+    drafts: Vec<Result<Draft<'a>, Expand>>,
+    /// Why a block is written out.
+    expand: Vec<Option<String>>,
+    /// Main programs that are written out as they run.
+    flat: Vec<Option<String>>,
+    /// The block that set up the cycle of each block with holes.
+    cycle: Vec<Option<usize>>,
+}
+
+/// What a plan comes to.
+#[derive(Default)]
+pub(crate) struct Rendered {
+    pub lines: Lines,
+    pub changes: Vec<Change>,
+    pub refusals: Vec<Refusal>,
+    /// Text that the program printed is a remark now.
+    pub printed: bool,
+}
+
+impl<'c, 'a> Plan<'c, 'a> {
+    pub fn new(context: &'c Context<'a>, options: &'c Options) -> Plan<'c, 'a> {
+        let count = context.source.blocks.len();
+        Plan {
+            drafts: (0..count).map(|at| context.block(at)).collect(),
+            expand: vec![None; count],
+            flat: vec![None; context.source.mains.len()],
+            cycle: cycles_of(context),
+            context,
+            options,
+        }
+    }
+
+    /// Writes a block out; false where it is already, or does nothing.
+    pub fn write_out(&mut self, at: usize, reason: &str) -> bool {
+        let does = self.context.run(at).is_some_and(|run| {
+            self.context.trace.commands_of(run).iter().any(|command| {
+                !matches!(command.kind, CommandKind::Message(_) | CommandKind::FeedRate { .. })
+            })
+        });
+        if self.expand[at].is_some() || !does || self.is_flat(at) {
+            return false;
+        }
+        self.expand[at] = Some(reason.to_string());
+        true
+    }
+
+    /// A cycle is kept with all of its holes or not at all.
+    fn whole_cycles(&mut self) {
+        let mut reasons: BTreeMap<usize, String> = BTreeMap::new();
+        for (at, setup) in self.cycle.iter().enumerate() {
+            if let (Some(setup), Some(reason)) = (setup, &self.expand[at]) {
+                reasons.entry(*setup).or_insert_with(|| reason.clone());
+            }
+        }
+        for (at, setup) in self.cycle.iter().enumerate() {
+            if let Some(reason) = setup.and_then(|setup| reasons.get(&setup))
+                && self.expand[at].is_none()
+            {
+                self.expand[at] = Some(reason.clone());
+            }
+        }
+    }
+
+    /// Writes a main program out as it runs; false where it is already.
+    pub fn write_all(&mut self, reason: &str) -> bool {
+        let mut any = false;
+        for flat in self.flat.iter_mut().filter(|flat| flat.is_none()) {
+            *flat = Some(reason.to_string());
+            any = true;
+        }
+        any
+    }
+
+    fn main_of(&self, at: usize) -> Option<usize> {
+        self.context.source.mains.iter().position(|main| main.contains(&at))
+    }
+
+    fn is_flat(&self, at: usize) -> bool {
+        self.context.source.sub_of(at).is_none()
+            && self.main_of(at).is_some_and(|main| self.flat[main].is_some())
+    }
+
+    /// The lines of all blocks. Decisions that follow from others are made on the way.
+    pub fn render(&mut self) -> Rendered {
+        for at in 0..self.drafts.len() {
+            if let Err(Expand(reason)) = &self.drafts[at]
+                && self.expand[at].is_none()
+            {
+                self.expand[at] = Some(reason.clone());
+            }
+        }
+        loop {
+            self.whole_cycles();
+            let covered = self.covered();
+            if let Some((at, reason)) = self.moving_statement(&covered) {
+                self.escalate(at, &reason, &covered);
+                continue;
+            }
+            let mut rendered =
+                Rendered { lines: vec![None; self.drafts.len()], ..Rendered::default() };
+            match self.written_out(&covered, &mut rendered) {
+                Some((at, reason)) => self.escalate(at, &reason, &covered),
+                None => {
+                    self.kept(&covered, &mut rendered);
+                    self.flattened(&mut rendered);
+                    initial::begin(self.context, &mut rendered);
+                    rendered.changes.sort_by_key(|change| change.line);
+                    return rendered;
+                }
+            }
+        }
+    }
+
+    /// Runs that another block's lines already hold.
+    fn covered(&self) -> Vec<bool> {
+        let trace = self.context.trace;
+        let mut covered = vec![false; trace.execs.len()];
+        let mut at = 0;
+        while at < covered.len() {
+            let exec = &trace.execs[at];
+            let main_is_flat = self.flat.iter().any(Option::is_some)
+                && exec.block.is_none_or(|block| self.is_flat(block));
+            let is_out = exec.block.is_some_and(|block| self.expand[block].is_some());
+            if main_is_flat || is_out {
+                let tree = trace.subtree(at);
+                let from = if main_is_flat { at } else { at + 1 };
+                covered[from..tree.end].fill(true);
+                at = tree.end.max(at + 1);
+            } else {
+                at += 1;
+            }
+        }
+        covered
+    }
+
+    /// A statement that steers the run, is not kept, and is not yet within what is written out.
+    fn moving_statement(&self, covered: &[bool]) -> Option<(usize, String)> {
+        let (source, trace) = (self.context.source, self.context.trace);
+        for (index, exec) in trace.execs.iter().enumerate() {
+            let Some(at) = exec.block.filter(|_| !covered[index]) else { continue };
+            let Some(reason) = &self.expand[at] else { continue };
+            if let BlockKind::Macro(range) = source.blocks[at].kind {
+                let words = String::from_utf8_lossy(range.slice(source.text)).to_ascii_uppercase();
+                let steers = ["GOTO", "WHILE", "IF", "END", "DO", "CALL", "SUB", "REPEAT", "WAIT"];
+                if steers.iter().any(|word| words.contains(word)) {
+                    return Some((at, reason.clone()));
+                }
+            }
+            // A jump back carries out again what stands between.
+            let jumps = source.has_action(at, self.context.from, |a| a == Action::Return)
+                && source.blocks[at].letters().has(b'P');
+            if jumps {
+                return Some((at, reason.clone()));
+            }
+        }
+        None
+    }
+
+    /// The lines of a block are not the same in all of its runs: its callers are written out, or the
+    /// whole program.
+    fn escalate(&mut self, at: usize, reason: &str, covered: &[bool]) {
+        let trace = self.context.trace;
+        let mut callers = BTreeSet::new();
+        for (index, exec) in trace.execs.iter().enumerate() {
+            if exec.block == Some(at) && !covered[index] {
+                let chain = &trace.paths[exec.path as usize];
+                callers.insert(chain.iter().find_map(|span| self.context.source.block_at(*span)));
+            }
+        }
+        let mut any = false;
+        for caller in callers.iter().flatten() {
+            if self.expand[*caller].is_none() {
+                self.expand[*caller] = Some(reason.to_string());
+                any = true;
+            }
+        }
+        if callers.contains(&None) || !any {
+            match self.main_of(at) {
+                Some(main) if self.flat[main].is_none() => {
+                    self.flat[main] = Some(reason.to_string());
+                }
+                _ => {
+                    self.write_all(reason);
+                }
+            }
+        }
+    }
+
+    /// The lines of blocks that are written out; a block whose runs differ is handed back.
+    fn written_out(&self, covered: &[bool], rendered: &mut Rendered) -> Option<(usize, String)> {
+        let trace = self.context.trace;
+        let mut known: Vec<Option<Vec<String>>> = vec![None; self.drafts.len()];
+        for (index, exec) in trace.execs.iter().enumerate() {
+            let Some(at) = exec.block.filter(|_| !covered[index]) else { continue };
+            let Some(reason) = &self.expand[at] else { continue };
+            let lines = match self.emit(index) {
+                Ok((lines, printed)) => {
+                    rendered.printed |= printed;
+                    lines
+                }
+                Err(refusal) => {
+                    rendered.refusals.push(refusal);
+                    Vec::new()
+                }
+            };
+            match &known[at] {
+                None => known[at] = Some(lines),
+                Some(before) if *before == lines => {}
+                Some(_) => return Some((at, reason.clone())),
+            }
+        }
+        for (at, lines) in known.into_iter().enumerate() {
+            let Some(lines) = lines else { continue };
+            let line = self.context.source.blocks[at].line;
+            let before = self.context.source.words(at);
+            let reason = format!("{}: written out", self.expand[at].clone().unwrap_or_default());
+            let lines = self.headed(at, lines);
+            rendered.changes.push(Change { line, before, after: lines.join("\n"), reason });
+            rendered.lines[at] = Some(lines);
+        }
+        None
+    }
+
+    /// The lines with the block's number, its words as a remark, and its comments.
+    fn headed(&self, at: usize, mut lines: Vec<String>) -> Vec<String> {
+        let source = self.context.source;
+        let block = &source.blocks[at];
+        let gap = if source.style.spaced { " " } else { "" };
+        let mut head = Vec::new();
+        if lines.len() > 1 || !block.comments.is_empty() {
+            let words = source.words(at).replace(['(', ')'], "");
+            let text = words.trim_start_matches(['\'', '#', '*', ';', ' ']).trim_end();
+            let text = if text.is_empty() { String::new() } else { format!("({text})") };
+            head.extend((!text.is_empty()).then_some(text));
+        }
+        if block.delete.is_some() {
+            lines = lines.into_iter().map(|line| format!("/{line}")).collect();
+        }
+        let number = block.words.iter().find(|word| word.letter == b'N');
+        if let (Some(number), Some(first)) = (number, lines.first_mut()) {
+            let number = String::from_utf8_lossy(number.range.slice(source.text)).into_owned();
+            *first = format!("{number}{gap}{first}");
+        }
+        head.extend(lines);
+        head
+    }
+
+    /// What a run does, and what it calls, as blocks.
+    fn emit(&self, index: usize) -> Result<(Vec<String>, bool), Refusal> {
+        let trace = self.context.trace;
+        let tree = trace.subtree(index);
+        let mut emitter = self.emitter(&trace.execs[index]);
+        for exec in &trace.execs[tree.clone()] {
+            self.emit_one(exec, &mut emitter)?;
+        }
+        emitter.restore(&trace.execs[tree.end - 1].after);
+        Ok((emitter.lines, emitter.printed))
+    }
+
+    fn emitter(&self, exec: &Exec) -> Emitter<'c> {
+        let context = self.context;
+        let tolerance = self.options.tolerance_mm;
+        Emitter::new(context.to, context.style(), tolerance, self.options.digits, &exec.before)
+    }
+
+    fn emit_one(&self, exec: &Exec, emitter: &mut Emitter<'c>) -> Result<(), Refusal> {
+        let commands = self.context.trace.commands_of(exec);
+        let writes = exec.block.is_some_and(|at| {
+            self.context.source.has_action(at, self.context.from, |a| a == Action::SetData)
+        });
+        if commands.is_empty() && !writes {
+            return Ok(());
+        }
+        let mut tried = emitter.clone();
+        let reason = match tried.block(commands) {
+            Ok(()) if !writes => {
+                *emitter = tried;
+                return Ok(());
+            }
+            Ok(()) => "data that the program writes".to_string(),
+            Err(reason) => reason,
+        };
+        // Words that mean the same on both controls may do what no command tells.
+        let source = self.context.source;
+        let draft = exec.block.map(|at| (at, self.context.block(at)));
+        match draft {
+            Some((_, Ok(mut draft))) => {
+                for word in 0..draft.block.words.len() {
+                    if draft.block.words[word].letter == b'N' {
+                        draft.set(word, "");
+                    }
+                }
+                emitter.restore(&exec.before);
+                emitter.foreign(draft.lines(), &exec.after);
+                Ok(())
+            }
+            Some((at, Err(Expand(why)))) => Err(Refusal {
+                line: source.blocks[at].line,
+                words: source.words(at),
+                reason: format!("{why}; and it cannot be written out: {reason}"),
+            }),
+            None => Err(Refusal {
+                line: 0,
+                words: String::new(),
+                reason: format!("a block of another file cannot be written out: {reason}"),
+            }),
+        }
+    }
+
+    /// The lines of blocks that keep their words.
+    fn kept(&self, covered: &[bool], rendered: &mut Rendered) {
+        let (source, trace) = (self.context.source, self.context.trace);
+        let mut sub_runs = vec![(0usize, 0usize); source.subs.len()];
+        for (index, exec) in trace.execs.iter().enumerate() {
+            let Some(at) = exec.block else { continue };
+            if let Some(sub) = source.sub_of(at) {
+                sub_runs[sub].0 += 1;
+                sub_runs[sub].1 += usize::from(covered[index]);
+            }
+        }
+        for (sub, (runs, within)) in source.subs.iter().zip(&sub_runs) {
+            if *runs > 0 && runs == within {
+                let line = source.blocks[sub.blocks.start].line;
+                rendered.changes.push(Change {
+                    line,
+                    before: source.words(sub.blocks.start),
+                    after: String::new(),
+                    reason: "the subprogram is written out where it was called".into(),
+                });
+            }
+        }
+        let drops: Vec<bool> =
+            sub_runs.iter().map(|(runs, within)| *runs > 0 && runs == within).collect();
+        for at in 0..self.drafts.len() {
+            let gone = source.sub_of(at).is_some_and(|sub| drops[sub]);
+            if rendered.lines[at].is_some() || gone || self.is_flat_body(at) {
+                continue;
+            }
+            match &self.drafts[at] {
+                Ok(draft) if self.expand[at].is_none() => {
+                    let lines = draft.lines();
+                    let is_bare = lines.is_empty() && draft.block.words.is_empty();
+                    rendered.changes.extend(draft.changes.iter().cloned());
+                    rendered.lines[at] = (!lines.is_empty() || is_bare).then_some(lines);
+                }
+                // What never runs cannot be written out: it stays as a remark.
+                _ if trace.facts[at].runs == 0 => {
+                    let words = source.words(at).replace(['(', ')'], "");
+                    let line = source.blocks[at].line;
+                    let after = format!("({words})");
+                    rendered.changes.push(Change {
+                        line,
+                        before: source.words(at),
+                        after: after.clone(),
+                        reason: "it never runs here and has no form on the new control".into(),
+                    });
+                    rendered.lines[at] = Some(vec![after]);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn is_flat_body(&self, at: usize) -> bool {
+        let source = self.context.source;
+        self.is_flat(at)
+            && self.main_of(at).is_some_and(|main| at >= source.first_words(&source.mains[main]))
+            && source.blocks[at].kind != BlockKind::Percent
+            && source.section_end != Some(at)
+    }
+
+    /// Main programs that are written out as they run.
+    fn flattened(&self, rendered: &mut Rendered) {
+        let (source, trace) = (self.context.source, self.context.trace);
+        for (main, reason) in source.mains.iter().zip(&self.flat) {
+            let Some(reason) = reason else { continue };
+            let runs: Vec<usize> = (0..trace.execs.len())
+                .filter(|index| {
+                    let exec = &trace.execs[*index];
+                    let chain = &trace.paths[exec.path as usize];
+                    let root = chain.last().map_or(exec.block, |span| source.block_at(*span));
+                    root.is_some_and(|at| main.contains(&at))
+                })
+                .collect();
+            let Some(first) = runs.first() else { continue };
+            let mut emitter = self.emitter(&trace.execs[*first]);
+            let mut seen = BTreeSet::new();
+            for index in runs {
+                let exec = &trace.execs[index];
+                if let Some(at) = exec.block
+                    && seen.insert(at)
+                {
+                    emitter.remarks(self.remarks(at));
+                }
+                if let Err(refusal) = self.emit_one(exec, &mut emitter) {
+                    rendered.refusals.push(refusal);
+                }
+            }
+            emitter.finish();
+            rendered.printed |= emitter.printed;
+            let body = main.clone().find(|at| self.is_flat_body(*at)).unwrap_or(main.start);
+            let line = source.blocks[body].line;
+            rendered.changes.push(Change {
+                line,
+                before: source.words(body),
+                after: emitter.lines.join("\n"),
+                reason: format!("{reason}: the program is written out as it runs"),
+            });
+            rendered.lines[body] = Some(emitter.lines);
+        }
+    }
+
+    /// The comments of a block in the marks of the new control.
+    fn remarks(&self, at: usize) -> Vec<String> {
+        let source = self.context.source;
+        if !self.is_flat_body(at) {
+            return Vec::new();
+        }
+        let lexicons = self.context.controls().map(|control| control.table.lexicon);
+        let block = &source.blocks[at];
+        let texts = block.comments.iter().map(|range| {
+            let text = String::from_utf8_lossy(range.slice(source.text)).into_owned();
+            comments::comment(&text, &lexicons[0], &lexicons[1])
+        });
+        texts.filter(|text| !text.is_empty()).collect()
+    }
+}
+
+/// The block that set up the cycle in force, for each block that belongs to it.
+fn cycles_of(context: &Context) -> Vec<Option<usize>> {
+    let mut cycles = vec![None; context.source.blocks.len()];
+    let mut setup = None;
+    for exec in &context.trace.execs {
+        let Some(at) = exec.block else { continue };
+        let is = matches!(exec.after.motion, Some(Action::Cycle(_)));
+        let own = context
+            .source
+            .has_action(at, context.from, |action| matches!(action, Action::Cycle(_)));
+        if own {
+            setup = Some(at);
+        }
+        if !is && !own {
+            setup = None;
+        }
+        if own || context.in_cycle(exec) {
+            cycles[at] = cycles[at].or(setup);
+        }
+    }
+    cycles
+}

@@ -1,0 +1,263 @@
+//! The old text as blocks, and which part of it each belongs to.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use chordal::Job;
+use chordal::control::Control;
+use chordal::control::table::{Action, Subroutines};
+use chordal::diagnostics::{FileId, Span};
+use chordal::syntax::{Block, BlockKind, BlockReader, Decimal, Letters, Word};
+
+/// How a subprogram is written and called.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Form {
+    /// A section `L100` before the main program, called by `L101`.
+    Letter,
+    /// From an N number behind the main program, called by M97.
+    Label,
+    /// A program with an O number, called by M98.
+    Program,
+}
+
+/// A subprogram of the text.
+#[derive(Clone, Debug)]
+pub(crate) struct Sub {
+    pub form: Form,
+    /// The number of its section, its N number, or its O number.
+    pub number: u32,
+    pub blocks: Range<usize>,
+}
+
+/// The blocks of the old text.
+pub(crate) struct Source<'a> {
+    pub text: &'a [u8],
+    pub blocks: Vec<Block>,
+    pub subs: Vec<Sub>,
+    /// The block that closes the section of `L` subroutines.
+    pub section_end: Option<usize>,
+    /// The blocks of the main programs.
+    pub mains: Vec<Range<usize>>,
+    /// The program heads, main or not.
+    pub heads: Vec<usize>,
+    pub style: Style,
+}
+
+/// How the programmer writes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Style {
+    /// Blanks stand between words.
+    pub spaced: bool,
+    /// `0.5`, not `.5`.
+    pub leading_zero: bool,
+    /// `G01`, not `G1`.
+    pub two_digits: bool,
+}
+
+impl<'a> Source<'a> {
+    pub fn of(job: &'a Job) -> Source<'a> {
+        let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
+        let control = job.control();
+        let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
+        let mut blocks = Vec::new();
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            blocks.push(block.clone());
+        }
+        let mut source = Source {
+            text,
+            style: style(text, &blocks),
+            blocks,
+            subs: Vec::new(),
+            section_end: None,
+            mains: Vec::new(),
+            heads: Vec::new(),
+        };
+        source.find_programs(job);
+        source.find_sections(control);
+        source.find_labels(control);
+        source
+    }
+
+    fn find_programs(&mut self, job: &Job) {
+        for program in job.programs() {
+            let from = self.first_at(program.head.start.offset);
+            let to = self.first_at(program.head.end);
+            if program.head.number.is_some() {
+                self.heads.push(from);
+            }
+            match program.head.number {
+                Some(number) if !program.is_main => {
+                    self.subs.push(Sub { form: Form::Program, number, blocks: from..to });
+                }
+                _ if program.is_main => self.mains.push(from..to),
+                _ => {}
+            }
+        }
+    }
+
+    /// The `L` sections in front of the first main program.
+    fn find_sections(&mut self, control: &Control) {
+        if control.table.subroutines != Subroutines::LetterL {
+            return;
+        }
+        for main in self.mains.clone() {
+            let mut open: Option<(u32, usize)> = None;
+            let mut found = Vec::new();
+            for at in main.clone() {
+                let block = &self.blocks[at];
+                if block.words.is_empty() || block.letters().has(b'O') {
+                    continue;
+                }
+                let ends = self.has_action(at, control, |action| {
+                    matches!(action, Action::ProgramEnd { rewind: true })
+                });
+                let head = section_number(block);
+                if open.is_none() && head.is_none() {
+                    break;
+                }
+                if let (Some((number, from)), true) = (open, head.is_some() || ends) {
+                    found.push(Sub { form: Form::Letter, number, blocks: from..at });
+                }
+                open = head.map(|number| (number, at)).or(open);
+                if ends {
+                    self.section_end = Some(at);
+                    self.subs.append(&mut found);
+                    break;
+                }
+            }
+        }
+    }
+
+    /// What M97 calls behind the end of a main program.
+    fn find_labels(&mut self, control: &Control) {
+        let mut labels = BTreeMap::new();
+        for at in 0..self.blocks.len() {
+            if !self.has_action(at, control, |action| action == Action::CallLabel) {
+                continue;
+            }
+            let Some(label) = whole(self.blocks[at].word(b'P')) else { continue };
+            let Some(main) = self.mains.iter().find(|main| main.contains(&at)).cloned() else {
+                continue;
+            };
+            labels.insert(label, main);
+        }
+        for (label, main) in labels {
+            let end = main.clone().find(|at| {
+                self.has_action(*at, control, |action| matches!(action, Action::ProgramEnd { .. }))
+            });
+            let start = main.clone().find(|at| whole(self.blocks[*at].word(b'N')) == Some(label));
+            let (Some(end), Some(start)) = (end, start) else { continue };
+            let back = (start..main.end)
+                .find(|at| self.has_action(*at, control, |action| action == Action::Return));
+            if let Some(back) = back
+                && start > end
+            {
+                self.subs.push(Sub { form: Form::Label, number: label, blocks: start..back + 1 });
+            }
+        }
+    }
+
+    /// The first block of a program behind its head and the remarks there.
+    pub fn first_words(&self, main: &Range<usize>) -> usize {
+        let is_head = |at: usize| {
+            let block = &self.blocks[at];
+            block.kind == BlockKind::Percent
+                || (block.kind == BlockKind::Words && block.words.is_empty())
+                || self.heads.contains(&at)
+        };
+        main.clone().find(|at| !is_head(*at)).unwrap_or(main.end)
+    }
+
+    fn first_at(&self, offset: u32) -> usize {
+        self.blocks.partition_point(|block| block.range.start < offset)
+    }
+
+    /// The block at a place of the text.
+    pub fn block_at(&self, span: Span) -> Option<usize> {
+        if span.file != FileId(0) {
+            return None;
+        }
+        self.blocks.binary_search_by_key(&span.range.start, |block| block.range.start).ok()
+    }
+
+    /// The blocks on lines from one to another, from 1.
+    pub fn blocks_on(&self, from: u32, to: u32) -> Range<usize> {
+        self.blocks.partition_point(|block| block.line < from)
+            ..self.blocks.partition_point(|block| block.line <= to)
+    }
+
+    /// The words of a block as they stand.
+    pub fn words(&self, at: usize) -> String {
+        String::from_utf8_lossy(self.blocks[at].range.slice(self.text)).trim().to_string()
+    }
+
+    /// The subprogram that a block belongs to.
+    pub fn sub_of(&self, at: usize) -> Option<usize> {
+        self.subs.iter().position(|sub| sub.blocks.contains(&at))
+    }
+
+    /// True when a block has a code that does this.
+    pub fn has_action(&self, at: usize, control: &Control, is: impl Fn(Action) -> bool) -> bool {
+        self.blocks[at].words.iter().any(|word| code_action(word, control).is_some_and(&is))
+    }
+}
+
+/// What a G or M word does on a control.
+pub(crate) fn code_action(word: &Word, control: &Control) -> Option<Action> {
+    let code = code_number(word.number()?)?;
+    match word.letter {
+        b'G' => control.g_code(code).map(|row| row.action),
+        b'M' => control.m_code(code).map(|row| row.action),
+        _ => None,
+    }
+}
+
+/// Ten times a code's number: G54.1 is 541.
+pub(crate) fn code_number(number: Decimal) -> Option<u16> {
+    let tenths = match number.scale {
+        0 => number.mantissa.checked_mul(10)?,
+        1 => number.mantissa,
+        scale => {
+            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
+            (number.mantissa % power == 0).then(|| number.mantissa / power)?
+        }
+    };
+    u16::try_from(tenths).ok()
+}
+
+/// A whole number not below zero.
+pub(crate) fn whole(word: Option<&Word>) -> Option<u32> {
+    u32::try_from(word?.number()?.to_integer()?).ok()
+}
+
+/// The number of a section whose head this block is: `L100` alone is 1.
+pub(crate) fn section_number(block: &Block) -> Option<u32> {
+    if block.kind != BlockKind::Words || !block.letters().within(Letters::of("LN")) {
+        return None;
+    }
+    let value = whole(block.word(b'L'))?;
+    (value >= 100 && value % 100 == 0).then_some(value / 100)
+}
+
+fn style(text: &[u8], blocks: &[Block]) -> Style {
+    let (mut together, mut apart) = (0, 0);
+    let (mut zeros, mut points) = (0, 0);
+    let (mut two, mut one) = (0, 0);
+    for block in blocks.iter().take(2000) {
+        for pair in block.words.windows(2) {
+            if pair[1].range.start > pair[0].range.end { apart += 1 } else { together += 1 }
+        }
+        for word in &block.words {
+            let written = &word.range.slice(text)[1..];
+            let digits = written.strip_prefix(b"-").unwrap_or(written);
+            zeros += usize::from(digits.starts_with(b"0."));
+            points += usize::from(digits.starts_with(b"."));
+            if word.letter == b'G' && digits.len() <= 2 {
+                two += usize::from(digits.len() == 2 && digits[0] == b'0');
+                one += usize::from(digits.len() == 1);
+            }
+        }
+    }
+    Style { spaced: apart >= together, leading_zero: zeros > points, two_digits: two > one }
+}

@@ -1,0 +1,192 @@
+//! The run of the old text, block by block.
+
+use std::ops::Range;
+
+use chordal::control::table::Action;
+use chordal::control::{CallPath, FeedMode, Modal, Origin, Position, Side, Units, WorkName};
+use chordal::geometry::Plane;
+use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
+
+use super::source::Source;
+
+/// What is in force behind a block.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Modes {
+    pub motion: Option<Action>,
+    pub incremental: bool,
+    pub plane: Plane,
+    pub feed_mode: FeedMode,
+    /// As the mode counts it: mm/s, 1/s, mm per revolution.
+    pub feed: Option<f64>,
+    pub units: Units,
+    pub side: Side,
+    pub work: WorkName,
+    pub position: Position,
+}
+
+impl From<Modal> for Modes {
+    fn from(modal: Modal) -> Modes {
+        Modes {
+            motion: modal.motion,
+            incremental: modal.incremental,
+            plane: modal.plane,
+            feed_mode: modal.feed_mode,
+            feed: modal.feed,
+            units: modal.units,
+            side: modal.side,
+            work: modal.work,
+            position: modal.position,
+        }
+    }
+}
+
+/// A block carried out once.
+#[derive(Clone, Debug)]
+pub(crate) struct Exec {
+    /// The block; nothing where it stands in another file.
+    pub block: Option<usize>,
+    /// The calls that it was reached through, innermost first, by number.
+    pub path: u32,
+    pub commands: Range<usize>,
+    pub before: Modes,
+    pub after: Modes,
+}
+
+/// What the runs of a block have in common.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Facts {
+    /// How often it was carried out.
+    pub runs: u32,
+    /// Its first run.
+    pub first: usize,
+    /// Some run comes behind an arc.
+    pub after_arc: bool,
+}
+
+/// A run.
+pub(crate) struct Trace {
+    pub execs: Vec<Exec>,
+    pub commands: Vec<Command>,
+    pub facts: Vec<Facts>,
+    /// The calling blocks, innermost first, by the numbers that runs have.
+    pub paths: Vec<Vec<Span>>,
+}
+
+struct Gather<'s, 'a> {
+    source: &'s Source<'a>,
+    trace: Trace,
+    last: Option<Modes>,
+    /// The first command of the running block.
+    open: usize,
+    last_is_arc: bool,
+    raw: Vec<CallPath>,
+}
+
+impl Sink for Gather<'_, '_> {
+    fn command(&mut self, command: &Command) {
+        self.trace.commands.push(command.clone());
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        let after = Modes::from(modal());
+        let block = self.source.block_at(origin.span);
+        let commands = self.open..self.trace.commands.len();
+        self.open = commands.end;
+        let index = self.trace.execs.len();
+        let after_arc = self.last_is_arc;
+        for command in &self.trace.commands[commands.clone()] {
+            if command.kind.motion().is_some() {
+                self.last_is_arc = command.kind.shape().is_some();
+            }
+        }
+        if let Some(facts) = block.map(|block| &mut self.trace.facts[block]) {
+            if facts.runs == 0 {
+                facts.first = index;
+            }
+            facts.runs += 1;
+            facts.after_arc |= after_arc;
+        }
+        let before = self.last.unwrap_or(after);
+        self.raw.push(origin.call);
+        self.trace.execs.push(Exec { block, path: 0, commands, before, after });
+        self.last = Some(after);
+    }
+}
+
+impl Trace {
+    pub fn of(job: &Job, source: &Source) -> Trace {
+        let trace = Trace {
+            execs: Vec::new(),
+            commands: Vec::new(),
+            facts: vec![Facts::default(); source.blocks.len()],
+            paths: vec![Vec::new()],
+        };
+        let mut gather =
+            Gather { source, trace, last: None, open: 0, last_is_arc: false, raw: Vec::new() };
+        let outcomes = job.run(&mut gather);
+        let Gather { mut trace, raw, .. } = gather;
+        trace.resolve(source, &raw, &outcomes);
+        trace
+    }
+
+    /// Gives each run the number of its calls. Every main program counts its calls anew.
+    fn resolve(&mut self, source: &Source, raw: &[CallPath], outcomes: &[chordal::Outcome]) {
+        let mut main = 0;
+        let mut known: Vec<Option<u32>> = Vec::new();
+        let mut running: Option<usize> = None;
+        for (exec, call) in self.execs.iter_mut().zip(raw) {
+            if *call == CallPath::default() {
+                let program =
+                    exec.block.and_then(|at| source.mains.iter().position(|m| m.contains(&at)));
+                if running.is_some() && program.is_some() && program != running {
+                    main += 1;
+                    known.clear();
+                }
+                running = program.or(running);
+                continue;
+            }
+            let at = call.0 as usize;
+            if known.len() <= at {
+                known.resize(at + 1, None);
+            }
+            exec.path = *known[at].get_or_insert_with(|| {
+                let calls = outcomes.get(main).map(|outcome| outcome.calls.resolve(*call));
+                self.paths.push(calls.unwrap_or_default());
+                self.paths.len() as u32 - 1
+            });
+        }
+    }
+
+    /// The commands of a run.
+    pub fn commands_of(&self, exec: &Exec) -> &[Command] {
+        &self.commands[exec.commands.clone()]
+    }
+
+    /// The first run of a block.
+    pub fn first_run(&self, block: usize) -> Option<&Exec> {
+        let facts = &self.facts[block];
+        (facts.runs > 0).then(|| &self.execs[facts.first])
+    }
+
+    /// The runs that a run sets off by its calls, itself included.
+    pub fn subtree(&self, index: usize) -> Range<usize> {
+        let depth = self.paths[self.execs[index].path as usize].len();
+        let deeper = |exec: &Exec| self.paths[exec.path as usize].len() > depth;
+        let more = self.execs[index + 1..].iter().take_while(|exec| deeper(exec)).count();
+        index..index + 1 + more
+    }
+}
+
+/// The commands of a block that move.
+pub(crate) fn moves(commands: &[Command]) -> impl Iterator<Item = &Command> {
+    commands.iter().filter(|command| {
+        command.kind.motion().is_some_and(|motion| motion.from != motion.to)
+            || matches!(command.kind, CommandKind::Arc { .. } | CommandKind::Spiral { .. })
+    })
+}

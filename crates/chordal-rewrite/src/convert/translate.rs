@@ -1,0 +1,582 @@
+//! A block of one control as a block of another.
+
+use chordal::CommandKind;
+use chordal::control::table::{Action, DataTarget, Group, LineRepeat, MotionModality, Subroutines};
+use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName};
+use chordal::syntax::{BlockKind, Letters, Value};
+
+use super::codes;
+use super::comments;
+use super::cycles;
+use super::draft::{Draft, Expand};
+use super::numbers::{self, Kind};
+use super::source::{Source, Style, code_action, section_number, whole};
+use super::spiral;
+use super::structure::{Places, Structure};
+use super::trace::{Exec, Trace, moves};
+
+/// Everything that a block's new form depends on.
+pub(crate) struct Context<'a> {
+    pub source: &'a Source<'a>,
+    pub trace: &'a Trace,
+    pub structure: &'a Structure,
+    pub from: &'a Control,
+    pub to: &'a Control,
+}
+
+/// Letters of lengths on the axes of the plane and the third one.
+const LENGTHS: Letters = Letters::of("XYZIJKR");
+
+impl<'a> Context<'a> {
+    pub fn style(&self) -> Style {
+        self.source.style
+    }
+
+    pub fn controls(&self) -> [&'a Control; 2] {
+        [self.from, self.to]
+    }
+
+    /// True when statements of the macro language mean the same on both.
+    pub fn keeps_macros(&self) -> bool {
+        self.from.table.macros.form == self.to.table.macros.form
+    }
+
+    /// What the block's first run did, where it was carried out.
+    pub fn run(&self, at: usize) -> Option<&'a Exec> {
+        self.trace.first_run(at)
+    }
+
+    /// The block in the words of the new control.
+    pub fn block(&self, at: usize) -> Result<Draft<'a>, Expand> {
+        let block = &self.source.blocks[at];
+        let mut draft = Draft::new(self.source.text, block, self.style().spaced);
+        match block.kind {
+            BlockKind::Words => {}
+            BlockKind::Percent => return Ok(draft),
+            BlockKind::Folder => return Ok(draft),
+            BlockKind::Macro(_) if self.keeps_macros() => {}
+            BlockKind::Macro(_) => {
+                return Err(Expand(format!(
+                    "{} does not know this statement",
+                    self.to.table.title
+                )));
+            }
+        }
+        if block.expressions && !self.keeps_macros() {
+            return Err(Expand(format!("{} does not know expressions", self.to.table.title)));
+        }
+        if !block.words.is_empty() {
+            self.words(&mut draft, at)?;
+        }
+        comments::translate(&mut draft, self.from, self.to);
+        Ok(draft)
+    }
+
+    fn words(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        let places = Places {
+            source: self.source,
+            structure: self.structure,
+            from: self.from,
+            to: self.to,
+            style: self.style(),
+        };
+        places.translate(draft, at)?;
+        if self.source.heads.contains(&at) || section_number(draft.block).is_some() {
+            return Ok(());
+        }
+        codes::translate(draft, self.from, self.to, self.style())?;
+        self.offsets(draft, at)?;
+        cycles::translate(self, draft, at)?;
+        self.arc(draft, at)?;
+        self.registers(draft, at)?;
+        self.numbers(draft, at);
+        self.dwell(draft, at);
+        self.motion(draft, at);
+        self.distance(draft);
+        self.repeats(draft, at);
+        self.alone(draft);
+        Ok(())
+    }
+
+    /// E, H and D where they act by themselves.
+    fn offsets(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        let title = self.to.table.title;
+        if self.from.table.work_offset_by_e && !self.to.table.work_offset_by_e {
+            let e = draft.block.words.iter().position(|word| word.letter == b'E');
+            if let Some(e) = e {
+                let number = whole(Some(&draft.block.words[e]));
+                let number = number.and_then(|number| u16::try_from(number).ok());
+                match number {
+                    Some(0) => draft.remove(e, "E0 is the machine's own zero: G53 for its moves"),
+                    Some(number) => {
+                        let name = WorkName::E(number);
+                        let new = codes::work_offset(name, self.to, self.style());
+                        let new = new.ok_or_else(|| Expand(format!("{title} has no E{number}")))?;
+                        draft.replace(e, new.clone(), format!("E{number} is {new} on {title}"));
+                    }
+                    None => return Err(Expand("the number of the work offset is computed".into())),
+                }
+            }
+            let in_machine = self.run(at).is_some_and(|run| run.after.work == WorkName::Machine);
+            if in_machine
+                && draft.block.letters().meets(LENGTHS)
+                && let Some(code) = codes::name(Action::MachineCoordinates, self.to, self.style())
+            {
+                draft.lead(code, "the move goes to machine coordinates (E0)");
+            }
+        }
+        let by_h = self.from.parameters.length_by_h_alone;
+        if by_h && !self.to.parameters.length_by_h_alone {
+            self.length(draft, at);
+        }
+        self.radius_number(draft, at);
+        self.written_data(draft, at)
+    }
+
+    /// What G10 writes: L and P by what they mean.
+    fn written_data(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        if !self.source.has_action(at, self.from, |action| action == Action::SetData) {
+            return Ok(());
+        }
+        let place = |letter: u8| draft.block.words.iter().position(|word| word.letter == letter);
+        let (l, p) = (place(b'L'), place(b'P'));
+        let number = |at: Option<usize>| whole(at.map(|at| &draft.block.words[at]));
+        let (Some(l), Some(code)) = (l, number(l)) else { return Ok(()) };
+        let of = |control: &Control, code: u32| {
+            let row = control.table.set_data.iter().find(|row| u32::from(row.0) == code);
+            row.map(|row| row.1)
+        };
+        let Some(target) = of(self.from, code) else { return Ok(()) };
+        let there = |target: DataTarget| {
+            self.to.table.set_data.iter().find(|row| row.1 == target).map(|row| row.0)
+        };
+        let title = self.to.table.title;
+        let extended = number(p).filter(|_| target == DataTarget::ExtendedWorkOffset);
+        let by_e = number(p).filter(|number| {
+            target == DataTarget::WorkOffset && self.from.table.work_offset_by_e && *number > 6
+        });
+        if let (Some(number), Some(p)) = (extended, p)
+            && there(DataTarget::ExtendedWorkOffset).is_none()
+            && let Some(new) = there(DataTarget::WorkOffset)
+        {
+            draft.replace(
+                l,
+                format!("L{new}"),
+                format!("{title} counts all work offsets in one row"),
+            );
+            draft.replace(p, format!("P{}", number + 6), "the same work offset");
+        } else if let (Some(number), Some(p)) = (by_e, p)
+            && let Some(new) = there(DataTarget::ExtendedWorkOffset)
+        {
+            draft.replace(
+                l,
+                format!("L{new}"),
+                format!("{title} counts work offsets from E7 on apart"),
+            );
+            draft.replace(p, format!("P{}", number - 6), "the same work offset");
+        } else if of(self.to, code) != Some(target) {
+            let new = there(target);
+            let Some(new) = new.filter(|_| target != DataTarget::Other) else {
+                return Err(Expand(format!("{title} has no G10 L{code}")));
+            };
+            draft.replace(l, format!("L{new}"), format!("{title} has this under another L"));
+        }
+        let radius = matches!(target, DataTarget::Radius | DataTarget::RadiusWear);
+        if radius && self.from.parameters.radius_offsets != self.to.parameters.radius_offsets {
+            return Err(Expand(format!("{title} holds radii otherwise (diameter or radius)")));
+        }
+        Ok(())
+    }
+
+    /// `H1` brings the length into force by itself on one control, by G43 on the others.
+    fn length(&self, draft: &mut Draft, at: usize) {
+        let own = self.source.has_action(at, self.from, |action| {
+            matches!(
+                action,
+                Action::LengthPlus | Action::LengthMinus | Action::LengthCancel | Action::SetData
+            )
+        });
+        let Some(h) = draft.block.words.iter().position(|word| word.letter == b'H') else { return };
+        let Some(number) = whole(Some(&draft.block.words[h])).filter(|_| !own) else { return };
+        let title = self.to.table.title;
+        let written = draft.written(h);
+        if number == 0 {
+            let Some(code) = codes::name(Action::LengthCancel, self.to, self.style()) else {
+                return;
+            };
+            draft.replace(
+                h,
+                code,
+                format!(
+                    "{written} takes the length off by itself only on {}",
+                    self.from.table.title
+                ),
+            );
+        } else if let Some(code) = codes::name(Action::LengthPlus, self.to, self.style()) {
+            let gap = if self.style().spaced { " " } else { "" };
+            draft.replace(
+                h,
+                format!("{code}{gap}{written}"),
+                format!("{title} wants G43 beside H"),
+            );
+        }
+    }
+
+    /// The number of the radius offset, where H or T gives it on the old control.
+    fn radius_number(&self, draft: &mut Draft, at: usize) {
+        let Some(run) = self.run(at) else { return };
+        let has_d = draft.block.letters().has(b'D');
+        for command in self.trace.commands_of(run) {
+            let CommandKind::Compensation { number: Some(number), side, .. } = command.kind else {
+                continue;
+            };
+            let is_on = side != chordal::control::Side::Off;
+            let own = self.source.has_action(at, self.from, |action| {
+                matches!(action, Action::CompensationLeft | Action::CompensationRight)
+            });
+            if is_on && own && !has_d && self.from.table.name != self.to.table.name {
+                draft.append(
+                    format!("D{number}"),
+                    format!(
+                        "{} takes the number of the radius beside G41 and G42",
+                        self.to.table.title
+                    ),
+                );
+            }
+        }
+    }
+
+    /// Centres and radii as the new control reads them, and forms that it does not have.
+    fn arc(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        let Some(run) = self.run(at) else { return Ok(()) };
+        let shapes = self.trace.commands_of(run).iter().filter(|command| !command.origin.cycle);
+        let Some(shape) = shapes.filter_map(|command| command.kind.shape()).next() else {
+            return Ok(());
+        };
+        let letters = draft.block.letters();
+        let spiral = (shape.radius_to - shape.radius_from).abs();
+        let parameters = &self.to.parameters;
+        if spiral > parameters.radius_error_tolerance_mm {
+            return Err(Expand(format!(
+                "the radius changes by {} on the arc",
+                run.after.units.length_text(spiral)
+            )));
+        }
+        let turns = Letters::of("PQL");
+        let same_turns = self.from.table.arc_turns == self.to.table.arc_turns
+            && self.from.parameters.spiral == parameters.spiral;
+        let repeats = self.line_repeat(draft, at).is_some();
+        if letters.without(Letters::of(if repeats { "L" } else { "" })).meets(turns) && !same_turns
+        {
+            return Err(Expand(format!("{} counts turns another way", self.to.table.title)));
+        }
+        self.helix_feed(draft, run);
+        if self.from.parameters.arc_center != parameters.arc_center
+            && letters.meets(Letters::of("IJK"))
+        {
+            return Err(Expand(format!("{} reads centres another way", self.to.table.title)));
+        }
+        let (a, b, _) = shape.plane.axes();
+        if self.to.table.strict_center_words {
+            for word in 0..draft.block.words.len() {
+                let letter = draft.block.words[word].letter;
+                let outside = matches!(letter, b'I' | b'J' | b'K')
+                    && letter != b"IJK"[a]
+                    && letter != b"IJK"[b];
+                if outside {
+                    draft.remove(word, "a centre word outside the plane");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// F of a helix, where the new control measures it along something else.
+    fn helix_feed(&self, draft: &mut Draft, run: &Exec) {
+        let helix = self.trace.commands_of(run).iter().find_map(|command| match &command.kind {
+            CommandKind::Arc { motion, shape, feed } => Some((motion, shape, feed)),
+            _ => None,
+        });
+        let Some((motion, shape, feed)) = helix else { return };
+        let new = self.to.parameters.helix_feed;
+        if feed.mode != FeedMode::PerTime || !feed.value.is_finite() {
+            return;
+        }
+        let scale = spiral::feed_scale(motion, shape, feed, new);
+        if (scale - 1.0).abs() < 1e-9 {
+            return;
+        }
+        let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
+        let value = feed.value * 60.0 / unit;
+        let text = |value: f64| format!("F{}", numbers::feed(value, self.style()));
+        let reason = format!(
+            "{} measures the feed of a helix {}",
+            self.to.table.title,
+            if new == FeedAlong::Plane { "in the plane of its arc" } else { "along the helix" }
+        );
+        let own = draft.block.words.iter().position(|word| word.letter == b'F');
+        match own {
+            Some(own) => draft.replace(own, text(value * scale), reason),
+            None => draft.append(text(value * scale), reason),
+        }
+        draft.after.push(text(value));
+    }
+
+    /// `R0+1.` on one control, `R1.` on the others; other registers have no counterpart.
+    fn registers(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        let [has, will] = [self.from, self.to].map(|control| control.table.lexicon.registers);
+        if has == will {
+            return Ok(());
+        }
+        let title = self.to.table.title;
+        for word in 0..draft.block.words.len() {
+            let own = draft.block.words[word];
+            if matches!(own.value, Value::Register { .. }) {
+                return Err(Expand(format!("{title} has no registers")));
+            }
+            if own.letter != b'R' || own.comma || draft.is_gone(word) {
+                continue;
+            }
+            let written = draft.now(word);
+            match own.register {
+                Some(0) if self.uses_r(at) => {
+                    let value = &draft.written(word)[2..];
+                    let value = value.strip_prefix('+').unwrap_or(value);
+                    draft.replace(word, format!("R{value}"), format!("{title} writes R so"));
+                }
+                Some(_) => return Err(Expand(format!("{title} has no registers"))),
+                None if will => {
+                    let value = &written[1..];
+                    let sign = if value.starts_with('-') { "" } else { "+" };
+                    let value = value.strip_prefix('+').unwrap_or(value);
+                    draft.replace(word, format!("R0{sign}{value}"), format!("{title} writes R so"));
+                }
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// True when R is the radius or the level of the block's own move.
+    fn uses_r(&self, at: usize) -> bool {
+        let data = self.source.has_action(at, self.from, |action| {
+            matches!(action, Action::SetData | Action::Cycle(_))
+        });
+        let arc = self.run(at).is_some_and(|run| {
+            self.trace.commands_of(run).iter().any(|command| command.kind.shape().is_some())
+        });
+        data || arc || self.run(at).is_some_and(|run| self.in_cycle(run))
+    }
+
+    pub fn in_cycle(&self, run: &Exec) -> bool {
+        self.trace.commands_of(run).iter().any(|command| command.origin.cycle)
+    }
+
+    /// Numbers without a point.
+    fn numbers(&self, draft: &mut Draft, at: usize) {
+        let units = self.run(at).map_or(Units::Inch, |run| run.after.units);
+        let data = self.source.has_action(at, self.from, |action| {
+            matches!(action, Action::MacroCall | Action::ModalMacroCall { .. } | Action::Dwell)
+        });
+        for word in 0..draft.block.words.len() {
+            let own = draft.block.words[word];
+            let Some(number) = own.number() else { continue };
+            let kind = match own.letter {
+                b'X' | b'Y' | b'Z' | b'I' | b'J' | b'K' | b'R' => Kind::Length,
+                b'Q' if self.run(at).is_some_and(|run| self.in_cycle(run)) => Kind::Length,
+                b'A' | b'B' | b'C' => Kind::Angle,
+                b'F' => Kind::Feed,
+                _ => continue,
+            };
+            // A word that was changed has its point, but for R.
+            if data || draft.is_gone(word) || (draft.is_changed(word) && own.letter != b'R') {
+                continue;
+            }
+            if let Some(new) = numbers::carried_over(number, kind, units, self.controls()) {
+                let now = draft.now(word);
+                let head: String = now.chars().take_while(|c| c.is_ascii_alphabetic()).collect();
+                let reason =
+                    format!("a number without a point is another one on {}", self.to.table.title);
+                draft.replace(word, format!("{head}{new}"), reason);
+            }
+        }
+    }
+
+    /// The time of G4.
+    fn dwell(&self, draft: &mut Draft, at: usize) {
+        if !self.source.has_action(at, self.from, |action| action == Action::Dwell) {
+            return;
+        }
+        let Some(run) = self.run(at) else { return };
+        let seconds = self.trace.commands_of(run).iter().find_map(|command| match command.kind {
+            CommandKind::Dwell { seconds, .. } => Some(seconds),
+            _ => None,
+        });
+        let Some(seconds) = seconds else { return };
+        for word in 0..draft.block.words.len() {
+            let own = draft.block.words[word];
+            let Some(row) = self.from.table.dwell.iter().find(|row| row.letter == own.letter)
+            else {
+                continue;
+            };
+            let Some(number) = own.number() else { continue };
+            let there = self.to.table.dwell.iter().find(|row| row.letter == own.letter);
+            let unit = |row: &chordal::control::table::DwellWord| {
+                if number.has_point { row.point_s } else { row.integer_s }
+            };
+            if there.is_some_and(|there| unit(there) == unit(row)) {
+                continue;
+            }
+            if let Some(new) = numbers::dwell_word(seconds, self.to.table) {
+                draft.replace(word, new, format!("{} counts a dwell so", self.to.table.title));
+            }
+        }
+    }
+
+    /// Motion codes that the old control did not need.
+    fn motion(&self, draft: &mut Draft, at: usize) {
+        let [armed, arms] = [self.from, self.to].map(|control| control.table.motion);
+        if armed != MotionModality::Armed || arms == MotionModality::Armed {
+            return;
+        }
+        let Some(run) = self.run(at) else { return };
+        let own = draft.block.words.iter().any(|word| {
+            code_action(word, self.from).is_some_and(|action| {
+                matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
+                    || super::takes_axes(action)
+            })
+        });
+        let commands = self.trace.commands_of(run);
+        let Some(first) = moves(commands).find(|command| !command.origin.cycle) else { return };
+        if own || self.in_cycle(run) {
+            return;
+        }
+        let title = self.to.table.title;
+        let (action, reason) = match &first.kind {
+            CommandKind::Arc { shape, .. } if shape.sweep < 0.0 => (Action::ArcCw, "armed"),
+            CommandKind::Arc { .. } => (Action::ArcCcw, "armed"),
+            CommandKind::Line { .. } if self.trace.facts[at].after_arc => (Action::Linear, ""),
+            CommandKind::Rapid { .. } if self.trace.facts[at].after_arc => (Action::Rapid, ""),
+            _ => return,
+        };
+        let reason = match reason {
+            "" => format!("an arc cancels G0 and G1 on {title}"),
+            _ => format!("{title} does not keep the direction of an arc"),
+        };
+        if let Some(code) = codes::name(action, self.to, self.style()) {
+            draft.lead(code, reason);
+        }
+    }
+
+    /// G90 and G91 act from left to right on one control, before the words on the others.
+    fn distance(&self, draft: &mut Draft) {
+        let [from, to] = [self.from, self.to].map(|control| control.table.distance_left_to_right);
+        if from == to {
+            return;
+        }
+        let block = draft.block;
+        let first_axis = block.words.iter().position(|word| LENGTHS.has(word.letter));
+        let is_distance = |at: &usize| {
+            code_action(&block.words[*at], self.from)
+                .is_some_and(|action| matches!(action, Action::Absolute | Action::Incremental))
+        };
+        let codes: Vec<usize> = (0..block.words.len()).filter(is_distance).collect();
+        for at in codes {
+            let Some(first) = first_axis.filter(|first| *first < at) else { continue };
+            let _ = first;
+            let word = draft.now(at);
+            if from {
+                draft.replace(
+                    at,
+                    "",
+                    format!("{word} holds from the next block on, as it stands behind the words"),
+                );
+                draft.after.push(word);
+            } else {
+                draft.set(at, "");
+                draft.lead(word, "it must stand before the words that it holds for");
+            }
+        }
+    }
+
+    /// The count of a line repeat of the block.
+    fn line_repeat(&self, draft: &Draft, at: usize) -> Option<(usize, u32)> {
+        if self.from.table.line_repeat == LineRepeat::None {
+            return None;
+        }
+        let claimed = self.source.blocks[at].words.iter().any(|word| {
+            let Some(code) = word.number().and_then(super::source::code_number) else {
+                return false;
+            };
+            let row = match word.letter {
+                b'G' => self.from.g_code(code),
+                b'M' => self.from.m_code(code),
+                _ => None,
+            };
+            row.is_some_and(|row| row.words.has(b'L') || row.group == Group::Cycle)
+        });
+        let in_cycle = self.run(at).is_some_and(|run| self.in_cycle(run));
+        if claimed || in_cycle {
+            return None;
+        }
+        let word = draft.block.words.iter().position(|word| word.letter == b'L')?;
+        let count = whole(Some(&draft.block.words[word]))?;
+        let calls = self.from.table.subroutines == Subroutines::LetterL && count >= 100;
+        (!calls).then_some((word, count))
+    }
+
+    /// A repeated line is written as often.
+    fn repeats(&self, draft: &mut Draft, at: usize) {
+        let in_sub = self.source.sub_of(at).is_some();
+        let kept = match self.to.table.line_repeat {
+            LineRepeat::Anywhere => true,
+            LineRepeat::MainProgram => !in_sub,
+            LineRepeat::None => false,
+        };
+        let Some((word, count)) = self.line_repeat(draft, at).filter(|_| !kept) else { return };
+        draft.remove(
+            word,
+            format!("{} does not repeat lines: written {count} times", self.to.table.title),
+        );
+        // Letter and number of a head or a label stay with the first.
+        draft.times = count.min(MOST_COPIES);
+    }
+
+    /// Codes that must be the only G code of their block.
+    fn alone(&self, draft: &mut Draft) {
+        let block = draft.block;
+        let must = |at: usize| {
+            code_action(&block.words[at], self.from)
+                .and_then(|action| codes::row(action, self.to))
+                .is_some_and(|(row, letter)| {
+                    letter == b'G' && self.to.table.alone.contains(&row.code)
+                })
+        };
+        let Some(lone) =
+            (0..block.words.len()).find(|at| block.words[*at].letter == b'G' && must(*at))
+        else {
+            return;
+        };
+        let others: Vec<usize> = (0..block.words.len())
+            .filter(|at| *at != lone && block.words[*at].letter == b'G' && !draft.is_gone(*at))
+            .collect();
+        if others.is_empty() {
+            return;
+        }
+        let code = draft.now(lone);
+        let words: Vec<String> = others.iter().map(|at| draft.now(*at)).collect();
+        let line = words.join(if self.style().spaced { " " } else { "" });
+        for at in others {
+            draft.set(at, "");
+        }
+        draft.note(
+            line.clone(),
+            format!("{line}\n{code}"),
+            format!("{code} must be the only G code of its block on {}", self.to.table.title),
+        );
+        draft.before.push(line);
+    }
+}
+
+/// Most lines that a repeat becomes.
+const MOST_COPIES: u32 = 10_000;

@@ -1,0 +1,97 @@
+//! Every program of the documents on every other control: clean there, the same motion, and a list of
+//! changes that a person can read.
+
+use chordal::Severity;
+use chordal_rewrite::convert::{Options, convert};
+
+use super::{MACHINES, converted, job_of, text_of, verdict};
+
+/// The programs, each in the form that runs on its own control, and what the machine needs to know.
+const PROGRAMS: &[(&str, &[&str])] = &[
+    ("tests/suite/fadal/bore.nc", &[]),
+    ("tests/suite/fadal/boss.nc", &[]),
+    ("tests/suite/fadal/slot.nc", &[]),
+    ("tests/suite/fadal/quadrants.nc", &[]),
+    ("tests/suite/fadal/r0-arcs.nc", &[]),
+    ("tests/suite/fadal/partial-helices.nc", &[]),
+    ("tests/suite/fadal/repeats.nc", &[]),
+    ("tests/suite/fadal/od-thread.nc", &[]),
+    ("tests/suite/fadal/id-thread.nc", &[]),
+    ("tests/suite/fadal/g18-g90.nc", &[]),
+    ("tests/suite/fadal/g18-g91.nc", &[]),
+    ("tests/suite/fadal/g19-g90.nc", &[]),
+    ("tests/suite/fadal/g19-g91.nc", &[]),
+    ("tests/suite/fadal/subprograms.nc", &[]),
+    ("tests/suite/fadal/subroutines.nc", &["tools.1.diameter=\"0.5 in\""]),
+    ("tests/suite/haas/O60021.nc", &[]),
+    ("tests/suite/haas/O60022.nc", &[]),
+    ("tests/suite/haas/O60023.nc", &[]),
+    ("tests/suite/haas/O60024.nc", &[]),
+    ("tests/suite/haas/O60025.nc", &[]),
+    ("tests/suite/haas/O60131.nc", &[]),
+    ("tests/suite/textbook/corner-absolute.nc", &[]),
+    ("tests/suite/textbook/corner-from-center.nc", &[]),
+    ("tests/suite/textbook/corner-radius.nc", &[]),
+    ("tests/suite/textbook/corner-to-center.nc", &[]),
+    ("tests/suite/textbook/offsets-path.nc", &[]),
+    ("tests/suite/textbook/plane-codes.nc", &[]),
+    ("examples/textbook/switch-housing.nc", &[]),
+    ("tests/suite/mitsubishi/turns.nc", &[]),
+    ("tests/suite/mitsubishi/semicircle.nc", &[]),
+    ("examples/mitsubishi/cone.nc", &[]),
+    ("examples/mitsubishi-type2/cone.nc", &["name=\"mitsubishi-m700-type2\""]),
+];
+
+#[test]
+fn every_program_on_every_control() {
+    for (path, set) in PROGRAMS {
+        let text = text_of(path);
+        let text = with_folder_machine(path, text);
+        let set: Vec<&str> = set.iter().copied().filter(|set| !set.starts_with("name")).collect();
+        let old = job_of(&text, &set);
+        let own = old.machine().control;
+        let mut page = String::new();
+        for to in MACHINES.iter().filter(|to| super::machine(to).control != own) {
+            let found = converted(&old, to);
+            assert!(found.holds(), "{path} on {to}: {}", verdict(&found));
+            let new = found.job("converted").expect("a job");
+            let errors = new.check().diagnostics.into_iter().filter(|one| {
+                one.severity == Severity::Error
+                    && !found.certificate.as_ref().is_some_and(|certificate| {
+                        certificate.expected.iter().any(|expected| {
+                            format!("{:?}", expected.values).contains(one.code.id())
+                        })
+                    })
+            });
+            let errors: Vec<String> = errors.map(|one| one.message).collect();
+            assert_eq!(errors, Vec::<String>::new(), "{path} on {to}");
+            page += &format!("==== {to}: {}\n", verdict(&found));
+            for change in &found.changes {
+                let (before, after) = (&change.before, change.after.replace('\n', " | "));
+                page += &format!("{}: {before} -> {after}\n    {}\n", change.line, change.reason);
+            }
+            page += &format!("----\n{}\n", found.text);
+            // Back again: the same motion as at the beginning.
+            let twice = Options { tolerance_mm: 0.005, ..Options::default() };
+            let back = convert(&new, old.machine(), &twice);
+            assert!(
+                back.certificate.as_ref().is_some_and(|certificate| certificate.holds()),
+                "{path} from {to} back: {}",
+                verdict(&back)
+            );
+        }
+        let name = path.trim_start_matches("tests/suite/").replace(['/', '.'], "-");
+        insta::assert_snapshot!(name, page);
+    }
+}
+
+/// Examples say their machine in their folder, not in their text.
+fn with_folder_machine(path: &str, text: String) -> String {
+    if !path.starts_with("examples/") || text.contains("(machine: ") {
+        return text;
+    }
+    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let file = text_of(&format!("{folder}/chordal.toml"));
+    let name = file.split('"').nth(1).expect("a machine");
+    format!("(machine: {name})\n{text}")
+}

@@ -1,0 +1,96 @@
+//! Single forms, and what becomes of them.
+
+use super::{converted, job, machine, verdict};
+
+/// The body of a program on another control, where it is proved.
+#[track_caller]
+fn on(from: &str, text: &str, to: &str) -> String {
+    let mut own = machine(from);
+    own.set("tools.1.diameter=\"10 mm\"").expect("a good assignment");
+    let old = job(text, own);
+    let found = converted(&old, to);
+    assert!(found.holds(), "{}\n{}", verdict(&found), found.text);
+    let lines = found.text.lines().filter(|line| *line != "%" && !line.starts_with('O'));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn work_offsets_by_their_number() {
+    let text = "G0 G90 E1 X1. Y1.\nE7 X2.\nM2\n";
+    assert_eq!(on("fadal-4020", text, "haas-vf2"), "G0 G90 G54 X1. Y1.\nG154 P1 X2.\nM2");
+    assert_eq!(on("fadal-4020", text, "linuxcnc-mill"), "G0 G90 G54 X1. Y1.\nG59.1 X2.\nM2");
+    let text = "G20 G90 G0 G55 X1.\nG154 P2 X2.\nM30\n";
+    assert_eq!(on("haas-vf2", text, "fadal-4020"), "G20 G90 G0 E2 X1.\nE8 X2.\nM2");
+    assert_eq!(on("haas-vf2", text, "fanuc-30i"), "G20 G90 G0 G55 X1.\nG54.1 P2 X2.\nM30");
+}
+
+#[test]
+fn repeats_are_copied_or_kept() {
+    let text = "S100 M3\nG0 G90 X0 Y0 Z0\nG1 F10.\nG91 X1. Z-.1 G90 L3\nM2\n";
+    let haas = "S100 M3\nG0 G90 X0 Y0 Z0\nG1 F10.\nG91 X1. Z-.1 L3\nG90\nM2";
+    assert_eq!(on("fadal-4020", text, "haas-vf2"), haas);
+    let cnc =
+        "S100 M3\nG0 G90 X0 Y0 Z0\nG1 F10.\nG91 X1. Z-.1\nG91 X1. Z-.1\nG91 X1. Z-.1\nG90\nM2";
+    assert_eq!(on("fadal-4020", text, "linuxcnc-mill"), cnc);
+}
+
+#[test]
+fn numbers_without_a_point() {
+    let text = "G20 G90 S100 M3\nG0 X10000 Y0 Z0\nG1 X-5000 F10.\nM30\n";
+    let fadal = "G20 G90 S100 M3\nG0 X1. Y0 Z0\nG1 X-.5 F10.\nM2";
+    assert_eq!(on("haas-vf2", text, "fadal-4020"), fadal);
+}
+
+#[test]
+fn dwells_in_the_unit_of_the_control() {
+    let text = "G20 S100 M3\nG0 X0 Y0 Z0\nG4 P500\nM2\n";
+    let linux = "G20 S100 M3\nG0 X0 Y0 Z0\nG4 P0.5\nM2";
+    assert_eq!(on("fadal-4020", text, "linuxcnc-mill"), linux);
+}
+
+#[test]
+fn spirals_as_arcs() {
+    let text = "G21 G17 G90 S100 M3\nG0 X10. Y0 Z0\nG1 F100.\nG3.1 X20. Y0 I-10. J0 P2\nM30\n";
+    let old = job(text, machine("mitsubishi-m700"));
+    for to in ["haas-vf2", "fadal-4020", "linuxcnc-mill"] {
+        let found = converted(&old, to);
+        assert!(found.holds(), "{to}: {}", verdict(&found));
+        let arcs = found.text.lines().filter(|line| line.contains("G3 ")).count();
+        assert!((16..=200).contains(&arcs), "{arcs} arcs on {to}");
+        let most = found.certificate.expect("a proof").comparison.max_distance_mm;
+        assert!(most.is_some_and(|most| most > 0.0 && most <= 0.0025), "{most:?}");
+    }
+}
+
+#[test]
+fn nothing_is_written_of_a_program_with_errors() {
+    let text = "G20 G90 S100 M3\nG0 X0 Y0 Z0\nG2 X1. Y0 I.6 J0 F10.\nM30\n";
+    let found = converted(&job(text, machine("haas-vf2")), "fadal-4020");
+    assert!(found.text.is_empty() && !found.holds());
+    assert_eq!(found.refusals[0].line, 3);
+    assert!(found.refusals[0].reason.contains("own control"), "{}", found.refusals[0].reason);
+}
+
+#[test]
+fn what_has_no_form_is_said_with_its_line() {
+    // Tilted plane: the source control carries it out and Chordal does not.
+    let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG10 L50\nG1 X1. F100.\nG11\nM30\n";
+    let found = converted(&job(text, machine("fanuc-30i")), "haas-vf2");
+    assert!(!found.holds());
+    let said = found.refusals.iter().any(|refusal| refusal.line == 3);
+    assert!(said, "{:?}", found.refusals);
+}
+
+#[test]
+fn compensation_of_another_kind_is_proved_by_the_contour() {
+    // An arc about the corner on a Fadal, two lines on a Fanuc.
+    let text =
+        "G20 G90 S100 M3\nG0 X-1. Y-1. Z0\nG1 G41 D1 X0 F10.\nY1.\nX2.\nY0\nX-1.\nG40 Y-1.\nM2\n";
+    let mut own = machine("fadal-4020");
+    own.set("tools.1.diameter=\"10 mm\"").expect("a good assignment");
+    let found = converted(&job(text, own), "fanuc-30i");
+    let certificate = found.certificate.as_ref().expect("a proof");
+    assert!(certificate.holds());
+    let center = certificate.tool_center.as_ref().expect("another way round corners");
+    assert!(center.max_distance_mm.is_some_and(|mm| mm > 1.0 && mm < 5.0), "{center:?}");
+}

@@ -1,0 +1,374 @@
+//! Random programs of what all controls have, through every pair of them: the motion is the same.
+//!
+//! `CHORDAL_ROUNDS` sets how many.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+
+use super::{MACHINES, converted, job, machine, verdict};
+
+/// A block, before it is written for a control.
+#[derive(Clone, Debug)]
+enum Piece {
+    Rapid([i32; 3], u8),
+    Line([i32; 3], u8, Option<u16>),
+    /// Quarter turns from 1 to 4 of an arc of a radius, and a rise.
+    Arc {
+        quarters: u8,
+        radius: i32,
+        ccw: bool,
+        rise: i32,
+        by_r: bool,
+        first: u8,
+    },
+    Plane(u8),
+    Incremental(bool),
+    Feed(u16),
+    Offset(u8),
+    Tool(u8),
+    Dwell(u16),
+    Coolant(u8),
+    Drill {
+        depth: i32,
+        holes: Vec<[i32; 2]>,
+        pick: u8,
+    },
+    Call(u8, u8),
+    Repeat([i32; 3], u8),
+    Comment,
+    Exact(bool),
+}
+
+fn place() -> impl Strategy<Value = [i32; 3]> {
+    prop::array::uniform3(-20_000..20_000i32)
+}
+
+fn piece() -> impl Strategy<Value = Piece> {
+    let arc = (1..=4u8, 500..30_000i32, any::<bool>(), -5_000..5_000i32, any::<bool>(), 0..4u8);
+    let holes = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..4);
+    prop_oneof![
+        3 => (place(), 1..8u8).prop_map(|(to, axes)| Piece::Rapid(to, axes)),
+        6 => (place(), 1..8u8, prop::option::of(1..400u16))
+            .prop_map(|(to, axes, feed)| Piece::Line(to, axes, feed)),
+        6 => arc.prop_map(|(quarters, radius, ccw, rise, by_r, first)| Piece::Arc {
+            quarters, radius, ccw, rise, by_r, first
+        }),
+        1 => (0..3u8).prop_map(Piece::Plane),
+        2 => any::<bool>().prop_map(Piece::Incremental),
+        1 => (1..400u16).prop_map(Piece::Feed),
+        1 => (1..9u8).prop_map(Piece::Offset),
+        1 => (1..9u8).prop_map(Piece::Tool),
+        1 => (1..3000u16).prop_map(Piece::Dwell),
+        1 => (0..3u8).prop_map(Piece::Coolant),
+        1 => (1_000..20_000i32, holes, 0..2u8)
+            .prop_map(|(depth, holes, pick)| Piece::Drill { depth, holes, pick }),
+        2 => (0..3u8, 1..4u8).prop_map(|(sub, times)| Piece::Call(sub, times)),
+        1 => (place(), 2..4u8).prop_map(|(way, times)| Piece::Repeat(way, times)),
+        1 => Just(Piece::Comment),
+        1 => any::<bool>().prop_map(Piece::Exact),
+    ]
+}
+
+/// A writer of programs in the words of one control.
+struct Writer {
+    control: &'static str,
+    at: [i32; 3],
+    plane: u8,
+    incremental: bool,
+    lines: Vec<String>,
+}
+
+/// Ten-thousandths of an inch with a point.
+fn number(value: i32) -> String {
+    let text = format!("{:.4}", f64::from(value) / 10_000.0);
+    text.trim_end_matches('0').to_string()
+}
+
+impl Writer {
+    fn axes(&self) -> (usize, usize, usize) {
+        [(0, 1, 2), (2, 0, 1), (1, 2, 0)][self.plane as usize]
+    }
+
+    fn words(&mut self, to: [i32; 3], mask: u8) -> String {
+        let mut text = String::new();
+        for axis in 0..3 {
+            if mask & (1 << axis) == 0 {
+                continue;
+            }
+            let value = if self.incremental { to[axis] - self.at[axis] } else { to[axis] };
+            text += &format!(" {}{}", ['X', 'Y', 'Z'][axis], number(value));
+            self.at[axis] = to[axis];
+        }
+        text
+    }
+
+    fn piece(&mut self, piece: &Piece, in_sub: bool) {
+        let line = match piece {
+            Piece::Rapid(to, mask) => format!("G0{}", self.words(*to, *mask)),
+            Piece::Line(to, mask, feed) => {
+                let feed = feed.map_or_else(String::new, |feed| format!(" F{feed}."));
+                format!("G1{}{feed}", self.words(*to, *mask))
+            }
+            Piece::Arc { quarters, radius, ccw, rise, by_r, first } => {
+                self.arc(*quarters, *radius, *ccw, *rise, *by_r, *first)
+            }
+            Piece::Plane(plane) => {
+                self.plane = *plane;
+                format!("G{}", 17 + plane)
+            }
+            Piece::Incremental(on) => {
+                self.incremental = *on;
+                format!("G{}", 90 + u8::from(*on))
+            }
+            Piece::Feed(feed) => format!("F{feed}."),
+            Piece::Offset(number) => match (self.control, *number) {
+                ("fadal-4020", number) => format!("G0 E{number}"),
+                (_, number @ 1..=6) => format!("G{}", 53 + number),
+                ("haas-vf2", number) => format!("G154 P{}", number - 6),
+                ("linuxcnc-mill", number) => format!("G59.{}", number - 6),
+                (_, number) => format!("G54.1 P{}", number - 6),
+            },
+            Piece::Tool(number) if !in_sub => {
+                self.lines.push(format!("T{number} M6"));
+                let length = if self.control == "fadal-4020" { "" } else { "G43 " };
+                self.lines.push(format!("S{}00 M3", number + 4));
+                format!("{length}H{number}")
+            }
+            Piece::Tool(_) => return,
+            Piece::Dwell(ms) => match self.control {
+                "linuxcnc-mill" => format!("G4 P{}", f64::from(*ms) / 1000.0),
+                _ => format!("G4 P{ms}"),
+            },
+            Piece::Coolant(kind) => ["M7", "M8", "M9"][*kind as usize].into(),
+            Piece::Drill { .. } if self.incremental || self.plane != 0 => return,
+            Piece::Drill { depth, holes, pick } => return self.drill(*depth, holes, *pick),
+            Piece::Call(..) if in_sub => return,
+            Piece::Call(sub, times) => match self.control {
+                "fadal-4020" => format!("L{}{:02}", sub + 1, times),
+                "haas-vf2" => format!("M97 P{} L{times}", 1000 + u32::from(*sub)),
+                _ => format!("M98 P{} L{times}", 2000 + u32::from(*sub)),
+            },
+            Piece::Repeat(..) if !self.incremental || in_sub => return,
+            Piece::Repeat(way, times) => {
+                for (at, way) in self.at.iter_mut().zip(way) {
+                    *at += way / 10 * i32::from(*times);
+                }
+                let words = [0, 1, 2].map(|axis: usize| {
+                    format!(" {}{}", ['X', 'Y', 'Z'][axis], number(way[axis] / 10))
+                });
+                let count =
+                    if has_repeats(self.control) { format!(" L{times}") } else { String::new() };
+                let line = format!("G1{}{count}", words.concat());
+                if !has_repeats(self.control) {
+                    for _ in 1..*times {
+                        self.lines.push(line.clone());
+                    }
+                }
+                line
+            }
+            Piece::Comment => "(A REMARK)".into(),
+            Piece::Exact(on) => match (self.control, on) {
+                ("fadal-4020", true) => "G9".into(),
+                ("fadal-4020", false) => "G8".into(),
+                ("linuxcnc-mill", true) => "G61.1".into(),
+                (_, true) => "G61".into(),
+                (_, false) => "G64".into(),
+            },
+        };
+        if line != "G0" && line != "G1" {
+            self.lines.push(line);
+        }
+    }
+
+    fn arc(
+        &mut self,
+        quarters: u8,
+        radius: i32,
+        ccw: bool,
+        rise: i32,
+        by_r: bool,
+        first: u8,
+    ) -> String {
+        let (a, b, c) = self.axes();
+        const TURN: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
+        // From the centre to the start, and to the end.
+        let from = TURN[first as usize];
+        let step = if ccw { usize::from(quarters) } else { 16 - usize::from(quarters) };
+        let to = TURN[(first as usize + step) % 4];
+        let center = [self.at[a] - from[0] * radius, self.at[b] - from[1] * radius];
+        let mut end = self.at;
+        end[a] = center[0] + to[0] * radius;
+        end[b] = center[1] + to[1] * radius;
+        end[c] += rise;
+        let code = if ccw { "G3" } else { "G2" };
+        let (i, j) = (['I', 'J', 'K'][a], ['I', 'J', 'K'][b]);
+        let way = [center[0] - self.at[a], center[1] - self.at[b]];
+        let full = quarters == 4;
+        let mask = if full { 1 << c } else { 7 };
+        let mask = if rise == 0 { mask & !(1 << c) } else { mask };
+        let words = self.words(end, mask);
+        self.at = end;
+        if by_r && !full && quarters != 2 {
+            let sign = if quarters == 3 { "-" } else { "" };
+            let registers = self.control == "fadal-4020";
+            let plus = if registers && sign.is_empty() { "+" } else { sign };
+            let r = if registers { format!("R0{plus}") } else { format!("R{sign}") };
+            return format!("{code}{words} {r}{}", number(radius));
+        }
+        let mut centers = String::new();
+        for (letter, value) in [(i, way[0]), (j, way[1])] {
+            if value != 0 {
+                centers += &format!(" {letter}{}", number(value));
+            }
+        }
+        format!("{code}{words}{centers}")
+    }
+
+    fn drill(&mut self, depth: i32, holes: &[[i32; 2]], pick: u8) {
+        let level = 20_000;
+        self.lines.push(format!("G0 Z{}", number(level + 5_000)));
+        let r = if self.control == "fadal-4020" { "R0+" } else { "R" };
+        let code = ["G81 G99", "G82 G98"][pick as usize];
+        let dwell = match (pick, self.control) {
+            (0, _) => "",
+            (_, "linuxcnc-mill") => " P0.2",
+            _ => " P200",
+        };
+        for (index, hole) in holes.iter().enumerate() {
+            let place = format!("X{} Y{}", number(hole[0]), number(hole[1]));
+            self.lines.push(match index {
+                0 => format!(
+                    "{code} {place} Z{} {r}{}{dwell} F9.",
+                    number(level - depth),
+                    number(level)
+                ),
+                _ => place,
+            });
+        }
+        self.lines.push("G80".into());
+        self.lines.push(format!("G0 Z{}", number(level + 5_000)));
+        let last = holes[holes.len() - 1];
+        self.at = [last[0], last[1], level + 5_000];
+    }
+}
+
+fn has_repeats(control: &str) -> bool {
+    matches!(control, "fadal-4020" | "haas-vf2")
+}
+
+/// A program and its three subprograms in the words of a control.
+fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String {
+    let body = |pieces: &[Piece], in_sub: bool| {
+        let mut writer =
+            Writer { control, at: [0; 3], plane: 0, incremental: in_sub, lines: Vec::new() };
+        for piece in pieces {
+            writer.piece(piece, in_sub);
+        }
+        writer.lines
+    };
+    // Subprograms begin and end in increments of XY, whatever calls them: their motion adds up.
+    let sub = |pieces: &[Piece]| {
+        let keeps = |piece: &&Piece| {
+            !matches!(piece, Piece::Incremental(_) | Piece::Plane(_) | Piece::Offset(_))
+        };
+        let pieces: Vec<Piece> = pieces.iter().filter(keeps).cloned().collect();
+        let mut lines = vec!["G17 G91".to_string()];
+        lines.extend(body(&pieces, true));
+        lines.push("G90".into());
+        lines
+    };
+    let mut lines = Vec::new();
+    let begin = ["G20 G17 G90 G40 G80", "T1 M6", "S1000 M3", "G0 X0 Y0 Z0", "G1 F20."];
+    let mut main_lines: Vec<String> = begin.map(String::from).to_vec();
+    for piece in main {
+        let mut writer =
+            Writer { control, at: [0; 3], plane: 0, incremental: false, lines: Vec::new() };
+        // Each piece begins where everything is known, so that calls may stand between them.
+        writer.lines.push("G17 G90".into());
+        writer.lines.push("G1 X0 Y0 Z0".into());
+        if matches!(piece, Piece::Repeat(..)) {
+            writer.piece(&Piece::Incremental(true), false);
+        }
+        writer.piece(piece, false);
+        main_lines.extend(writer.lines);
+    }
+    let chain = body(main, false);
+    main_lines.push("G17 G90".into());
+    main_lines.push("G0 X0 Y0 Z0".into());
+    // Calls leave the tool elsewhere; what is written for known places goes without them.
+    let calls = ["L", "M97", "M98"];
+    main_lines.extend(chain.into_iter().filter(|line| !calls.iter().any(|c| line.starts_with(c))));
+    match control {
+        "fadal-4020" => {
+            for (index, pieces) in subs.iter().enumerate() {
+                lines.push(format!("L{}00", index + 1));
+                lines.extend(sub(pieces));
+                lines.push("M17".into());
+            }
+            lines.push("M30".into());
+            lines.extend(main_lines);
+            lines.push("M2".into());
+        }
+        "haas-vf2" => {
+            lines.push("O00100".into());
+            lines.extend(main_lines);
+            lines.push("M30".into());
+            for (index, pieces) in subs.iter().enumerate() {
+                let mut sub = sub(pieces);
+                sub[0] = format!("N{} {}", 1000 + index, sub[0]);
+                lines.extend(sub);
+                lines.push("M99".into());
+            }
+        }
+        _ => {
+            lines.push("O100".into());
+            lines.extend(main_lines);
+            lines.push("M30".into());
+            for (index, pieces) in subs.iter().enumerate() {
+                lines.push(format!("O{}", 2000 + index));
+                lines.extend(sub(pieces));
+                lines.push("M99".into());
+            }
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn random_programs_through_every_pair() {
+    #[allow(clippy::disallowed_methods, reason = "the number of rounds")]
+    let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
+    let config =
+        Config { cases: rounds.unwrap_or(12), failure_persistence: None, ..Config::default() };
+    let mut runner = TestRunner::new(config);
+    let pieces = || prop::collection::vec(piece(), 1..9);
+    let strategy = (pieces(), prop::collection::vec(pieces(), 3..4));
+    let result = runner.run(&strategy, |(main, subs)| {
+        // Programs that nothing calls would be programs of their own.
+        let mut main = main;
+        main.extend((0..3).map(|sub| Piece::Call(sub, 1)));
+        for from in MACHINES {
+            let text = program(from, &main, &subs);
+            let mut own = machine(from);
+            // Wide limits: the programs go where they like.
+            own.axes.iter_mut().flatten().for_each(|axis| axis.travel = None);
+            own.feed = Default::default();
+            let old = job(&text, own);
+            if old.check().counts.errors > 0 {
+                let told = old.check().diagnostics.into_iter().map(|one| one.message);
+                prop_assert!(false, "{from}: {:?}\n{text}", told.collect::<Vec<_>>());
+            }
+            for to in MACHINES {
+                let found = converted(&old, to);
+                prop_assert!(
+                    found.holds(),
+                    "{from} to {to}: {}\n{text}\n====\n{}",
+                    verdict(&found),
+                    found.text
+                );
+            }
+        }
+        Ok(())
+    });
+    result.expect("every program proved on every control");
+}
