@@ -3,12 +3,14 @@
 //! Lengths are millimetres, angles radians, time seconds. Positions are program
 //! coordinates: of the active work coordinate system, at the tool tip.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use chordal_diagnostics::{Diagnostic, Span, TextRange};
+use chordal_diagnostics::{Diagnostic, Shift, Span, TextRange};
 use chordal_geometry::Plane;
 use chordal_machine::Axis;
 
+use crate::interpreter::Rest;
 use crate::modal::Modal;
 
 /// A value for each axis X Y Z A B C, in mm and rad.
@@ -86,6 +88,17 @@ pub struct Origin {
     pub call: CallPath,
     /// Made by a canned cycle that the block set off.
     pub cycle: bool,
+}
+
+impl Origin {
+    /// The same in a text that has changed elsewhere; `None` where the block went.
+    pub fn shifted(&self, shift: &Shift) -> Option<Origin> {
+        let mut moved = Origin { span: shift.span(self.span)?, ..*self };
+        if moved.span != self.span {
+            moved.line = shift.place(self.span.range.start, self.line)?.1;
+        }
+        Some(moved)
+    }
 }
 
 /// A move of the tool tip in program coordinates.
@@ -484,6 +497,21 @@ pub trait Sink {
     }
     /// A block has been carried out; `modal` tells what is in force behind it.
     fn block_done(&mut self, _origin: &Origin, _modal: &dyn Fn() -> Modal) {}
+    /// From which byte of the main program on a [`Rest`] is wanted; asked at the beginning and
+    /// after each.
+    fn next_rest(&self) -> u32 {
+        u32::MAX
+    }
+    /// Whether what has come so far can be left off here.
+    fn is_settled(&self) -> bool {
+        true
+    }
+    /// A place at which the run may be taken up again. `Break` ends it here. `looked` is what of
+    /// the first text was read since the rest before, beside the blocks between the two: called
+    /// programs, and those that were searched for a label.
+    fn rest(&mut self, _rest: Rest, _looked: Option<TextRange>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 /// The chains of calls of a run, each stored once.
@@ -502,6 +530,19 @@ impl CallPaths {
             self.paths.len() - 1
         });
         CallPath(index as u32 + 1)
+    }
+
+    /// How many chains there are.
+    pub(crate) fn count(&self) -> usize {
+        self.paths.len()
+    }
+
+    /// Makes them the chains of a text that has changed elsewhere; `None` where a call went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        for (_, block) in &mut self.paths {
+            *block = shift.span(*block)?;
+        }
+        Some(())
     }
 
     /// The calling blocks, innermost first.

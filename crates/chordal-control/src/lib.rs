@@ -35,7 +35,8 @@ pub use control::Control;
 pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;
 pub use interpreter::{
-    EndReason, Interrupt, Outcome, RunOptions, initial_offset, initial_work_offset, run,
+    EndReason, Interrupt, Outcome, Rest, RunOptions, initial_offset, initial_work_offset, run,
+    run_from,
 };
 pub use library::{Library, Program, referenced_programs};
 pub use modal::Modal;

@@ -66,6 +66,28 @@ impl Collector {
         self.kept.push(diagnostic);
     }
 
+    /// Takes one that is copied only where it is kept.
+    pub fn push_copy(&mut self, diagnostic: &Diagnostic) {
+        let (code, span) = (diagnostic.code, diagnostic.primary.span);
+        let full = self.kept_per_code.get(&code).is_some_and(|kept| *kept >= self.limit_per_code);
+        if full {
+            self.push_uncopied(code, diagnostic.severity, span, 1);
+        } else {
+            self.push(diagnostic.clone());
+        }
+    }
+
+    /// Takes some of one place of which no more than this is known: none of them is kept.
+    pub fn push_uncopied(&mut self, code: Code, severity: Severity, span: Span, times: u64) {
+        if self.told.contains(&(code, span)) {
+            return;
+        }
+        for _ in 0..times {
+            self.counts.add(severity);
+        }
+        *self.dropped.entry(code).or_insert(0) += times;
+    }
+
     /// What was kept, in the order it came.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.kept

@@ -10,11 +10,13 @@ mod appended;
 mod collect;
 mod diagnostic;
 mod registry;
+mod shift;
 mod source;
 mod span;
 
 pub use collect::{Collector, Counts};
 pub use diagnostic::{Applicability, Diagnostic, Fix, Label, Severity};
 pub use registry::{Code, CodeInfo};
+pub use shift::Shift;
 pub use source::{LineColumn, Source, SourceMap};
 pub use span::{FileId, Span, TextRange};

@@ -98,7 +98,7 @@ impl<'a> Source<'a> {
 }
 
 /// Offsets just past each line end: LF, CR LF and a lone CR all end a line.
-fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
+pub(crate) fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
     memchr::memchr2_iter(b'\n', b'\r', text)
         .filter(|&at| !(text[at] == b'\r' && text.get(at + 1) == Some(&b'\n')))
         .map(|at| at + 1)

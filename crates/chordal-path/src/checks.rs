@@ -3,7 +3,7 @@
 use chordal_control::{
     AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units, number_text,
 };
-use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{Axis, Machine};
 
@@ -27,21 +27,71 @@ const ON_PLANE_MM: f64 = 1e-6;
 #[derive(Debug)]
 pub struct Checks<'a> {
     machine: &'a Machine,
+    now: ChecksMemory,
+    seen: Seen,
+}
+
+/// What the checks remember from command to command.
+#[derive(Clone, Debug)]
+pub struct ChecksMemory {
     frame: Frame,
     units: Units,
     /// The programmed moves that come have cutter compensation.
     compensated: bool,
     /// Direction and place of the end of the last cut, and the plane where it was an arc.
     last: Option<(Vec3, Vec3, Option<Plane>)>,
-    /// What the program cuts, in program coordinates.
-    cut: Aabb,
-    plunges: Vec<(Vec3, f64, Origin)>,
     /// The last motion cut below the clearance plane, or went on from there in rapid:
     /// `Some(rapid)` holds that rapid until the next motion shows where it led.
     at_depth: Option<Option<(f64, Origin)>>,
+    told_axes: AxisMask,
+}
+
+/// What a stretch of a run has touched, for what can be judged only at its end.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// What is cut, in program coordinates.
+    cut: Aabb,
+    /// Rapid plunges: where to, how deep, and by which block.
+    plunges: Vec<(Vec3, f64, Origin)>,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: [(f64, f64); 6],
-    told_axes: AxisMask,
+}
+
+impl Default for Seen {
+    fn default() -> Seen {
+        let extent = [(f64::INFINITY, f64::NEG_INFINITY); 6];
+        Seen { cut: Aabb::EMPTY, plunges: Vec::new(), extent }
+    }
+}
+
+impl Seen {
+    /// With what the stretch behind has touched.
+    pub fn and(&mut self, next: &Seen) {
+        self.cut = self.cut.union(next.cut);
+        let room = PLUNGES_KEPT.saturating_sub(self.plunges.len());
+        self.plunges.extend(next.plunges.iter().take(room));
+        for (extent, other) in self.extent.iter_mut().zip(next.extent) {
+            *extent = (extent.0.min(other.0), extent.1.max(other.1));
+        }
+    }
+
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        for (_, _, origin) in &mut self.plunges {
+            *origin = origin.shifted(shift)?;
+        }
+        Some(())
+    }
+}
+
+impl ChecksMemory {
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        if let Some(Some((_, origin))) = &mut self.at_depth {
+            *origin = origin.shifted(shift)?;
+        }
+        Some(())
+    }
 }
 
 impl<'a> Checks<'a> {
@@ -52,18 +102,35 @@ impl<'a> Checks<'a> {
         known: AxisMask,
         units: Units,
     ) -> Checks<'a> {
-        Checks {
-            machine,
+        let now = ChecksMemory {
             frame: Frame::new(offset, known),
             units,
             compensated: false,
             last: None,
-            cut: Aabb::EMPTY,
-            plunges: Vec::new(),
             at_depth: None,
-            extent: [(f64::INFINITY, f64::NEG_INFINITY); 6],
             told_axes: AxisMask::NONE,
-        }
+        };
+        Checks { machine, now, seen: Seen::default() }
+    }
+
+    /// What is remembered here.
+    pub fn memory(&self) -> &ChecksMemory {
+        &self.now
+    }
+
+    /// Goes on from there.
+    pub fn recall(&mut self, memory: ChecksMemory) {
+        self.now = memory;
+    }
+
+    /// Takes out what was touched so far; what comes is counted anew.
+    pub fn take_seen(&mut self) -> Seen {
+        std::mem::take(&mut self.seen)
+    }
+
+    /// Counts as touched, besides.
+    pub fn add_seen(&mut self, seen: &Seen) {
+        self.seen.and(seen);
     }
 
     /// Follows a command as programmed. Joints of a compensated contour are judged here: their
@@ -71,12 +138,12 @@ impl<'a> Checks<'a> {
     #[inline]
     pub fn programmed(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
         match &command.kind {
-            CommandKind::Compensation { side, .. } => self.compensated = *side != Side::Off,
-            CommandKind::Line { motion, .. } if self.compensated => {
+            CommandKind::Compensation { side, .. } => self.now.compensated = *side != Side::Off,
+            CommandKind::Line { motion, .. } if self.now.compensated => {
                 self.joint_of_line(motion, command.origin, &mut report);
             }
             CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. }
-                if self.compensated =>
+                if self.now.compensated =>
             {
                 let curve = curve_of(motion, Some(shape));
                 self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
@@ -92,7 +159,7 @@ impl<'a> Checks<'a> {
         let as_programmed = path.side == Side::Off;
         match &command.kind {
             CommandKind::Rapid { motion, .. } => {
-                self.last = None;
+                self.now.last = None;
                 self.extend(&motion.to, motion.to_known);
                 self.travel(&motion.to, motion, command.origin, &mut report);
                 self.rapid(motion, command.origin, &mut report);
@@ -101,7 +168,8 @@ impl<'a> Checks<'a> {
                 self.extend(&motion.to, motion.to_known);
                 self.travel(&motion.to, motion, command.origin, &mut report);
                 if is_known(motion) {
-                    self.cut = self.cut.include(point(&motion.from)).include(point(&motion.to));
+                    self.seen.cut =
+                        self.seen.cut.include(point(&motion.from)).include(point(&motion.to));
                 }
                 if as_programmed {
                     self.joint_of_line(motion, command.origin, &mut report);
@@ -118,23 +186,23 @@ impl<'a> Checks<'a> {
                     self.travel(&place, motion, command.origin, &mut report);
                 }
                 if is_known(motion) {
-                    self.cut = self.cut.union(bounds);
+                    self.seen.cut = self.seen.cut.union(bounds);
                 }
                 if as_programmed {
                     self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
                 }
                 self.cut_at_depth(motion, &mut report);
             }
-            CommandKind::Units(units) => self.units = *units,
+            CommandKind::Units(units) => self.now.units = *units,
             _ => {
-                self.frame.follow(command);
+                self.now.frame.follow(command);
             }
         }
     }
 
     #[inline]
     fn extend(&mut self, place: &Position, known: AxisMask) {
-        for (axis, extent) in self.extent.iter_mut().enumerate() {
+        for (axis, extent) in self.seen.extent.iter_mut().enumerate() {
             if known.has(axis) {
                 *extent = (extent.0.min(place[axis]), extent.1.max(place[axis]));
             }
@@ -149,16 +217,16 @@ impl<'a> Checks<'a> {
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
-        if self.frame.known == AxisMask::NONE {
+        if self.now.frame.known == AxisMask::NONE {
             return;
         }
-        for axis in self.frame.known.and(motion.to_known).without(self.told_axes).iter() {
+        for axis in self.now.frame.known.and(motion.to_known).without(self.now.told_axes).iter() {
             let limits = self.machine.axes[axis as usize].as_ref();
             let Some((low, high)) = limits.and_then(|limits| limits.travel) else { continue };
-            let at = self.frame.machine(place, axis as usize);
+            let at = self.now.frame.machine(place, axis as usize);
             let over = if at < low { low - at } else { at - high };
             if over > ON_PLANE_MM {
-                self.told_axes.insert(axis as usize);
+                self.now.told_axes.insert(axis as usize);
                 report(self.travel_exceeded(axis, at, (low, high), over, origin));
             }
         }
@@ -191,7 +259,7 @@ impl<'a> Checks<'a> {
         if axis.is_rotary() {
             return format!("{} deg", number_text(value.to_degrees(), 3));
         }
-        self.units.length_text(value)
+        self.now.units.length_text(value)
     }
 
     /// A rapid that ends below the clearance plane. Without a model of the stock, three
@@ -199,7 +267,7 @@ impl<'a> Checks<'a> {
     /// (judged at the end) it plunges amid what is cut. Leaving a bore or a post sideways
     /// and then lifting is common and right.
     fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
-        let at_depth = self.at_depth.take();
+        let at_depth = self.now.at_depth.take();
         // The R level of a cycle is a clearance plane of its own.
         if origin.cycle || !is_known(motion) {
             return;
@@ -218,9 +286,9 @@ impl<'a> Checks<'a> {
                 format!("a rapid comes down at a slant to {depth} below the clearance plane"),
             ));
         } else if sideways {
-            self.at_depth = at_depth.map(|rapid| rapid.or(Some((depth, origin))));
-        } else if to.z < from.z && self.plunges.len() < PLUNGES_KEPT {
-            self.plunges.push((to, depth, origin));
+            self.now.at_depth = at_depth.map(|rapid| rapid.or(Some((depth, origin))));
+        } else if to.z < from.z && self.seen.plunges.len() < PLUNGES_KEPT {
+            self.seen.plunges.push((to, depth, origin));
         }
     }
 
@@ -231,7 +299,7 @@ impl<'a> Checks<'a> {
     /// A cut: a rapid that led here at depth from another cut is told now.
     #[inline]
     fn cut_at_depth(&mut self, motion: &Move, report: &mut impl FnMut(Diagnostic)) {
-        if let Some(Some((depth, origin))) = self.at_depth {
+        if let Some(Some((depth, origin))) = self.now.at_depth {
             let depth = self.axis_text(Axis::Z, depth);
             report(self.rapid_into_part(
                 origin,
@@ -239,7 +307,7 @@ impl<'a> Checks<'a> {
             ));
         }
         let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
-        self.at_depth = (below && is_known(motion)).then_some(None);
+        self.now.at_depth = (below && is_known(motion)).then_some(None);
     }
 
     fn rapid_into_part(&self, origin: Origin, message: String) -> Diagnostic {
@@ -258,14 +326,14 @@ impl<'a> Checks<'a> {
     ) {
         let (from, to) = (point(&motion.from), point(&motion.to));
         let way = to - from;
-        if let Some((before, place, Some(plane))) = self.last
+        if let Some((before, place, Some(plane))) = self.now.last
             && place == from
         {
             self.joint(plane, before, way, origin, report);
         }
         // The direction is needed only when an arc follows; it is cheaper kept as it is.
         if way != Vec3::ZERO {
-            self.last = Some((way, to, None));
+            self.now.last = Some((way, to, None));
         }
     }
 
@@ -276,12 +344,12 @@ impl<'a> Checks<'a> {
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
-        if let Some((before, place, _)) = self.last
+        if let Some((before, place, _)) = self.now.last
             && place == curve.start()
         {
             self.joint(plane, before, curve.tangent_at(0.0), origin, report);
         }
-        self.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
+        self.now.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
     }
 
     /// The turn is judged in the plane of the arc: the slope of a helix is meant.
@@ -323,11 +391,11 @@ impl<'a> Checks<'a> {
 
     /// What can be judged only at the end of the run.
     pub fn finish(&mut self, mut report: impl FnMut(Diagnostic)) {
-        for (place, depth, origin) in std::mem::take(&mut self.plunges) {
-            let inside = place.x > self.cut.min.x
-                && place.x < self.cut.max.x
-                && place.y > self.cut.min.y
-                && place.y < self.cut.max.y;
+        for (place, depth, origin) in std::mem::take(&mut self.seen.plunges) {
+            let inside = place.x > self.seen.cut.min.x
+                && place.x < self.seen.cut.max.x
+                && place.y > self.seen.cut.min.y
+                && place.y < self.seen.cut.max.y;
             if inside {
                 let depth = self.axis_text(Axis::Z, depth);
                 report(self.rapid_into_part(
@@ -336,8 +404,8 @@ impl<'a> Checks<'a> {
                 ));
             }
         }
-        for axis in AxisMask::ALL.without(self.told_axes).without(self.frame.known).iter() {
-            let (low, high) = self.extent[axis as usize];
+        for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {
+            let (low, high) = self.seen.extent[axis as usize];
             let limits = self.machine.axes[axis as usize].as_ref();
             let Some((from, to)) = limits.and_then(|limits| limits.travel) else { continue };
             let over = (high - low) - (to - from);

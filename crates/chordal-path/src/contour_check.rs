@@ -67,8 +67,8 @@ impl Default for ContourCheck {
 }
 
 impl ContourCheck {
-    /// Takes the next block of a compensated contour. What is found in the contour before it
-    /// is reported once that is known to have ended.
+    /// Takes the next block of a compensated contour. What is found in a contour is reported once
+    /// that is known to have ended.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         if piece.stretch != self.stretch {
             self.finish(report);
@@ -89,6 +89,14 @@ impl ContourCheck {
         }
         self.level.take(piece);
         self.side_of_leads(piece, report);
+        if piece.role == Role::Cancel {
+            self.finish(report);
+        }
+    }
+
+    /// Whether no contour is open: all that was found has been told.
+    pub fn is_settled(&self) -> bool {
+        self.level.origins.is_empty() && self.alarms.is_empty() && self.beyond.is_none()
     }
 
     /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
@@ -106,6 +114,8 @@ impl ContourCheck {
     /// Ends the contour that is open.
     pub fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         self.end_level(report);
+        self.alarms.clear();
+        self.leads = Leads::default();
         if let Some(origin) = self.beyond.take() {
             let message =
                 format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");

@@ -17,8 +17,10 @@ mod rapid;
 mod segment;
 
 pub use builder::{PathBuilder, duration_s};
-pub use checks::Checks;
-pub use compensation::{Compensator, ContourPiece, PathCommand, PathSink, PlaneCurve, Role};
+pub use checks::{Checks, ChecksMemory, Seen};
+pub use compensation::{
+    Compensator, CompensatorMemory, ContourPiece, PathCommand, PathSink, PlaneCurve, Role,
+};
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::Frame;

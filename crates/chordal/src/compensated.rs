@@ -7,19 +7,19 @@ use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSin
 use crate::job::Job;
 
 /// Most diagnostics that wait for the end of the run, when the calls are known.
-const MOST_WAITING: usize = 10_000;
+pub(crate) const MOST_WAITING: usize = 10_000;
 
 /// Hands the commands of a control through compensation on to a path sink.
 pub(crate) struct Compensated<'a, S> {
-    compensator: Compensator,
-    told: Told<'a, S>,
+    pub compensator: Compensator,
+    pub told: Told<'a, S>,
 }
 
 /// The sink behind, and the diagnostics of compensation that wait for their calls.
-struct Told<'a, S> {
-    inner: S,
+pub(crate) struct Told<'a, S> {
+    pub inner: S,
     sources: &'a SourceMap<'a>,
-    waiting: Vec<(Diagnostic, CallPath)>,
+    pub waiting: Vec<(Diagnostic, CallPath)>,
     /// Holds contours against the whole path, where a run is judged.
     contours: Option<ContourCheck>,
 }
@@ -42,19 +42,34 @@ impl<'a, S: PathSink> Compensated<'a, S> {
         contours: Option<ContourCheck>,
         sink: S,
     ) -> (Vec<Outcome>, S) {
-        let compensator = Compensator::new(job.control());
-        let compensator = match radius_mm {
-            Some(radius) => compensator.with_radius(radius),
-            None => compensator,
-        };
-        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
-        let mut this = Compensated { compensator, told };
+        let mut this = Compensated::new(job, contours, sink);
+        if let Some(radius) = radius_mm {
+            this.compensator = this.compensator.with_radius(radius);
+        }
         let outcomes = job.run_each(&mut this, |this, outcome| {
-            this.compensator.finish(&mut this.told);
-            this.told.judge(|contours, report| contours.finish(report));
+            this.finish();
             this.told.resolve(outcome);
         });
         (outcomes, this.told.inner)
+    }
+
+    /// What is there before the first command.
+    pub fn new(job: &'a Job<'a>, contours: Option<ContourCheck>, sink: S) -> Compensated<'a, S> {
+        let compensator = Compensator::new(job.control());
+        let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
+        Compensated { compensator, told }
+    }
+
+    /// Ends what is open when a program ends.
+    pub fn finish(&mut self) {
+        self.compensator.finish(&mut self.told);
+        self.told.judge(|contours, report| contours.finish(report));
+    }
+
+    /// Whether no compensated contour is open.
+    pub fn is_settled(&self) -> bool {
+        let contours = &self.told.contours;
+        self.compensator.is_settled() && contours.as_ref().is_none_or(ContourCheck::is_settled)
     }
 }
 

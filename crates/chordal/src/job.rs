@@ -12,6 +12,7 @@ use crate::motion::{
     LimitError, MachineLimits, MotionBuilder, MotionOptions, MotionReport, MotionSink, PlanSink,
     Planning,
 };
+use crate::recheck::CheckMemory;
 use crate::summary::{Summary, SummaryBuilder};
 
 /// Why there is no job.
@@ -23,7 +24,7 @@ pub enum JobError {
 }
 
 /// How many diagnostics of one code are kept.
-const KEPT_PER_CODE: usize = 200;
+pub(crate) const KEPT_PER_CODE: usize = 200;
 
 /// A program and a machine.
 #[derive(Debug)]
@@ -157,22 +158,9 @@ impl<'a> Job<'a> {
             return Vec::new();
         }
         let library = Library::new(&self.sources, &self.control.table.lexicon);
-        let told = library.duplicate_diagnostics().filter(|each| self.is_about(&library, each));
-        told.for_each(|diagnostic| sink.diagnostic(diagnostic));
-        let mains = match self.program {
-            Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
-            Some(Chosen::Place(place)) => {
-                let programs = library.programs();
-                let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
-                is_there.then_some(place).into_iter().collect()
-            }
-            None => {
-                let called = self.control.alias_programs();
-                library.mains(&self.control.table.lexicon, &called)
-            }
-        };
+        self.duplicates(&library).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
-        for program in mains {
+        for program in self.mains(&library) {
             let outcome = chordal_control::run(
                 &library,
                 program,
@@ -185,13 +173,13 @@ impl<'a> Job<'a> {
             outcomes.push(outcome);
         }
         if outcomes.iter().all(|outcome| outcome.blocks == 0) {
-            sink.diagnostic(Diagnostic::new(
-                Code::EmptyProgram,
-                Span::default(),
-                "there is no block to run",
-            ));
+            sink.diagnostic(no_block());
         }
         outcomes
+    }
+
+    pub(crate) fn duplicates(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
+        library.duplicate_diagnostics().filter(|each| self.is_about(library, each))
     }
 
     /// False for problems of a program's head where only another program is run.
@@ -205,8 +193,7 @@ impl<'a> Job<'a> {
     }
 
     fn is_readable<S: Sink>(&self, sink: &mut S) -> bool {
-        let text = self.sources.get(FileId(0)).map_or(&[][..], |source| source.text());
-        if chordal_syntax::decode(text).binary {
+        if chordal_syntax::decode(self.text()).binary {
             sink.diagnostic(
                 Diagnostic::new(
                     Code::NotAProgram,
@@ -282,16 +269,58 @@ impl<'a> Job<'a> {
 
     /// Runs with the checks only: what `chordal check` asks.
     pub fn check(&self) -> Report {
-        let (offset, known) = self.initial_offset();
-        let sink = CheckSink {
-            checks: Checks::new(&self.machine, offset, known, self.control.parameters.units),
-            collector: Collector::new(KEPT_PER_CODE),
-            output: Vec::new(),
-        };
+        let sink = CheckSink::new(self, Collector::new(KEPT_PER_CODE));
         let (outcomes, sink) = Compensated::judge(self, sink);
-        let CheckSink { mut checks, mut collector, output } = sink;
+        let CheckSink { mut checks, notes: mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));
         Report::new(Summary::default(), collector, output, outcomes)
+    }
+
+    /// The same after a change of the first text, with what the check before remembers: only
+    /// what the change may touch is run. The machine, the options and the other texts must be
+    /// those of that check.
+    pub fn check_again(&self, memory: &mut CheckMemory) -> Report {
+        match self.single_main() {
+            Some((library, main)) => memory.check(self, &library, main),
+            None => {
+                memory.forget();
+                self.check()
+            }
+        }
+    }
+
+    /// The program that is run, where it is one, and nobody is asked on the way.
+    fn single_main(&self) -> Option<(Library<'_>, usize)> {
+        let readable = !chordal_syntax::decode(self.text()).binary;
+        if !readable || self.options.shop_codes.is_some() {
+            return None;
+        }
+        let library = Library::new(&self.sources, &self.control.table.lexicon);
+        match self.mains(&library)[..] {
+            [main] => Some((library, main)),
+            _ => None,
+        }
+    }
+
+    fn mains(&self, library: &Library) -> Vec<usize> {
+        match self.program {
+            Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
+            Some(Chosen::Place(place)) => {
+                let programs = library.programs();
+                let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
+                is_there.then_some(place).into_iter().collect()
+            }
+            None => library.mains(&self.control.table.lexicon, &self.control.alias_programs()),
+        }
+    }
+
+    /// The first text.
+    pub(crate) fn text(&self) -> &[u8] {
+        self.sources.get(FileId(0)).map_or(&[], |source| source.text())
+    }
+
+    pub(crate) fn run_options(&self) -> &RunOptions {
+        &self.options
     }
 
     /// Runs and hands on the moves of the machine and its waits, as a planner takes them.
@@ -329,8 +358,13 @@ impl<'a> Job<'a> {
     }
 }
 
+/// The problem of a text without a block.
+pub(crate) fn no_block() -> Diagnostic {
+    Diagnostic::new(Code::EmptyProgram, Span::default(), "there is no block to run")
+}
+
 impl Report {
-    fn new(
+    pub(crate) fn new(
         summary: Summary,
         collector: Collector,
         output: Vec<String>,
@@ -385,26 +419,47 @@ fn note_output(command: &Command, output: &mut Vec<String>) {
     }
 }
 
-struct CheckSink<'m> {
-    checks: Checks<'m>,
-    collector: Collector,
-    output: Vec<String>,
+/// Takes the problems of a check.
+pub(crate) trait Notes {
+    /// One problem.
+    fn note(&mut self, diagnostic: Diagnostic);
 }
 
-impl chordal_path::PathSink for CheckSink<'_> {
+impl Notes for Collector {
+    fn note(&mut self, diagnostic: Diagnostic) {
+        self.push(diagnostic);
+    }
+}
+
+/// Runs the checks only.
+pub(crate) struct CheckSink<'m, N> {
+    pub checks: Checks<'m>,
+    pub notes: N,
+    pub output: Vec<String>,
+}
+
+impl<'m, N> CheckSink<'m, N> {
+    pub fn new(job: &'m Job<'_>, notes: N) -> CheckSink<'m, N> {
+        let (offset, known) = job.initial_offset();
+        let checks = Checks::new(&job.machine, offset, known, job.control.parameters.units);
+        CheckSink { checks, notes, output: Vec::new() }
+    }
+}
+
+impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
     #[inline]
     fn programmed(&mut self, command: &Command) {
-        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
+        self.checks.programmed(command, |diagnostic| self.notes.note(diagnostic));
     }
 
     #[inline]
     fn command(&mut self, path: PathCommand<'_>) {
-        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
+        self.checks.command(path, |diagnostic| self.notes.note(diagnostic));
         note_output(path.command, &mut self.output);
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
-        self.collector.push(diagnostic);
+        self.notes.note(diagnostic);
     }
 }
 

@@ -22,6 +22,7 @@ mod comp_range;
 mod compensated;
 mod job;
 pub mod motion;
+mod recheck;
 mod summary;
 pub mod time;
 
@@ -43,4 +44,5 @@ pub use chordal_path::{
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, Report, TextProgram, Watch};
+pub use recheck::CheckMemory;
 pub use summary::{AxisTravel, Summary, ToolUse};

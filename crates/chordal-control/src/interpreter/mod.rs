@@ -19,11 +19,13 @@ mod path_modes;
 mod pocket;
 mod reference;
 mod report;
+mod rest;
 mod shop;
 mod spiral;
 mod values;
 
-use std::collections::HashMap;
+use std::cell::Cell;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 use std::sync::Arc;
 
@@ -42,6 +44,8 @@ use crate::offsets::Offsets;
 use crate::shop::ShopCodes;
 use crate::state::State;
 use crate::table::CodeRow;
+
+pub use rest::Rest;
 
 /// True when a run should end early. It is asked every [`BLOCKS_PER_ASKING`] blocks.
 pub type Interrupt = Arc<dyn Fn() -> bool + Send + Sync>;
@@ -156,7 +160,7 @@ struct Interpreter<'a> {
     paths: CallPaths,
     path: CallPath,
     /// L subroutines of the main program: number → first block.
-    subroutines: HashMap<u32, TextPosition>,
+    subroutines: BTreeMap<u32, TextPosition>,
     /// N numbers of each program that was jumped in.
     labels: HashMap<usize, HashMap<i64, Vec<TextPosition>>>,
     jumps: HashMap<u32, u32>,
@@ -180,10 +184,12 @@ struct Interpreter<'a> {
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
     shop: shop::ShopState,
+    /// What of the first text was read since the last rest beside the blocks one after the other.
+    looked: Cell<Option<TextRange>>,
 }
 
 /// Things that are told once, not for every block.
-#[derive(Default)]
+#[derive(Clone, Default, Debug)]
 struct Told {
     missing_feed: bool,
     spindle_for_tool: Option<u32>,
@@ -203,15 +209,31 @@ pub fn run<'a>(
     options: &'a RunOptions,
     sink: &'a mut (dyn Sink + 'a),
 ) -> Outcome {
+    let outcome = Interpreter::new(library, program, machine, control, options, sink).outcome();
+    outcome.map(|(outcome, _)| outcome).unwrap_or_else(|| Outcome {
+        end: EndReason::Interrupted,
+        blocks: 0,
+        calls: CallPaths::default(),
+        missing_programs: Vec::new(),
+    })
+}
+
+/// The same from a rest on, and what of the first text was read behind the last rest beside the
+/// blocks one after the other. Nothing when the sink has ended it at a rest.
+pub fn run_from<'a>(
+    library: &'a Library<'a>,
+    program: usize,
+    machine: &'a Machine,
+    control: &'a Control,
+    options: &'a RunOptions,
+    sink: &'a mut (dyn Sink + 'a),
+    rest: Option<&Rest>,
+) -> Option<(Outcome, Option<TextRange>)> {
     let mut interpreter = Interpreter::new(library, program, machine, control, options, sink);
-    let end = interpreter.run();
-    interpreter.finish(end);
-    Outcome {
-        end,
-        blocks: interpreter.blocks,
-        calls: interpreter.paths,
-        missing_programs: interpreter.missing,
+    if let Some(rest) = rest {
+        interpreter.take_up(rest);
     }
+    interpreter.outcome()
 }
 
 /// What lies between program and machine coordinates before the first block: the offset
@@ -254,7 +276,7 @@ impl<'a> Interpreter<'a> {
             frames: Vec::new(),
             paths: CallPaths::default(),
             path: CallPath::default(),
-            subroutines: HashMap::new(),
+            subroutines: BTreeMap::new(),
             labels: HashMap::new(),
             jumps: HashMap::new(),
             missing: Vec::new(),
@@ -272,17 +294,37 @@ impl<'a> Interpreter<'a> {
             message: None,
             stopped: None,
             shop: shop::ShopState::new(program),
+            looked: Cell::new(None),
         }
     }
 
-    fn run(&mut self) -> EndReason {
-        self.read_subroutine_section();
+    fn outcome(mut self) -> Option<(Outcome, Option<TextRange>)> {
+        let end = self.run()?;
+        self.finish(end);
+        let outcome =
+            Outcome { end, blocks: self.blocks, calls: self.paths, missing_programs: self.missing };
+        Some((outcome, self.looked.take()))
+    }
+
+    /// Why it ended; nothing when the sink has ended it at a rest.
+    fn run(&mut self) -> Option<EndReason> {
+        if self.blocks == 0 {
+            self.read_subroutine_section();
+        }
         let wants_blocks = self.sink.wants_blocks();
+        let mut next_rest = self.sink.next_rest();
         let mut block = Block::new();
         loop {
+            if self.reader.position().offset >= next_rest && self.is_settled() {
+                let rest = self.rest();
+                if self.sink.rest(rest, self.looked.take()).is_break() {
+                    return None;
+                }
+                next_rest = self.sink.next_rest();
+            }
             while !self.reader.read(&mut block) {
                 if self.frames.is_empty() {
-                    return EndReason::EndOfText;
+                    return Some(EndReason::EndOfText);
                 }
                 self.text_ended_in_call();
             }
@@ -290,11 +332,11 @@ impl<'a> Interpreter<'a> {
                 // A line of hundreds of words is more work than the blocks that people write.
                 self.repeated_blocks += (block.words.len() / USUAL_WORDS) as u64;
                 if !self.count_repeated() {
-                    return EndReason::Budget;
+                    return Some(EndReason::Budget);
                 }
             }
             if self.blocks.is_multiple_of(BLOCKS_PER_ASKING) && self.is_interrupted() {
-                return EndReason::Interrupted;
+                return Some(EndReason::Interrupted);
             }
             let flow = self.execute(&mut block);
             if wants_blocks {
@@ -303,7 +345,7 @@ impl<'a> Interpreter<'a> {
             }
             match flow {
                 Flow::Next => {}
-                Flow::End(reason) => return reason,
+                Flow::End(reason) => return Some(reason),
             }
         }
     }
@@ -464,6 +506,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn reader_of(&self, program: usize) -> BlockReader<'a> {
+        self.look_at(program);
         self.library.reader(self.program_at(program), self.control.table.lexicon)
     }
 

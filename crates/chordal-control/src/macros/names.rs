@@ -1,6 +1,6 @@
 //! Named variables: `#<name>` of the running subroutine, `#<_name>` of the whole run.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// Most named variables of a run; a program that makes names without end is stopped here.
 const MOST_NAMES: usize = 100_000;
@@ -8,9 +8,9 @@ const MOST_NAMES: usize = 100_000;
 /// Named variables by their names as [`normal`] writes them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
-    globals: HashMap<String, f64>,
+    globals: BTreeMap<String, f64>,
     /// Those of each call that has not returned, the main program's first.
-    levels: Vec<HashMap<String, f64>>,
+    levels: Vec<BTreeMap<String, f64>>,
 }
 
 /// A name without blanks, in lower case: LinuxCNC tells no more apart.
@@ -33,7 +33,7 @@ impl Names {
             &mut self.globals
         } else {
             if self.levels.is_empty() {
-                self.levels.push(HashMap::new());
+                self.levels.push(BTreeMap::new());
             }
             let last = self.levels.len() - 1;
             &mut self.levels[last]
@@ -48,9 +48,9 @@ impl Names {
     /// A call begins.
     pub fn enter(&mut self) {
         if self.levels.is_empty() {
-            self.levels.push(HashMap::new());
+            self.levels.push(BTreeMap::new());
         }
-        self.levels.push(HashMap::new());
+        self.levels.push(BTreeMap::new());
     }
 
     /// A call is over.

@@ -23,7 +23,7 @@ use chordal_control::{
     Allowance, Command, CommandKind, Control, Origin, Parameters, Repeated, Side, Units,
     table::ControlTable,
 };
-use chordal_diagnostics::Diagnostic;
+use chordal_diagnostics::{Diagnostic, Shift};
 use chordal_geometry::{Plane, Vec2};
 
 pub use plane::PlaneCurve;
@@ -146,6 +146,27 @@ pub struct Compensator {
     stretch: u32,
 }
 
+/// What a [`Compensator`] remembers where compensation is off.
+#[derive(Clone, Copy, Debug)]
+pub struct CompensatorMemory {
+    plane: Plane,
+    units: Units,
+    side: Side,
+    sign: f64,
+    radius: f64,
+    code: Origin,
+    toward: Option<Vec2>,
+    again: bool,
+}
+
+impl CompensatorMemory {
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.code = self.code.shifted(shift)?;
+        Some(())
+    }
+}
+
 impl Compensator {
     /// A compensator for one run on a control.
     pub fn new(control: &Control) -> Compensator {
@@ -174,6 +195,35 @@ impl Compensator {
     pub fn with_radius(mut self, radius_mm: f64) -> Compensator {
         self.radius_override = Some(radius_mm);
         self
+    }
+
+    /// Whether compensation is off and nothing waits.
+    pub fn is_settled(&self) -> bool {
+        self.phase == Phase::Off
+            && self.queue.is_empty()
+            && self.at.is_none()
+            && self.round_next.is_none()
+    }
+
+    /// What is left of it where it [is settled](Self::is_settled).
+    pub fn memory(&self) -> CompensatorMemory {
+        CompensatorMemory {
+            plane: self.plane,
+            units: self.units,
+            side: self.side,
+            sign: self.sign,
+            radius: self.radius,
+            code: self.code,
+            toward: self.toward,
+            again: self.again,
+        }
+    }
+
+    /// Goes on from there.
+    pub fn recall(&mut self, memory: &CompensatorMemory) {
+        let CompensatorMemory { plane, units, side, sign, radius, code, toward, again } = *memory;
+        (self.plane, self.units, self.side, self.code) = (plane, units, side, code);
+        (self.sign, self.radius, self.toward, self.again) = (sign, radius, toward, again);
     }
 
     /// Follows a command.

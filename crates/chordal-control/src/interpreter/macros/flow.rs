@@ -129,6 +129,7 @@ impl<'a> Interpreter<'a> {
 
     /// Where the block behind the END of a loop begins. The text is searched once.
     fn loop_end(&mut self, head: TextPosition, number: u32) -> Option<TextPosition> {
+        self.look_at(self.program);
         let key = (self.file, head.offset);
         if let Some(known) = self.macros.loop_ends.get(&key) {
             return *known;

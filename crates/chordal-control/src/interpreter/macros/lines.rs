@@ -1,6 +1,6 @@
 //! Macro lines: one statement behind `#`, in the manner of BASIC (Fadal manual, section 18).
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
@@ -38,7 +38,7 @@ pub(super) struct Lines {
     /// V1, V2, …; empty before the first is written.
     pub variables: Vec<f64>,
     /// Variables of the machine that the program wrote, by name and number.
-    pub written: HashMap<(u8, u32), f64>,
+    pub written: BTreeMap<(u8, u32), f64>,
     /// SET RADIANS.
     pub radians: bool,
     /// SET RND.
@@ -53,6 +53,25 @@ pub(super) struct Lines {
     left: BTreeSet<usize>,
     /// How often it has.
     starts: u32,
+}
+
+impl Lines {
+    /// All but what was found in the text, which is found again.
+    pub fn lasting(&self) -> Lines {
+        Lines {
+            variables: self.variables.clone(),
+            written: self.written.clone(),
+            held: self.held.clone(),
+            labels: HashMap::new(),
+            left: self.left.clone(),
+            ..*self
+        }
+    }
+
+    /// Whether no line is held back and no program was left.
+    pub fn is_settled(&self) -> bool {
+        self.held.is_empty() && self.left.is_empty() && self.starts == 0
+    }
 }
 
 impl<'a> Interpreter<'a> {
@@ -184,6 +203,7 @@ impl<'a> Interpreter<'a> {
     fn goto_label(&mut self, label: TextRange) -> Flow {
         let name = normal(label.slice(self.reader.text()));
         let program = self.program;
+        self.look_at(program);
         if !self.macros.lines.labels.contains_key(&program) {
             let labels = self.find_labels(program);
             self.macros.lines.labels.insert(program, labels);

@@ -9,6 +9,7 @@ mod comments;
 mod flow;
 mod letters;
 mod lines;
+mod memory;
 mod named;
 mod output;
 mod owords;
@@ -17,11 +18,13 @@ mod statements;
 mod system;
 mod words;
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 use chordal_machine::Machine;
 use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
+
+pub(super) use memory::MacroMemory;
 
 use super::Interpreter;
 use crate::command::Position;
@@ -42,7 +45,7 @@ pub(super) struct MacroState<'a> {
     words: Vec<Word>,
     pub(super) store: VariableStore,
     /// Values of system variables that the program or the machine file gives.
-    kept: HashMap<u32, f64>,
+    kept: BTreeMap<u32, f64>,
     /// Loops that run in this program, outermost first.
     pub(super) loops: Vec<Loop>,
     /// Where the END of a loop is, by file and beginning of the loop.
@@ -87,7 +90,7 @@ pub(super) struct Loop {
 impl MacroState<'_> {
     pub fn new(table: &ControlTable, machine: &Machine) -> Self {
         let mut store = VariableStore::new(table.macros);
-        let mut kept = HashMap::new();
+        let mut kept = BTreeMap::new();
         for (&number, &value) in &machine.macros.variables {
             if store.write(number, Some(value)).is_err() {
                 kept.insert(number, value);

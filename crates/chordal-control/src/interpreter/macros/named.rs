@@ -75,7 +75,10 @@ impl Interpreter<'_> {
             "c" => axis(5),
             "vmajor" => 2.9,
             "vminor" => 0.0,
-            "line" => f64::from(self.origin.line),
+            "line" => {
+                self.look_at_all();
+                f64::from(self.origin.line)
+            }
             "motion_mode" => self.motion_mode(),
             "plane" => match state.plane {
                 Plane::Xy => 170.0,

@@ -69,6 +69,13 @@ pub(super) struct OWords {
     pub value_returned: bool,
 }
 
+impl OWords {
+    /// Whether no repeat runs.
+    pub fn is_settled(&self) -> bool {
+        self.repeats.is_empty()
+    }
+}
+
 /// The label as it is compared: numbers without zeros before them.
 fn label_text(text: &[u8]) -> String {
     let name = normal(text);
@@ -181,6 +188,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn index(&mut self, program: usize) -> Rc<Index> {
+        self.look_at(program);
         if let Some(index) = self.macros.owords.indexes.get(&program) {
             return index.clone();
         }

@@ -1,0 +1,421 @@
+//! Checks a text again after a change: the run is cut into stretches between rests, and those
+//! that the change does not touch, nor what it leads to, are kept with what was found in them.
+//!
+//! A stretch is kept when the control, compensation and checks enter it with the same memory to
+//! the bit, and when nothing that it reads has changed: its own blocks, and what it calls or
+//! searches elsewhere in the text. So the answer is always that of a whole run.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::ControlFlow;
+
+use chordal_control::{CallPath, Command, Library, Outcome, Rest, Sink, run_from};
+use chordal_diagnostics::{Code, Collector, Diagnostic, FileId, Severity, Shift, Span, TextRange};
+use chordal_path::{ChecksMemory, CompensatorMemory, ContourCheck, Seen};
+
+use crate::compensated::{Compensated, MOST_WAITING};
+use crate::job::{CheckSink, Job, KEPT_PER_CODE, Notes, Report, no_block};
+use crate::summary::Summary;
+
+/// A stretch has about so many bytes of text, or one of [`MOST_STRETCHES`] parts of it.
+const STRETCH_BYTES: usize = 16 << 10;
+
+/// About as many stretches at most: each holds what the control remembers where it begins.
+const MOST_STRETCHES: usize = 256;
+
+/// What a check remembers for the next one, of a changed text.
+#[derive(Debug)]
+pub struct CheckMemory {
+    run: Option<Run>,
+    stretch_bytes: usize,
+}
+
+impl Default for CheckMemory {
+    fn default() -> CheckMemory {
+        CheckMemory::with_stretches(STRETCH_BYTES)
+    }
+}
+
+/// A run, cut into stretches.
+#[derive(Debug)]
+struct Run {
+    text: Vec<u8>,
+    /// The numbers of the programs of the text, and which one was run.
+    numbers: Vec<Option<u32>>,
+    main: usize,
+    /// At least one.
+    stretches: Vec<Stretch>,
+    outcome: Outcome,
+    /// What the checks remember at the end.
+    end: ChecksMemory,
+    /// Blocks that were carried out for it, those of kept stretches not counted.
+    carried_out: u64,
+}
+
+/// A part of a run between two rests.
+#[derive(Debug)]
+struct Stretch {
+    /// Where it begins; the first one at the beginning.
+    start: Option<Start>,
+    /// The byte of the main program at which it ends.
+    end: u32,
+    /// What of the first text it reads elsewhere.
+    looked: Option<TextRange>,
+    findings: Findings,
+    /// Problems that wait for the chains of calls.
+    waiting: Vec<(Diagnostic, CallPath)>,
+    seen: Seen,
+    output: Vec<String>,
+}
+
+/// What decides about all that follows.
+#[derive(Clone, Debug)]
+struct Start {
+    rest: Rest,
+    compensator: CompensatorMemory,
+    checks: ChecksMemory,
+}
+
+/// The problems of a stretch, as many as a [`Collector`] may keep of it.
+#[derive(Debug, Default)]
+struct Findings {
+    kept: Vec<Diagnostic>,
+    places: BTreeMap<Code, BTreeSet<Span>>,
+    /// How often problems were told that are not kept.
+    more: BTreeMap<(Code, Severity, Span), u64>,
+}
+
+impl Notes for Findings {
+    fn note(&mut self, diagnostic: Diagnostic) {
+        let (code, span) = (diagnostic.code, diagnostic.primary.span);
+        let places = self.places.entry(code).or_default();
+        if places.len() < KEPT_PER_CODE && places.insert(span) {
+            self.kept.push(diagnostic);
+        } else {
+            *self.more.entry((code, diagnostic.severity, span)).or_default() += 1;
+        }
+    }
+}
+
+impl Notes for () {
+    fn note(&mut self, _: Diagnostic) {}
+}
+
+impl Findings {
+    fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.places.clear();
+        for diagnostic in &mut self.kept {
+            shift.diagnostic(diagnostic)?;
+        }
+        for ((code, severity, span), times) in std::mem::take(&mut self.more) {
+            self.more.insert((code, severity, shift.span(span)?), times);
+        }
+        Some(())
+    }
+
+    fn tell(&self, collector: &mut Collector) {
+        self.kept.iter().for_each(|diagnostic| collector.push_copy(diagnostic));
+        for (&(code, severity, span), &times) in &self.more {
+            collector.push_uncopied(code, severity, span, times);
+        }
+    }
+}
+
+impl Start {
+    fn offset(&self) -> u32 {
+        self.rest.offset()
+    }
+
+    fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.rest.shift(shift)?;
+        self.compensator.shift(shift)?;
+        self.checks.shift(shift)
+    }
+
+    fn shifted(mut self, shift: &Shift) -> Option<Start> {
+        self.shift(shift).map(|()| self)
+    }
+
+    fn leads_on_like(&self, other: &Start) -> bool {
+        let rest = |start: &Start| format!("{:?} {:?}", start.compensator, start.checks);
+        self.rest.leads_on_like(&other.rest) && rest(self) == rest(other)
+    }
+}
+
+impl Stretch {
+    /// Makes it one of a text that has changed elsewhere; `None` where it speaks of what went.
+    fn shift(&mut self, shift: &Shift) -> Option<()> {
+        if let Some(start) = &mut self.start {
+            start.shift(shift)?;
+        }
+        self.end = shift.offset(self.end)?;
+        if let Some(looked) = &mut self.looked {
+            *looked = shift.range(*looked)?;
+        }
+        self.findings.shift(shift)?;
+        for (diagnostic, _) in &mut self.waiting {
+            shift.diagnostic(diagnostic)?;
+        }
+        self.seen.shift(shift)
+    }
+
+    /// Whether what it reads elsewhere is still the same.
+    fn reads_the_same(&self, shift: &Shift) -> bool {
+        self.looked.is_none_or(|looked| shift.leaves(looked))
+    }
+
+    /// Whether it tells the numbers of lines, which may have moved.
+    fn tells_lines(&self) -> bool {
+        let waiting = self.waiting.iter().map(|(diagnostic, _)| diagnostic);
+        self.findings.kept.iter().chain(waiting).any(|diagnostic| {
+            matches!(diagnostic.code, Code::CutterGouges | Code::CutterGougesAtLead)
+        })
+    }
+}
+
+impl CheckMemory {
+    /// A memory that cuts runs into stretches of about so many bytes of text, or as many as make
+    /// a few hundred of them.
+    pub fn with_stretches(bytes: usize) -> CheckMemory {
+        CheckMemory { run: None, stretch_bytes: bytes }
+    }
+
+    /// How many blocks the last check carried out; what it kept is not counted.
+    pub fn carried_out(&self) -> Option<u64> {
+        self.run.as_ref().map(|run| run.carried_out)
+    }
+
+    /// Nothing of the next text is known.
+    pub(crate) fn forget(&mut self) {
+        self.run = None;
+    }
+
+    /// Checks a job that runs one program, and remembers.
+    pub(crate) fn check(&mut self, job: &Job, library: &Library, main: usize) -> Report {
+        let here = library.programs().iter().take_while(|program| program.file == FileId(0));
+        let numbers: Vec<Option<u32>> = here.map(|program| program.head.number).collect();
+        let before = self.run.take();
+        let before = before.filter(|run| run.numbers == numbers && run.main == main);
+        let bytes = self.stretch_bytes.max(job.text().len() / MOST_STRETCHES) as u32;
+        let run = before.and_then(|run| run.again(job, library, bytes));
+        let run = run.unwrap_or_else(|| Run::whole(job, library, numbers, main, bytes));
+        let waiting = run.stretches.iter().map(|stretch| stretch.waiting.len()).sum::<usize>();
+        if waiting >= MOST_WAITING {
+            return job.check();
+        }
+        let report = run.report(job, library);
+        self.run = Some(run);
+        report
+    }
+}
+
+impl Run {
+    fn whole(
+        job: &Job,
+        library: &Library,
+        numbers: Vec<Option<u32>>,
+        main: usize,
+        bytes: u32,
+    ) -> Run {
+        let mut walk = Walk::new(job, bytes, None, &[], None);
+        let (outcome, end) = walk.run(job, library, main);
+        let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
+        let (stretches, carried_out) = (walk.done, walk.blocks);
+        Run { text: job.text().to_vec(), numbers, main, stretches, outcome, end, carried_out }
+    }
+
+    /// The run of a changed text with the same programs; `None` where nothing can be kept.
+    fn again(mut self, job: &Job, library: &Library, bytes: u32) -> Option<Run> {
+        let shift = Shift::between(&self.text, job.text());
+        let start_of = |stretch: &Stretch| stretch.start.as_ref().map_or(0, Start::offset);
+        let same = |stretch: &Stretch| {
+            let own = TextRange::new(start_of(stretch), stretch.end);
+            shift.leaves(own) && stretch.reads_the_same(&shift)
+        };
+        let last = self.stretches.len() - 1;
+        let before =
+            |stretch: &&Stretch| same(stretch) && shift.offset(stretch.end) == Some(stretch.end);
+        let kept = self.stretches[..last].iter().take_while(before).count();
+        let sound =
+            |stretch: &&Stretch| same(stretch) && (shift.lines() == 0 || !stretch.tells_lines());
+        let tail = self.stretches[kept + 1..].iter().rev().take_while(sound).count();
+        let mut tail = self.stretches.split_off(self.stretches.len() - tail);
+        self.stretches.truncate(kept + 1);
+        let mut first = self.stretches.pop()?.start;
+        for stretch in &mut self.stretches {
+            stretch.shift(&shift)?;
+        }
+        if let Some(first) = &mut first {
+            first.shift(&shift)?;
+        }
+        let began = first.as_ref().map_or(0, |first| first.rest.blocks());
+        let mut walk = Walk::new(job, bytes, first, &tail, Some(&shift));
+        let (outcome, end) = walk.run(job, library, self.main);
+        let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
+        self.carried_out = blocks - began;
+        self.stretches.extend(done);
+        self.text.clear();
+        self.text.extend_from_slice(job.text());
+        match outcome {
+            Some(outcome) => (self.outcome, self.end) = (outcome, end),
+            None => {
+                tail.drain(..met);
+                let was = tail.first()?.start.as_ref()?.rest.blocks();
+                for stretch in &mut tail {
+                    stretch.shift(&shift)?;
+                    let rest = &mut stretch.start.as_mut()?.rest;
+                    rest.count_blocks(rest.blocks() - was + blocks);
+                }
+                self.outcome.calls.shift(&shift)?;
+                self.outcome.blocks = self.outcome.blocks - was + blocks;
+                self.end.shift(&shift)?;
+                self.stretches.append(&mut tail);
+            }
+        }
+        Some(self)
+    }
+
+    /// What a whole run tells.
+    fn report(&self, job: &Job, library: &Library) -> Report {
+        let mut collector = Collector::new(KEPT_PER_CODE);
+        job.duplicates(library).for_each(|diagnostic| collector.push(diagnostic));
+        let mut sink = CheckSink::new(job, ());
+        let mut output = Vec::new();
+        for stretch in &self.stretches {
+            stretch.findings.tell(&mut collector);
+            sink.checks.add_seen(&stretch.seen);
+            output.extend_from_slice(&stretch.output);
+        }
+        for (diagnostic, call) in self.stretches.iter().flat_map(|stretch| &stretch.waiting) {
+            let mut diagnostic = diagnostic.clone();
+            diagnostic.calls = self.outcome.calls.resolve(*call);
+            collector.push(diagnostic);
+        }
+        if self.outcome.blocks == 0 {
+            collector.push(no_block());
+        }
+        sink.checks.recall(self.end.clone());
+        sink.checks.finish(|diagnostic| collector.push(diagnostic));
+        Report::new(Summary::default(), collector, output, vec![self.outcome.clone()])
+    }
+}
+
+/// Runs from a start, cuts what goes by into stretches, and ends where it comes upon one that
+/// is known.
+struct Walk<'a, 'o> {
+    run: Compensated<'a, CheckSink<'a, Findings>>,
+    start: Option<Start>,
+    done: Vec<Stretch>,
+    bytes: u32,
+    /// Stretches of the text before the change that may follow.
+    tail: &'o [Stretch],
+    shift: Option<&'o Shift>,
+    /// How many of them have been passed.
+    met: usize,
+    /// Blocks carried out since the beginning where the run ended.
+    blocks: u64,
+}
+
+impl<'a, 'o> Walk<'a, 'o> {
+    fn new(
+        job: &'a Job<'a>,
+        bytes: u32,
+        start: Option<Start>,
+        tail: &'o [Stretch],
+        shift: Option<&'o Shift>,
+    ) -> Walk<'a, 'o> {
+        let sink = CheckSink::new(job, Findings::default());
+        let mut run = Compensated::new(job, Some(ContourCheck::default()), sink);
+        if let Some(start) = &start {
+            run.compensator.recall(&start.compensator);
+            run.told.inner.checks.recall(start.checks.clone());
+        }
+        Walk { run, start, done: Vec::new(), bytes, tail, shift, met: 0, blocks: 0 }
+    }
+
+    /// Runs; no outcome where it came upon what is known.
+    fn run(
+        &mut self,
+        job: &'a Job<'a>,
+        library: &Library,
+        main: usize,
+    ) -> (Option<Outcome>, ChecksMemory) {
+        let rest = self.start.as_ref().map(|start| start.rest.clone());
+        let (machine, control, options) = (job.machine(), job.control(), job.run_options());
+        let ended = run_from(library, main, machine, control, options, self, rest.as_ref());
+        let outcome = ended.map(|(outcome, looked)| {
+            self.run.finish();
+            self.blocks = outcome.blocks;
+            self.close(job.text().len() as u32, looked);
+            outcome
+        });
+        (outcome, self.run.told.inner.checks.memory().clone())
+    }
+
+    fn close(&mut self, end: u32, looked: Option<TextRange>) {
+        let sink = &mut self.run.told.inner;
+        self.done.push(Stretch {
+            start: self.start.take(),
+            end,
+            looked,
+            findings: std::mem::take(&mut sink.notes),
+            waiting: std::mem::take(&mut self.run.told.waiting),
+            seen: sink.checks.take_seen(),
+            output: std::mem::take(&mut sink.output),
+        });
+    }
+
+    /// Where the next known stretch begins in the new text.
+    fn known(&self) -> Option<u32> {
+        let start = self.tail.get(self.met)?.start.as_ref()?;
+        self.shift?.offset(start.offset())
+    }
+}
+
+impl Sink for Walk<'_, '_> {
+    #[inline]
+    fn command(&mut self, command: &Command) {
+        self.run.command(command);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        self.run.diagnostic(diagnostic);
+    }
+
+    fn next_rest(&self) -> u32 {
+        let from = self.start.as_ref().map_or(0, Start::offset);
+        let usual = from.saturating_add(self.bytes);
+        match self.known() {
+            Some(known) if known <= usual.saturating_add(self.bytes) => known,
+            _ => usual,
+        }
+    }
+
+    fn is_settled(&self) -> bool {
+        self.run.is_settled()
+    }
+
+    fn rest(&mut self, rest: Rest, looked: Option<TextRange>) -> ControlFlow<()> {
+        let (here, blocks) = (rest.offset(), rest.blocks());
+        self.close(here, looked);
+        let start = Start {
+            rest,
+            compensator: self.run.compensator.memory(),
+            checks: self.run.told.inner.checks.memory().clone(),
+        };
+        while self.known().is_some_and(|known| known < here) {
+            self.met += 1;
+        }
+        if let (Some(shift), Some(known)) = (self.shift, self.tail.get(self.met))
+            && self.known() == Some(here)
+        {
+            let moved = known.start.clone().and_then(|start| start.shifted(shift));
+            if moved.is_some_and(|known| known.leads_on_like(&start)) {
+                self.blocks = blocks;
+                return ControlFlow::Break(());
+            }
+            self.met += 1;
+        }
+        self.start = Some(start);
+        ControlFlow::Continue(())
+    }
+}
