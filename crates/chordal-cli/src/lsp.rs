@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use chordal_lsp::{Opened, Opener, serve};
+use chordal_editor::Setup;
+use chordal_lsp::{Opener, serve};
 
 use crate::failure::{Failure, Verdict};
 use crate::load::{self, Request};
@@ -36,7 +37,7 @@ impl Opener for Files {
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Opened, String> {
+    ) -> Result<Setup, String> {
         let machine = machine.or(self.machine.as_deref()).map(load::machine).transpose();
         let request = machine.map(|machine| Request { machine, ..self.request.clone() });
         let loaded = request.and_then(|request| load::unsaved(path, text.to_vec(), &request));
@@ -46,7 +47,7 @@ impl Opener for Files {
         let (mut texts, machine, options) = loaded.into_parts();
         // The first is the text itself.
         let beside = texts.split_off(1);
-        Ok(Opened { machine, why, options, program, beside })
+        Ok(Setup { machine, why, options, program, beside })
     }
 }
 

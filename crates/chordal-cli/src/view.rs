@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use chordal::Machine;
 use chordal::machine::builtin_names;
-use chordal_server::{MachineChoice, Opened, Programs, Refusal, ServeError, Server};
+use chordal_editor::{Program, Setup};
+use chordal_server::{MachineChoice, Programs, Refusal, ServeError, Server};
 
 use crate::beside::Folders;
 use crate::failure::{Failure, Verdict};
@@ -91,7 +92,7 @@ impl Shown {
         Ok(Shown { input, held: None, given, common })
     }
 
-    fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Opened, Failure> {
+    fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Failure> {
         let chosen = match machine {
             Some(name) => Some(machine::finish(machine::named(name)?, &self.common)?),
             None => self.given.clone(),
@@ -105,8 +106,14 @@ impl Shown {
             chosen => chosen.why(&title),
         };
         let program = loaded.program;
-        let (texts, machine, options) = loaded.into_parts();
-        Ok(Opened { texts, machine, options, program, why })
+        let (mut texts, machine, options) = loaded.into_parts();
+        // The first is the text itself.
+        let beside = texts.split_off(1);
+        let (name, text) = texts.pop().unwrap_or_default();
+        let setup = Setup { machine, why, options, program, beside };
+        Program::set_up(name, text, setup).map_err(|errors| {
+            Failure::wrong("settings of the machine are not known", format!("{errors:?}"))
+        })
     }
 }
 
@@ -128,7 +135,7 @@ impl Programs for Shown {
         }
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Opened, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
         self.load(text, machine).map_err(|failure| refusal(&failure))
     }
 

@@ -42,6 +42,11 @@ impl<'a> Source<'a> {
         &self.text
     }
 
+    /// The text alone.
+    pub fn into_text(self) -> Cow<'a, [u8]> {
+        self.text
+    }
+
     fn marks(&self) -> &[u32] {
         self.marks.get_or_init(|| {
             let mut marks = vec![0];

@@ -1,12 +1,9 @@
 //! What the blocks of a text did when it ran.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-
-use chordal::control::{CallPath, Modal, Origin, Units};
+use chordal::control::{EndReason, Interrupt, Origin, Outcome, Units};
 use chordal::diagnostics::FileId;
 use chordal::path::PathCommand;
-use chordal::{Command, Diagnostic, Report, Segment, SegmentKind, Sink, Watch};
+use chordal::{Command, Job, Report, Segment, SegmentKind, Watch};
 
 use crate::Program;
 
@@ -101,83 +98,19 @@ impl Watch for Lines {
 impl Program {
     /// Runs the text and tells what its lines did.
     pub fn ran(&self) -> Ran {
+        self.ran_by(&self.job())
+    }
+
+    /// The same, unless it is given up on the way.
+    pub fn ran_unless(&self, interrupt: Interrupt) -> Option<Ran> {
+        let ran = self.ran_by(&self.job().interrupt(interrupt));
+        let given_up = |outcome: &Outcome| outcome.end == EndReason::Interrupted;
+        (!ran.report.outcomes.iter().any(given_up)).then_some(ran)
+    }
+
+    fn ran_by(&self, job: &Job) -> Ran {
         let mut lines = Lines { lines: Vec::new() };
-        let report = self.job().report_watched(&mut lines);
+        let report = job.report_watched(&mut lines);
         Ran { lines: lines.lines.into_iter().flatten().collect(), report }
-    }
-
-    /// What is in force behind a line when it runs for the first time; for a line that carries
-    /// nothing out, behind the last one before it that does.
-    pub fn modal_behind(&self, line: u32) -> Option<Modal> {
-        self.modal_of(line).or_else(|| {
-            let mut nearest = Nearest { line, best: None };
-            self.job().run(&mut nearest);
-            self.modal_of(nearest.best?)
-        })
-    }
-
-    /// What is in force behind a line, if it carries something out.
-    fn modal_of(&self, line: u32) -> Option<Modal> {
-        let over = Arc::new(AtomicBool::new(false));
-        let asked = over.clone();
-        let mut taking = Taking { line, modal: None, over };
-        self.job().interrupt(Arc::new(move || asked.load(Ordering::Relaxed))).run(&mut taking);
-        taking.modal.map(|(_, _, modal)| modal)
-    }
-}
-
-/// The last line up to one that carries something out.
-struct Nearest {
-    line: u32,
-    best: Option<u32>,
-}
-
-impl Sink for Nearest {
-    fn command(&mut self, _: &Command) {}
-
-    fn diagnostic(&mut self, _: Diagnostic) {}
-
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, _: &dyn Fn() -> Modal) {
-        if origin.span.file == FileId(0) && origin.line <= self.line {
-            self.best = self.best.max(Some(origin.line));
-        }
-    }
-}
-
-/// The state behind a line's first run, which ends the run; the last block of the line counts.
-struct Taking {
-    line: u32,
-    modal: Option<(u32, CallPath, Modal)>,
-    /// The line has run: what follows is no longer wanted.
-    over: Arc<AtomicBool>,
-}
-
-impl Sink for Taking {
-    fn command(&mut self, _: &Command) {}
-
-    fn diagnostic(&mut self, _: Diagnostic) {}
-
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        if origin.span.file != FileId(0) || self.over.load(Ordering::Relaxed) {
-            return;
-        }
-        let start = origin.span.range.start;
-        match &self.modal {
-            // What the line calls is other lines, too.
-            Some((_, call, _)) if origin.line != self.line && origin.call == *call => {
-                self.over.store(true, Ordering::Relaxed);
-            }
-            Some((last, ..)) if *last >= start => {}
-            _ if origin.line == self.line => self.modal = Some((start, origin.call, modal())),
-            _ => {}
-        }
     }
 }

@@ -1,21 +1,22 @@
 //! A program as an editor holds it.
 
-use chordal::control::{Control, RunOptions, SettingError};
+use std::sync::Arc;
+
+use chordal::control::{Control, SettingError};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon};
 use chordal::{Job, Machine, Source, SourceMap};
 
 use crate::meaning::View;
+use crate::rests::Rests;
+use crate::setup::{Setup, Sound};
 
 /// A text with its machine and the texts in which its subprograms may be.
 #[derive(Debug)]
 pub struct Program {
     source: Source<'static>,
-    beside: Vec<(String, Vec<u8>)>,
-    machine: Machine,
-    control: Control,
-    options: RunOptions,
-    only: Option<u32>,
+    sound: Arc<Sound>,
+    pub(crate) rests: Rests,
 }
 
 impl Program {
@@ -28,38 +29,39 @@ impl Program {
         text: Vec<u8>,
         machine: Machine,
     ) -> Result<Program, Vec<SettingError>> {
-        let (control, errors) = Control::of(&machine);
+        Program::set_up(name, text, Setup::of(machine))
+    }
+
+    /// A program with everything that it needs.
+    ///
+    /// # Errors
+    /// Settings of the machine that its control does not know.
+    pub fn set_up(
+        name: impl Into<String>,
+        text: Vec<u8>,
+        setup: Setup,
+    ) -> Result<Program, Vec<SettingError>> {
+        let (control, errors) = Control::of(&setup.machine);
         if !errors.is_empty() {
             return Err(errors);
         }
-        let source = Source::new(name, text);
-        let options = RunOptions::default();
-        Ok(Program { source, beside: Vec::new(), machine, control, options, only: None })
-    }
-
-    /// With texts, by name, in which subprograms may be.
-    pub fn beside(mut self, texts: Vec<(String, Vec<u8>)>) -> Program {
-        self.beside = texts;
-        self
-    }
-
-    /// With other budgets, and only one program of the text where it is given.
-    pub fn run_with(mut self, options: RunOptions, only: Option<u32>) -> Program {
-        self.options = options;
-        self.only = only;
-        self
+        let sound = Arc::new(Sound { setup, control });
+        Ok(Program { source: Source::new(name, text), sound, rests: Rests::default() })
     }
 
     /// The same with another text.
     pub fn with_text(&self, text: Vec<u8>) -> Program {
-        Program {
-            source: Source::new(self.name(), text),
-            beside: self.beside.clone(),
-            machine: self.machine.clone(),
-            control: self.control.clone(),
-            options: self.options.clone(),
-            only: self.only,
-        }
+        let source = Source::new(self.name(), text);
+        Program { source, sound: self.sound.clone(), rests: Rests::default() }
+    }
+
+    /// What it runs with.
+    pub fn setup(&self) -> &Setup {
+        &self.sound.setup
+    }
+
+    pub(crate) fn sound(&self) -> &Arc<Sound> {
+        &self.sound
     }
 
     /// The name that messages show.
@@ -79,42 +81,43 @@ impl Program {
 
     /// The machine.
     pub fn machine(&self) -> &Machine {
-        &self.machine
+        &self.setup().machine
     }
 
     /// Its control.
     pub fn control(&self) -> &Control {
-        &self.control
+        &self.sound.control
     }
 
     /// How the control writes its text.
     pub fn lexicon(&self) -> &'static Lexicon {
-        &self.control.table.lexicon
+        &self.control().table.lexicon
     }
 
     /// What explains words on its control.
     pub fn view(&self) -> View {
-        View::of(&self.control)
+        View::of(self.control())
     }
 
     /// The job, which borrows the texts. Its file 0 is this text, the others follow in order.
     pub fn job(&self) -> Job<'_> {
         let mut sources = SourceMap::new();
         sources.add(Source::new(self.name(), self.text()));
-        for (name, text) in &self.beside {
+        let setup = self.setup();
+        for (name, text) in &setup.beside {
             sources.add(Source::new(name.as_str(), text.as_slice()));
         }
         // `new` has looked at the settings.
-        let job = Job::new(sources, self.machine.clone());
+        let job = Job::new(sources, setup.machine.clone());
         let job = job.unwrap_or_else(|error| unreachable!("{error}"));
-        job.program(self.only).options(self.options.clone())
+        job.program(setup.program).options(setup.options.clone())
     }
 
     /// The name of a text by its number in a job's spans.
     pub fn file_name(&self, file: FileId) -> &str {
         match (file.0 as usize).checked_sub(1) {
             None => self.name(),
-            Some(index) => self.beside.get(index).map_or("", |(name, _)| name),
+            Some(index) => self.setup().beside.get(index).map_or("", |(name, _)| name),
         }
     }
 
@@ -122,7 +125,7 @@ impl Program {
     pub fn file_text(&self, file: FileId) -> &[u8] {
         match (file.0 as usize).checked_sub(1) {
             None => self.text(),
-            Some(index) => self.beside.get(index).map_or(&[], |(_, text)| text),
+            Some(index) => self.setup().beside.get(index).map_or(&[], |(_, text)| text),
         }
     }
 

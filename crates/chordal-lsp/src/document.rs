@@ -43,25 +43,18 @@ impl Document {
 
     /// Makes the editor's changes, one after the other.
     pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
-        let mut source = Source::new("", self.text().to_vec());
-        for change in changes {
-            let text = match change.range {
-                None => change.text.into_bytes(),
-                Some(Range { start, end }) => {
-                    let from = offset_of(&source, start) as usize;
-                    let to = (offset_of(&source, end) as usize).max(from);
-                    let old = source.text();
-                    let mut text = Vec::with_capacity(old.len() + change.text.len());
-                    text.extend_from_slice(&old[..from]);
-                    text.extend_from_slice(change.text.as_bytes());
-                    text.extend_from_slice(&old[to..]);
-                    text
-                }
-            };
-            source = Source::new("", text);
-        }
         self.version = version;
-        let text = source.text().to_vec();
+        let mut newest: Option<Source<'static>> = None;
+        for change in changes {
+            let text = match (&newest, &self.program) {
+                (Some(source), _) => changed(source, change),
+                (None, Some(program)) => changed(program.source(), change),
+                (None, None) => changed(&Source::new("", self.text.as_slice()), change),
+            };
+            newest = Some(Source::new("", text));
+        }
+        let Some(newest) = newest else { return };
+        let text = newest.into_text().into_owned();
         match &self.program {
             Some(program) => self.program = Some(Arc::new(program.with_text(text))),
             None => self.text = text,
@@ -72,4 +65,17 @@ impl Document {
     pub fn current(&self) -> Option<&Arc<Ran>> {
         self.ran.as_ref().filter(|(version, _)| *version == self.version).map(|(_, ran)| ran)
     }
+}
+
+/// A text after one change.
+fn changed(source: &Source<'_>, change: TextDocumentContentChangeEvent) -> Vec<u8> {
+    let Some(Range { start, end }) = change.range else { return change.text.into_bytes() };
+    let from = offset_of(source, start) as usize;
+    let to = (offset_of(source, end) as usize).max(from);
+    let old = source.text();
+    let mut text = Vec::with_capacity(old.len() + change.text.len());
+    text.extend_from_slice(&old[..from]);
+    text.extend_from_slice(change.text.as_bytes());
+    text.extend_from_slice(&old[to..]);
+    text
 }

@@ -1,7 +1,9 @@
 //! What the editor asks of one document.
 
+use chordal::Source;
 use chordal::control::number_text;
-use chordal_editor::{CompletionKind, Name, Occurrence, Program, Ran, Role};
+use chordal::diagnostics::FileId;
+use chordal_editor::{CompletionKind, Found, Name, Program, Ran, Role};
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, Hover, HoverContents,
     InlayHint, InlayHintLabel, InlayHintTooltip, Location, MarkupContent, MarkupKind, Position,
@@ -60,8 +62,8 @@ pub fn completions(program: &Program, place: Position) -> Vec<CompletionItem> {
 
 /// Where the name at a place is made; a variable: where it gets a value.
 pub fn definitions(program: &Program, uri: &Uri, place: Position) -> Vec<Location> {
-    let made = |place: &Occurrence| place.role == Role::Definition;
-    places(program, uri, place, made)
+    let Some(name) = name_at(program, place) else { return Vec::new() };
+    locations(program, uri, program.definitions(&name))
 }
 
 /// Everywhere that the name at a place stands.
@@ -71,22 +73,36 @@ pub fn references(
     place: Position,
     with_definitions: bool,
 ) -> Vec<Location> {
-    places(program, uri, place, |place| with_definitions || place.role == Role::Use)
+    let Some(name) = name_at(program, place) else { return Vec::new() };
+    let mut found = program.references(&name);
+    found.retain(|found| with_definitions || found.place.role == Role::Use);
+    locations(program, uri, found)
 }
 
-fn places(
-    program: &Program,
-    uri: &Uri,
-    place: Position,
-    wanted: impl Fn(&Occurrence) -> bool,
-) -> Vec<Location> {
-    let Some(name) = name_at(program, place) else { return Vec::new() };
-    let places = program.places_of(&name).into_iter().filter(wanted);
-    let location = |place: Occurrence| Location {
-        uri: uri.clone(),
-        range: range_of(program.source(), place.range),
-    };
-    places.map(location).collect()
+/// Places as an editor finds them: those of other texts by the files that hold them.
+fn locations(program: &Program, uri: &Uri, found: Vec<Found>) -> Vec<Location> {
+    let mut last: Option<(FileId, Uri, Source<'_>)> = None;
+    let mut locations = Vec::new();
+    for Found { file, place } in found {
+        if file == FileId(0) {
+            let range = range_of(program.source(), place.range);
+            locations.push(Location { uri: uri.clone(), range });
+            continue;
+        }
+        if last.as_ref().is_none_or(|(known, ..)| *known != file) {
+            let Some(uri) = uri_of(program.file_name(file)) else { continue };
+            last = Some((file, uri, Source::new("", program.file_text(file))));
+        }
+        if let Some((_, uri, source)) = &last {
+            locations.push(Location { uri: uri.clone(), range: range_of(source, place.range) });
+        }
+    }
+    locations
+}
+
+/// The address of a file, which texts beside are named by.
+fn uri_of(file: &str) -> Option<Uri> {
+    url::Url::from_file_path(file).ok()?.as_str().parse().ok()
 }
 
 fn name_at(program: &Program, place: Position) -> Option<Name> {

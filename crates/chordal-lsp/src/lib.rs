@@ -16,24 +16,9 @@ mod worker;
 
 use std::path::Path;
 
-use chordal::{Machine, control::RunOptions};
+use chordal_editor::Setup;
 
 pub use server::{ServeError, serve};
-
-/// What a text needs to run.
-#[derive(Debug)]
-pub struct Opened {
-    /// The machine.
-    pub machine: Machine,
-    /// Why this one, in a line, where the user did not say it.
-    pub why: Option<String>,
-    /// Budgets.
-    pub options: RunOptions,
-    /// The one program of the text to run, where only one is wanted.
-    pub program: Option<u32>,
-    /// Texts in which subprograms may be, by name.
-    pub beside: Vec<(String, Vec<u8>)>,
-}
 
 /// Finds what a text needs to run.
 pub trait Opener {
@@ -47,5 +32,5 @@ pub trait Opener {
         path: Option<&Path>,
         text: &[u8],
         machine: Option<&str>,
-    ) -> Result<Opened, String>;
+    ) -> Result<Setup, String>;
 }

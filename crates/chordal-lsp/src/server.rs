@@ -53,6 +53,7 @@ pub fn serve(connection: &Connection, opener: &dyn Opener) -> Result<(), ServeEr
         opener,
         worker: Worker::start(),
         documents: HashMap::new(),
+        waiting: Vec::new(),
         machine: machine_of(&settings),
     };
     server.run()
@@ -106,6 +107,8 @@ struct Server<'a> {
     opener: &'a dyn Opener,
     worker: Worker,
     documents: HashMap<String, (Uri, Document)>,
+    /// Questions for which the text must have run.
+    waiting: Vec<Request>,
     /// The machine of the editor's settings.
     machine: Option<String>,
 }
@@ -123,8 +126,12 @@ impl Server<'_> {
                         if self.connection.handle_shutdown(&request)? {
                             return Ok(());
                         }
-                        let response = self.answer(request);
-                        self.send(response.into());
+                        if self.must_wait(&request) {
+                            self.waiting.push(request);
+                        } else {
+                            let response = self.answer(request);
+                            self.send(response.into());
+                        }
                     }
                     Ok(Message::Notification(notification)) => self.notice(notification),
                     Ok(Message::Response(_)) => {}
@@ -168,7 +175,11 @@ impl Server<'_> {
             }
             notification::DidCloseTextDocument::METHOD => {
                 if let Some(DidCloseTextDocumentParams { text_document }) = read(params) {
-                    self.documents.remove(text_document.uri.as_str());
+                    let uri = text_document.uri.as_str();
+                    self.documents.remove(uri);
+                    self.give_up(uri);
+                    let closed = Task { uri: uri.into(), version: 0, program: None };
+                    let _ = self.worker.tasks.send(closed);
                     self.publish(text_document.uri, Vec::new(), None);
                 }
             }
@@ -192,17 +203,16 @@ impl Server<'_> {
 
     /// Finds the machine and the subprograms of a document, and runs it.
     fn find_machine(&mut self, key: &str) {
+        self.give_up(key);
         let Some((uri, document)) = self.documents.get_mut(key) else { return };
         let path = path_of(uri);
         let name = path.as_ref().map_or_else(|| key.into(), |path| path.display().to_string());
         let opened = self.opener.open(path.as_deref(), document.text(), self.machine.as_deref());
         let mut why = None;
-        let program = opened.and_then(|opened| {
-            why = opened.why.map(|why| format!("{name}: {why}"));
-            let program = Program::new(name, document.text().to_vec(), opened.machine);
+        let program = opened.and_then(|setup| {
+            why = setup.why.as_ref().map(|why| format!("{name}: {why}"));
             let unknown = |errors| format!("settings of the machine are not known: {errors:?}");
-            let program = program.map_err(unknown)?;
-            Ok(program.beside(opened.beside).run_with(opened.options, opened.program))
+            Program::set_up(name, document.text().to_vec(), setup).map_err(unknown)
         });
         match program {
             Ok(program) => {
@@ -224,6 +234,7 @@ impl Server<'_> {
 
     fn change(&mut self, params: DidChangeTextDocumentParams) {
         let VersionedTextDocumentIdentifier { uri, version } = params.text_document;
+        self.give_up(uri.as_str());
         if let Some((_, document)) = self.documents.get_mut(uri.as_str()) {
             document.change(version, params.content_changes);
             self.start(uri.as_str());
@@ -233,15 +244,16 @@ impl Server<'_> {
     fn start(&self, key: &str) {
         let Some((_, document)) = self.documents.get(key) else { return };
         if let Some(program) = &document.program {
-            let (uri, version, program) = (key.into(), document.version, program.clone());
+            let (uri, version) = (key.into(), document.version);
+            let program = Some(program.clone());
             // The worker lives as long as the server.
             let _ = self.worker.tasks.send(Task { uri, version, program });
         }
     }
 
     /// A run is over: what it found is told, if the text is still the same.
-    fn take(&mut self, Done { uri, version, found }: Done) {
-        let Some((uri, document)) = self.documents.get_mut(&uri) else { return };
+    fn take(&mut self, Done { uri: key, version, found }: Done) {
+        let Some((uri, document)) = self.documents.get_mut(&key) else { return };
         let Some(program) = document.program.clone().filter(|_| document.version == version) else {
             return;
         };
@@ -257,7 +269,40 @@ impl Server<'_> {
                 let id = lsp_server::RequestId::from(format!("hints-{version}"));
                 let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
                 self.send(Request::new(id, refresh, Value::Null).into());
+                for request in self.waiting_for(&key) {
+                    let response = self.answer(request);
+                    self.send(response.into());
+                }
             }
+        }
+    }
+
+    /// Whether a question is about what the lines did, and the text is still running: the answer
+    /// then comes with the run, so that nothing else waits for it.
+    fn must_wait(&self, request: &Request) -> bool {
+        let asks = matches!(
+            request.method.as_str(),
+            request::InlayHintRequest::METHOD | request::CodeActionRequest::METHOD
+        );
+        asks && document_of(request)
+            .and_then(|uri| self.documents.get(uri))
+            .is_some_and(|(_, document)| document.program.is_some() && document.current().is_none())
+    }
+
+    /// The questions about a document that wait, which they do no longer.
+    fn waiting_for(&mut self, uri: &str) -> Vec<Request> {
+        let of_this = |request: &Request| document_of(request) == Some(uri);
+        let (asked, others) = self.waiting.drain(..).partition(of_this);
+        self.waiting = others;
+        asked
+    }
+
+    /// The text has changed or gone: questions about how it ran have no answer.
+    fn give_up(&mut self, uri: &str) {
+        for request in self.waiting_for(uri) {
+            let code = ErrorCode::ContentModified as i32;
+            let response = Response::new_err(request.id, code, "the text has changed".into());
+            self.send(response.into());
         }
     }
 
@@ -302,11 +347,12 @@ impl Server<'_> {
         found.ok_or_else(|| failed(ErrorCode::InvalidParams, unknown()))
     }
 
-    /// The run of the text as it is now: the worker's, or one made now.
+    /// The run of the text as it is now.
     fn ran(&self, uri: &Uri) -> Result<(Arc<Program>, Arc<Ran>), ResponseError> {
         let program = self.program(uri)?;
         let ran = self.document(uri)?.current().cloned();
-        Ok((program.clone(), ran.unwrap_or_else(|| Arc::new(program.ran()))))
+        let none = || failed(ErrorCode::ContentModified, "the text has not run yet".into());
+        Ok((program, ran.ok_or_else(none)?))
     }
 
     fn hover(&self, params: Value) -> Answer {
@@ -435,6 +481,11 @@ fn parse<T: DeserializeOwned>(params: Value) -> Result<T, ResponseError> {
 /// A notification that cannot be read has nobody to be told to.
 fn read<T: DeserializeOwned>(params: Value) -> Option<T> {
     serde_json::from_value(params).ok()
+}
+
+/// The document that a request is about.
+fn document_of(request: &Request) -> Option<&str> {
+    request.params.get("textDocument")?.get("uri")?.as_str()
 }
 
 /// The file of an address, where it is one.

@@ -1,10 +1,11 @@
 //! Runs programs in a thread of its own, the newest text of each document only.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::thread;
 
 use chordal::Diagnostic;
-use chordal_editor::{Program, Ran};
+use chordal_editor::{Checked, Program, Ran};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
 /// A program to run.
@@ -14,8 +15,8 @@ pub struct Task {
     pub uri: String,
     /// Its version.
     pub version: i32,
-    /// The text with its machine.
-    pub program: Arc<Program>,
+    /// The text with its machine; `None` when the document was closed.
+    pub program: Option<Arc<Program>>,
 }
 
 /// A program that has run.
@@ -53,29 +54,61 @@ impl Worker {
     pub fn start() -> Worker {
         let (tasks, todo) = unbounded::<Task>();
         let (results, done) = unbounded();
-        thread::spawn(move || {
-            while let Ok(first) = todo.recv() {
-                let mut waiting = vec![first];
-                for task in todo.try_iter() {
-                    waiting.retain(|other| other.uri != task.uri);
-                    waiting.push(task);
-                }
-                for Task { uri, version, program } in waiting {
-                    let problems = Found::Problems(program.job().check().diagnostics);
-                    let found = Done { uri: uri.clone(), version, found: problems };
-                    if results.send(found).is_err() {
-                        return;
-                    }
-                    // Whoever types on wants the problems of the next text first.
-                    if todo.is_empty() {
-                        let found = Found::Ran(Arc::new(program.ran()));
-                        if results.send(Done { uri, version, found }).is_err() {
-                            return;
-                        }
-                    }
-                }
-            }
-        });
+        let mut bench = Bench { todo, results, checked: HashMap::new(), due: Vec::new() };
+        thread::spawn(move || while bench.work().is_some() {});
         Worker { tasks, done }
+    }
+}
+
+/// What the thread works on.
+struct Bench {
+    todo: Receiver<Task>,
+    results: Sender<Done>,
+    /// What the last check of each document remembers.
+    checked: HashMap<String, Checked>,
+    /// Programs whose problems were told and of which it is not known yet what the lines do.
+    due: Vec<(String, i32, Arc<Program>)>,
+}
+
+impl Bench {
+    /// One round; nothing when nobody wants more.
+    fn work(&mut self) -> Option<()> {
+        let mut waiting = Vec::new();
+        if self.due.is_empty() {
+            waiting.push(self.todo.recv().ok()?);
+        }
+        for task in self.todo.try_iter() {
+            waiting.retain(|other: &Task| other.uri != task.uri);
+            waiting.push(task);
+        }
+        for task in waiting {
+            self.check(task)?;
+        }
+        let Some((uri, version, program)) = self.due.pop() else { return Some(()) };
+        // Whoever types on wants the problems of the next text first.
+        let todo = self.todo.clone();
+        match program.ran_unless(Arc::new(move || !todo.is_empty())) {
+            Some(ran) => self.send(uri, version, Found::Ran(Arc::new(ran))),
+            None => {
+                self.due.push((uri, version, program));
+                Some(())
+            }
+        }
+    }
+
+    fn check(&mut self, Task { uri, version, program }: Task) -> Option<()> {
+        self.due.retain(|(other, ..)| *other != uri);
+        let Some(program) = program else {
+            self.checked.remove(&uri);
+            return Some(());
+        };
+        let before = self.checked.entry(uri.clone()).or_default();
+        let problems = program.check(before).diagnostics;
+        self.due.push((uri.clone(), version, program));
+        self.send(uri, version, Found::Problems(problems))
+    }
+
+    fn send(&self, uri: String, version: i32, found: Found) -> Option<()> {
+        self.results.send(Done { uri, version, found }).ok()
     }
 }

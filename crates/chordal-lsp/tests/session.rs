@@ -6,8 +6,8 @@ use std::path::Path;
 use std::thread::{self, JoinHandle};
 
 use chordal::Machine;
-use chordal::control::RunOptions;
-use chordal_lsp::{Opened, Opener, serve};
+use chordal_editor::Setup;
+use chordal_lsp::{Opener, serve};
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 
@@ -15,12 +15,12 @@ use serde_json::{Value, json};
 struct Typical;
 
 impl Opener for Typical {
-    fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Opened, String> {
+    fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Setup, String> {
         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"))
             .map_err(|_| "there is no such machine".to_string())?;
-        let options = RunOptions::default();
         let why = Some("taken for a Haas".to_string());
-        Ok(Opened { machine, why, options, program: None, beside: Vec::new() })
+        let beside = vec![("/shop/O77.nc".to_string(), b"%\n(BESIDE)\nO77\nM99\n".to_vec())];
+        Ok(Setup { why, beside, ..Setup::of(machine) })
     }
 }
 
@@ -334,5 +334,81 @@ fn the_settings_choose_the_machine() {
     assert_eq!(told[0]["message"], "there is no such machine");
     let none = editor.of("hover", place(2, 1)).expect_err("a refusal");
     assert!(none.contains("no machine"), "{none}");
+    editor.end();
+}
+
+#[test]
+fn a_subprogram_in_another_file_is_gone_to() {
+    let mut editor = Editor::start(json!({}));
+    editor.open("O1\nM98 P77\nM98 P77\nM98 P5\nM30\n");
+    editor.problems(1);
+    let made = editor.of("definition", place(1, 6)).expect("a place");
+    let there = json!([{ "uri": "file:///shop/O77.nc", "range": range((2, 0), (2, 3)) }]);
+    assert_eq!(made, there);
+    let mut asked = place(2, 6);
+    asked["context"] = json!({ "includeDeclaration": true });
+    let uses = editor.of("references", asked).expect("places");
+    let uris: Vec<&str> =
+        uses.as_array().expect("a list").iter().filter_map(|each| each["uri"].as_str()).collect();
+    assert_eq!(uris, [URI, URI, "file:///shop/O77.nc"]);
+    let nowhere = editor.of("definition", place(3, 6)).expect("no place");
+    assert_eq!(nowhere, json!([]));
+    editor.end();
+}
+
+#[test]
+fn questions_about_a_run_wait_for_it_or_are_given_up() {
+    let mut editor = Editor::start(json!({}));
+    let text: String = (0..30_000).map(|step| format!("G1 X{}. F9.\n", step % 7)).collect();
+    editor.open(&text);
+    // Asked at once, answered once the text has run.
+    let hints = editor.of("inlayHint", json!({ "range": range((0, 0), (3, 0)) })).expect("hints");
+    assert!(hints.as_array().is_some_and(|hints| !hints.is_empty()), "{hints}");
+    editor.change(2, range((0, 0), (0, 0)), " ");
+    let params = json!({ "textDocument": { "uri": URI }, "range": range((0, 0), (3, 0)) });
+    let id = RequestId::from(1000);
+    let request = Request::new(id.clone(), "textDocument/inlayHint".into(), params);
+    editor.connection.sender.send(request.into()).expect("the server listens");
+    editor.change(3, range((0, 0), (0, 0)), " ");
+    loop {
+        if let Message::Response(answer) = editor.receive()
+            && answer.id == id
+        {
+            let refused = answer.response_kind_or_error().expect_err("the text has changed");
+            assert_eq!(refused, "the text has changed");
+            break;
+        }
+    }
+    editor.end();
+}
+
+#[test]
+fn problems_of_a_long_text_are_those_of_a_whole_check() {
+    let mut editor = Editor::start(json!({}));
+    let mut text = String::from("G20 G90 G17\nT1 M6\nS900 M3\nG0 X0 Y0 Z1.\nG1 Z0 F10.\n");
+    for step in 0..9_000 {
+        text += &format!("X{}. Y{}.\n", step % 13, step % 5);
+    }
+    text += "G2 X3. Y1. I9. J0\nG0 Z1.\nM30\n";
+    editor.open(&text);
+    let first = editor.problems(1);
+    let arc = |problems: &[Value]| {
+        let wrong = problems.iter().filter(|problem| problem["severity"] == 1);
+        let line = |problem: &Value| problem["range"]["start"]["line"].as_u64().expect("a line");
+        // What is wrong with the program as a whole stands at its beginning.
+        wrong.map(line).max().expect("an error")
+    };
+    assert_eq!(arc(&first), 9_005);
+    editor.change(2, range((20, 0), (20, 0)), "(A LINE MORE)\n");
+    assert_eq!(arc(&editor.problems(2)), 9_006);
+    editor.change(3, range((5_000, 0), (5_002, 0)), "");
+    assert_eq!(arc(&editor.problems(3)), 9_004);
+    // Every position behind is another one.
+    editor.change(4, range((5, 0), (5, 0)), "G91\n");
+    let fourth = editor.problems(4);
+    editor.change(5, range((5, 0), (6, 0)), "");
+    let fifth = editor.problems(5);
+    assert_eq!(arc(&fifth), 9_004);
+    assert!(fourth != fifth);
     editor.end();
 }

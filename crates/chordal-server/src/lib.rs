@@ -36,7 +36,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 
 pub use guard::Token;
-pub use program::{MachineChoice, Opened, Programs, Refusal};
+pub use program::{MachineChoice, Programs, Refusal};
 
 /// Why there is no server.
 #[derive(Debug, thiserror::Error)]

@@ -2,37 +2,7 @@
 
 use std::path::PathBuf;
 
-use chordal::{Job, JobError, Machine, RunOptions, Source, SourceMap};
-
-/// A program with everything it needs to run.
-#[derive(Clone, Debug)]
-pub struct Opened {
-    /// Names and texts: the program, then those of its subprograms.
-    pub texts: Vec<(String, Vec<u8>)>,
-    /// What runs it.
-    pub machine: Machine,
-    /// Budgets.
-    pub options: RunOptions,
-    /// The one program of the file to run, where that was said.
-    pub program: Option<u32>,
-    /// Why this machine, where nobody said it.
-    pub why: Option<String>,
-}
-
-impl Opened {
-    /// The job.
-    ///
-    /// # Errors
-    /// Settings of the machine that its control does not know.
-    pub fn job(&self) -> Result<Job<'_>, JobError> {
-        let mut sources = SourceMap::new();
-        for (name, text) in &self.texts {
-            sources.add(Source::new(name.as_str(), text.as_slice()));
-        }
-        let job = Job::new(sources, self.machine.clone())?;
-        Ok(job.program(self.program).options(self.options.clone()))
-    }
-}
+use chordal_editor::Program;
 
 /// Why a program cannot be run at all: in words for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,7 +41,7 @@ pub trait Programs: Send + Sync + 'static {
     ///
     /// # Errors
     /// A machine that cannot be used, a program that is not there.
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Opened, Refusal>;
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal>;
 
     /// The machines that [`Programs::open`] knows.
     fn machines(&self) -> Vec<MachineChoice>;

@@ -66,14 +66,14 @@ pub enum Ask {
         /// Its line, from 1.
         line: u32,
         /// A column in it, from 0, in UTF-16 code units.
-        column: usize,
+        column: u32,
     },
     /// Where the name at a place is made.
     Definition {
         /// Its line, from 1.
         line: u32,
         /// A column in it, from 0, in UTF-16 code units.
-        column: usize,
+        column: u32,
     },
     /// Programs, tools and operations.
     Outline,

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use chordal::control::{Command, CommandKind, Side, initial_offset};
 use chordal::path::{Frame, PathBuilder};
 use chordal::{Job, PathCommand, Segment, Watch};
+use chordal_editor::Program;
 use serde_json::{Value, json};
 
 use crate::answer;
 use crate::columns::Columns;
 use crate::live::Outbox;
 use crate::modal::ModalTrack;
-use crate::program::Opened;
 use crate::wanted::Wanted;
 
 /// Rows of the first batch: soon there, and most programs are no longer.
@@ -27,7 +27,7 @@ const MOST_ROWS: u32 = 8_000_000;
 #[derive(Debug)]
 pub struct Ran {
     /// What was run.
-    pub opened: Arc<Opened>,
+    pub program: Arc<Program>,
     /// What was in force where.
     pub modal: ModalTrack,
 }
@@ -36,13 +36,13 @@ pub struct Ran {
 /// s; `None` when nobody wants it any more.
 pub fn run(
     number: u64,
-    opened: &Arc<Opened>,
+    program: &Arc<Program>,
     job: &Job,
     out: &Outbox,
     wanted: &Wanted,
 ) -> Option<(Ran, f64)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
-    let size = opened.texts.first().map_or(0, |(_, text)| text.len());
+    let size = program.text().len();
     let mut sending = Sending {
         number,
         out,
@@ -72,7 +72,7 @@ pub fn run(
     told["places"] = modal.places();
     told["end"] = end_of(&report.outcomes);
     out.json(&told);
-    Some((Ran { opened: opened.clone(), modal }, report.summary.total_time_s()))
+    Some((Ran { program: program.clone(), modal }, report.summary.total_time_s()))
 }
 
 /// How the programs of the file ended.

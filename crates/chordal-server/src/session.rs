@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 use crate::document::Document;
 use crate::file::{self, Content, Stamp};
 use crate::live::Outbox;
-use crate::program::{Opened, Programs};
+use crate::program::Programs;
 use crate::request::{Ask, Request};
 use crate::run::{Ran, run};
 use crate::wanted::Wanted;
@@ -55,7 +55,7 @@ struct Held {
     on_disk: Content,
     machine: Option<String>,
     /// What was opened last, which tells the machine.
-    opened: Option<Arc<Opened>>,
+    opened: Option<Arc<Program>>,
     /// The text as an editor asks of it, until it changes.
     words: Option<Arc<Program>>,
     ran: Option<Arc<Ran>>,
@@ -64,7 +64,7 @@ struct Held {
 /// A run whose time is to be planned.
 struct ToPlan {
     number: u64,
-    opened: Arc<Opened>,
+    program: Arc<Program>,
     about_s: f64,
 }
 
@@ -151,7 +151,7 @@ impl Shared {
         let mut held = self.held();
         if held.words.is_none() {
             let text = held.document.text().as_bytes().to_vec();
-            held.words = words::program(held.opened.as_ref()?, text).map(Arc::new);
+            held.words = Some(Arc::new(held.opened.as_ref()?.with_text(text)));
         }
         held.words.clone()
     }
@@ -343,8 +343,7 @@ impl Shared {
         let Some(ran) = self.held().ran.clone() else {
             return self.out.refuse(id, "nothing has been run yet", None);
         };
-        let Ok(job) = ran.opened.job() else { return };
-        match chords::chords(&job, tolerance_mm, balanced) {
+        match chords::chords(&ran.program.job(), tolerance_mm, balanced) {
             Ok(frame) => self.out.binary(frame),
             Err(error) => {
                 self.out.refuse(id, &error.to_string(), Some("give a tolerance above zero"))
@@ -362,12 +361,12 @@ impl Shared {
                 let held = self.held();
                 (held.document.text().as_bytes().to_vec(), held.machine.clone())
             };
-            let opened = match self.programs.open(text, machine.as_deref()) {
-                Ok(opened) => {
-                    let opened = Arc::new(opened);
+            let program = match self.programs.open(text, machine.as_deref()) {
+                Ok(program) => {
+                    let program = Arc::new(program);
                     let mut held = self.held();
-                    (held.opened, held.words) = (Some(opened.clone()), None);
-                    opened
+                    (held.opened, held.words) = (Some(program.clone()), None);
+                    program
                 }
                 Err(refusal) => {
                     self.out.json(&json!({
@@ -379,38 +378,30 @@ impl Shared {
                     continue;
                 }
             };
-            if let Some(about_s) = self.run_one(number, &opened, &wanted) {
-                let _ = plans.send(ToPlan { number, opened, about_s });
+            if let Some(about_s) = self.run_one(number, &program, &wanted) {
+                let _ = plans.send(ToPlan { number, program, about_s });
             }
         }
     }
 
     /// Runs and tells; the time without acceleration where the run was not given up, s.
-    fn run_one(&self, number: u64, opened: &Arc<Opened>, wanted: &Wanted) -> Option<f64> {
-        let job = match opened.job() {
-            Ok(job) => job.interrupt(wanted.interrupt()),
-            Err(error) => {
-                let message = error.to_string();
-                self.out.json(&json!({ "type": "refused", "run": number, "message": message }));
-                return None;
-            }
-        };
+    fn run_one(&self, number: u64, program: &Arc<Program>, wanted: &Wanted) -> Option<f64> {
+        let job = program.job().interrupt(wanted.interrupt());
         self.out.json(&json!({
             "type": "run",
             "run": number,
             "machine": answer::machine(&job),
-            "why": opened.why,
+            "why": program.setup().why,
         }));
-        let (ran, about_s) = run(number, opened, &job, &self.out, wanted)?;
+        let (ran, about_s) = run(number, program, &job, &self.out, wanted)?;
         self.held().ran = Some(Arc::new(ran));
         Some(about_s)
     }
 
     fn plan_all(&self, to_plan: &Receiver<ToPlan>) {
-        while let Some(ToPlan { number, opened, about_s }) = newest(to_plan) {
+        while let Some(ToPlan { number, program, about_s }) = newest(to_plan) {
             let wanted = self.wanted(number);
-            let Ok(job) = opened.job() else { continue };
-            let job = job.interrupt(wanted.interrupt());
+            let job = program.job().interrupt(wanted.interrupt());
             match times::times(number, &job, about_s, &wanted) {
                 Ok(Some((frame, told))) => {
                     self.out.binary(frame);

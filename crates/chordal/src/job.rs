@@ -1,6 +1,6 @@
 use chordal_control::{
-    AxisMask, Command, CommandKind, Control, Interrupt, Library, Origin, Outcome, RunOptions,
-    SettingError, Sink, initial_offset,
+    AxisMask, Command, CommandKind, Control, Interrupt, Library, Origin, Outcome, Rest, RunOptions,
+    SettingError, Sink, initial_offset, run_from,
 };
 use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
 use chordal_machine::Machine;
@@ -287,6 +287,14 @@ impl<'a> Job<'a> {
                 self.check()
             }
         }
+    }
+
+    /// Runs, from a rest on where one is given, and tells the sink of rests. False, and nothing is
+    /// run, where there are several programs to run or the shop is asked: then there are none.
+    pub fn run_on(&self, rest: Option<&Rest>, sink: &mut dyn Sink) -> bool {
+        let Some((library, main)) = self.single_main() else { return false };
+        run_from(&library, main, &self.machine, &self.control, &self.options, sink, rest);
+        true
     }
 
     /// The program that is run, where it is one, and nobody is asked on the way.

@@ -227,17 +227,17 @@ impl Run {
     fn again(mut self, job: &Job, library: &Library, bytes: u32) -> Option<Run> {
         let shift = Shift::between(&self.text, job.text());
         let start_of = |stretch: &Stretch| stretch.start.as_ref().map_or(0, Start::offset);
-        let same = |stretch: &Stretch| {
+        let same = |stretch: &&Stretch| {
             let own = TextRange::new(start_of(stretch), stretch.end);
-            shift.leaves(own) && stretch.reads_the_same(&shift)
+            shift.leaves(own)
+                && stretch.reads_the_same(&shift)
+                && (shift.lines() == 0 || !stretch.tells_lines())
         };
         let last = self.stretches.len() - 1;
         let before =
-            |stretch: &&Stretch| same(stretch) && shift.offset(stretch.end) == Some(stretch.end);
+            |stretch: &&Stretch| shift.offset(stretch.end) == Some(stretch.end) && same(stretch);
         let kept = self.stretches[..last].iter().take_while(before).count();
-        let sound =
-            |stretch: &&Stretch| same(stretch) && (shift.lines() == 0 || !stretch.tells_lines());
-        let tail = self.stretches[kept + 1..].iter().rev().take_while(sound).count();
+        let tail = self.stretches[kept + 1..].iter().rev().take_while(same).count();
         let mut tail = self.stretches.split_off(self.stretches.len() - tail);
         self.stretches.truncate(kept + 1);
         let mut first = self.stretches.pop()?.start;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_diagnostics::{Code, Diagnostic, Span, TextRange};
 use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
 
 use super::shop::Given;
@@ -57,7 +57,10 @@ impl Interpreter<'_> {
         let mut block = Block::new();
         let mut in_section = false;
         loop {
-            if !self.reader.read(&mut block) {
+            let more = self.reader.read(&mut block);
+            let read = self.reader.position().offset;
+            self.look_at_range(TextRange::new(begin.offset, read));
+            if !more {
                 break;
             }
             if block.words.is_empty() || block.letters().has(b'O') {
@@ -432,7 +435,8 @@ impl Interpreter<'_> {
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;
-        self.macros.active = frame.modal_calls;
+        // What the called program has cancelled stays cancelled.
+        self.macros.active = frame.modal_calls.min(self.macros.modal_calls());
         self.macros.in_alias -= u32::from(frame.by_alias);
         if frame.own_locals {
             self.macros.store.leave();

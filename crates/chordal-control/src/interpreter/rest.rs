@@ -152,7 +152,8 @@ impl Interpreter<'_> {
         self.look_at_range(TextRange::new(0, u32::MAX));
     }
 
-    fn look_at_range(&self, range: TextRange) {
+    /// Notes that a part of the first text was read; its main program stands in it.
+    pub(super) fn look_at_range(&self, range: TextRange) {
         let looked = self.looked.get();
         self.looked.set(Some(looked.map_or(range, |looked| looked.cover(range))));
     }

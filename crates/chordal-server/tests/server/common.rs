@@ -7,8 +7,9 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
-use chordal::{Machine, RunOptions};
-use chordal_server::{MachineChoice, Opened, Programs, Refusal, Server};
+use chordal::Machine;
+use chordal_editor::{Program, Setup};
+use chordal_server::{MachineChoice, Programs, Refusal, Server};
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
@@ -49,12 +50,13 @@ impl Programs for Shown {
         }
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Opened, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2")).map_err(|errors| {
             Refusal { message: errors[0].message.clone(), help: errors[0].help.clone() }
         })?;
-        let texts = vec![("part.nc".to_string(), text)];
-        Ok(Opened { texts, machine, options: RunOptions::default(), program: None, why: None })
+        let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
+        let setup = Setup { beside, ..Setup::of(machine) };
+        Ok(Program::set_up("part.nc", text, setup).expect("settings that the control knows"))
     }
 
     fn machines(&self) -> Vec<MachineChoice> {

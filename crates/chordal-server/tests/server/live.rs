@@ -292,3 +292,13 @@ fn a_call_leads_to_its_program() {
     live.send(r#"{"id":2,"ask":"definition","line":3,"column":0}"#);
     assert_eq!(live.json("definition")["place"], serde_json::Value::Null);
 }
+
+#[test]
+fn a_program_in_another_file_comes_with_its_text() {
+    let mut live = serve(Shown::text("O1\nM98 P77\nM30\n")).live();
+    live.json("report");
+    live.send(r#"{"id":1,"ask":"definition","line":2,"column":5}"#);
+    let place = &live.json("definition")["place"];
+    assert_eq!((&place["file"], &place["line"]), (&"O77.nc".into(), &2.into()));
+    assert_eq!(place["text"], "(BESIDE)\nO77\nM99\n");
+}

@@ -32,6 +32,11 @@ pub(in super::super) struct MacroMemory {
 }
 
 impl MacroState<'_> {
+    /// How many modal calls were begun and not cancelled.
+    pub fn modal_calls(&self) -> usize {
+        self.modal.len()
+    }
+
     /// Whether no loop, modal call, START or held line is open.
     pub fn is_settled(&self) -> bool {
         self.loops.is_empty()
