@@ -166,13 +166,15 @@ export function layout(root: HTMLElement) {
   measured.setAttribute("role", "status");
   const comparison = element("div", "comparison");
   comparison.setAttribute("role", "status");
+  const turns = element("div", "turns");
+  turns.hidden = true;
   const empty = element("div", "empty");
   empty.hidden = true;
   const progress = element("progress", "progress");
   progress.max = 1;
   progress.hidden = true;
   progress.setAttribute("aria-label", "Running the program");
-  stage.append(canvas, axes, legend, readout, measured, comparison, empty, progress);
+  stage.append(canvas, axes, legend, readout, measured, comparison, turns, empty, progress);
   const timeline = element("div", "timeline");
   right.append(bar, stage, timeline);
 
@@ -244,6 +246,11 @@ export function layout(root: HTMLElement) {
     setDirty: (is: boolean) => (dirty.textContent = is ? "● not saved" : ""),
     measured: (text: string) => (measured.textContent = text),
     comparison: (text: string) => (comparison.textContent = text),
+    /** What is told of rotary axes. */
+    turns(text: string): void {
+      turns.textContent = text;
+      turns.hidden = text === "";
+    },
     empty(text: string): void {
       empty.textContent = text;
       empty.hidden = text === "";

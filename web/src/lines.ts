@@ -34,21 +34,25 @@ export function drawn(batch: Batch, tolerance: Tolerance, keep?: Keep): Drawn {
     pieces[at] = arcPieces(arcs, at, tolerance(arcs, at));
     extra += pieces[at]! - 1;
   }
+  const curves = batch.curves;
+  for (const [row, curve] of curves ?? []) if (isShown(row)) extra += curve.length / 3 - 2;
   let rapids = 0;
   let hidden = 0;
   for (let row = 0; row < rows; row++) {
     if (!isShown(row)) hidden++;
     else if (kindOf(kind[row]!) === RAPID) rapids++;
   }
-  if (rapids === 0 && hidden === 0 && arcRows.length === 0) {
+  if (rapids === 0 && hidden === 0 && arcRows.length === 0 && !curves?.size) {
     return { cuts: { points, rows: undefined, count: rows }, rapids: gather(0) };
   }
   const cut = new Gatherer(rows - rapids - hidden + extra);
-  const rapid = new Gatherer(rapids);
+  const rapid = new Gatherer(rapids + extra);
   let arc = 0;
   for (let row = 0; row < rows; row++) {
     const isArc = arc < arcRows.length && arcRows[arc] === row;
-    if (isShown(row)) {
+    const curve = curves?.get(row);
+    if (curve && isShown(row)) (kindOf(kind[row]!) === RAPID ? rapid : cut).curve(curve, row);
+    else if (isShown(row)) {
       if (isArc) cut.arc(batch, row, arc, pieces[arc]!);
       else (kindOf(kind[row]!) === RAPID ? rapid : cut).row(points, row);
     }
@@ -74,6 +78,13 @@ class Gatherer {
   row(points: Float32Array, row: number): void {
     this.points.set(points.subarray(6 * row, 6 * row + 6), 6 * this.count);
     this.rows[this.count++] = row;
+  }
+
+  curve(curve: Float32Array, row: number): void {
+    for (let at = 0; at + 6 <= curve.length; at += 3) {
+      this.points.set(curve.subarray(at, at + 6), 6 * this.count);
+      this.rows[this.count++] = row;
+    }
   }
 
   arc(batch: Batch, row: number, arc: number, pieces: number): void {
@@ -107,6 +118,11 @@ export function someRows(batch: Batch, from: number, to: number, tolerance: Tole
   const points: number[] = [];
   for (let row = from; row <= to; row++) {
     if (!(batch.kind[row]! & KNOWN)) continue;
+    const curve = batch.curves?.get(row);
+    if (curve) {
+      for (let at = 0; at + 6 <= curve.length; at += 3) points.push(...curve.subarray(at, at + 6));
+      continue;
+    }
     const arc = arcIndex(batch, row);
     const p = batch.points;
     if (arc < 0) {

@@ -1,6 +1,7 @@
 // The connection to the server: requests as JSON, answers as JSON and frames of columns.
 
 import { type Frame, readFrame } from "./frame";
+import type { Rotary } from "./turn";
 import type { Meaning } from "./words";
 
 export interface Place {
@@ -41,6 +42,7 @@ export interface MachineInfo {
   title: string;
   control: string;
   travel: ([number, number] | null)[];
+  rotary: Rotary[];
   tools: Tool[];
 }
 
@@ -105,6 +107,15 @@ export interface Times {
   assumed: number;
 }
 
+/** Where something is made; in a file beside, with its text. */
+export interface Made {
+  line: number;
+  column: number;
+  file?: string;
+  text?: string;
+  cut_off?: boolean;
+}
+
 /** A program, a tool, an operation or a place of the outline. */
 export interface Entry {
   name: string;
@@ -124,7 +135,7 @@ export type Told =
   | { type: "state"; id: number; state: Modal | null }
   | { type: "tokens"; id: number; classes: string[]; tokens: number[] }
   | { type: "hover"; id: number; hover: Meaning | null }
-  | { type: "definition"; id: number; place: { line: number; column: number } | null }
+  | { type: "definition"; id: number; place: Made | null }
   | { type: "outline"; id: number; entries: Entry[] }
   | { type: "saved"; id: number }
   | { type: "conflict"; id: number }

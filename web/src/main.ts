@@ -4,12 +4,14 @@ import "./style.css";
 import { type ColorBy, DARK, LIGHT, toolColor } from "./colors";
 import { differences, pointsOf } from "./compare";
 import { Editor } from "./editor";
+import { Elsewhere } from "./elsewhere";
 import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
 import { showOutline, showProblems, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
+import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
 import { PathView } from "./scene";
@@ -23,6 +25,7 @@ const ui = layout(document.querySelector<HTMLElement>("#app")!);
 const GHOST_TOLERANCE_MM = 0.02;
 
 let path = new Path();
+let kinematics = new Kinematics([], [0, 0, 0]);
 let former: { path: Path; machine: string } | undefined;
 let run = 0;
 let machine: MachineInfo | undefined;
@@ -58,6 +61,7 @@ const editor = new Editor(ui.code, {
     return told.type === "hover" ? (told.hover ?? undefined) : undefined;
   },
 }));
+const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
 const link = new Link(take, takeFrame, () => {
   ui.tell("error", "Chordal has ended or the connection broke. Start chordal view again; what was typed since the last save is still here to copy.");
 });
@@ -117,7 +121,8 @@ function goTo(line: number): void {
 async function goToDefinition(line: number, column: number): Promise<void> {
   const told = await link.ask("definition", { line, column });
   if (told.type !== "definition") return;
-  if (!told.place) return ui.tell("note", "Nothing in this text makes what stands here.");
+  if (!told.place) return ui.tell("note", "Nothing in this text or beside it makes what stands here.");
+  if (told.place.file !== undefined) return elsewhere.show(told.place);
   editor.goTo(told.place.line, told.place.column, true);
   cursorAt(told.place.line);
 }
@@ -161,14 +166,20 @@ function takeFrame(frame: Frame): void {
     case "path": {
       if (header.run !== run) break;
       startPath();
-      const batch = batchOf(frame);
-      path.add(batch, header.origin as Vec3);
+      const origin = header.origin as Vec3;
+      kinematics = new Kinematics(machine?.rotary ?? [], origin);
+      const batch = kinematics.batch(batchOf(frame));
+      path.add(batch, origin);
       view.add(batch);
       ui.progress(Number(header.progress));
       break;
     }
     case "contour":
-      if (header.run === run) view.addContour(batchOf(frame), header.origin as Vec3);
+      if (header.run === run) {
+        const origin = header.origin as Vec3;
+        const own = new Kinematics(machine?.rotary ?? [], origin);
+        view.addContour(own.batch(batchOf(frame)), origin);
+      }
       break;
     case "chords":
       view.setChords(f32(frame, "points"), header.origin as Vec3);
@@ -177,10 +188,13 @@ function takeFrame(frame: Frame): void {
           (Number(header.left_out) > 0 ? `, ${count(Number(header.left_out))} not drawn` : ""),
       );
       break;
-    case "setpoints":
+    case "setpoints": {
       if (header.run !== run) break;
+      const turns = "turns" in frame.columns ? f32(frame, "turns") : undefined;
+      const places = f32(frame, "places");
       setpoints = {
-        places: f32(frame, "places"),
+        places: turns ? kinematics.places(places, turns) : places,
+        turns,
         speed: f32(frame, "speed"),
         row: u32(frame, "row"),
         periodS: Number(header.period_s),
@@ -188,6 +202,7 @@ function takeFrame(frame: Frame): void {
       };
       timeline.set(setpoints, { inch: report?.inch ?? false });
       break;
+    }
     default:
       break;
   }
@@ -214,6 +229,7 @@ function finish(told: Report): void {
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
   ui.empty(path.bounds ? "" : emptyText(told));
+  ui.turns(unknownTurns(told.axes, machine?.rotary ?? []));
   editor.setProblems(told.diagnostics);
   tellProblems();
   tellTimes();
@@ -324,12 +340,13 @@ async function tellState(done: number, line: number): Promise<void> {
 }
 
 /** The tool stands at a share of a row. */
-function showTool(at: number, share: number, place?: Vec3): void {
+function showTool(at: number, share: number, place?: Vec3, turn?: Vec3): void {
   row = at;
   const found = path.find(at);
   const number = found ? found[0].tool[found[1]]! : 0;
   shapeTool(number);
-  view.placeTool(ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined);
+  const up = kinematics.direction([0, 0, 1], turn ?? path.turnOn(at, share));
+  view.placeTool(ui.toolOn.checked && path.bounds ? (place ?? path.pointOn(at, share)) : undefined, up);
 }
 
 let shaped = "";
@@ -349,7 +366,7 @@ timeline.onTime = (seconds, playing) => {
   if (!moment) return;
   const at = moment.at.map((value, axis) => value - path.origin[axis]!) as Vec3;
   const shownRow = askedRow ?? moment.row;
-  showTool(shownRow, 0, at);
+  showTool(shownRow, 0, at, moment.turn);
   const units = { inch: report?.inch ?? false };
   ui.readout(at.map((value, axis) => value + path.origin[axis]!) as Vec3, moment.speed, units);
   const line = path.lineOf(shownRow);

@@ -2,6 +2,7 @@
 // that the page asks of it.
 
 import { type Frame, f32, u32, u8 } from "./frame";
+import { onCurve } from "./turn";
 
 export const RAPID = 0;
 export const ARC = 2;
@@ -27,6 +28,10 @@ export interface Batch {
   /** Rows of the batch that are arcs or spirals, in order, and 13 numbers for each. */
   arcRows: Uint32Array;
   arcs: Float32Array;
+  /** A, B and C at both ends of each row, rad, where one of them is not zero. */
+  turns?: Float32Array;
+  /** Rows that a turning part bends: points along them. */
+  curves?: Map<number, Float32Array>;
 }
 
 export interface Bounds {
@@ -46,6 +51,7 @@ export function batchOf(frame: Frame): Batch {
     feed: f32(frame, "feed"),
     arcRows: u32(frame, "arc_rows"),
     arcs: f32(frame, "arcs"),
+    ...("turns" in frame.columns ? { turns: f32(frame, "turns") } : {}),
   };
 }
 
@@ -109,6 +115,13 @@ export class Path {
         }
       }
     }
+    for (const curve of batch.curves?.values() ?? []) {
+      for (let at = 0; at < curve.length; at++) {
+        const axis = at % 3;
+        low[axis] = Math.min(low[axis]!, curve[at]!);
+        high[axis] = Math.max(high[axis]!, curve[at]!);
+      }
+    }
     if (low[0] <= high[0]) this.bounds = { low, high };
   }
 
@@ -164,11 +177,25 @@ export class Path {
     return { line: batch.line[at]!, own: batch.file[at] === 0 };
   }
 
+  /** A, B and C on a row, rad. */
+  turnOn(row: number, share: number): Vec3 {
+    const found = this.find(row);
+    const turns = found?.[0].turns;
+    if (!found || !turns) return [0, 0, 0];
+    const mix = (axis: number) => {
+      const from = turns[6 * found[1] + axis]!;
+      return from + (turns[6 * found[1] + 3 + axis]! - from) * share;
+    };
+    return [mix(0), mix(1), mix(2)];
+  }
+
   /** A place on a row, relative to the origin, mm. */
   pointOn(row: number, share: number): Vec3 | undefined {
     const found = this.find(row);
     if (!found) return undefined;
     const [batch, at] = found;
+    const curve = batch.curves?.get(at);
+    if (curve) return onCurve(curve, share);
     const arc = arcIndex(batch, at);
     if (arc >= 0 && share > 0 && share < 1) return arcPoint(batch.arcs, arc, share);
     const p = batch.points;

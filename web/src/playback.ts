@@ -5,6 +5,8 @@ import type { Path, Vec3 } from "./path";
 export interface Setpoints {
   /** Relative to `origin`, mm: three numbers each. */
   places: Float32Array;
+  /** A, B and C, rad, three numbers each, where one of them is not zero. */
+  turns?: Float32Array | undefined;
   /** mm/min. */
   speed: Float32Array;
   /** The row of the path that each is on; rows never fall. */
@@ -15,6 +17,8 @@ export interface Setpoints {
 
 export interface Moment {
   at: Vec3;
+  /** A, B and C, rad. */
+  turn: Vec3;
   speed: number;
   row: number;
 }
@@ -28,9 +32,12 @@ export function momentAt(points: Setpoints, seconds: number): Moment | undefined
   const next = Math.min(last, index + 1);
   const share = exact - index;
   const mix = (from: number, to: number) => from + (to - from) * share;
+  const turns = points.turns;
+  const angle = (axis: number) => (turns ? mix(turns[3 * index + axis]!, turns[3 * next + axis]!) : 0);
   const place = (axis: number) => mix(points.places[3 * index + axis]!, points.places[3 * next + axis]!);
   return {
     at: [place(0), place(1), place(2)],
+    turn: [angle(0), angle(1), angle(2)],
     speed: mix(points.speed[index]!, points.speed[next]!),
     row: points.row[index]!,
   };

@@ -310,9 +310,9 @@ export class PathView {
     this.render();
   }
 
-  /** Shows the tool at a place, relative to the origin of the path. */
-  placeTool(at: Vec3 | undefined): void {
-    this.tool.place(at);
+  /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
+  placeTool(at: Vec3 | undefined, up: Vec3): void {
+    this.tool.place(at, up);
     this.render();
   }
 

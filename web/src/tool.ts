@@ -1,8 +1,10 @@
 // The tool as its shape: a cylinder, or a ball or bull nose where the table gives a corner radius.
 
-import { Group, LatheGeometry, Mesh, MeshBasicMaterial, Vector2, DoubleSide, EdgesGeometry, LineSegments, LineBasicMaterial } from "three";
+import { Group, LatheGeometry, Mesh, MeshBasicMaterial, Vector2, DoubleSide, EdgesGeometry, LineSegments, LineBasicMaterial, Vector3 } from "three";
 import type { Palette } from "./colors";
 import type { Vec3 } from "./path";
+
+const SPINDLE = new Vector3(0, 0, 1);
 
 /** The outline from the tip up: radius and height, mm. */
 export function outline(diameter: number, length: number, corner: number): [number, number][] {
@@ -50,8 +52,10 @@ export class ToolShape {
     this.object.add(new LineSegments(new EdgesGeometry(geometry, 30), this.edge));
   }
 
-  place(at: Vec3 | undefined): void {
+  /** Its tip at a place, its shank along a direction. */
+  place(at: Vec3 | undefined, up: Vec3): void {
     this.object.visible = at !== undefined;
     if (at) this.object.position.set(...at);
+    this.object.quaternion.setFromUnitVectors(SPINDLE, new Vector3(...up).normalize());
   }
 }

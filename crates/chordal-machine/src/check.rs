@@ -228,7 +228,7 @@ impl Value<'_> {
                     _ => vec![self.text(self.value)?],
                 };
             }
-            Slot::Word { what, words, set } => set(machine, self.word(what, words)?),
+            Slot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
             Slot::Flag(place) => match value {
                 DeValue::Boolean(flag) => *place(machine, keys) = *flag,
                 _ => return Err(self.takes("`true` or `false`", None)),

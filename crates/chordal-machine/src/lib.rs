@@ -50,8 +50,8 @@ pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};
 pub use machine::{
-    AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, ShopCode, Switches,
-    Times, Tool, WorkOffset,
+    AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Rotary, ShopCode,
+    Switches, Times, Tool, WorkOffset,
 };
 pub use motion::Motion;
 pub use offset::work_offset_name;

@@ -20,6 +20,8 @@ pub struct Machine {
     pub control: ControlName,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: [Option<AxisLimits>; 6],
+    /// What A, B and C turn, in this order.
+    pub rotary: [Rotary; 3],
     /// The fastest feeds that may be programmed.
     pub feed: FeedLimits,
     /// The path of a rapid move; `None`: the control's default.
@@ -67,6 +69,38 @@ pub struct AxisLimits {
     pub rapid_acceleration: Option<f64>,
     /// The jerk of rapids where it is another, mm/s³ or rad/s³.
     pub rapid_jerk: Option<f64>,
+}
+
+/// What a rotary axis turns, as far as pictures need it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rotary {
+    /// `None`: not known.
+    pub turns: Option<Turns>,
+    /// It counts the other way than ISO 841: there a positive angle turns the tool about the part
+    /// as a right-hand screw goes along the linear axis.
+    pub reversed: bool,
+    /// A place that its axis goes through, program coordinates by X, Y, Z, mm; where nothing is
+    /// given, the program's zero.
+    pub center_mm: [Option<f64>; 3],
+}
+
+/// What a rotary axis turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Turns {
+    /// The part.
+    Table,
+    /// The tool.
+    Head,
+}
+
+impl Turns {
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Turns::Table => "table",
+            Turns::Head => "head",
+        }
+    }
 }
 
 /// The fastest feeds that may be programmed.
@@ -203,6 +237,7 @@ impl Machine {
             notes: Vec::new(),
             control,
             axes: [None; 6],
+            rotary: [Rotary::default(); 3],
             feed: FeedLimits::default(),
             rapid: None,
             spindle_max_rpm: None,

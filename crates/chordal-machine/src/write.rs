@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::axis::Axis;
 use crate::check::{key_text, string_text};
-use crate::machine::{Machine, ProbeHit};
+use crate::machine::{Machine, ProbeHit, Rotary};
 use crate::quantity::Dimension;
 use crate::value::SettingValue;
 
@@ -100,6 +100,21 @@ impl Machine {
             let acceleration = of(Dimension::Acceleration);
             out.quantity("rapid_acceleration", limits.rapid_acceleration, acceleration);
             out.quantity("rapid_jerk", limits.rapid_jerk, of(Dimension::Jerk));
+        }
+        for (letter, rotary) in ["A", "B", "C"].into_iter().zip(&self.rotary) {
+            if *rotary == Rotary::default() {
+                continue;
+            }
+            out.table(&format!("rotary.{letter}"));
+            if let Some(turns) = rotary.turns {
+                out.line("turns", &string_text(turns.as_str()));
+            }
+            if rotary.reversed {
+                out.line("reversed", "true");
+            }
+            for (axis, mm) in ["X", "Y", "Z"].into_iter().zip(rotary.center_mm) {
+                out.quantity(&format!("center.{axis}"), mm, Dimension::Length);
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! `[motion]`, `[times]` and the limits of rapids: read, written, refused.
 
-use chordal_machine::{Machine, Motion};
+use chordal_machine::{Machine, Motion, Rotary, Turns};
 
 const FILE: &str = "\
 control = \"haas\"
@@ -24,6 +24,12 @@ spindle_per_1000_rpm = \"0.3 s\"
 spindle_orient = \"1.5 s\"
 probe = \"100 ms\"
 m_code = \"0.2 s\"
+[rotary.A]
+turns = \"table\"
+reversed = true
+center.Y = \"1 in\"
+[rotary.C]
+turns = \"head\"
 ";
 
 fn read(text: &str) -> Machine {
@@ -48,6 +54,11 @@ fn every_key_is_read() {
     let x = machine.axes[0].expect("X");
     assert_eq!((x.max_acceleration, x.rapid_acceleration), (Some(2000.0), Some(4000.0)));
     assert_eq!(x.rapid_jerk, Some(200_000.0));
+    let [about_x, about_y, about_z] = machine.rotary;
+    assert_eq!((about_x.turns, about_x.reversed), (Some(Turns::Table), true));
+    assert_eq!(about_x.center_mm, [None, Some(25.4), None]);
+    assert_eq!(about_y, Rotary::default());
+    assert_eq!(about_z.turns, Some(Turns::Head));
     let a = machine.axes[3].expect("A");
     assert_eq!(a.rapid_acceleration, Some(std::f64::consts::PI));
 }
@@ -56,6 +67,7 @@ fn every_key_is_read() {
 fn what_is_written_is_read_back() {
     let machine = read(FILE);
     let again = read(&machine.to_toml());
+    assert_eq!(again.rotary, machine.rotary);
     assert_eq!(again.motion, machine.motion);
     assert_eq!(again.times, machine.times);
     assert_eq!(again.axes, machine.axes);

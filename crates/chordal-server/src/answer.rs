@@ -2,9 +2,10 @@
 
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::Axis;
+use chordal::machine::{Axis, Turns};
 use chordal::time::{TimeReport, Times};
-use chordal::{Diagnostic, Job, Report, Source, SourceMap};
+use chordal::{Diagnostic, Job, Report, SourceMap};
+use chordal_editor::line_and_column;
 use serde_json::{Value, json};
 
 /// Diagnostics that are sent; the rest is counted.
@@ -76,8 +77,8 @@ pub fn place(span: Span, sources: &SourceMap) -> Value {
     let Some(source) = sources.get(span.file).filter(|_| span != Span::default()) else {
         return Value::Null;
     };
-    let (line, column) = units_of(source, span.range.start);
-    let (end_line, end_column) = units_of(source, span.range.end.max(span.range.start));
+    let (line, column) = line_and_column(source, span.range.start);
+    let (end_line, end_column) = line_and_column(source, span.range.end.max(span.range.start));
     json!({
         "file": source.name(),
         "own": span.file == FileId(0),
@@ -88,20 +89,20 @@ pub fn place(span: Span, sources: &SourceMap) -> Value {
     })
 }
 
-/// Line from 1 and column from 0, in UTF-16 code units, of a byte of a text.
-pub fn units_of(source: &Source, offset: u32) -> (u32, usize) {
-    let line = source.line_of(offset);
-    let start = source.line_start(line) as usize;
-    let end = (offset as usize).clamp(start, source.text().len());
-    let head = String::from_utf8_lossy(&source.text()[start..end]);
-    (line, head.encode_utf16().count())
-}
-
 /// The machine, as far as it is drawn.
 pub fn machine(job: &Job) -> Value {
     let machine = job.machine();
     let travel =
         [Axis::X, Axis::Y, Axis::Z].map(|axis| machine.axis(axis).and_then(|limits| limits.travel));
+    let rotary = [Axis::A, Axis::B, Axis::C].into_iter().zip(&machine.rotary).map(|(axis, own)| {
+        json!({
+            "letter": axis.letter().to_string(),
+            "turns": own.turns.map(Turns::as_str),
+            "reversed": own.reversed,
+            "center_mm": own.center_mm.map(|mm| mm.unwrap_or(0.0)),
+        })
+    });
+    let rotary: Vec<_> = rotary.collect();
     let tools = machine.tools.iter().map(|(number, tool)| {
         json!({
             "number": number,
@@ -117,6 +118,7 @@ pub fn machine(job: &Job) -> Value {
         "title": machine.title,
         "control": job.control().table.title,
         "travel": travel,
+        "rotary": rotary,
         "tools": tools.collect::<Vec<_>>(),
     })
 }

@@ -36,6 +36,8 @@ pub struct Columns {
     feed: Vec<f32>,
     arc_rows: Vec<u32>,
     arcs: Vec<f32>,
+    /// A, B and C at both ends of each row, rad; sent where one of them is not zero.
+    turns: Vec<f32>,
 }
 
 impl Columns {
@@ -63,6 +65,8 @@ impl Columns {
         self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));
         self.line.push(segment.origin.line);
         self.feed.push(feed_of(segment));
+        let turns = segment.rotary_from.into_iter().chain(segment.rotary_to);
+        self.turns.extend(turns.map(|angle| angle as f32));
         if let Some(record) = arc_record(&segment.curve, near) {
             self.arc_rows.push(self.kind.len() as u32 - 1);
             self.arcs.extend(record);
@@ -79,6 +83,9 @@ impl Columns {
         frame.column("feed", &rows.feed);
         frame.column("arc_rows", &rows.arc_rows);
         frame.column("arcs", &rows.arcs);
+        if rows.turns.iter().any(|angle| *angle != 0.0) {
+            frame.column("turns", &rows.turns);
+        }
         frame.column("kind", &rows.kind);
         frame.column("file", &rows.file);
         let mut header = header.clone();

@@ -62,6 +62,9 @@ pub fn times(
     told["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = Frame::default();
     frame.column("places", &kept.places);
+    if kept.turns.iter().any(|angle| *angle != 0.0) {
+        frame.column("turns", &kept.turns);
+    }
     frame.column("speed", &kept.speed);
     frame.column("row", &kept.row);
     let header = json!({
@@ -86,7 +89,7 @@ struct Expected {
 struct Held {
     number: u32,
     row: u32,
-    shift: [f64; 3],
+    shift: [f64; 6],
 }
 
 /// Setpoints, thinned out to what is sent.
@@ -95,6 +98,8 @@ struct Kept {
     looked_at: usize,
     stride: usize,
     places: Vec<f32>,
+    /// A, B and C, rad.
+    turns: Vec<f32>,
     speed: Vec<f32>,
     row: Vec<u32>,
 }
@@ -110,8 +115,10 @@ impl Kept {
         let number = StepSource::number_of(sample.tag);
         let at = steps.partition_point(|step| step.number <= number);
         let held = steps.get(at.saturating_sub(1));
-        let (row, shift) = held.map_or((0, [0.0; 3]), |held| (held.row, held.shift));
+        let (row, shift) = held.map_or((0, [0.0; 6]), |held| (held.row, held.shift));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
+        let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
+        self.turns.extend((3..6).map(turn));
         self.speed.push((sample.speed() * 60.0) as f32);
         self.row.push(row);
         if self.row.len() >= MOST {
@@ -126,10 +133,12 @@ impl Kept {
             self.row[at] = self.row[2 * at];
             self.speed[at] = self.speed[2 * at];
             self.places.copy_within(6 * at..6 * at + 3, 3 * at);
+            self.turns.copy_within(6 * at..6 * at + 3, 3 * at);
         }
         self.row.truncate(halves);
         self.speed.truncate(halves);
         self.places.truncate(3 * halves);
+        self.turns.truncate(3 * halves);
         self.stride *= 2;
     }
 }
@@ -174,8 +183,8 @@ impl PlanSink for Setpoints<'_> {
 
     fn source(&mut self, source: &StepSource) {
         let row = self.row_of(source);
-        let shift = [source.shift[0], source.shift[1], source.shift[2]];
-        self.steps.push_back(Held { number: StepSource::number_of(source.tag), row, shift });
+        let number = StepSource::number_of(source.tag);
+        self.steps.push_back(Held { number, row, shift: source.shift });
     }
 
     fn step(&mut self, step: Step<'_>, sources: &Sources) {

@@ -23,7 +23,7 @@ pub(crate) struct Keys {
 
 /// A key, or a table with a meaning of its own.
 pub(crate) struct Row {
-    /// Where it is; `<axis>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>` vary.
+    /// Where it is; `<axis>`, `<rotary>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>` vary.
     pub(crate) path: &'static str,
     /// What it takes and where that goes.
     pub(crate) slot: Slot,
@@ -48,7 +48,7 @@ pub(crate) enum Slot {
     Word {
         what: &'static str,
         words: &'static [&'static str],
-        set: fn(&mut Machine, &str),
+        set: fn(&mut Machine, &Keys, &str),
     },
     Flag(Place<bool>),
     /// A number without a unit.
@@ -154,6 +154,13 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
                 let all = || "the axes are X, Y, Z, A, B and C".to_string();
                 (format!("`{key}` is not an axis"), help.unwrap_or_else(all))
             })?);
+        }
+        "<rotary>" => {
+            let place = ["A", "B", "C"].iter().position(|letter| *letter == key);
+            keys.number = place.map(|place| place as u32).ok_or_else(|| {
+                let help = "the rotary axes are A, B and C, in capitals".to_string();
+                (format!("`{key}` is not a rotary axis"), help)
+            })?;
         }
         "<tool>" => {
             keys.number = whole(key).ok_or_else(|| {

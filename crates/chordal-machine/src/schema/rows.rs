@@ -2,7 +2,7 @@
 
 use super::{Keys, Place, Row, Sign, Slot, Stamp};
 use crate::control::ControlName;
-use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Tool, WorkOffset};
+use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Tool, Turns, WorkOffset};
 use crate::quantity::Dimension;
 
 const fn quantity(
@@ -43,7 +43,7 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Word {
             what: "control",
             words: CONTROLS,
-            set: |m, word| {
+            set: |m, _, word| {
                 if let Ok(control) = word.parse() {
                     m.control = control;
                 }
@@ -96,6 +96,30 @@ pub(crate) const ROWS: &[Row] = &[
         |m, k| &mut axis(m, k).rapid_jerk,
         "the largest change of acceleration of rapids, where it is not that of cuts",
     ),
+    Row {
+        path: "rotary.<rotary>.turns",
+        slot: Slot::Word {
+            what: "what turns",
+            words: &[Turns::Table.as_str(), Turns::Head.as_str()],
+            set: |m, k, word| {
+                rotary(m, k).turns =
+                    [Turns::Table, Turns::Head].into_iter().find(|turns| turns.as_str() == word);
+            },
+        },
+        doc: "what A, B or C turns: the part (`table`) or the tool (`head`); otherwise it is not known, and pictures are drawn without. Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A",
+    },
+    Row {
+        path: "rotary.<rotary>.reversed",
+        slot: Slot::Flag(|m, k| &mut rotary(m, k).reversed),
+        doc: "`true`: it counts the other way than ISO 841, where a positive angle turns the tool about the part as a right-hand screw goes along X, Y or Z",
+    },
+    quantity(
+        "rotary.<rotary>.center.<axis>",
+        Dimension::Length,
+        Sign::Any,
+        |m, k| &mut rotary(m, k).center_mm[k.axis.map_or(0, |axis| axis as usize % 3)],
+        "a place that its axis goes through: X, Y and Z, program coordinates; otherwise the program's zero",
+    ),
     quantity(
         "feed.max",
         Dimension::Velocity,
@@ -115,7 +139,7 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Word {
             what: "rapid shape",
             words: &[RapidShape::DogLeg.as_str(), RapidShape::Straight.as_str()],
-            set: |m, word| {
+            set: |m, _, word| {
                 m.rapid = [RapidShape::DogLeg, RapidShape::Straight]
                     .into_iter()
                     .find(|s| s.as_str() == word);
@@ -351,7 +375,7 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Word {
             what: "hit",
             words: &["end", "none"],
-            set: |m, word| {
+            set: |m, _, word| {
                 m.probe.planes = [None; 6];
                 m.probe.hit = Some(match word {
                     "none" => ProbeHit::Nothing,
@@ -380,6 +404,10 @@ pub(crate) const ROWS: &[Row] = &[
 
 fn axis<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut AxisLimits {
     machine.axes[keys.axis.map_or(0, |axis| axis as usize)].get_or_insert_default()
+}
+
+fn rotary<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Rotary {
+    &mut machine.rotary[(keys.number as usize).min(2)]
 }
 
 fn tool<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Tool {
