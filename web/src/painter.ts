@@ -45,6 +45,8 @@ export class Painter {
   readonly isSoftware: boolean;
   /** What is to be drawn once for each place of the camera. */
   readonly path = new Group();
+  /** Of it, the rapids: while the view turns the coarse path has some of them. */
+  readonly rapids = new Group();
   /** Of it, what may be missing while the view turns. */
   readonly beside = new Group();
   /** What is drawn anew in each frame, over the path. */
@@ -89,7 +91,7 @@ export class Painter {
     this.isSoftware = drawsInSoftware(this.renderer.getContext());
     this.pace = new Pace(this.isSoftware);
     this.slices = new Slices(this.isSoftware);
-    this.path.add(cuts, coarse.object, this.beside);
+    this.path.add(cuts, coarse.object, this.rapids, this.beside);
     this.scene.add(this.path, this.over);
   }
 
@@ -142,10 +144,12 @@ export class Painter {
 
   /** All at once. */
   private draw({ level, samples, scale }: Quality): void {
-    const { renderer, coarse, cuts, beside, scene, camera } = this;
+    const { renderer, coarse, cuts, rapids, beside, scene, camera } = this;
+    const rapidsShown = rapids.visible;
     const isCoarse = level >= 0 && coarse.isReady;
     coarse.show(isCoarse, level);
     cuts.visible = !isCoarse;
+    rapids.visible = rapidsShown && !isCoarse;
     beside.visible = !isCoarse || weight(pieces(beside)) <= LEVELS[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
@@ -154,6 +158,7 @@ export class Painter {
     renderer.render(scene, camera);
     coarse.show(false, level);
     cuts.visible = beside.visible = true;
+    rapids.visible = rapidsShown;
     this.drawnLines = renderer.info.render.lines;
     if (target) this.put(target, false);
   }

@@ -60,7 +60,7 @@ export class PathView {
   private path = new Path();
   private drawnBatches: DrawnBatch[] = [];
   private cuts = new Group();
-  private rapids = new Group();
+  private rapids: Group;
   private coarse = new Coarse();
   private contour = new Group();
   private ghost = new Group();
@@ -101,6 +101,7 @@ export class PathView {
     this.palette = palette;
     this.eye = new Eye(canvas, () => this.moved());
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
+    this.rapids = this.painter.rapids;
     this.tool = new ToolShape(palette);
     this.mark.frustumCulled = false;
     this.mark.material = this.markMaterial;
@@ -108,7 +109,7 @@ export class PathView {
     this.measured.frustumCulled = false;
     this.measured.visible = false;
     this.mark.visible = false;
-    this.painter.beside.add(this.ghost, this.rapids, this.contour, this.chords);
+    this.painter.beside.add(this.ghost, this.contour, this.chords);
     this.painter.over.add(this.fixed.object, this.mark, this.measured, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
@@ -198,7 +199,8 @@ export class PathView {
     if (this.path.rows < MANY) return this.coarse.clear();
     const size = longest(this.path.bounds, 1);
     const colors = (batch: Batch, lines: Lines) => this.colors(batch, lines);
-    if (await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials)) this.render();
+    const built = await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials, this.rapidMaterial);
+    if (built) this.render();
   }
 
   /** The colours of both ends of each line. */
@@ -288,6 +290,7 @@ export class PathView {
 
   showRapids(shown: boolean): void {
     this.rapids.visible = shown;
+    this.coarse.showRapids(shown);
     this.changed();
   }
 
@@ -314,6 +317,13 @@ export class PathView {
   placeTool(at: Vec3 | undefined, up: Vec3): void {
     this.tool.place(at, up);
     this.render();
+  }
+
+  /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
+  toolStands(): { at: Vec3; up: Vec3 } {
+    const { position, quaternion } = this.tool.object;
+    const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
+    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray() };
   }
 
   shapeTool(diameter: number | null, length: number | null, corner: number | null): void {

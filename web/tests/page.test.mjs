@@ -319,6 +319,74 @@ test("a call leads to its program", async () => {
   await page.close();
 });
 
+test("a call into another file shows that file, to be read", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
+  const path = join(folder, "part.nc");
+  writeFileSync(path, "%\nO1\nG21 G90 S900 M3\nG0 X0 Y0 Z5.\nM98 P77\nM30\n%\n");
+  writeFileSync(join(folder, "O77.nc"), "%\nO77 (A SQUARE)\nG1 Z-1. F100.\nX10.\nY10.\nG0 Z5.\nM99\n%\n");
+  const { page, complaints } = await show(path, "--machine", "haas-vf2");
+  await page.locator(".cm-line").nth(4).click();
+  await page.keyboard.press("End");
+  await page.keyboard.press("F12");
+  await page.waitForSelector(".elsewhere:not([hidden])");
+  assert.match(await page.locator(".elsewhere h2").innerText(), /O77\.nc/);
+  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /O77 \(A SQUARE\)/);
+  await page.keyboard.type("X");
+  assert.doesNotMatch(await page.locator(".elsewhere .cm-content").innerText(), /X.*O77/);
+  await picture(page, "elsewhere");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".elsewhere").isVisible(), false);
+  assert.equal(await line(page), 5);
+  assert.deepEqual(complaints, []);
+  await page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** A thread of two turns and three flats about a bar of 40 mm. */
+const ROUND =
+  "%\nO1 (ABOUT A BAR)\nT1 M6\nG21 G90 G54 S3000 M3\nG0 X0 Y0 Z25. A0\nG1 Z20. F300.\nX20. A720. F2000.\n" +
+  "G0 Z25.\nG0 X30. A0\nG1 Z18. F300.\nX45. Y5.\nG0 Z25.\nA120. X30. Y0\nG1 Z18.\nX45. Y5.\nG0 Z25.\n" +
+  "A240. X30. Y0\nG1 Z18.\nX45. Y5.\nG0 Z25.\nM30\n%\n";
+
+test("a rotary table turns the part: the path lies about it, and the tool stands to it", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
+  const path = join(folder, "round.nc");
+  writeFileSync(path, ROUND);
+  const { page, complaints } = await show(path, "--machine", "haas-vf2");
+  await page.waitForFunction(() => window.chordal.setpoints());
+  // Every place of the thread is 20 mm from the axis, all around it.
+  const thread = await page.evaluate(() => {
+    const own = window.chordal.path();
+    const row = own.rowsOfLine(7)[0];
+    return [0, 0.125, 0.25, 0.375, 0.5, 1].map((share) => own.pointOn(row, share).map((v, axis) => v + own.origin[axis]));
+  });
+  for (const [, y, z] of thread) assert.ok(Math.abs(Math.hypot(y, z) - 20) < 0.02, `${y} ${z}`);
+  const [start, quarter, half] = thread;
+  assert.ok(start[2] > 19.9 && quarter[1] < -19.9 && half[2] < -19.9, JSON.stringify(thread));
+  // In playback the tool points away from the axis, wherever it is.
+  const time = await page.evaluate(() => {
+    const { setpoints } = window.chordal;
+    const points = setpoints();
+    let at = 0;
+    while (points.turns[3 * at] < (5 * Math.PI) / 2) at++;
+    return at * points.periodS;
+  });
+  await page.evaluate((seconds) => window.chordal.timeline.seek(seconds), time);
+  const tool = await page.evaluate(() => window.chordal.view.toolStands());
+  assert.ok(tool.up[1] < -0.95 && tool.at[1] < -19, JSON.stringify(tool));
+  await page.evaluate(() => window.chordal.view.fit());
+  await picture(page, "rotary");
+  assert.equal(await page.locator(".turns").isVisible(), false);
+  assert.deepEqual(complaints, []);
+  await page.close();
+  // A machine whose file does not say what A turns: drawn without, and told.
+  const plain = await show(path, "--machine", "linuxcnc-mill");
+  assert.match(await plain.page.locator(".turns").innerText(), /^A: not known what it turns/);
+  await picture(plain.page, "rotary-unknown");
+  await plain.page.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
 test("a long program answers while it loads, and turns at a detail that is soon drawn", async () => {
   const folder = mkdtempSync(join(tmpdir(), "chordal-page-"));
   const path = join(folder, "long.ngc");

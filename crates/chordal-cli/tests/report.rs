@@ -90,6 +90,20 @@ fn tools_are_told_with_what_they_do() {
 }
 
 #[test]
+fn comments_before_the_number_are_of_the_programs_head() {
+    let folder = folder();
+    folder.write(
+        "named.nc",
+        "%\n(BRACKET 4711)\n(T1 FACE MILL)\nO5 (SIDE 2)\nG21 G90 T1 M6\nG54 S900 M3\nG0 X0 Y0 Z5.\n\
+         G1 Z-1. F90.\nX9.\nG0 Z5.\nM30\n%\n",
+    );
+    let arguments = [&["report", "named.nc", "--format", "json"], &VF2[..]].concat();
+    let told: Value = serde_json::from_str(&folder.run(&arguments).out).unwrap();
+    assert_eq!(told["head"]["comments"], json!(["BRACKET 4711", "T1 FACE MILL"]));
+    assert_eq!(told["tools"]["rows"][0]["comment"], "T1 FACE MILL");
+}
+
+#[test]
 fn travel_is_told_for_each_work_offset() {
     let told = report(&folder(), &[]);
     let travel = told["travel"]["rows"].as_array().unwrap();

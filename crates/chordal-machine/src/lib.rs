@@ -51,7 +51,7 @@ pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};
 pub use machine::{
     AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Rotary, ShopCode,
-    Switches, Times, Tool, WorkOffset,
+    Switches, Times, Tool, Turns, WorkOffset,
 };
 pub use motion::Motion;
 pub use offset::work_offset_name;

@@ -80,11 +80,18 @@ impl<'j> Comments<'j> {
         let Some(source) = job.sources().get(FileId(0)) else { return comments };
         let lexicon = job.control().table.lexicon;
         let mut reader = BlockReader::new(source.text(), FileId(0), lexicon);
-        if let Some(main) = main {
-            reader.seek(main.start);
-            reader.limit(main.end);
-        }
         let mut block = Block::new();
+        if let Some(main) = main {
+            // What stands before the number of the first program is about that program.
+            reader.limit(main.start.offset);
+            let begin = reader.position();
+            let mut only_head = true;
+            while only_head && reader.read(&mut block) {
+                only_head = is_head(&block);
+            }
+            reader.limit(main.end);
+            reader.seek(if only_head { begin } else { main.start });
+        }
         for _ in 0..MOST_HEAD_BLOCKS {
             let is_head = reader.read(&mut block) && is_head(&block);
             if !is_head || comments.head.len() >= MOST_HEAD_COMMENTS {
