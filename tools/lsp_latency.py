@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""How long the language server takes for a keystroke: a client types digits into the middle of a large
-program and waits for the diagnostics of each version, and for a hover and the colours of a screen.
+"""How long the language server takes for a keystroke: a client types at several places of a large program
+and waits for the diagnostics of each version; then for a hover, the colours of a screen and its hints.
 
     tools/lsp_latency.py target/release/chordal part.nc [keystrokes]
 """
@@ -48,13 +48,25 @@ class Client:
                 return
 
 
+def places(lines: list[str]) -> dict[str, tuple[int, int, str]]:
+    """What is typed where: a line, a column and what; it is taken back by the next keystroke."""
+    middle, last = len(lines) // 2, len(lines) - 5
+    feed = next(number for number, line in enumerate(lines) if " F" in line)
+    return {
+        "a blank in the middle": (middle, len(lines[middle]), " "),
+        "a digit in the middle": (middle, len(lines[middle]), "1"),
+        "a new line in the middle": (middle, len(lines[middle]), "\n"),
+        "a digit near the beginning": (9, len(lines[9]), "1"),
+        "a digit near the end": (last, len(lines[last]), "1"),
+        "the feed of all that follows": (feed, len(lines[feed]), "1"),
+    }
+
+
 def main() -> None:
     command, path = sys.argv[1], Path(sys.argv[2]).resolve()
-    count = int(sys.argv[3]) if len(sys.argv) > 3 else 30
+    count = int(sys.argv[3]) if len(sys.argv) > 3 else 40
     text = path.read_text()
     lines = text.splitlines()
-    middle = len(lines) // 2
-    column = len(lines[middle])
     client = Client(command)
     client.ask("initialize", {"capabilities": {}})
     client.tell("initialized", {})
@@ -64,26 +76,36 @@ def main() -> None:
     client.tell("textDocument/didOpen", {"textDocument": opened})
     client.diagnostics(1)
     print(f"{len(lines)} lines; opened: {(time.perf_counter() - began) * 1e3:.1f} ms")
-    spent: dict[str, list[float]] = {"diagnostics": [], "hover": [], "colours of a screen": []}
-    place = {"line": middle, "character": column}
-    screen = {"start": {"line": middle, "character": 0}, "end": {"line": middle + 60, "character": 0}}
-    for version in range(2, count + 2):
-        began = time.perf_counter()
-        change = {"range": {"start": place, "end": place}, "text": " "}
-        changed = {"textDocument": {**document, "version": version}, "contentChanges": [change]}
-        client.tell("textDocument/didChange", changed)
-        client.diagnostics(version)
-        spent["diagnostics"].append(time.perf_counter() - began)
-        for name, method, more in (
-            ("hover", "hover", {"position": {"line": middle, "character": 1}}),
-            ("colours of a screen", "semanticTokens/range", {"range": screen}),
-        ):
+    spent: dict[str, list[float]] = {}
+    asked: dict[str, list[float]] = {}
+    version = 1
+    for name, (line, column, typed) in places(lines).items():
+        start = {"line": line, "character": column}
+        behind = {"line": line + 1, "character": 0} if typed == "\n" else {**start, "character": column + 1}
+        screen = {"start": {"line": line, "character": 0}, "end": {"line": line + 60, "character": 0}}
+        for step in range(count):
+            version += 1
+            change = {"range": {"start": start, "end": behind if step % 2 else start}}
+            change["text"] = "" if step % 2 else typed
+            changed = {"textDocument": {**document, "version": version}, "contentChanges": [change]}
             began = time.perf_counter()
-            client.ask(f"textDocument/{method}", {"textDocument": document, **more})
-            spent[name].append(time.perf_counter() - began)
-    for name, times in spent.items():
+            client.tell("textDocument/didChange", changed)
+            client.diagnostics(version)
+            spent.setdefault(name, []).append(time.perf_counter() - began)
+            for what, method, more in (
+                ("hover", "hover", {"position": {"line": line, "character": 1}}),
+                ("colours of a screen", "semanticTokens/range", {"range": screen}),
+                ("hints of a screen", "inlayHint", {"range": screen}),
+            ):
+                # Whoever types on does not wait for hints.
+                if what.startswith("hints") and step % 4:
+                    continue
+                began = time.perf_counter()
+                client.ask(f"textDocument/{method}", {"textDocument": document, **more})
+                asked.setdefault(what, []).append(time.perf_counter() - began)
+    for name, times in [*spent.items(), *asked.items()]:
         median, worst = statistics.median(times) * 1e3, max(times) * 1e3
-        print(f"{name}: median {median:.1f} ms, worst {worst:.1f} ms of {count}")
+        print(f"{name}: median {median:.1f} ms, worst {worst:.1f} ms of {len(times)}")
     client.ask("shutdown", None)
     client.tell("exit", {})
     client.process.wait()

@@ -7,7 +7,7 @@ import type { Path, Vec3 } from "./path";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import { type Units, coordinate, counted, speed } from "./units";
+import { type Units, angles, coordinate, counted, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times";
 
@@ -302,9 +302,9 @@ export function layout(root: HTMLElement) {
       const [low, high] = Number.isFinite(path.minFeed) ? [path.minFeed, path.maxFeed] : [0, 0];
       legend.append(speed(units, low), ramp, speed(units, high));
     },
-    readout(at: Vec3, mmPerMin: number, units: Units): void {
+    readout(at: Vec3, turn: Vec3, mmPerMin: number, units: Units): void {
       const [x, y, z] = at.map((value) => coordinate(units, value));
-      readout.textContent = `X ${x}  Y ${y}  Z ${z}   ${speed(units, mmPerMin)}`;
+      readout.textContent = `X ${x}  Y ${y}  Z ${z}${angles(turn)}   ${speed(units, mmPerMin)}`;
     },
     tell(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;

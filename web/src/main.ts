@@ -194,6 +194,7 @@ function takeFrame(frame: Frame): void {
       const places = f32(frame, "places");
       setpoints = {
         places: turns ? kinematics.places(places, turns) : places,
+        programmed: turns && places,
         turns,
         speed: f32(frame, "speed"),
         row: u32(frame, "row"),
@@ -333,8 +334,9 @@ async function tellState(done: number, line: number): Promise<void> {
   }
   if (told.type !== "state") return;
   const found = done > 0 ? path.find(done - 1) : undefined;
-  const end = done > 0 ? path.pointOn(done - 1, 1) : undefined;
-  const at = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
+  const end = done > 0 ? path.programmedEnd(done - 1) : undefined;
+  const place = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
+  const at = place && { place, turn: path.turnOn(done - 1, 1) };
   const kind = found && path.rowsOfLine(line) ? kindOf(found[0].kind[found[1]]!) : undefined;
   showState(ui.panels.state, told.state ?? undefined, at, { line, kind });
 }
@@ -368,7 +370,7 @@ timeline.onTime = (seconds, playing) => {
   const shownRow = askedRow ?? moment.row;
   showTool(shownRow, 0, at, moment.turn);
   const units = { inch: report?.inch ?? false };
-  ui.readout(at.map((value, axis) => value + path.origin[axis]!) as Vec3, moment.speed, units);
+  ui.readout(moment.programmed, moment.turn, moment.speed, units);
   const line = path.lineOf(shownRow);
   if (!line?.own || line.line === shownLine) return;
   shownLine = line.line;

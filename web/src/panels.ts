@@ -2,7 +2,7 @@
 
 import type { Entry, MachineInfo, Modal, Problem, Report, Times } from "./link";
 import type { Vec3 } from "./path";
-import { type Units, coordinate, count, counted, duration, length, speed } from "./units";
+import { type Units, angles, coordinate, count, counted, duration, length, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(
   name: K,
@@ -98,7 +98,7 @@ const MOTIONS = ["rapid", "straight", "arc", "spiral"];
 export function showState(
   root: HTMLElement,
   modal: Modal | undefined,
-  at: Vec3 | undefined,
+  at: { place: Vec3; turn: Vec3 } | undefined,
   now: { line: number; kind: number | undefined } | undefined,
 ): void {
   root.replaceChildren();
@@ -111,8 +111,8 @@ export function showState(
   if (now) row(table, "After line", count(now.line));
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
-    const [x, y, z] = at.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
-    row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}`);
+    const [x, y, z] = at.place.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
+    row(table, "Position", `X ${x}  Y ${y}  Z ${z} ${modal.inch ? "in" : "mm"}${angles(at.turn)}`);
   }
   if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");
   row(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);

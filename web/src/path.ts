@@ -28,6 +28,8 @@ export interface Batch {
   /** Rows of the batch that are arcs or spirals, in order, and 13 numbers for each. */
   arcRows: Uint32Array;
   arcs: Float32Array;
+  /** What the program says, where the part turns and `points` is as it lies on the part. */
+  programmed?: Float32Array;
   /** A, B and C at both ends of each row, rad, where one of them is not zero. */
   turns?: Float32Array;
   /** Rows that a turning part bends: points along them. */
@@ -175,6 +177,15 @@ export class Path {
     if (!found) return undefined;
     const [batch, at] = found;
     return { line: batch.line[at]!, own: batch.file[at] === 0 };
+  }
+
+  /** Where a row ends as the program says it, relative to the origin, mm. */
+  programmedEnd(row: number): Vec3 | undefined {
+    const found = this.find(row);
+    if (!found) return undefined;
+    const [batch, at] = found;
+    const points = batch.programmed ?? batch.points;
+    return [points[6 * at + 3]!, points[6 * at + 4]!, points[6 * at + 5]!];
   }
 
   /** A, B and C on a row, rad. */

@@ -5,6 +5,8 @@ import type { Path, Vec3 } from "./path";
 export interface Setpoints {
   /** Relative to `origin`, mm: three numbers each. */
   places: Float32Array;
+  /** The same as the program says it, where the part turns. */
+  programmed?: Float32Array | undefined;
   /** A, B and C, rad, three numbers each, where one of them is not zero. */
   turns?: Float32Array | undefined;
   /** mm/min. */
@@ -17,6 +19,8 @@ export interface Setpoints {
 
 export interface Moment {
   at: Vec3;
+  /** The same as the program says it. */
+  programmed: Vec3;
   /** A, B and C, rad. */
   turn: Vec3;
   speed: number;
@@ -34,9 +38,11 @@ export function momentAt(points: Setpoints, seconds: number): Moment | undefined
   const mix = (from: number, to: number) => from + (to - from) * share;
   const turns = points.turns;
   const angle = (axis: number) => (turns ? mix(turns[3 * index + axis]!, turns[3 * next + axis]!) : 0);
-  const place = (axis: number) => mix(points.places[3 * index + axis]!, points.places[3 * next + axis]!);
+  const between = (places: Float32Array, axis: number) => mix(places[3 * index + axis]!, places[3 * next + axis]!);
+  const place = (places: Float32Array): Vec3 => [between(places, 0), between(places, 1), between(places, 2)];
   return {
-    at: [place(0), place(1), place(2)],
+    at: place(points.places),
+    programmed: place(points.programmed ?? points.places),
     turn: [angle(0), angle(1), angle(2)],
     speed: mix(points.speed[index]!, points.speed[next]!),
     row: points.row[index]!,

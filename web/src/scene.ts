@@ -314,7 +314,7 @@ export class PathView {
   }
 
   /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
-  placeTool(at: Vec3 | undefined, up: Vec3): void {
+  placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
     this.tool.place(at, up);
     this.render();
   }

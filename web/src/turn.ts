@@ -74,7 +74,7 @@ export class Kinematics {
       points.set(this.place(pointOf(batch.points, from), turns, from), from);
       points.set(this.place(pointOf(batch.points, to), turns, to), to);
     }
-    return { ...batch, points, arcs, curves };
+    return { ...batch, points, programmed: batch.points, arcs, curves };
   }
 
   /** Pieces of a row: one where nothing turns that carries the part. */

@@ -24,6 +24,12 @@ export function coordinate({ inch }: Units, mm: number): string {
   return /^-0\.0*$/.test(text) ? text.slice(1) : text;
 }
 
+/** Angles of A, B and C, given in rad, those that are not zero: `A 90.000°`. */
+export function angles(turn: ArrayLike<number>): string {
+  const named = ["A", "B", "C"].map((letter, axis) => [letter, (turn[axis]! * 180) / Math.PI] as const);
+  return named.filter(([, degrees]) => Math.abs(degrees) > 5e-4).map(([letter, degrees]) => `  ${letter} ${degrees.toFixed(3)}°`).join("");
+}
+
 /** A speed that is given in mm/min. */
 export function speed({ inch }: Units, mmPerMin: number): string {
   return inch ? `${trimmed(mmPerMin / MM_PER_INCH, 1)} in/min` : `${trimmed(mmPerMin, 0)} mm/min`;

@@ -375,6 +375,8 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
   const tool = await page.evaluate(() => window.chordal.view.toolStands());
   assert.ok(tool.up[1] < -0.95 && tool.at[1] < -19, JSON.stringify(tool));
   await page.evaluate(() => window.chordal.view.fit());
+  // What is read is what the program says.
+  assert.match(await page.locator(".readout").innerText(), /Y 0\.000  Z 20\.000  A 45\d\.\d+°/);
   await picture(page, "rotary");
   assert.equal(await page.locator(".turns").isVisible(), false);
   assert.deepEqual(complaints, []);
