@@ -251,7 +251,7 @@ fn made(control: &Control, dice: &mut Dice, parts: usize) -> String {
         let (x, y) = (dice.roll(900) as f64 / 10.0, dice.roll(900) as f64 / 10.0);
         match dice.roll(9) {
             0..=3 => {
-                text += &format!("G1 Z-1. F300.\n");
+                text += "G1 Z-1. F300.\n";
                 for step in 0..dice.roll(12) {
                     text +=
                         &format!("X{:.3} Y{:.3}\n", x + step as f64 * 0.3, y + dice.roll(9) as f64);
