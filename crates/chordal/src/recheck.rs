@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use chordal_control::{CallPath, Command, Library, Outcome, Rest, Sink, run_from};
+use chordal_control::{CallPath, Command, EndReason, Library, Outcome, Rest, Sink, run_from};
 use chordal_diagnostics::{Code, Collector, Diagnostic, FileId, Severity, Shift, Span, TextRange};
 use chordal_path::{ChecksMemory, CompensatorMemory, ContourCheck, Seen};
 
@@ -203,7 +203,8 @@ impl CheckMemory {
             return job.check();
         }
         let report = run.report(job, library);
-        self.run = Some(run);
+        // Half a run is no beginning for the next.
+        self.run = Some(run).filter(|run| run.outcome.end != EndReason::Interrupted);
         report
     }
 }
