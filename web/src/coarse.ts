@@ -107,7 +107,7 @@ export class Coarse {
 }
 
 /** About so many of the rapids, evenly along the path. */
-function someRapids(parts: Part[], most: number, material: LineDashedMaterial): LineSegments {
+export function someRapids(parts: Pick<Part, "lines">[], most: number, material: LineDashedMaterial): LineSegments {
   const total = parts.reduce((sum, { lines }) => sum + lines.rapids.count, 0);
   const every = Math.max(1, Math.ceil(total / most));
   const points: number[] = [];
