@@ -3,11 +3,12 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::machine::Dimension;
 use chordal_compare::{Category, Comparison, Difference, Options, Verdict as Answer, compare};
-use chordal_export::{comparison_json, value_text};
+use chordal_export::{Plot, PlotOptions, comparison_json, value_text};
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted, grouped, short};
 use crate::options::{AnswerFormat, Common, quantity};
+use crate::output::write_whole;
 use crate::session::{Loaded, load_one};
 use crate::terminal::{Terminal, say};
 
@@ -17,6 +18,7 @@ Examples:
   chordal compare old.nc new.nc --tolerance 0.01mm      up to a hundredth apart is no difference
   chordal compare part.nc --as fadal-4020 --as haas-vf2  one program on two machines
   chordal compare fadal.nc haas.nc --as fadal-4020 --as haas-vf2
+  chordal compare old.nc new.nc -o both.svg             a picture of both over one another
   chordal compare old.nc new.nc --ignore feed --ignore spindle
   chordal compare old.nc new.nc --format json | jq .max_distance_mm
 
@@ -51,6 +53,10 @@ pub struct Args {
     /// What is no difference, whatever it is: feed, spindle, coolant, …
     #[arg(long, value_name = "CATEGORY", value_parser = category)]
     ignore: Vec<Category>,
+
+    /// Draws both over one another, as .svg or .png: the first as a band, the second as a line
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
 
     /// How the answer is told
     #[arg(long, value_enum, default_value = "text")]
@@ -93,11 +99,50 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         ..Options::default()
     };
     let found = compare(jobs[0], jobs[1], &options);
+    if let Some(path) = &args.output {
+        picture(path, &found, [&a, &b], jobs, args.tolerance)?;
+    }
     match args.format {
         AnswerFormat::Text => say(&text(&found, [&a, &b], jobs, args.tolerance))?,
         AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
     Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
+}
+
+/// Writes both paths over one another.
+fn picture(
+    path: &Path,
+    found: &Comparison,
+    loaded: [&Loaded; 2],
+    jobs: [&Job; 2],
+    tolerance_mm: f64,
+) -> Result<(), Failure> {
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    let is_png = match ending.as_deref().and_then(|ending| ending.to_str()) {
+        Some("svg") => false,
+        Some("png") => true,
+        _ => {
+            return Err(Failure::wrong(
+                format!("the ending of {} says no format of pictures", path.display()),
+                "the endings are .svg and .png",
+            ));
+        }
+    };
+    let names = names(loaded, jobs);
+    let units = Units::of(found.reports[0].summary.inch);
+    let options = PlotOptions {
+        title: format!("{} and {}", names[0], names[1]),
+        subtitle: headline(found, units, tolerance_mm).trim_end().to_string(),
+        ..PlotOptions::default()
+    };
+    let plot = Plot::overlay(jobs, names);
+    let content = match is_png {
+        false => plot.svg(&options).into_bytes(),
+        true => plot
+            .png(&options)
+            .map_err(|error| Failure::wrong(error.to_string(), "write an .svg"))?,
+    };
+    write_whole(path, &content)
 }
 
 /// The two programs, each with its options.

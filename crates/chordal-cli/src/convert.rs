@@ -1,3 +1,4 @@
+use std::collections::{BTreeMap, HashMap};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -148,8 +149,8 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     if !found.changes.is_empty() {
         text += "\nchanges\n";
     }
-    for (change, times) in grouped(&found.changes) {
-        text += &shown(change, times);
+    for (change, lines) in grouped(&found.changes) {
+        text += &shown(change, &lines);
     }
     if let Some(certificate) = &found.certificate {
         text += &proof(found, certificate, job);
@@ -165,36 +166,41 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     text
 }
 
-/// The same change again and again is told once.
-fn grouped(changes: &[Change]) -> Vec<(&Change, usize)> {
-    let mut groups: Vec<(&Change, usize)> = Vec::new();
+/// The same change again and again is told once, with its lines.
+fn grouped(changes: &[Change]) -> Vec<(&Change, Vec<u32>)> {
+    let mut groups: Vec<(&Change, Vec<u32>)> = Vec::new();
+    let mut known: HashMap<[&str; 3], usize> = HashMap::new();
     for change in changes {
-        let same = |one: &&mut (&Change, usize)| {
-            (&one.0.before, &one.0.after, &one.0.reason)
-                == (&change.before, &change.after, &change.reason)
-        };
-        match groups.iter_mut().find(same) {
-            Some(group) => group.1 += 1,
-            None => groups.push((change, 1)),
-        }
+        let key = [change.before.as_str(), change.after.as_str(), change.reason.as_str()];
+        let at = *known.entry(key).or_insert_with(|| {
+            groups.push((change, Vec::new()));
+            groups.len() - 1
+        });
+        groups[at].1.push(change.line);
     }
     groups
 }
 
-/// Lines of a change that are shown.
+/// Lines of the new text, and numbers of lines, that a change is shown with.
 const MOST_LINES: usize = 4;
 
-fn shown(change: &Change, times: usize) -> String {
-    let lines: Vec<&str> = change.after.lines().collect();
-    let after = match lines.as_slice() {
+fn shown(change: &Change, at: &[u32]) -> String {
+    let after: Vec<&str> = change.after.lines().collect();
+    let after = match after.as_slice() {
         [] => "(nothing)".into(),
         [one] => (*one).to_string(),
         many if many.len() <= MOST_LINES => many.join(" | "),
         many => format!("{} | … {} lines", many[..2].join(" | "), many.len()),
     };
     let before = if change.before.is_empty() { "(nothing)" } else { &change.before };
-    let again = if times > 1 { format!(" and {} times more", times - 1) } else { String::new() };
-    format!("  line {}{again}: {before} -> {after}\n      {}\n", change.line, change.reason)
+    let first: Vec<String> = at.iter().take(MOST_LINES).map(u32::to_string).collect();
+    let more = match at.len().saturating_sub(MOST_LINES) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let lines = if at.len() == 1 { "line" } else { "lines" };
+    let first = first.join(", ");
+    format!("  {lines} {first}{more}: {before} -> {after}\n      {}\n", change.reason)
 }
 
 fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
@@ -215,7 +221,7 @@ fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
             "  the contours are as programmed; the controls compensate each in its own way{most}\n"
         );
     }
-    let mut expected = std::collections::BTreeMap::new();
+    let mut expected = BTreeMap::new();
     for one in &certificate.expected {
         if one.category == Category::Problem {
             text += &difference(one, &names, jobs, units);

@@ -85,3 +85,14 @@ fn what_is_ignored_is_no_difference() {
     folder.run(&two).ends(1).says(&["the paths are the same", "feed", "10 in/min", "11 in/min"]);
     folder.run(&[&two[..], &["--ignore", "feed"]].concat()).ends(0).says(&["same: "]);
 }
+
+#[test]
+fn a_picture_of_both() {
+    let folder = folder();
+    let two = ["compare", "a.nc", "b.nc", "-m", "haas-vf2", "-o", "both.svg"];
+    folder.run(&two).ends(1);
+    let picture = folder.read("both.svg");
+    assert!(picture.contains(">a.nc  ") && picture.contains(">b.nc  "), "names in the legend");
+    assert!(picture.contains("tool-1") && picture.contains("tool-2"));
+    folder.run(&["compare", "a.nc", "b.nc", "-m", "haas-vf2", "-o", "both.pdf"]).ends(2);
+}

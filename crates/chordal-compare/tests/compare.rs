@@ -262,3 +262,50 @@ fn one_program_on_two_machines() {
     let found = compare(&job("a", "fanuc-6m", text), &job("a", "haas-vf2", text), &options);
     assert!(found.max_distance_mm.unwrap() < 1e-9, "{:#?}", found.differences);
 }
+
+/// A turn at a time or all at once: places that are passed several times do not confuse the walk.
+#[test]
+fn turns_of_a_helix_in_pieces() {
+    let head = "G21 G90 S100 M3\nG0 X10. Y0 Z0\nG1 F100.\n";
+    let whole = format!("{head}G3 X10. Y0 Z-6. I-10. P2\nG3 I-10. P1\nM30\n");
+    let turns =
+        format!("{head}G3 Z-2. I-10.\nG3 Z-4. I-10.\nG3 Z-6. I-10.\nG3 I-10.\nG3 I-10.\nM30\n");
+    let jobs = [&whole, &turns].map(|text| job("a.nc", "mitsubishi-m700", text));
+    let found = compare(&jobs[0], &jobs[1], &Options::default());
+    assert_eq!(found.verdict, Verdict::Same, "{:#?}", found.differences);
+}
+
+/// A rapid of two legs that rounding makes one of: the legs are walked together, not a leg with a cut.
+#[test]
+fn rounding_makes_no_difference_within_the_tolerance() {
+    let head = "G21 G90 S100 M3\nG0 X0 Y0 Z2.\n";
+    let a = format!("{head}G0 X10. Y10.\nG1 Z-3. F100.\nG0 Z2.\nM30\n");
+    let b = format!("{head}G0 X10. Y10.001\nG1 Z-3. F100.\nG0 Z2.\nM30\n");
+    let within = Options { tolerance_mm: 0.002, ..Options::default() };
+    let found = held(&a, &b, &within);
+    assert_eq!(found.verdict, Verdict::Within, "{:#?}", found.differences);
+    assert!(found.max_distance_mm.unwrap() <= 0.0011);
+}
+
+/// The contours of both, whatever the controls make of them at corners.
+#[test]
+fn contours_as_programmed() {
+    let text =
+        "G20 G90 S100 M3\nG0 X-1. Y-1. Z0\nG1 G41 D1 X0 F10.\nY1.\nX2.\nY0\nX-1.\nG40 Y-1.\nM30\n";
+    let jobs = ["fadal-4020", "fanuc-6m"].map(|name| {
+        let mut machine = Machine::from_builtin(name).unwrap();
+        machine.set("tools.1.diameter=\"10 mm\"").unwrap();
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("a.nc", text.as_bytes()));
+        Job::new(sources, machine).unwrap()
+    });
+    let center = compare(&jobs[0], &jobs[1], &Options::default());
+    assert!(center.max_distance_mm.unwrap() > 1.0, "an arc on one, two lines on the other");
+    let programmed = Options {
+        programmed: true,
+        ignored: vec![Category::PathMode, Category::RapidPath],
+        ..Options::default()
+    };
+    let contour = compare(&jobs[0], &jobs[1], &programmed);
+    assert_eq!(contour.verdict, Verdict::Same, "{:#?}", contour.differences);
+}

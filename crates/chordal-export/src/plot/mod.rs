@@ -88,6 +88,22 @@ impl Plot {
         Plot { store: Store::default(), inch }
     }
 
+    /// Two runs over one another: the first as a band, the second as a line in it. Where they go
+    /// different ways, band and line part.
+    pub fn overlay(jobs: [&Job; 2], names: [String; 2]) -> Plot {
+        let mut plot = Plot::new(jobs[0]);
+        plot.store.overlay = Some(names);
+        for (number, job) in (1..).zip(jobs) {
+            let report = job.report_with(|_, segments| {
+                for segment in segments {
+                    plot.store.push(&Segment { tool: number, ..*segment });
+                }
+            });
+            plot.inch = report.summary.inch;
+        }
+        plot
+    }
+
     /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` tells what
     /// the program was in.
     pub fn set_inch(&mut self, inch: bool) {

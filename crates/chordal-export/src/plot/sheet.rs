@@ -185,9 +185,12 @@ fn paths(
             px(4.0 * unit)
         ));
     }
-    let stroke = px(stroke_width(store, panel, unit));
+    let stroke = stroke_width(store, panel, unit);
     for (index, data) in paths.tools.iter().enumerate().filter(|(_, data)| !data.is_empty()) {
         let number = store.tools()[index].number;
+        // Of two programs the first is a band in which the second runs.
+        let is_band = store.overlay.is_some() && number == 1;
+        let stroke = px(if is_band { stroke * 3.5 } else { stroke });
         out.push_str(&format!(
             "<path id=\"view-{}-tool-{number}\" d=\"{data}\" stroke=\"{}\" \
              stroke-width=\"{stroke}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{}/>\n",
@@ -322,8 +325,7 @@ impl Legend {
         }
         let tools = store.tools();
         for (index, tool) in tools.iter().enumerate() {
-            let name =
-                if tool.number == 0 { "no tool".into() } else { format!("T{}", tool.number) };
+            let name = store.name(tool);
             let text = format!("{name}  {}", length(tool.cut_mm));
             if !legend.add(Sign::Tool(index), text, room - 140.0) {
                 let text = format!("and {} more tools", tools.len() - index);

@@ -50,6 +50,8 @@ pub(super) struct Store {
     end: Vec3,
     limit: usize,
     unknown: bool,
+    /// Two programs over one another, by these names, not tools.
+    pub overlay: Option<[String; 2]>,
 }
 
 impl Default for Store {
@@ -66,6 +68,7 @@ impl Default for Store {
             end: Vec3::ZERO,
             limit: MANY,
             unknown: false,
+            overlay: None,
         }
     }
 }
@@ -109,6 +112,15 @@ impl Store {
         });
         if self.pieces.len() >= self.limit {
             self.thin();
+        }
+    }
+
+    /// What the legend calls a tool.
+    pub fn name(&self, tool: &Tool) -> String {
+        match (&self.overlay, tool.number) {
+            (Some(names), number) => names[usize::from(number > 1)].clone(),
+            (None, 0) => "no tool".into(),
+            (None, number) => format!("T{number}"),
         }
     }
 
@@ -162,6 +174,7 @@ impl Store {
         self.rapid_mm = old.rapid_mm;
         (self.cuts, self.rapids) = (old.cuts, old.rapids);
         (self.start, self.end, self.unknown) = (old.start, old.end, old.unknown);
+        self.overlay = old.overlay;
         self.limit = MANY.max(2 * self.pieces.len());
     }
 
