@@ -100,7 +100,9 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     };
     let found = compare(jobs[0], jobs[1], &options);
     if let Some(path) = &args.output {
-        picture(path, &found, [&a, &b], jobs, args.tolerance)?;
+        let units = Units::of(found.reports[0].summary.inch);
+        let about = headline(&found, units, args.tolerance);
+        picture(path, jobs, names([&a, &b], jobs), &about)?;
     }
     match args.format {
         AnswerFormat::Text => say(&text(&found, [&a, &b], jobs, args.tolerance))?,
@@ -109,13 +111,12 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
 }
 
-/// Writes both paths over one another.
-fn picture(
+/// Writes both paths over one another, under their names and a line about them.
+pub fn picture(
     path: &Path,
-    found: &Comparison,
-    loaded: [&Loaded; 2],
     jobs: [&Job; 2],
-    tolerance_mm: f64,
+    names: [String; 2],
+    subtitle: &str,
 ) -> Result<(), Failure> {
     let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
     let is_png = match ending.as_deref().and_then(|ending| ending.to_str()) {
@@ -128,11 +129,9 @@ fn picture(
             ));
         }
     };
-    let names = names(loaded, jobs);
-    let units = Units::of(found.reports[0].summary.inch);
     let options = PlotOptions {
         title: format!("{} and {}", names[0], names[1]),
-        subtitle: headline(found, units, tolerance_mm).trim_end().to_string(),
+        subtitle: subtitle.trim_end().to_string(),
         ..PlotOptions::default()
     };
     let plot = Plot::overlay(jobs, names);

@@ -8,7 +8,7 @@ use chordal_export::conversion_json;
 use chordal_rewrite::convert::{Conversion, Options, convert};
 use chordal_rewrite::{Certificate, Change};
 
-use crate::compare::{difference, headline, length, length_mm};
+use crate::compare::{difference, headline, length, length_mm, picture};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted};
 use crate::options::{AnswerFormat, Common};
@@ -58,6 +58,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
 
+    /// Draws both paths over one another, as .svg or .png: the old one as a band
+    #[arg(long, value_name = "OUT")]
+    picture: Option<PathBuf>,
+
     /// Converts a program that has errors on its own control
     #[arg(long)]
     despite_errors: bool,
@@ -97,6 +101,14 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         AnswerFormat::Text => text(&found, &job, may_write, output),
         AnswerFormat::Json => json,
     };
+    if let (Some(path), Some(new), Some(certificate)) =
+        (&args.picture, found.job("new"), &found.certificate)
+    {
+        let units = Units::of(certificate.comparison.reports[0].summary.inch);
+        let about = headline(&certificate.comparison, units, certificate.tolerance_mm);
+        let names = [job.machine().name.clone(), found.machine.name.clone()];
+        picture(path, [&job, &new], names, &about)?;
+    }
     if let Some(path) = output.filter(|_| may_write && !streams) {
         write(path, &args.file, &found.text)?;
     }

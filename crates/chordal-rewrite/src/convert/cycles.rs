@@ -19,7 +19,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
         match code_action(word, context.from)? {
             Action::Cycle(kind) => Some(kind),
             Action::CircularPocketCw | Action::CircularPocketCcw | Action::GeneralPocket
-                if context.from.table.name != context.to.table.name =>
+                if !context.same_control() =>
             {
                 Some(CycleKind::BackBore)
             }
@@ -33,7 +33,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     count(context, draft, run);
     let Some(kind) = kind else { return hole(context, run) };
     let title = context.to.table.title;
-    if context.from.table.name == context.to.table.name {
+    if context.same_control() {
         return Ok(());
     }
     let own = format!("{} of {title} is another one", kind.name());
@@ -85,7 +85,7 @@ fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
 fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
     let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(()) };
     let makes_holes = context.in_cycle(run);
-    let same = context.from.table.name == context.to.table.name;
+    let same = context.same_control();
     if !same && makes_holes && !same_cycle(kind, context.from, context.to) {
         let title = context.to.table.title;
         return Err(Expand(format!("{} of {title} is another one", kind.name())));
@@ -106,7 +106,7 @@ fn places_alone(
     else {
         return Ok(false);
     };
-    if context.from.table.name == context.to.table.name {
+    if context.same_control() {
         return Ok(true);
     }
     let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(false) };

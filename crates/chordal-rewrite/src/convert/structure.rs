@@ -199,14 +199,14 @@ impl Places<'_> {
             return Ok(());
         }
         if self.source.has_action(at, self.from, |action| action == Action::ModalSubroutine) {
-            return self.same_control("a subroutine after each move (G66)");
+            return self.only_there("a subroutine after each move (G66)");
         }
         let sub = self
             .source
             .subs
             .iter()
             .position(|sub| sub.form == Form::Letter && sub.number == value / 100);
-        let Some(sub) = sub else { return self.same_control("a fixed routine") };
+        let Some(sub) = sub else { return self.only_there("a fixed routine") };
         let (form, number) = self.structure.targets[sub];
         if form == Form::Letter {
             return Ok(());
@@ -219,8 +219,8 @@ impl Places<'_> {
         Ok(())
     }
 
-    fn same_control(&self, what: &str) -> Result<(), Expand> {
-        if self.from.table.name == self.to.table.name {
+    fn only_there(&self, what: &str) -> Result<(), Expand> {
+        if std::ptr::eq(self.from.table, self.to.table) {
             return Ok(());
         }
         Err(Expand(format!("{} does not have {what}", self.to.table.title)))
@@ -314,7 +314,7 @@ impl Places<'_> {
             .iter()
             .position(|sub| sub.form == Form::Label && Some(sub.number) == label && in_main);
         let Some(sub) = sub else {
-            return self.same_control("calls of blocks within the program (M97)");
+            return self.only_there("calls of blocks within the program (M97)");
         };
         let (form, number) = self.structure.targets[sub];
         if form == Form::Label {

@@ -36,6 +36,11 @@ impl<'a> Context<'a> {
         [self.from, self.to]
     }
 
+    /// True when the program stays on its control.
+    pub fn same_control(&self) -> bool {
+        std::ptr::eq(self.from.table, self.to.table)
+    }
+
     /// True when statements of the macro language mean the same on both.
     pub fn keeps_macros(&self) -> bool {
         self.from.table.macros.form == self.to.table.macros.form
@@ -234,7 +239,7 @@ impl<'a> Context<'a> {
             let own = self.source.has_action(at, self.from, |action| {
                 matches!(action, Action::CompensationLeft | Action::CompensationRight)
             });
-            if is_on && own && !has_d && self.from.table.name != self.to.table.name {
+            if is_on && own && !has_d && !self.same_control() {
                 draft.append(
                     format!("D{number}"),
                     format!(
