@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-import html
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from . import _chordal
 
 __all__ = ["CodeInfo", "Diagnostic", "Fix", "Label", "Place", "codes"]
 
-_COLOURS = {"error": "#b3261e", "warning": "#8a6100", "note": "#2f5d8a"}
+#: What a notebook needs beside the problems as the setup sheet shows them.
+_STYLE = (
+    "<style>.chordal-problems .problem{border-left:3px solid #2f5d8a;margin:0 0 .6em;padding:.1em .8em}"
+    ".chordal-problems .error{border-color:#b3261e}.chordal-problems .warning{border-color:#8a6100}"
+    ".chordal-problems h3{margin:0;font-size:1em}.chordal-problems p{margin:.1em 0}"
+    ".chordal-problems pre{white-space:pre;overflow-x:auto;line-height:1.35}</style>"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +96,8 @@ class Diagnostic:
     calls: tuple[Call, ...]
     #: All of it as text, with the words underlined.
     text: str
+    #: The same as a setup sheet shows it.
+    html: str = field(repr=False, compare=False)
 
     @property
     def line(self) -> int | None:
@@ -121,22 +128,18 @@ def codes() -> tuple[CodeInfo, ...]:
 
 
 def problems_html(diagnostics: tuple[Diagnostic, ...]) -> str:
-    """Problems for a notebook: the text of each, in the colour of its severity."""
-    style = "white-space:pre;overflow-x:auto;margin:0 0 .6em;padding:.2em .8em;line-height:1.35"
-    return "".join(
-        f'<pre style="{style};border-left:3px solid {_COLOURS[each.severity]}">'
-        f"{html.escape(each.text.rstrip())}</pre>"
-        for each in diagnostics
-    )
+    """Problems for a notebook, as the setup sheet shows them."""
+    shown = "".join(each.html for each in diagnostics)
+    return f'{_STYLE}<div class="chordal-problems">{shown}</div>'
 
 
-def of_json(document: str, drawn: list[str]) -> tuple[Diagnostic, ...]:
+def of_json(document: str, drawn: list[tuple[str, str]]) -> tuple[Diagnostic, ...]:
     """Problems from what the compiled module tells."""
     objects = json.loads(document)["diagnostics"]
-    return tuple(_of_object(each, text) for each, text in zip(objects, drawn, strict=True))
+    return tuple(_of_object(each, *shown) for each, shown in zip(objects, drawn, strict=True))
 
 
-def _of_object(told: dict[str, Any], text: str) -> Diagnostic:
+def _of_object(told: dict[str, Any], text: str, html: str) -> Diagnostic:
     fix = told["fix"]
     return Diagnostic(
         code=told["code"],
@@ -151,6 +154,7 @@ def _of_object(told: dict[str, Any], text: str) -> Diagnostic:
         fix=None if fix is None else Fix(**fix),
         calls=tuple(Call(**each) for each in told["calls"]),
         text=text,
+        html=html,
     )
 
 

@@ -13,6 +13,8 @@ def test_a_program_shows_picture_summary_and_problems() -> None:
     page = program._repr_html_()
     assert "data:image/svg+xml;base64," in page and "Haas VF-2" in page
     assert "CH401" in page and "^^^" in page
+    # A problem looks as on the setup sheet.
+    assert program.errors[0].html in program.report() and program.errors[0].html in page
     assert "&lt;b&gt;.nc" in page and "<b>" not in page
     assert ElementTree.fromstring(program._repr_svg_()).tag.endswith("svg")
     assert "no problems" in chordal.loads("G21 G0 X1.\nM30\n", "haas-vf2")._repr_html_()

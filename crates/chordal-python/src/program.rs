@@ -236,12 +236,16 @@ impl Program {
         })
     }
 
-    /// The problems as the JSON of `chordal check --format json`, and each as text for people.
-    fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<String>)> {
+    /// The problems as the JSON of `chordal check --format json`, and each as text for people and as
+    /// the setup sheet shows it.
+    fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<(String, String)>)> {
         self.ask(py, |job| {
             let told = self.told(job)?;
             let sources = job.sources();
-            let drawn = told.diagnostics.iter().map(|each| report::one(each, sources, false));
+            let drawn = told.diagnostics.iter().map(|each| {
+                let text = report::one(each, sources, false);
+                (text, chordal_report::problem_html(each, sources))
+            });
             Ok((report::json(told, sources, self.loaded.name()), drawn.collect()))
         })
     }

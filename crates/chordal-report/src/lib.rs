@@ -19,6 +19,14 @@ pub use data::{
 pub use gather::{About, Gathered, gather, title};
 pub use page::html;
 
+use chordal::{Diagnostic, SourceMap};
+
+/// One problem as a piece of a page: a `div` of the classes `problem` and its severity, which the page
+/// styles.
+pub fn problem_html(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
+    page::problem(&gather::problems::problem(diagnostic, sources)).into_string()
+}
+
 /// The document as one JSON object, schema `chordal.report/1`.
 pub fn json(document: &Document) -> String {
     // Plain data without maps: nothing in it can fail.

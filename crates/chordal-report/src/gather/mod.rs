@@ -1,6 +1,6 @@
 //! One run, watched, and everything a report tells of it.
 
-mod problems;
+pub(crate) mod problems;
 mod stops;
 mod text;
 mod time;

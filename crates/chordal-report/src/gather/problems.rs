@@ -25,7 +25,8 @@ pub fn problems(report: &Report, job: &Job) -> Rows<Problem> {
     Rows { rows, left_out }
 }
 
-fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
+/// One problem as a row.
+pub fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
     let info = diagnostic.code.info();
     let shown = |text: &str| clean(text, LONGEST);
     let calls = diagnostic.calls.iter().take(MOST_CALLS);

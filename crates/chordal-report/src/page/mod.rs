@@ -279,7 +279,8 @@ fn problems(document: &Document) -> Markup {
     }
 }
 
-fn problem(problem: &Problem) -> Markup {
+/// One problem, as the sheet and a notebook show it.
+pub(crate) fn problem(problem: &Problem) -> Markup {
     html! {
         div class={ "problem " (problem.severity) } {
             h3 {
