@@ -47,7 +47,7 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// How far the path may be from the old one where a form must be written out
-    #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0.0025mm")]
+    #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0.005mm")]
     tolerance: f64,
 
     /// Digits behind the point of computed words; without, those that the control keeps

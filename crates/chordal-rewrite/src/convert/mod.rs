@@ -48,7 +48,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance_mm: 0.0025, digits: None, despite_errors: false }
+        Options { tolerance_mm: 0.005, digits: None, despite_errors: false }
     }
 }
 

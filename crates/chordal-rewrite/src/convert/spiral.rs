@@ -13,7 +13,7 @@ pub(crate) struct Piece {
 }
 
 /// The command cut into arcs: one for each turn where its radius stays within `radius_error_mm`, else
-/// as many as keep within half of the tolerance of it.
+/// as many as keep within a quarter of the tolerance of it, so that rounded words do too.
 pub(crate) fn as_arcs(
     motion: &Move,
     shape: &ArcShape,
@@ -28,7 +28,7 @@ pub(crate) fn as_arcs(
     }
     let mut count = (turns * 8.0).ceil().max(1.0) as usize;
     while count < MOST_PIECES {
-        if let Some(pieces) = chain(motion, shape, count, tolerance_mm / 2.0) {
+        if let Some(pieces) = chain(motion, shape, count, tolerance_mm / 4.0) {
             return pieces;
         }
         count += count.div_ceil(4);

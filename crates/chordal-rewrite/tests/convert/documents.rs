@@ -72,7 +72,7 @@ fn every_program_on_every_control() {
             }
             page += &format!("----\n{}\n", found.text);
             // Back again: the same motion as at the beginning.
-            let twice = Options { tolerance_mm: 0.005, ..Options::default() };
+            let twice = Options { tolerance_mm: 0.01, ..Options::default() };
             let back = convert(&new, old.machine(), &twice);
             assert!(
                 back.certificate.as_ref().is_some_and(|certificate| certificate.holds()),

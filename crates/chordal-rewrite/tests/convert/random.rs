@@ -37,6 +37,23 @@ enum Piece {
     Repeat([i32; 3], u8),
     Comment,
     Exact(bool),
+    /// A square of a size with the tool beside it.
+    Contour {
+        size: i32,
+        left: bool,
+        round: bool,
+    },
+    /// Up to the reference point.
+    Home,
+    /// Whole inches without a point.
+    Bare(i8),
+    /// Where the control has one: turns, from a radius to another.
+    Spiral {
+        turns: u8,
+        from: i32,
+        to: i32,
+        ccw: bool,
+    },
 }
 
 fn place() -> impl Strategy<Value = [i32; 3]> {
@@ -66,6 +83,12 @@ fn piece() -> impl Strategy<Value = Piece> {
         1 => (place(), 2..4u8).prop_map(|(way, times)| Piece::Repeat(way, times)),
         1 => Just(Piece::Comment),
         1 => any::<bool>().prop_map(Piece::Exact),
+        2 => (10_000..40_000i32, any::<bool>(), any::<bool>())
+            .prop_map(|(size, left, round)| Piece::Contour { size, left, round }),
+        1 => Just(Piece::Home),
+        1 => (-5..5i8).prop_map(Piece::Bare),
+        1 => (1..4u8, 2_000..9_000i32, 12_000..20_000i32, any::<bool>())
+            .prop_map(|(turns, from, to, ccw)| Piece::Spiral { turns, from, to, ccw }),
     ]
 }
 
@@ -167,6 +190,36 @@ impl Writer {
                 line
             }
             Piece::Comment => "(A REMARK)".into(),
+            Piece::Contour { .. } | Piece::Home | Piece::Spiral { .. } if in_sub => return,
+            Piece::Contour { .. } | Piece::Spiral { .. } if self.incremental || self.plane != 0 => {
+                return;
+            }
+            Piece::Contour { size, left, round } => return self.contour(*size, *left, *round),
+            Piece::Home => {
+                self.lines.push("G91 G28 Z0".into());
+                self.incremental = false;
+                self.lines.push("G90 G0 Z2.".into());
+                self.at[2] = 20_000;
+                return;
+            }
+            Piece::Bare(inches) => {
+                let whole = matches!(self.control, "fadal-4020" | "linuxcnc-mill");
+                let written = i32::from(*inches) * if whole { 1 } else { 10_000 };
+                let inches = i32::from(*inches) * 10_000;
+                self.at[0] = if self.incremental { self.at[0] + inches } else { inches };
+                format!("G1 X{written}")
+            }
+            Piece::Spiral { turns, from, to, ccw } => {
+                let code = if *ccw { 3 } else { 2 };
+                let end = self.at[0] - from + to;
+                let (x, i) = (number(end), number(-from));
+                self.at[0] = end;
+                match self.control {
+                    "mitsubishi-m700" => format!("G{code}.1 X{x} I{i} J0 P{turns}"),
+                    "fanuc-30i" => format!("G{code} X{x} I{i} J0 L{turns}"),
+                    _ => format!("G1 X{x}"),
+                }
+            }
             Piece::Exact(on) => match (self.control, on) {
                 ("fadal-4020", true) => "G9".into(),
                 ("fadal-4020", false) => "G8".into(),
@@ -175,6 +228,7 @@ impl Writer {
                 (_, false) => "G64".into(),
             },
         };
+        // What was read as an arc without an end, or a move without words, is none.
         if line != "G0" && line != "G1" {
             self.lines.push(line);
         }
@@ -222,6 +276,25 @@ impl Writer {
             }
         }
         format!("{code}{words}{centers}")
+    }
+
+    /// Beside a square, or a circle, and back.
+    fn contour(&mut self, size: i32, left: bool, round: bool) {
+        let [x, y, _] = self.at;
+        let way = |dx: i32, dy: i32| format!(" X{} Y{}", number(x + dx), number(y + dy));
+        let side = if left { 41 } else { 42 };
+        let sign = if left { 1 } else { -1 };
+        self.lines.push(format!("G1 G{side} D1{}", way(size, 0)));
+        self.lines.push(format!("G1{}", way(size, -sign * size / 2)));
+        if round {
+            // A turn about a centre that is away from the tool.
+            let code = if left { "G2" } else { "G3" };
+            self.lines.push(format!("{code} I{}", number(-size / 4)));
+        }
+        self.lines.push(format!("G1{}", way(size, -sign * size)));
+        self.lines.push(format!("G1{}", way(-size, -sign * size)));
+        self.lines.push(format!("G1 G40{}", way(-2 * size, -sign * size)));
+        self.at = [x - 2 * size, y - sign * size, self.at[2]];
     }
 
     fn drill(&mut self, depth: i32, holes: &[[i32; 2]], pick: u8) {
@@ -353,6 +426,7 @@ fn random_programs_through_every_pair() {
             // Wide limits: the programs go where they like.
             own.axes.iter_mut().flatten().for_each(|axis| axis.travel = None);
             own.feed = Default::default();
+            own.set("tools.1.diameter=\"0.1 in\"").expect("a good assignment");
             let old = job(&text, own);
             if old.check().counts.errors > 0 {
                 let told = old.check().diagnostics.into_iter().map(|one| one.message);
