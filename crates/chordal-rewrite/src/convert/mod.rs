@@ -147,8 +147,9 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
         let certificate = proof(old, &new, options, compensates, printed);
         let holds = certificate.holds() && refusals.is_empty();
-        let more =
-            !holds && round + 1 < MOST_ROUNDS && follow(&mut plan, &certificate, &source, &layout);
+        let more = !holds
+            && round + 1 < MOST_ROUNDS
+            && follow(&mut plan, &certificate, &source, &layout, round);
         let faults = refusals.len() + certificate.comparison.differences.len();
         if holds || faults < best {
             best = faults;
@@ -212,12 +213,24 @@ const LIMITS: &[Code] = &[
 ];
 
 /// Writes out the blocks that differ; false where there is nothing left to do.
-fn follow(plan: &mut Plan, certificate: &Certificate, source: &Source, layout: &Layout) -> bool {
+fn follow(
+    plan: &mut Plan,
+    certificate: &Certificate,
+    source: &Source,
+    layout: &Layout,
+    round: usize,
+) -> bool {
     let mut any = false;
     for difference in certificate.comparison.differences.iter().take(MOST_FOLLOWED) {
         let reason = format!("its words do not do the same ({})", difference.category.word());
+        // What a difference begins with may be all of it: the next rounds tell.
+        let all = round >= MOST_ROUNDS / 2;
         for at in blocks_of(difference, source, layout) {
-            any |= plan.write_out(at, &reason);
+            let is_new = plan.write_out(at, &reason);
+            any |= is_new;
+            if is_new && !all {
+                break;
+            }
         }
     }
     any || plan.write_all("the parts do not add up to the same")

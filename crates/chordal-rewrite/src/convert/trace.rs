@@ -61,6 +61,8 @@ pub(crate) struct Facts {
     pub first: usize,
     /// Some run comes behind an arc.
     pub after_arc: bool,
+    /// Its cuts are not made at the same feed in all runs.
+    pub feed_varies: bool,
 }
 
 /// A run.
@@ -108,6 +110,15 @@ impl Sink for Gather<'_, '_> {
         if let Some(facts) = block.map(|block| &mut self.trace.facts[block]) {
             if facts.runs == 0 {
                 facts.first = index;
+            } else {
+                let first = self.trace.execs[facts.first].commands.clone();
+                let feed = |commands: Range<usize>| {
+                    let mut commands = self.trace.commands[commands].iter();
+                    commands
+                        .find_map(|command| command.kind.feed())
+                        .map(|feed| feed.value.to_bits())
+                };
+                facts.feed_varies |= feed(first) != feed(commands.clone());
             }
             facts.runs += 1;
             facts.after_arc |= after_arc;

@@ -275,7 +275,7 @@ impl<'a> Context<'a> {
         {
             return Err(Expand(format!("{} counts turns another way", self.to.table.title)));
         }
-        self.helix_feed(draft, run);
+        self.helix_feed(draft, at, run)?;
         if self.from.parameters.arc_center != parameters.arc_center
             && letters.meets(Letters::of("IJK"))
         {
@@ -297,19 +297,19 @@ impl<'a> Context<'a> {
     }
 
     /// F of a helix, where the new control measures it along something else.
-    fn helix_feed(&self, draft: &mut Draft, run: &Exec) {
+    fn helix_feed(&self, draft: &mut Draft, at: usize, run: &Exec) -> Result<(), Expand> {
         let helix = self.trace.commands_of(run).iter().find_map(|command| match &command.kind {
             CommandKind::Arc { motion, shape, feed } => Some((motion, shape, feed)),
             _ => None,
         });
-        let Some((motion, shape, feed)) = helix else { return };
+        let Some((motion, shape, feed)) = helix else { return Ok(()) };
         let new = self.to.parameters.helix_feed;
         if feed.mode != FeedMode::PerTime || !feed.value.is_finite() {
-            return;
+            return Ok(());
         }
         let scale = spiral::feed_scale(motion, shape, feed, new);
         if (scale - 1.0).abs() < 1e-9 {
-            return;
+            return Ok(());
         }
         let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
         let value = feed.value * 60.0 / unit;
@@ -319,12 +319,16 @@ impl<'a> Context<'a> {
             self.to.table.title,
             if new == FeedAlong::Plane { "in the plane of its arc" } else { "along the helix" }
         );
+        if self.trace.facts[at].feed_varies {
+            return Err(Expand(reason));
+        }
         let own = draft.block.words.iter().position(|word| word.letter == b'F');
         match own {
             Some(own) => draft.replace(own, text(value * scale), reason),
             None => draft.append(text(value * scale), reason),
         }
         draft.after.push(text(value));
+        Ok(())
     }
 
     /// `R0+1.` on one control, `R1.` on the others; other registers have no counterpart.
