@@ -25,12 +25,14 @@ from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
+from ._transform import Change, Transformed
 from .diagnostics import Diagnostic, Fix, Label, Place, codes
 from .errors import ChordalError, MachineError, MachineProblem, ProgramError, UsageError
 
 __all__ = [
     "AxisTravel",
     "BlockTime",
+    "Change",
     "ChordalError",
     "Chords",
     "Diagnostic",
@@ -54,6 +56,7 @@ __all__ = [
     "ToolTime",
     "ToolUse",
     "Trajectory",
+    "Transformed",
     "UsageError",
     "__version__",
     "archive",

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
-from . import _chordal, _notebook, _shop, _summary, _time, _toml, diagnostics
+from . import _chordal, _notebook, _shop, _summary, _time, _toml, _transform, diagnostics
 from ._machine import Machine, MachineLike, machine_of
 from ._shop import ShopCodes
 from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
+from ._transform import Transformed
 from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
@@ -255,6 +256,53 @@ class Program:
         a :class:`~chordal.UsageError`."""
         table, planned = self._program.trajectory(period, level, max_samples)
         return Trajectory(table, period, planned)
+
+    def transform(
+        self,
+        *,
+        shift: Sequence[float] | None = None,
+        rotate: float | None = None,
+        about: Sequence[float] = (0.0, 0.0),
+        mirror: Literal["x", "y"] | None = None,
+        scale: float | None = None,
+        units: Literal["mm", "inch"] | None = None,
+        feed: float = 1.0,
+        speed: float = 1.0,
+        arcs: Literal["radius", "center"] | None = None,
+        chords: float | None = None,
+        simplify: float | None = None,
+        fit: float | None = None,
+        renumber: tuple[int, int] | None = None,
+        no_numbers: bool = False,
+        strip_comments: bool = False,
+        shrink: int | None = None,
+    ) -> Transformed:
+        """The program moved by ``shift`` (X, Y, Z), turned by ``rotate`` degrees, mirrored, scaled, in other
+        units, at other feeds, with arcs as chords or chords as arcs; each word changed by what it means where
+        it stands, and the new program held against the path that is meant: see ``proved``.
+
+        Lengths are millimetres, ``feed`` and ``speed`` factors; ``renumber`` is the first number and the step.
+        What ``chordal transform`` does, in its order; a program that no change would be right for raises
+        :class:`~chordal.UsageError`, which names the line."""
+        wanted = _transform.steps(
+            shift,
+            rotate,
+            about,
+            mirror,
+            scale,
+            units,
+            feed,
+            speed,
+            arcs,
+            chords,
+            simplify,
+            fit,
+            renumber,
+            no_numbers,
+            strip_comments,
+            shrink,
+        )
+        return _transform.transformed(self._program, wanted)
 
     def report(self, *, date: str | None = None) -> str:
         """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs

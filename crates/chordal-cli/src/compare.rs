@@ -170,9 +170,15 @@ fn sides(args: &Args) -> Result<[(&PathBuf, Common); 2], Failure> {
 }
 
 fn text(found: &Comparison, loaded: [&Loaded; 2], jobs: [&Job; 2], tolerance_mm: f64) -> String {
-    let units = Units::of(found.reports[0].summary.inch);
-    let mut text = headline(found, units, tolerance_mm);
     let names = names(loaded, jobs);
+    told(found, [&names[0], &names[1]], jobs, tolerance_mm)
+}
+
+/// A comparison for people, the two called by these names.
+pub fn told(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_mm: f64) -> String {
+    let units = Units::of(found.reports[0].summary.inch);
+    let names = names.map(str::to_string);
+    let mut text = headline(found, units, tolerance_mm);
     if let Some(at) = found.farthest {
         let [a, b] = [0, 1].map(|side: usize| format!("{}:{}", names[side], at[side].line));
         text += &format!("furthest apart at {a} and {b}\n");

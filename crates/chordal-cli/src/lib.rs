@@ -42,6 +42,8 @@ mod sheet;
 mod summary;
 mod terminal;
 mod time;
+mod transform;
+mod unified;
 mod view;
 
 use std::ffi::OsString;
@@ -73,6 +75,7 @@ Examples:
                                              all of a folder tree as one table
   chordal compare released.nc returned.nc    how far apart two programs move
   chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
+  chordal transform part.nc --rotate 30      the same part, turned, and a proof
   chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -104,6 +107,7 @@ enum Command {
     Archive(archive::Args),
     Compare(compare::Args),
     Convert(convert::Args),
+    Transform(transform::Args),
     Commands(commands::Args),
     Path(path::Args),
     CompRange(comp_range::Args),
@@ -128,6 +132,7 @@ impl Command {
             Command::Archive(args) => archive::run(&args, terminal),
             Command::Compare(args) => compare::run(&args, terminal),
             Command::Convert(args) => convert::run(&args, terminal),
+            Command::Transform(args) => transform::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),

@@ -12,6 +12,8 @@ use crate::course::{Course, Event, Moved, Step, Way};
 pub(crate) enum Region {
     /// Step for step the same, as far as the grid tells.
     Matched(Range<usize>, Range<usize>),
+    /// A rapid of both, each with its bends.
+    Rapid(Range<usize>, Range<usize>),
     /// Everything else between two of those.
     Gap(Range<usize>, Range<usize>),
 }
@@ -71,6 +73,51 @@ pub(crate) fn align(a: &Course, b: &Course, grid_mm: f64) -> Alignment {
     Alignment { regions, moved }
 }
 
+/// Puts the steps of both together one by one, where both make as many of the same kinds in the same
+/// order; moves from or to places that are not known are left out. Nothing where they do not.
+pub(crate) fn in_step(a: &Course, b: &Course) -> Option<Alignment> {
+    // The steps of a rapid are one.
+    let groups = |course: &Course| -> Vec<Range<usize>> {
+        let mut groups: Vec<Range<usize>> = Vec::new();
+        for (at, step) in course.steps.iter().enumerate() {
+            if let Step::Move(moved) = step {
+                if !moved.known {
+                    continue;
+                }
+                let before = groups.last_mut().filter(|group| group.end == at);
+                if let Some(group) = before
+                    && moved.way != Way::Cut
+                    && course.moved(at - 1).is_some_and(|last| last.command == moved.command)
+                {
+                    group.end = at + 1;
+                    continue;
+                }
+            }
+            groups.push(at..at + 1);
+        }
+        groups
+    };
+    let (of_a, of_b) = (groups(a), groups(b));
+    let is_alike =
+        |(at, to): (&Range<usize>, &Range<usize>)| match (&a.steps[at.start], &b.steps[to.start]) {
+            (Step::Move(one), Step::Move(other)) => {
+                (one.way == Way::Cut) == (other.way == Way::Cut)
+            }
+            (Step::Event { what: one, .. }, Step::Event { what: other, .. }) => {
+                std::mem::discriminant(one) == std::mem::discriminant(other)
+            }
+            _ => false,
+        };
+    if of_a.len() != of_b.len() || !of_a.iter().zip(&of_b).all(is_alike) {
+        return None;
+    }
+    let regions = of_a.into_iter().zip(of_b).map(|(at, to)| {
+        let is_rapid = a.moved(at.start).is_some_and(|moved| moved.way != Way::Cut);
+        if is_rapid { Region::Rapid(at, to) } else { Region::Matched(at, to) }
+    });
+    Some(Alignment { regions: regions.collect(), moved: Vec::new() })
+}
+
 /// What is the same and what is not, in order.
 fn stretches(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<usize>)> {
     let mut all = Vec::new();
@@ -98,7 +145,7 @@ fn moved(
     let left = [0, 1].map(|side: usize| -> Vec<usize> {
         let gaps = regions.iter().filter_map(|region| match region {
             Region::Gap(a, b) => Some([a, b][side].clone()),
-            Region::Matched(..) => None,
+            Region::Matched(..) | Region::Rapid(..) => None,
         });
         let is_known = |at: &usize| courses[side].moved(*at).is_some_and(|moved| moved.known);
         gaps.flatten().filter(is_known).collect()

@@ -117,7 +117,7 @@ pub(crate) fn couple(
     let mut walkers = [Walker::new(a, rest[0]), Walker::new(b, rest[1])];
     let mut couples = Vec::with_capacity(a.len().max(b.len()));
     while !(walkers[0].is_done() && walkers[1].is_done()) {
-        let to = together(&walkers, tolerance_mm);
+        let to = together(&walkers, tolerance_mm, precision_mm);
         let moves = [walkers[0].index(), walkers[1].index()];
         let parts = [0, 1].map(|at| walkers[at].part(to[at]));
         let apart_mm = bound(walkers[0].stretch(to[0]), walkers[1].stretch(to[1]), precision_mm);
@@ -151,7 +151,7 @@ pub(crate) fn most(couples: &[Couple]) -> f64 {
 }
 
 /// How far both go next; at least one to the end of its curve.
-fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64) -> [f64; 2] {
+fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> [f64; 2] {
     let [a, b] = walkers;
     let ends = [a.length(), b.length()];
     if a.is_done() || b.is_done() {
@@ -169,7 +169,14 @@ fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64) -> [f64; 2] {
     if both <= least + rounding || both <= tolerance_mm {
         return ends;
     }
-    if apart_b <= apart_a { [ends[0], of_b] } else { [of_a, ends[1]] }
+    let ways = [[ends[0], of_b], [of_a, ends[1]]];
+    let [first, second] = if walkers.iter().all(|walker| matches!(walker.curve(), Curve::Line(_))) {
+        [apart_b, apart_a]
+    } else {
+        // A curve may come by the same place again: a circle ends where it begins.
+        ways.map(|to| bound(a.stretch(to[0]), b.stretch(to[1]), precision_mm))
+    };
+    if first <= second { ways[0] } else { ways[1] }
 }
 
 #[cfg(test)]
@@ -225,6 +232,18 @@ mod tests {
         let found = most(&a, &chain(&points));
         // Walked evenly the chord lags behind the arc by a little more than the sagitta.
         assert!(found >= sagitta - 1e-9 && found < sagitta * 1.01, "{found} against {sagitta}");
+    }
+
+    /// The end of a circle is where it begins: the chords are not waited for there.
+    #[test]
+    fn chords_of_a_circle() {
+        let points: Vec<[f64; 2]> = (0..=64)
+            .map(|i| f64::from(i % 64) * std::f64::consts::TAU / 64.0)
+            .map(|angle| [10.0 * angle.cos(), 10.0 * angle.sin()])
+            .collect();
+        let found = most(&[quarter([10.0, 0.0], [10.0, 0.0])], &chain(&points));
+        let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 64.0).cos());
+        assert!(found >= sagitta - 1e-9 && found < sagitta * 1.02, "{found} against {sagitta}");
     }
 
     #[test]

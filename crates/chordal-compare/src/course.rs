@@ -8,6 +8,9 @@ use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
 use chordal::{Job, PathCommand, Report, Segment, Watch};
 
+use crate::Mapping;
+use crate::machine_places::MachinePlaces;
+
 /// A run: its moves, each with the state that it is made in, and what happens between them.
 #[derive(Debug)]
 pub(crate) struct Course {
@@ -44,9 +47,13 @@ pub(crate) struct Moved {
     pub(crate) way: Way,
     /// The feed of a cut; nothing for rapids and before any F.
     pub(crate) feed: Option<Speed>,
+    /// F counts by revolutions.
+    pub(crate) per_revolution: bool,
     pub(crate) turn: u32,
     pub(crate) state: u32,
     pub(crate) origin: Origin,
+    /// Which command of the run made it: a dog-leg has several moves.
+    pub(crate) command: u32,
 }
 
 /// How a move goes.
@@ -93,8 +100,8 @@ pub(crate) enum Event {
 }
 
 impl Course {
-    pub(crate) fn of(job: &Job, programmed: bool) -> Course {
-        let mut gather = Gather::new();
+    pub(crate) fn of(job: &Job, programmed: bool, machine_places: Option<MachinePlaces>) -> Course {
+        let mut gather = Gather { machine_places, ..Gather::new() };
         let report = if programmed {
             let (offset, known) = initial_offset(job.machine(), job.control());
             let builder = PathBuilder::new(job.machine(), offset, known);
@@ -104,6 +111,32 @@ impl Course {
             job.report_watched(&mut gather)
         };
         Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
+    }
+
+    /// Moves everything, and changes feeds and speeds.
+    pub(crate) fn map(&mut self, mapping: &Mapping) {
+        let scale = mapping.path.scale_factor();
+        for step in &mut self.steps {
+            let Step::Move(moved) = step else { continue };
+            moved.curve = moved.curve.transformed(&mapping.path);
+            moved.length_mm *= scale;
+            let state = &self.states[moved.state as usize];
+            // In a tap the panel's feed override does not act.
+            let is_tap = moved.origin.cycle && !state.overrides.feed;
+            let feed = match (is_tap, moved.per_revolution) {
+                (true, _) => mapping.speed,
+                (false, true) => mapping.feed * mapping.speed,
+                (false, false) => mapping.feed,
+            };
+            moved.feed = moved.feed.map(|speed| match speed {
+                Speed::Path(speed) => Speed::Path(speed * feed),
+                Speed::Turn(speed) => Speed::Turn(speed * feed),
+                Speed::PerRevolution(feed) => Speed::PerRevolution(feed * mapping.feed),
+            });
+        }
+        for state in &mut self.states {
+            state.rpm *= mapping.speed;
+        }
     }
 
     pub(crate) fn move_count(&self) -> u64 {
@@ -135,6 +168,8 @@ struct Gather {
     states: Vec<State>,
     turns: Vec<[[f64; 3]; 2]>,
     now: State,
+    machine_places: Option<MachinePlaces>,
+    commands: u32,
 }
 
 impl Gather {
@@ -150,7 +185,14 @@ impl Gather {
             path_mode: PathMode::Continuous { tolerance_mm: None },
             overrides: Overrides::ON,
         };
-        Gather { steps: Vec::new(), states: vec![now], turns: vec![[[0.0; 3]; 2]], now }
+        Gather {
+            steps: Vec::new(),
+            states: vec![now],
+            turns: vec![[[0.0; 3]; 2]],
+            now,
+            machine_places: None,
+            commands: 0,
+        }
     }
 
     fn state(&mut self) -> u32 {
@@ -252,6 +294,10 @@ impl Watch for Programmed<'_, '_> {
 impl Gather {
     fn take(&mut self, command: &Command, segments: &[Segment]) {
         self.command(command);
+        self.commands += 1;
+        let is_of_machine = command.kind.motion().is_some()
+            && self.machine_places.as_mut().is_some_and(|places| places.has(command.origin.span));
+        let feed_mode = command.kind.feed().map(|feed| feed.mode);
         for segment in segments {
             let turn = self.turn(segment);
             if segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to {
@@ -260,12 +306,14 @@ impl Gather {
             let moved = Moved {
                 curve: segment.curve,
                 length_mm: segment.length_mm,
-                known: segment.known,
+                known: segment.known && !is_of_machine,
                 way: way(command),
                 feed: speed(command, segment),
+                per_revolution: feed_mode == Some(FeedMode::PerRevolution),
                 turn,
                 state: self.state(),
                 origin: segment.origin,
+                command: self.commands,
             };
             self.push(moved);
         }

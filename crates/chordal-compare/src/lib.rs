@@ -18,10 +18,12 @@ mod couple;
 mod course;
 mod difference;
 mod frechet;
+mod machine_places;
 mod problems;
 mod steps;
 mod walk;
 
+use chordal::geometry::Transform;
 use chordal::{Job, Report};
 
 pub use difference::{Blocks, Category, Difference, Place, Value};
@@ -46,6 +48,9 @@ pub struct Options {
     pub ignored: Vec<Category>,
     /// So many differences are kept; the rest is counted.
     pub kept: usize,
+    /// The two are meant to make the same moves: where both make as many of the same kinds, they are held
+    /// against each other one by one in their order, and moves between places that are not known not at all.
+    pub in_step: bool,
 }
 
 impl Default for Options {
@@ -57,7 +62,26 @@ impl Default for Options {
             programmed: false,
             ignored: Vec::new(),
             kept: 1000,
+            in_step: false,
         }
+    }
+}
+
+/// What is to become of a run, so that another one may be the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mapping {
+    /// Where the path goes, in the frame of the run. Places of the machine stay: where it stands at the
+    /// start and where G28 and G53 go; moves from and to them are not held against each other.
+    pub path: Transform,
+    /// What feeds are multiplied by: of cuts, not of taps, whose feed goes with the spindle.
+    pub feed: f64,
+    /// What spindle speeds are multiplied by.
+    pub speed: f64,
+}
+
+impl Default for Mapping {
+    fn default() -> Mapping {
+        Mapping { path: Transform::identity(), feed: 1.0, speed: 1.0 }
     }
 }
 
@@ -95,13 +119,26 @@ pub struct Comparison {
 
 /// Runs both and holds them against each other.
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
+    compare_mapped(a, b, options, &Mapping::default())
+}
+
+/// Holds what the first does, moved and at other feeds and speeds, against the second.
+pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) -> Comparison {
     let jobs = [a, b];
-    let [a, b] = jobs.map(|job| course::Course::of(job, options.programmed));
+    let is_moved = mapping.path != Transform::identity();
+    let [mut a, b] = jobs.map(|job| {
+        let places = is_moved.then(|| machine_places::MachinePlaces::of(job));
+        course::Course::of(job, options.programmed, places)
+    });
+    if *mapping != Mapping::default() {
+        a.map(mapping);
+    }
     let mut walk = walk::Walk::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
-    walk.along(&align::align(&a, &b, grid_mm));
+    let in_step = if options.in_step { align::in_step(&a, &b) } else { None };
+    walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));

@@ -54,7 +54,9 @@ impl<'a> Steps<'a> {
         let both = (one.way, other.way);
         let is_cut = |way: Way| way == Way::Cut;
         let rapid = (is_cut(both.0) != is_cut(both.1)).then(|| [word(both.0), word(both.1)]);
-        let is_path = rapid.is_none() && both.0 != both.1;
+        // How many axes move from a place that is not known is not known either.
+        let is_known = one.known && other.known;
+        let is_path = rapid.is_none() && is_known && both.0 != both.1;
         self.note(Category::Rapid, rapid, at);
         self.note(Category::RapidPath, is_path.then(|| [word(both.0), word(both.1)]), at);
         if both == (Way::Cut, Way::Cut) {
@@ -66,6 +68,13 @@ impl<'a> Steps<'a> {
         for (category, values) in differences(states.0, states.1, self.feed_tolerance) {
             self.note(category, values, at);
         }
+    }
+
+    /// Two rapids between the same places that bend elsewhere.
+    pub(crate) fn bend(&mut self, one: &Moved, other: &Moved) {
+        let at = [Place::from(&one.origin), Place::from(&other.origin)];
+        let values = Some([word(one.way), word(other.way)]);
+        self.done.push(Difference::at(Category::RapidPath, at, values));
     }
 
     fn is_feed_same(&self, a: Option<Speed>, b: Option<Speed>) -> bool {

@@ -62,6 +62,7 @@ impl<'a> Walk<'a> {
                         self.matched(a, b);
                     }
                 }
+                Region::Rapid(a, b) => self.rapid([a.clone(), b.clone()]),
                 Region::Gap(a, b) => self.gap([a.clone(), b.clone()]),
             }
         }
@@ -103,6 +104,37 @@ impl<'a> Walk<'a> {
             }
             (Step::Event { .. }, Step::Event { .. }) => self.steps.events([a, b]),
             _ => {}
+        }
+    }
+
+    /// A rapid of both. One that bends elsewhere, between the same places, is no other path.
+    fn rapid(&mut self, ranges: [Range<usize>; 2]) {
+        let moves = [0, 1].map(|side: usize| {
+            let course = self.courses[side];
+            ranges[side].clone().filter_map(|at| course.moved(at)).collect::<Vec<&Moved>>()
+        });
+        let [(Some(a), Some(a_end)), (Some(b), Some(b_end))] =
+            moves.each_ref().map(|moves| (moves.first(), moves.last()))
+        else {
+            return;
+        };
+        let curves = moves
+            .each_ref()
+            .map(|moves| moves.iter().map(|moved| &moved.curve).collect::<Vec<&Curve>>());
+        let starts = [a.curve.start(), b.curve.start()];
+        let mut couples =
+            couple(&curves[0], &curves[1], starts, self.precision(), self.options.tolerance_mm);
+        let ends = (a_end.curve.end() - b_end.curve.end()).length();
+        let between = (starts[0] - starts[1]).length().max(ends);
+        if most(&couples) > self.threshold() && between <= self.threshold() {
+            self.steps.moves(a, b);
+            self.steps.bend(a, b);
+            self.found.distance(between, [a, b].map(|moved| Place::from(&moved.origin)));
+            return;
+        }
+        for couple in &mut couples {
+            couple.moves = [0, 1].map(|side| ranges[side].start + couple.moves[side]);
+            self.pair(couple);
         }
     }
 

@@ -1,10 +1,13 @@
 use chordal_machine::{AxisLimits, Machine};
 
-use crate::command::AxisMask;
+use chordal_syntax::Decimal;
+
+use crate::command::{AxisMask, Units};
 use crate::controls;
 use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::{self, SettingError};
+use crate::state::Scale;
 use crate::table::{Action, CodeRow, ControlTable};
 
 /// A control as one machine has it: its table, and the parameters after the machine file's
@@ -74,6 +77,12 @@ impl Control {
         programs.extend(of(&aliases.m, rules.m_alias_programs));
         programs.extend(of(&aliases.m_subprogram, FIRST_ALIAS_SUBPROGRAM));
         programs
+    }
+
+    /// What the number 1 is in a word of length, mm: written with a point (`1.`) or without.
+    pub fn length_unit_mm(&self, units: Units, has_point: bool) -> f64 {
+        let one = Decimal { mantissa: 1, scale: 0, has_point, negative: false };
+        Scale::new(units, &self.parameters).length(one)
     }
 
     /// The axes of the machine.

@@ -6,8 +6,9 @@ use crate::command::{
     AxisMask, Coolant, FeedMode, PathMode, Position, Side, SpindleState, Units, WorkName,
 };
 use crate::control::Control;
+use crate::parameters::ArcCenter;
 use crate::state::{Motion, State};
-use crate::table::Action;
+use crate::table::{Action, CycleKind};
 
 /// The modal state after a block.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,10 @@ pub struct Modal {
     pub plane: Plane,
     /// The side of cutter compensation.
     pub side: Side,
+    /// What I, J and K of arcs say.
+    pub arc_center: ArcCenter,
+    /// The cycle in force.
+    pub cycle: Option<CycleKind>,
     /// The tool tip in program coordinates, mm and rad.
     pub position: Position,
     /// The axes whose program coordinate is known.
@@ -71,6 +76,8 @@ impl Modal {
             incremental: state.incremental,
             plane: state.plane,
             side: state.side,
+            arc_center: state.arc_center,
+            cycle: state.cycle.as_ref().map(|cycle| cycle.kind),
             position: state.position,
             known: state.known,
             machine_position,

@@ -51,7 +51,7 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
     format!("{document:#}\n")
 }
 
-fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> Value {
+pub(crate) fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> Value {
     let sides = |of: &dyn Fn(usize) -> Value| json!({"a": of(0), "b": of(1)});
     let differences = found.differences.iter().map(|one| difference(one, jobs));
     json!({

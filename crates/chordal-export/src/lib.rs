@@ -35,6 +35,7 @@ mod plot;
 pub mod report;
 mod samples;
 mod time;
+mod transformed;
 mod worked;
 
 pub use canon::Canon;
@@ -51,4 +52,5 @@ pub use plot::{
 };
 pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
 pub use time::{TimeDocument, comment_text, level_word, time_json};
+pub use transformed::{refusal_json, transformed_json};
 pub use worked::{worked_json, worked_text};

@@ -12,8 +12,12 @@ use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_cli::load::{self, Failure, Loaded, Request};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
-use chordal_export::{Plot, PlotOptions, SampleHead, TimeDocument, report, sha256_hex, time_json};
+use chordal_export::{
+    Plot, PlotOptions, SampleHead, TimeDocument, refusal_json, report, sha256_hex, time_json,
+    transformed_json,
+};
 use chordal_report::{About, gather, html};
+use chordal_rewrite as rewrite;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -358,6 +362,31 @@ impl Program {
         let timed =
             self.ask(py, |job| Ok(time_of(job, self.told(job)?, &options, what_if, bound)))?;
         timed.map_err(|error| wrong_limit(py, &error))
+    }
+
+    /// The text after steps, each a name and its numbers, and what was changed and proved as JSON; only
+    /// the JSON where a step is refused.
+    fn transform(
+        &self,
+        py: Python<'_>,
+        steps: Vec<(String, Vec<f64>)>,
+    ) -> PyResult<(Option<Vec<u8>>, String)> {
+        let steps: Vec<rewrite::Step> = steps
+            .iter()
+            .map(|(name, numbers)| {
+                rewrite::Step::of(name, numbers).ok_or_else(|| {
+                    error::value(format!("there is no step {name} of these numbers"))
+                })
+            })
+            .collect::<PyResult<_>>()?;
+        self.ask(py, |job| match rewrite::transform(job, &steps) {
+            Ok(done) => {
+                let new = job.with_text(done.text.clone());
+                let told = transformed_json(&done, [job, &new], None);
+                Ok((Some(done.text), told))
+            }
+            Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
+        })
     }
 
     /// The setup sheet as one HTML page.

@@ -9,6 +9,8 @@
 mod change;
 pub mod convert;
 mod proof;
+mod transform;
 
 pub use change::Change;
-pub use proof::{Certificate, prove, prove_contour};
+pub use proof::{Certificate, prove, prove_contour, prove_mapped};
+pub use transform::{ArcForm, Refusal, Step, Transformed, transform};

@@ -1,7 +1,9 @@
 //! The certificate: old and new held against each other.
 
 use chordal::Job;
-use chordal_compare::{Category, Comparison, Difference, Options, Verdict, compare};
+use chordal_compare::{
+    Category, Comparison, Difference, Mapping, Options, Verdict, compare_mapped,
+};
 
 /// What a comparison of the old text with the new one says.
 #[derive(Debug)]
@@ -41,8 +43,19 @@ impl Certificate {
 /// Runs both and holds them against each other; differences of the categories `expected` are told
 /// apart from the others.
 pub fn prove(old: &Job, new: &Job, options: &Options, expected: &[Category]) -> Certificate {
+    prove_mapped(old, new, options, expected, &Mapping::default())
+}
+
+/// The same where the new path is meant to be the old one, moved.
+pub fn prove_mapped(
+    old: &Job,
+    new: &Job,
+    options: &Options,
+    expected: &[Category],
+    mapping: &Mapping,
+) -> Certificate {
     let mut certificate = Certificate {
-        comparison: compare(old, new, options),
+        comparison: compare_mapped(old, new, options, mapping),
         expected: Vec::new(),
         tolerance_mm: options.tolerance_mm,
         tool_center: None,

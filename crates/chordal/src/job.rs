@@ -2,7 +2,9 @@ use chordal_control::{
     AxisMask, Command, CommandKind, Control, Interrupt, Library, Origin, Outcome, Rest, RunOptions,
     SettingError, Sink, initial_offset, run_from,
 };
-use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, FileId, Severity, SourceMap, Span};
+use chordal_diagnostics::{
+    Code, Collector, Counts, Diagnostic, FileId, Severity, Source, SourceMap, Span,
+};
 use chordal_machine::Machine;
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use chordal_syntax::ProgramHead;
@@ -84,6 +86,23 @@ impl<'a> Job<'a> {
             return Err(JobError::Settings(errors));
         }
         Ok(Job { sources, machine, control, options: RunOptions::default(), program: None })
+    }
+
+    /// The same job with another first text.
+    pub fn with_text(&self, text: Vec<u8>) -> Job<'static> {
+        let mut sources = SourceMap::new();
+        let mut first = Some(text);
+        for (_, source) in self.sources.iter() {
+            let text = first.take().unwrap_or_else(|| source.text().to_vec());
+            sources.add(Source::new(source.name(), text));
+        }
+        Job {
+            sources,
+            machine: self.machine.clone(),
+            control: self.control.clone(),
+            options: self.options.clone(),
+            program: self.program,
+        }
     }
 
     /// Runs only the program of this number.

@@ -37,7 +37,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-archive", &["chordal", "chordal-export"]),
     ("chordal-compare", &["chordal"]),
-    ("chordal-rewrite", &["chordal", "chordal-compare"]),
+    ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),
     ("chordal-lsp", &["chordal", "chordal-editor"]),
     ("chordal-server", &["chordal", "chordal-editor"]),
@@ -58,7 +58,14 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     (
         "chordal-python",
-        &["chordal", "chordal-export", "chordal-report", "chordal-archive", "chordal-cli"],
+        &[
+            "chordal",
+            "chordal-export",
+            "chordal-report",
+            "chordal-rewrite",
+            "chordal-archive",
+            "chordal-cli",
+        ],
     ),
 ];
 

@@ -1,0 +1,330 @@
+use std::io::Write;
+use std::path::PathBuf;
+
+use chordal::Job;
+use chordal::control::Units as TextUnits;
+use chordal::machine::Dimension;
+use chordal_export::{refusal_json, transformed_json};
+use chordal_rewrite::{ArcForm, Refusal, Step, Transformed, transform};
+use clap::ValueEnum;
+
+use crate::compare;
+use crate::failure::{Failure, Verdict};
+use crate::numbers::{Units, counted};
+use crate::options::{AnswerFormat, Common, quantity};
+use crate::out::Out;
+use crate::session::{Loaded, load_one};
+use crate::terminal::{Terminal, say};
+use crate::unified::unified;
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal transform part.nc --shift X5 Y-2.5 Z.1        shows what would change
+  chordal transform part.nc --shift X5 -o moved.nc      and writes it, once it is proved
+  chordal transform part.nc --rotate 30 --about 1,2 -o turned.nc
+  chordal transform part.nc --mirror x -o left.nc       G2 and G3, G41 and G42 change places
+  chordal transform part.nc --units mm --feed 90% -o metric.nc
+  chordal transform surface.nc --fit 0.01mm -o arcs.nc  chords as tangent arcs and lines
+  chordal transform part.nc --shrink 8000 -o small.nc   for a control with little memory
+
+Steps are made in the order: units, mirror, rotate, scale, shift, feed and speed, chords, simplify,
+fit, arcs, comments, numbers, shrink. Lengths without a unit are those of the program. Each word is changed by what it means where it stands. The new
+program is run and held against the old path, taken where it is meant to go; where that fails,
+nothing is written.
+
+Exit code: 0 proved, 1 refused or not proved, 2 wrong use.";
+
+/// Moves, turns, mirrors, scales or rewrites a program, and proves that the motion is the one meant
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program
+    file: PathBuf,
+
+    /// Writes every length in this unit
+    #[arg(long, value_enum)]
+    units: Option<Unit>,
+
+    /// Changes the sign of X or of Y
+    #[arg(long, value_name = "x|y", value_enum)]
+    mirror: Option<Mirror>,
+
+    /// Turns the path about Z, in degrees, counter-clockwise
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    rotate: Option<f64>,
+
+    /// The place about which it is turned
+    #[arg(long, value_name = "X,Y", requires = "rotate", allow_hyphen_values = true)]
+    about: Option<String>,
+
+    /// Multiplies every length
+    #[arg(long, value_name = "FACTOR", value_parser = factor)]
+    scale: Option<f64>,
+
+    /// Moves the path: `X1 Y2 Z3`, with a unit as `X1in` or in the program's own
+    #[arg(long, value_name = "AXIS", num_args = 1..=3, allow_hyphen_values = true)]
+    shift: Vec<String>,
+
+    /// Multiplies the feeds of cuts, as 90% or 0.9
+    #[arg(long, value_name = "PART", value_parser = factor)]
+    feed: Option<f64>,
+
+    /// Multiplies spindle speeds, and the feeds of taps with them
+    #[arg(long, value_name = "PART", value_parser = factor)]
+    speed: Option<f64>,
+
+    /// Writes arcs by R or by I J K
+    #[arg(long, value_name = "FORM", value_enum)]
+    arcs: Option<Arcs>,
+
+    /// Writes arcs and spirals as chords within this length
+    #[arg(long, value_name = "LENGTH")]
+    chords: Option<String>,
+
+    /// Writes rows of chords as tangent arcs and lines within this length
+    #[arg(long, value_name = "LENGTH")]
+    fit: Option<String>,
+
+    /// Leaves out chords, so that the path stays within this length
+    #[arg(long, value_name = "LENGTH")]
+    simplify: Option<String>,
+
+    /// Numbers the blocks that have numbers anew: `10` or `100,5` for the first and the step
+    #[arg(long, value_name = "FIRST[,STEP]", num_args = 0..=1, default_missing_value = "10,10")]
+    renumber: Option<String>,
+
+    /// Takes out block numbers that nothing goes to
+    #[arg(long)]
+    no_numbers: bool,
+
+    /// Takes out comments
+    #[arg(long)]
+    strip_comments: bool,
+
+    /// Makes the text no longer than this: blanks, digits, numbers and comments go as far as they must
+    #[arg(long, value_name = "BYTES")]
+    shrink: Option<usize>,
+
+    /// Writes the new program; without it, only the difference is shown
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// Shows the difference and writes nothing
+    #[arg(long)]
+    dry_run: bool,
+
+    /// Writes the new program where the proof fails, too
+    #[arg(long)]
+    unproved: bool,
+
+    /// How the answer is told
+    #[arg(long, value_enum, default_value = "text")]
+    format: AnswerFormat,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Unit {
+    Mm,
+    Inch,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Mirror {
+    X,
+    Y,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Arcs {
+    Radius,
+    Center,
+}
+
+/// `90%`, `0.9`: above zero.
+fn factor(text: &str) -> Result<f64, String> {
+    let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
+    match number.trim().parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value / part),
+        _ => Err("a factor above zero is due, as 0.9 or 90%".into()),
+    }
+}
+
+/// A length with its unit, or in those of the program.
+fn length(text: &str, units: Units) -> Result<f64, Failure> {
+    let bare = text.trim().parse::<f64>().map(|value| value * units.length_mm()).map_err(|_| ());
+    bare.or_else(|()| quantity(text, Dimension::Length)).map_err(|error| {
+        Failure::wrong(format!("`{text}` is no length: {error}"), "write it as 5, 5mm or 0.2in")
+    })
+}
+
+fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
+    let mut steps = Vec::new();
+    steps.extend(args.units.map(|unit| {
+        Step::Units(if unit == Unit::Mm { TextUnits::Millimetre } else { TextUnits::Inch })
+    }));
+    steps.extend(args.mirror.map(|mirror| match mirror {
+        Mirror::X => Step::MirrorX,
+        Mirror::Y => Step::MirrorY,
+    }));
+    if let Some(degrees) = args.rotate {
+        let mut about = [0.0; 2];
+        if let Some(text) = &args.about {
+            let Some((x, y)) = text.split_once(',') else {
+                return Err(Failure::wrong(
+                    format!("`{text}` is no place"),
+                    "write X and Y with a comma between, as 1.5,-2",
+                ));
+            };
+            about = [length(x, units)?, length(y, units)?];
+        }
+        steps.push(Step::Rotate { angle: degrees.to_radians(), about });
+    }
+    steps.extend(args.scale.map(Step::Scale));
+    let shift = shift(&args.shift, units)?;
+    steps.extend(shift.map(Step::Shift));
+    if args.feed.is_some() || args.speed.is_some() {
+        let (feed, speed) = (args.feed.unwrap_or(1.0), args.speed.unwrap_or(1.0));
+        steps.push(Step::Rates { feed, speed });
+    }
+    let tolerance = |text: &Option<String>| -> Result<Option<f64>, Failure> {
+        let Some(text) = text else { return Ok(None) };
+        match length(text, units)? {
+            mm if mm > 0.0 => Ok(Some(mm)),
+            _ => Err(Failure::wrong(
+                format!("`{text}` is no tolerance"),
+                "a length above zero is due, as 0.01mm",
+            )),
+        }
+    };
+    steps.extend(tolerance(&args.chords)?.map(Step::Chords));
+    steps.extend(tolerance(&args.simplify)?.map(Step::Simplify));
+    steps.extend(tolerance(&args.fit)?.map(Step::Fit));
+    steps.extend(args.arcs.map(|form| {
+        Step::Arcs(if form == Arcs::Radius { ArcForm::Radius } else { ArcForm::Center })
+    }));
+    steps.extend(args.strip_comments.then_some(Step::StripComments));
+    steps.extend(args.no_numbers.then_some(Step::NoNumbers));
+    if let Some(text) = &args.renumber {
+        let (first, step) = text.split_once(',').unwrap_or((text, "10"));
+        let (Ok(first), Ok(step)) = (first.trim().parse(), step.trim().parse()) else {
+            return Err(Failure::wrong(
+                format!("`{text}` is no numbering"),
+                "write the first number and the step, as 100,5",
+            ));
+        };
+        steps.push(Step::Renumber { first, step });
+    }
+    steps.extend(args.shrink.map(Step::Shrink));
+    if steps.is_empty() {
+        return Err(Failure::wrong(
+            "there is nothing to do",
+            "say what is to change, as --shift X5; `chordal transform --help` lists it",
+        ));
+    }
+    Ok(steps)
+}
+
+fn shift(words: &[String], units: Units) -> Result<Option<[f64; 3]>, Failure> {
+    let mut by = [0.0; 3];
+    for word in words {
+        let axis = word.chars().next().and_then(|axis| "XYZ".find(axis.to_ascii_uppercase()));
+        let Some(axis) = axis else {
+            return Err(Failure::wrong(
+                format!("`{word}` names no axis"),
+                "write the axis before the way, as X5 or Z-0.1in",
+            ));
+        };
+        by[axis] = length(&word[1..], units)?;
+    }
+    Ok((!words.is_empty()).then_some(by))
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
+    terminal.tell(&told.unwrap_or_default());
+    let units = Units::of(job.report().summary.inch);
+    let steps = steps(args, units)?;
+    let done = match transform(&job, &steps) {
+        Ok(done) => done,
+        Err(refusal) => {
+            match args.format {
+                AnswerFormat::Text => say(&refused(&refusal, loaded.name()))?,
+                AnswerFormat::Json => say(&refusal_json(&refusal, loaded.name()))?,
+            }
+            return Ok(Verdict::Problems);
+        }
+    };
+    let holds = done.certificate.holds();
+    let is_written = !args.dry_run && (holds || args.unproved);
+    let out = args.output.as_ref().filter(|_| is_written);
+    if let Some(path) = out {
+        let mut out = Out::open(Some(path), &args.file, Plain::Nc)?;
+        out.write_all(&done.text)?;
+        out.put()?;
+    }
+    let new = job.with_text(done.text.clone());
+    match args.format {
+        AnswerFormat::Text => say(&text(&done, &loaded, [&job, &new], args, is_written))?,
+        AnswerFormat::Json => {
+            let written = out.map(|path| path.display().to_string());
+            say(&transformed_json(&done, [&job, &new], written.as_deref()))?;
+        }
+    }
+    Ok(if holds { Verdict::Clean } else { Verdict::Problems })
+}
+
+/// Text has one format.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Plain {
+    Nc,
+}
+
+impl crate::out::Format for Plain {
+    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
+        None
+    }
+}
+
+fn refused(refusal: &Refusal, name: &str) -> String {
+    format!(
+        "refused: {name}:{}: {}\n  | {}\n  {}\nnothing is written\n",
+        refusal.line, refusal.what, refusal.text, refusal.help
+    )
+}
+
+fn text(
+    done: &Transformed,
+    loaded: &Loaded,
+    jobs: [&Job; 2],
+    args: &Args,
+    is_written: bool,
+) -> String {
+    let difference = unified(loaded.name(), loaded.text(), &done.text);
+    let mut text = if difference.is_empty() { "nothing changes\n".into() } else { difference };
+    text += &format!("\n{}", counted(done.changes.len() as u64, "change", "changes"));
+    text += &format!(
+        ", {} to {} bytes\n",
+        crate::numbers::grouped(loaded.size() as u64),
+        crate::numbers::grouped(done.text.len() as u64)
+    );
+    for note in &done.notes {
+        text += &format!("note: {note}\n");
+    }
+    let certificate = &done.certificate;
+    text += "proof: the new program against the path that is meant\n";
+    text +=
+        &compare::told(&certificate.comparison, ["meant", "new"], jobs, certificate.tolerance_mm);
+    text += &match (&args.output, is_written, certificate.holds()) {
+        (None, _, true) => "nothing is written: -o says where\n".to_string(),
+        (Some(path), true, true) => format!("written: {}\n", path.display()),
+        (Some(path), true, false) => format!("written, though not proved: {}\n", path.display()),
+        (_, _, false) => "nothing is written: the proof fails (--unproved writes it)\n".into(),
+        (Some(_), false, true) => "nothing is written: --dry-run\n".into(),
+    };
+    text
+}

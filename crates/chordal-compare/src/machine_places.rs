@@ -1,0 +1,67 @@
+//! Places that belong to the machine and not to the program: where it stands at the start, and where
+//! G28 and G53 send it. When a path is meant to be moved, they stay.
+
+use std::collections::HashMap;
+
+use chordal::Job;
+use chordal::control::table::Action;
+use chordal::diagnostics::Span;
+use chordal::syntax::{Block, BlockReader};
+
+/// Which of X, Y and Z a block names, and whether it sends them to places of the machine.
+#[derive(Clone, Copy, Debug, Default)]
+struct Names {
+    axes: [bool; 3],
+    is_machine: bool,
+}
+
+/// Follows which axes stand at places of the machine.
+#[derive(Debug)]
+pub(crate) struct MachinePlaces {
+    names: HashMap<(u32, u32), Names>,
+    at_machine: [bool; 3],
+}
+
+impl MachinePlaces {
+    pub(crate) fn of(job: &Job) -> MachinePlaces {
+        MachinePlaces { names: names(job), at_machine: [true; 3] }
+    }
+
+    /// Whether a move of a block begins or ends at such a place; moves are told in their order.
+    pub(crate) fn has(&mut self, span: Span) -> bool {
+        let block = self.names.get(&(span.file.0, span.range.start)).copied().unwrap_or_default();
+        let began = self.at_machine;
+        // G28 alone moves all axes.
+        let all = block.is_machine && block.axes == [false; 3];
+        for (axis, is_at_machine) in self.at_machine.iter_mut().enumerate() {
+            if block.axes[axis] || all {
+                *is_at_machine = block.is_machine;
+            }
+        }
+        began.contains(&true) || self.at_machine.contains(&true)
+    }
+}
+
+fn names(job: &Job) -> HashMap<(u32, u32), Names> {
+    let control = job.control();
+    let mut names = HashMap::new();
+    for (file, source) in job.sources().iter() {
+        let mut reader = BlockReader::new(source.text(), file, control.table.lexicon);
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            let axes = [b'X', b'Y', b'Z'].map(|letter| block.letters().has(letter));
+            let is_machine = block.all(b'G').any(|word| {
+                let code = word.number().map(|number| (number.to_f64() * 10.0).round());
+                let row = code.and_then(|code| control.g_code(code as u16));
+                row.is_some_and(|row| {
+                    matches!(
+                        row.action,
+                        Action::ReturnToReference { .. } | Action::MachineCoordinates
+                    )
+                })
+            });
+            names.insert((file.0, block.range.start), Names { axes, is_machine });
+        }
+    }
+    names
+}

@@ -1,0 +1,315 @@
+//! Arcs in another form: by radius, by centre, as chords.
+
+use chordal::Job;
+use chordal::control::table::Action;
+use chordal::control::{ArcCenter, ArcShape, FeedMode, Side, Units};
+use chordal::diagnostics::{FileId, TextRange};
+use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+
+use super::edit::{Edit, Refusal};
+use super::lines::{Words, newline, tail};
+use super::record::{Did, Record, Run, Runs};
+use super::roles::{Role, actions, roles};
+use super::writer::Writer;
+use super::{ArcForm, Outcome};
+
+/// Half circles are left as they are within this much, radians: there a radius says little of the centre.
+const NEAR_HALF: f64 = 0.02;
+/// A whole turn has no radius form.
+const NEAR_WHOLE: f64 = 1e-6;
+
+/// What arcs of a text are to be.
+struct Arcs<'a> {
+    writer: Writer<'a>,
+    outcome: Outcome,
+}
+
+/// The edits that write arcs by radius or by centre.
+pub(super) fn form(job: &Job, form: ArcForm) -> Result<Outcome, Refusal> {
+    let mut arcs = Arcs { writer: Writer::new(job), outcome: Outcome::default() };
+    let record = Record::of(job);
+    let mut kept = Vec::new();
+    arcs.each(&record, |arcs, block, runs| {
+        let roles = roles(block, &runs.first.context, arcs.writer.control);
+        let is_center = |role: &Role| matches!(role, Role::Center(_) | Role::Spoke(_));
+        let words = |wanted: &dyn Fn(&Word, &Role) -> bool| -> Vec<Word> {
+            let both = block.words.iter().zip(&roles).filter(|(word, role)| wanted(word, role));
+            both.map(|(word, _)| *word).collect()
+        };
+        let centers = words(&|_, role| is_center(role));
+        let radii =
+            words(&|word, role| word.letter == b'R' && *role == Role::Length && !word.comma);
+        let (old, new) = match form {
+            ArcForm::Radius if !centers.is_empty() => match arcs.radius(block, runs) {
+                Some(new) => (centers, new),
+                None => {
+                    kept.push(block.line);
+                    return Ok(());
+                }
+            },
+            ArcForm::Center if !radii.is_empty() && centers.is_empty() => {
+                (radii, arcs.center(block, runs)?)
+            }
+            _ => return Ok(()),
+        };
+        arcs.same_arc(block, runs)?;
+        arcs.replace(&old, new, "the arc in its other form");
+        Ok(())
+    })?;
+    if let [first, ..] = kept[..] {
+        arcs.outcome.notes.push(format!(
+            "{} arcs keep their centres, the first on line {first}: whole and half turns have no sound radius form",
+            kept.len()
+        ));
+    }
+    // The centre of an arc by radius moves more than the radius does.
+    arcs.outcome.tolerance_mm = 4.0 * arcs.writer.tolerance_mm();
+    Ok(arcs.outcome)
+}
+
+/// The edits that write arcs and spirals as chords within a tolerance, mm.
+pub(super) fn chords(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
+    let mut arcs = Arcs { writer: Writer::new(job), outcome: Outcome::default() };
+    let record = Record::of(job);
+    arcs.each(&record, |arcs, block, runs| arcs.chords(block, runs, tolerance))?;
+    arcs.outcome.tolerance_mm = tolerance + arcs.writer.tolerance_mm();
+    Ok(arcs.outcome)
+}
+
+impl<'a> Arcs<'a> {
+    fn each(
+        &mut self,
+        record: &Record,
+        mut see: impl FnMut(&mut Self, &Block, &Runs) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let mut reader =
+            BlockReader::new(self.writer.text, FileId(0), self.writer.control.table.lexicon);
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            let Some(runs) = record.blocks.get(&block.range.start) else { continue };
+            let is_arc = runs.contexts.iter().any(|one| matches!(one.did, Did::Arc | Did::Spiral));
+            if block.kind == BlockKind::Words && is_arc {
+                see(self, &block, runs)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
+        Refusal::new(self.writer.text, block, what, help)
+    }
+
+    fn same_arc(&self, block: &Block, runs: &Runs) -> Result<(), Refusal> {
+        if runs.same_arc && runs.contexts.len() == 1 {
+            return Ok(());
+        }
+        Err(self.refuse(
+            block,
+            format!("the block runs {} times, and its arc is not always the same", runs.count),
+            "leave this form, or copy the subprogram for each use",
+        ))
+    }
+
+    /// The radius word; `None` where a radius would not say enough.
+    fn radius(&self, _: &Block, runs: &Runs) -> Option<String> {
+        let shape = runs.first.shape?;
+        let sweep = shape.sweep.abs();
+        let half = std::f64::consts::PI;
+        let is_unsound = (sweep - half).abs() < NEAR_HALF
+            || sweep > 2.0 * half - NEAR_WHOLE
+            || (shape.radius_from - shape.radius_to).abs() > 0.01
+            || runs.first.context.did != Did::Arc;
+        if is_unsound {
+            return None;
+        }
+        let radius = if sweep > half { -shape.radius_from } else { shape.radius_from };
+        let number = self.writer.length(radius, runs.first.context.units, None, 0);
+        let registers = self.writer.control.table.lexicon.registers;
+        let sign = if registers && radius >= 0.0 { "+" } else { "" };
+        Some(if registers { format!("R0{sign}{number}") } else { format!("R{number}") })
+    }
+
+    fn center(&self, block: &Block, runs: &Runs) -> Result<String, Refusal> {
+        let run = &runs.first;
+        if run.context.arc_center == ArcCenter::Absolute && !runs.same {
+            return Err(self.refuse(
+                block,
+                "the block runs at several places, and a centre is written as a place here",
+                "leave the radius",
+            ));
+        }
+        let Some(shape) = run.shape else { return Ok(String::new()) };
+        Ok(center_words(&self.writer, &shape, run.from, run.context.arc_center, run.context.units)
+            .join(self.writer.style.gap()))
+    }
+
+    /// Puts words in the place of others.
+    fn replace(&mut self, old: &[Word], new: String, reason: &'static str) {
+        let text = self.writer.text;
+        for (index, word) in old.iter().enumerate() {
+            if index == 0 {
+                self.outcome.edits.push(Edit::new(word.range, new.clone(), reason));
+                continue;
+            }
+            let before = &text[..word.range.start as usize];
+            let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
+            let range = TextRange::new(word.range.start - blanks, word.range.end);
+            self.outcome.edits.push(Edit::new(range, "", reason));
+        }
+    }
+
+    fn chords(&mut self, block: &Block, runs: &Runs, tolerance: f64) -> Result<(), Refusal> {
+        const REASON: &str = "the arc as chords";
+        let run = &runs.first;
+        self.same_arc(block, runs)?;
+        if !runs.same && !run.context.incremental {
+            return Err(self.refuse(
+                block,
+                format!("the block runs {} times, from different places", runs.count),
+                "copy the subprogram for each use, or write its moves in G91",
+            ));
+        }
+        if run.context.side != Side::Off || run.context.feed_mode == FeedMode::InverseTime {
+            return Err(self.refuse(
+                block,
+                "cutter compensation or G93 is in force, and both go by the single block",
+                "leave the arcs that are cut so",
+            ));
+        }
+        if run.moves > 1 {
+            return Err(self.refuse(
+                block,
+                format!("the block makes {} moves", run.moves),
+                "write the moves out",
+            ));
+        }
+        let linear = self.writer.control.table.g_codes.iter();
+        let linear = linear.clone().find(|row| row.action == Action::Linear);
+        let (Some(shape), Some(linear), Some(tail)) =
+            (run.shape, linear, tail(self.writer.text, block))
+        else {
+            return Err(self.refuse(
+                block,
+                "something else stands behind the block on its line",
+                "give each block a line of its own",
+            ));
+        };
+        let points = corners(run, &shape, tolerance)
+            .map_err(|error| self.refuse(block, error, "allow a larger tolerance"))?;
+        let lines = self.moves(run, &points);
+        let context = &run.context;
+        let roles = roles(block, context, self.writer.control);
+        let mut is_coded = false;
+        for (word, action) in actions(block, self.writer.control) {
+            let is_arc = matches!(
+                action,
+                Action::ArcCw | Action::ArcCcw | Action::SpiralCw | Action::SpiralCcw
+            );
+            if is_arc {
+                is_coded = true;
+                self.outcome.edits.push(Edit::new(
+                    word.range,
+                    self.writer.code(word, linear.code),
+                    REASON,
+                ));
+            }
+        }
+        let words: Vec<Word> = block
+            .words
+            .iter()
+            .zip(&roles)
+            .filter(|(word, role)| {
+                let is_shape = matches!(
+                    role,
+                    Role::Place(_) | Role::Way(_) | Role::Center(_) | Role::Spoke(_) | Role::Length
+                );
+                is_shape || b"PLQ".contains(&word.letter)
+            })
+            .map(|(word, _)| *word)
+            .collect();
+        let gap = self.writer.style.gap();
+        let first = if is_coded {
+            lines[0].clone()
+        } else {
+            format!("{}{gap}{}", linear.name(b'G'), lines[0])
+        };
+        self.replace(&words, first, REASON);
+        let end = newline(self.writer.text);
+        let at = block.range.end + tail.len() as u32;
+        let more: String = lines[1..].iter().map(|line| format!("{end}{line}{tail}")).collect();
+        if !more.is_empty() {
+            self.outcome.edits.push(Edit::insert(at, more, REASON));
+        }
+        Ok(())
+    }
+
+    /// A row of words for each chord: the axes that change.
+    fn moves(&self, run: &Run, points: &[Vec3]) -> Vec<String> {
+        let units = run.context.units;
+        let written = |mm: f64| -> (String, f64) {
+            let number = self.writer.length(mm, units, None, 0);
+            let value = number.parse::<f64>().unwrap_or(0.0) * super::number::unit_mm(units);
+            (number, value)
+        };
+        let mut at = points[0].to_array();
+        let mut lines = Vec::new();
+        for point in &points[1..] {
+            let mut words = Words::default();
+            for (axis, target) in point.to_array().into_iter().enumerate() {
+                if (target - at[axis]).abs() < 1e-9 {
+                    continue;
+                }
+                // What was rounded before is made up for.
+                let base = if run.context.incremental { at[axis] } else { 0.0 };
+                let (number, value) = written(target - base);
+                at[axis] = base + value;
+                words.push(format!("{}{number}", char::from(b"XYZ"[axis])));
+            }
+            lines.push(words.join(self.writer.style.gap()));
+        }
+        lines.retain(|line| !line.is_empty());
+        if lines.is_empty() {
+            lines.push(String::new());
+        }
+        lines
+    }
+}
+
+/// The corners of an arc's chords, mm.
+fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, String> {
+    let point = |at: [f64; 6]| Vec3::new(at[0], at[1], at[2]);
+    let center = (shape.center[0], shape.center[1]);
+    let fit =
+        spiral_from_center(shape.plane, point(run.from), point(run.to), center, shape.sweep, 0.0);
+    let chords =
+        fit.curve.chords(tolerance, Placement::Inscribed).map_err(|error| error.to_string())?;
+    Ok(chords.collect())
+}
+
+/// The centre words of an arc by the rule in force.
+pub(super) fn center_words(
+    writer: &Writer,
+    shape: &ArcShape,
+    from: [f64; 6],
+    rule: ArcCenter,
+    units: Units,
+) -> Words {
+    let (a, b, _) = shape.plane.axes();
+    // I stands before J before K.
+    let mut axes = [(a, shape.center[0]), (b, shape.center[1])];
+    if shape.plane == Plane::Zx {
+        axes.reverse();
+    }
+    let mut words = Words::default();
+    for (axis, center) in axes {
+        let value = match rule {
+            ArcCenter::FromStart => center - from[axis],
+            ArcCenter::FromCenter => from[axis] - center,
+            ArcCenter::Absolute => center,
+        };
+        let number = writer.length(value, units, None, 0);
+        words.push(format!("{}{number}", char::from(b"IJK"[axis])));
+    }
+    words
+}

@@ -1,0 +1,132 @@
+//! Changes of a text by places, and why one cannot be made.
+
+use chordal::diagnostics::{Source, TextRange};
+use chordal::syntax::{Block, Word};
+
+use crate::Change;
+
+/// A replacement of some text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Edit {
+    pub(super) range: TextRange,
+    pub(super) text: String,
+    pub(super) reason: &'static str,
+}
+
+impl Edit {
+    pub(super) fn new(range: TextRange, text: impl Into<String>, reason: &'static str) -> Edit {
+        Edit { range, text: text.into(), reason }
+    }
+
+    /// Puts a text in.
+    pub(super) fn insert(at: u32, text: impl Into<String>, reason: &'static str) -> Edit {
+        Edit::new(TextRange::new(at, at), text, reason)
+    }
+}
+
+/// Why a program stays as it is.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("line {line}: {what}")]
+pub struct Refusal {
+    /// Line of the text, from 1.
+    pub line: u32,
+    /// The line as it is written.
+    pub text: String,
+    /// What stands in the way.
+    pub what: String,
+    /// What to do about it.
+    pub help: String,
+}
+
+impl Refusal {
+    pub(super) fn new(
+        text: &[u8],
+        block: &Block,
+        what: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Refusal {
+        let words = String::from_utf8_lossy(block.range.slice(text)).trim().to_string();
+        Refusal { line: block.line, text: words, what: what.into(), help: help.into() }
+    }
+}
+
+/// The text after edits; of those that overlap the first counts.
+pub(super) fn apply(text: &[u8], edits: &mut Vec<Edit>) -> Vec<u8> {
+    edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
+    let mut edited = Vec::with_capacity(text.len());
+    let mut at = 0;
+    edits.retain(|edit| {
+        let is_behind = edit.range.start as usize >= at;
+        if is_behind {
+            edited.extend_from_slice(&text[at..edit.range.start as usize]);
+            edited.extend_from_slice(edit.text.as_bytes());
+            at = edit.range.end as usize;
+        }
+        is_behind
+    });
+    edited.extend_from_slice(&text[at..]);
+    edited
+}
+
+/// What edits, in order, change of each line.
+pub(super) fn changes(text: &[u8], edits: &[Edit]) -> Vec<Change> {
+    let source = Source::new("", text);
+    let mut changes: Vec<Change> = Vec::new();
+    let mut until = 0;
+    for (index, edit) in edits.iter().enumerate() {
+        let line = source.line_of(edit.range.start);
+        if line < until {
+            continue;
+        }
+        // The lines that this edit and those beside it touch.
+        let from = source.line_start(line);
+        let (mut last, mut end) = (index, line_end(text, edit.range.end));
+        while let Some(next) = edits.get(last + 1).filter(|next| next.range.start <= end) {
+            end = end.max(line_end(text, next.range.end));
+            last += 1;
+        }
+        let mut after = Vec::new();
+        let mut at = from;
+        for edit in &edits[index..=last] {
+            after.extend_from_slice(TextRange::new(at, edit.range.start).slice(text));
+            after.extend_from_slice(edit.text.as_bytes());
+            at = edit.range.end;
+        }
+        after.extend_from_slice(TextRange::new(at, end.max(at)).slice(text));
+        until = source.line_of(end) + 1;
+        let words =
+            |bytes: &[u8]| String::from_utf8_lossy(bytes).replace('\r', "").trim_end().to_string();
+        changes.push(Change {
+            line,
+            before: words(TextRange::new(from, end).slice(text)),
+            after: words(&after),
+            reason: edit.reason.into(),
+        });
+    }
+    changes
+}
+
+/// Where the line that a byte is on ends, its line end left out.
+pub(super) fn line_end(text: &[u8], at: u32) -> u32 {
+    let rest = text.get(at as usize..).unwrap_or(&[]);
+    let length = rest.iter().position(|byte| *byte == b'\n' || *byte == b'\r');
+    at + length.unwrap_or(rest.len()) as u32
+}
+
+/// A word with another value: all but its number stays.
+pub(super) fn with_number(text: &[u8], word: &Word, number: &str) -> String {
+    let old = String::from_utf8_lossy(word.range.slice(text)).into_owned();
+    if word.register.is_some() {
+        // A register word keeps a sign between its number and its value: `R0+1.`.
+        let head = old.rfind(['+', '-']).map_or(old.as_str(), |at| &old[..at]);
+        let sign = if number.starts_with('-') { "" } else { "+" };
+        return format!("{head}{sign}{number}");
+    }
+    let is_number = |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | '+' | '-');
+    let mut head = old.trim_end_matches(is_number);
+    if head.trim_end().ends_with(is_number) {
+        // Blanks stood in the number.
+        head = head.trim_end_matches(|letter: char| is_number(letter) || letter == ' ');
+    }
+    format!("{head}{number}")
+}

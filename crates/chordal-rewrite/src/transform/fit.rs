@@ -1,0 +1,266 @@
+//! Rows of chords as arcs and lines, and as fewer chords.
+
+use chordal::Job;
+use chordal::control::table::{Action, MotionModality};
+use chordal::control::{ArcShape, Units};
+use chordal::diagnostics::TextRange;
+use chordal::geometry::{Curve, FitOptions, FitPiece, Plane, Vec2, Vec3, fit_path, simplify};
+use chordal::syntax::Block;
+
+use super::Outcome;
+use super::arcs::center_words;
+use super::edit::{Edit, Refusal};
+use super::lines::Words;
+use super::number::unit_mm;
+use super::record::Record;
+use super::roles::actions;
+use super::rows::{Cut, rows};
+use super::writer::Writer;
+
+/// Shorter rows stay.
+const LEAST: usize = 3;
+/// Steps of the last digit that rounding the ends and the centre of an arc may take it off.
+const ROUNDING: f64 = 2.0;
+
+/// The edits that write rows of chords as lines and arcs within a tolerance, mm.
+pub(super) fn fit(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
+    let writer = Writer::new(job);
+    let record = Record::of(job);
+    let mut outcome = Outcome { tolerance_mm: tolerance, ..Outcome::default() };
+    let (mut chords, mut pieces, mut rough) = (0, 0, 0);
+    rows(&writer, &record, LEAST, |row, behind| {
+        let units = row[0].run.context.units;
+        let step = unit_mm(units) * 0.1f64.powi(i32::from(writer.style.digits(units)));
+        let left = tolerance - ROUNDING * step;
+        if left < step {
+            rough += row.len();
+            return;
+        }
+        let points: Vec<Vec3> =
+            std::iter::once(row[0].from()).chain(row.iter().map(Cut::to)).collect();
+        let options = FitOptions {
+            max_radius: writer.control.parameters.max_radius_mm.min(10_000.0),
+            ..FitOptions::within(left)
+        };
+        let Ok(fitted) = fit_path(&points, &options) else { return };
+        if fitted.len() >= row.len() {
+            return;
+        }
+        (chords, pieces) = (chords + row.len(), pieces + fitted.len());
+        outcome.edits.push(replace(&writer, row, behind, &fitted));
+    });
+    if rough > 0 {
+        outcome.notes.push(format!(
+            "{rough} chords stay: the tolerance is not larger than what the last digit of the program rounds"
+        ));
+    }
+    outcome.notes.push(format!("{chords} chords are {pieces} lines and arcs"));
+    Ok(outcome)
+}
+
+/// The blocks of fitted pieces in the place of those of a row.
+fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPiece]) -> Edit {
+    let first = &row[0].block;
+    let last = &row[row.len() - 1].block;
+    let context = &row[0].run.context;
+    let separator = TextRange::new(first.range.end, row[1].block.range.start).slice(writer.text);
+    let separator = String::from_utf8_lossy(separator).into_owned();
+    let mut typist = Typist {
+        writer,
+        units: context.units,
+        at: row[0].from().to_array(),
+        motion: first.word(b'G').is_none().then_some(Action::Linear),
+        plane: context.plane,
+        rule: context.arc_center,
+    };
+    let mut lines = Vec::new();
+    let mut numbered = None;
+    for (index, piece) in fitted.iter().enumerate() {
+        let mut words = Words::default();
+        // The number of the first block that it stands for, where there is one.
+        let block = (piece.span[0].ceil() as usize).min(row.len() - 1);
+        if let Some(number) = row[block].block.word(b'N').filter(|_| numbered < Some(block)) {
+            words.push(writer.word(number));
+            numbered = Some(block);
+        }
+        typist.piece(piece, &mut words);
+        if let Some(feed) = first.word(b'F').filter(|_| index == 0) {
+            words.push(writer.word(feed));
+        }
+        lines.push(words.join(writer.style.gap()));
+    }
+    lines.extend(typist.restore(context.plane, behind));
+    let range = TextRange::new(first.range.start, last.range.end);
+    Edit::new(range, lines.join(&separator), "chords as lines and arcs")
+}
+
+/// Writes moves, each with the words that change.
+struct Typist<'a> {
+    writer: &'a Writer<'a>,
+    units: Units,
+    /// Where the tool stands by the digits that were written, mm.
+    at: [f64; 3],
+    /// The motion code in force, where one is.
+    motion: Option<Action>,
+    plane: Plane,
+    rule: chordal::control::ArcCenter,
+}
+
+impl Typist<'_> {
+    fn code(&self, action: Action) -> String {
+        let rows = self.writer.control.table.g_codes;
+        rows.iter().find(|row| row.action == action).map_or(String::new(), |row| row.name(b'G'))
+    }
+
+    fn motion(&mut self, action: Action, words: &mut Words) {
+        if self.motion != Some(action) {
+            words.push(self.code(action));
+            self.motion = Some(action);
+        }
+    }
+
+    fn piece(&mut self, piece: &FitPiece, words: &mut Words) {
+        match piece.curve {
+            Curve::Arc(arc) => {
+                self.plane(piece.plane, words);
+                let is_ccw = arc.sweep > 0.0;
+                self.motion(if is_ccw { Action::ArcCcw } else { Action::ArcCw }, words);
+                let from = self.at;
+                let (a, b, _) = piece.plane.axes();
+                let mut always = [false; 3];
+                (always[a], always[b]) = (true, true);
+                self.axes(arc.end, always, words);
+                let shape = ArcShape {
+                    plane: piece.plane,
+                    // A whole turn has no chord.
+                    center: if arc.start == arc.end {
+                        let center = piece.plane.project(arc.center);
+                        [center.a, center.b]
+                    } else {
+                        center(piece.plane, from, self.at, arc.sweep)
+                    },
+                    sweep: arc.sweep,
+                    radius_from: arc.radius,
+                    radius_to: arc.radius,
+                };
+                let from = [from[0], from[1], from[2], 0.0, 0.0, 0.0];
+                let gap = self.writer.style.gap();
+                words
+                    .push(center_words(self.writer, &shape, from, self.rule, self.units).join(gap));
+            }
+            other => {
+                use chordal::geometry::ParamCurve;
+                self.motion(Action::Linear, words);
+                self.axes(other.end(), [false; 3], words);
+            }
+        }
+    }
+
+    fn plane(&mut self, plane: Plane, words: &mut Words) {
+        if self.plane != plane {
+            words.push(self.code(match plane {
+                Plane::Xy => Action::PlaneXy,
+                Plane::Zx => Action::PlaneZx,
+                Plane::Yz => Action::PlaneYz,
+            }));
+            self.plane = plane;
+        }
+    }
+
+    fn axes(&mut self, to: Vec3, always: [bool; 3], words: &mut Words) {
+        for (axis, target) in to.to_array().into_iter().enumerate() {
+            let number = self.writer.length(target, self.units, None, 0);
+            let value = number.parse::<f64>().unwrap_or(target) * unit_mm(self.units);
+            if always[axis] || (value - self.at[axis]).abs() > 1e-9 {
+                words.push(format!("{}{number}", char::from(b"XYZ"[axis])));
+                self.at[axis] = value;
+            }
+        }
+    }
+
+    /// What brings back what the blocks behind rely on.
+    fn restore(&mut self, plane: Plane, behind: Option<&Block>) -> Option<String> {
+        let mut words = Words::default();
+        let is_changed = self.plane != plane;
+        self.plane(plane, &mut words);
+        let says_motion = behind.is_some_and(|block| {
+            let is_motion = |action| {
+                matches!(
+                    action,
+                    Action::Rapid
+                        | Action::Linear
+                        | Action::ArcCw
+                        | Action::ArcCcw
+                        | Action::Cycle(_)
+                )
+            };
+            actions(block, self.writer.control).any(|(_, action)| is_motion(action))
+        });
+        let exclusive = self.writer.control.table.motion == MotionModality::Exclusive;
+        let is_arc = exclusive && self.motion != Some(Action::Linear) && !says_motion;
+        if is_arc {
+            self.motion(Action::Linear, &mut words);
+        }
+        (is_changed || is_arc).then(|| words.join(self.writer.style.gap()))
+    }
+}
+
+/// The centre of an arc that turns by `sweep` between two places: both are on it, however they were
+/// rounded.
+fn center(plane: Plane, from: [f64; 3], to: [f64; 3], sweep: f64) -> [f64; 2] {
+    let [from, to] = [from, to].map(|at| plane.project(Vec3::from_array(at)));
+    let (chord, middle) = (to - from, (from + to) * 0.5);
+    let left: Vec2 = chord.turned_left();
+    let center = middle + left * (0.5 / (sweep / 2.0).tan());
+    [center.a, center.b]
+}
+
+/// The edits that leave out chords, mm.
+pub(super) fn thin(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
+    const REASON: &str = "fewer chords";
+    let writer = Writer::new(job);
+    let record = Record::of(job);
+    let mut outcome = Outcome { tolerance_mm: tolerance, ..Outcome::default() };
+    let (mut chords, mut left) = (0, 0);
+    rows(&writer, &record, LEAST, |row, _| {
+        // The first block has the words that all others rely on: it stays.
+        let points: Vec<Vec3> = row.iter().map(Cut::to).collect();
+        let Ok(kept) = simplify(&points, tolerance) else { return };
+        (chords, left) = (chords + row.len(), left + kept.len());
+        for pair in kept.windows(2) {
+            let (before, here) = (&row[pair[0]], &row[pair[1]]);
+            if pair[1] > pair[0] + 1 {
+                let gone =
+                    TextRange::new(row[pair[0] + 1].block.range.start, here.block.range.start);
+                outcome.edits.push(Edit::new(gone, "", REASON));
+            }
+            name_axes(&writer, before, here, &mut outcome.edits);
+        }
+    });
+    outcome.notes.push(format!("{chords} chords are {left}"));
+    Ok(outcome)
+}
+
+/// Names the axes that blocks left out would have named.
+fn name_axes(writer: &Writer, before: &Cut, here: &Cut, edits: &mut Vec<Edit>) {
+    let mut put_in = Words::default();
+    let mut at = None;
+    for axis in 0..3 {
+        let letter = b"XYZ"[axis];
+        if let Some(word) = here.block.last(letter) {
+            at = Some(word.range.end);
+        } else if here.run.to[axis] != before.run.to[axis] {
+            let number = writer.length(here.run.to[axis], here.run.context.units, None, 0);
+            put_in.push(format!("{}{number}", char::from(letter)));
+        }
+    }
+    let words = put_in.join(writer.style.gap());
+    if let (Some(at), false) = (at, words.is_empty()) {
+        let gap = writer.style.gap();
+        edits.push(Edit::insert(
+            at,
+            format!("{gap}{words}"),
+            "an axis that a block left out named",
+        ));
+    }
+}

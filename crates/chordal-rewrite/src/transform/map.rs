@@ -1,0 +1,365 @@
+//! Moving, turning, mirroring and scaling a program, word by word.
+
+use chordal::Job;
+use chordal::control::table::Action;
+use chordal::control::{AxisMask, RapidPath};
+use chordal::diagnostics::FileId;
+use chordal::geometry::{Plane, Transform, Vec3};
+use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
+use chordal_compare::{Category, Mapping};
+
+use super::Outcome;
+use super::edit::{Edit, Refusal};
+use super::record::{Context, Did, Record, Runs};
+use super::roles::{Role, actions, is_fixed, roles};
+use super::writer::Writer;
+
+/// A similarity that leaves Z an axis by itself, taken apart.
+struct Map {
+    /// What becomes of X and Y: `plane[row][column]`.
+    plane: [[f64; 2]; 2],
+    z: f64,
+    shift: [f64; 3],
+    scale: f64,
+    /// X and Y mix.
+    turns: bool,
+}
+
+impl Map {
+    fn of(transform: &Transform) -> Map {
+        // A quarter turn leaves 6e-17 where a zero is due.
+        let snap = |value: f64| {
+            let near = value.round();
+            if (value - near).abs() < 1e-15 { near } else { value }
+        };
+        let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| transform.apply_vector(axis));
+        let plane = [[snap(x.x), snap(y.x)], [snap(x.y), snap(y.y)]];
+        Map {
+            plane,
+            z: snap(z.z),
+            shift: transform.apply_point(Vec3::ZERO).to_array(),
+            scale: transform.scale_factor(),
+            turns: plane[0][1] != 0.0 || plane[1][0] != 0.0,
+        }
+    }
+
+    fn factor(&self, axis: usize) -> f64 {
+        [self.plane[0][0], self.plane[1][1], self.z][axis]
+    }
+
+    /// Arcs in a plane turn the other way.
+    fn is_mirrored(&self, plane: Plane) -> bool {
+        let [[a, b], [c, d]] = self.plane;
+        let sign = match plane {
+            Plane::Xy => a * d - b * c,
+            Plane::Zx => a * self.z,
+            Plane::Yz => d * self.z,
+        };
+        sign < 0.0
+    }
+
+    /// Only X, Y and Z are moved.
+    fn is_shift(&self) -> bool {
+        self.plane == [[1.0, 0.0], [0.0, 1.0]] && self.z == 1.0
+    }
+}
+
+/// The edits that take the path where a transform takes it.
+pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> {
+    let record = Record::of(job);
+    let mapper = Mapper { writer: Writer::new(job), map: Map::of(transform) };
+    let writer = &mapper.writer;
+    let mut outcome = Outcome {
+        mapping: Mapping { path: *transform, ..Mapping::default() },
+        ..Outcome::default()
+    };
+    let mut idle = Vec::new();
+    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        if block.kind != BlockKind::Words {
+            continue;
+        }
+        match record.blocks.get(&block.range.start) {
+            Some(runs) => outcome.edits.extend(mapper.block(&block, runs)?),
+            None if "XYZ".bytes().any(|axis| block.letters().has(axis)) => idle.push(block.line),
+            None => {}
+        }
+    }
+    if let Some((file, line)) = record.elsewhere {
+        let name = job.sources().get(file).map_or("", |source| source.name());
+        outcome.notes.push(format!("line {line} of {name} moves, too: that text is left as it is"));
+    }
+    outcome.note_idle(&idle);
+    // From a place that is not known a way is not known, moved or not.
+    outcome.expected.push(Category::Unknown);
+    if mapper.map.turns && job.control().parameters.rapid == RapidPath::DogLeg {
+        // A rapid along one axis moves two after a turn, each at its own speed.
+        outcome.expected.push(Category::RapidPath);
+        outcome
+            .notes
+            .push("rapids are dog-legs on this control: turned, they bend elsewhere".into());
+    }
+    outcome.tolerance_mm = writer.tolerance_mm();
+    Ok(outcome)
+}
+
+struct Mapper<'a> {
+    writer: Writer<'a>,
+    map: Map,
+}
+
+impl Mapper<'_> {
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
+        Refusal::new(self.writer.text, block, what, help)
+    }
+
+    /// One edit that is right for every run of the block.
+    fn block(&self, block: &Block, runs: &Runs) -> Result<Vec<Edit>, Refusal> {
+        let mut edits: Option<Vec<Edit>> = None;
+        for context in &runs.contexts {
+            let these = self.in_context(block, runs, context)?;
+            match &edits {
+                Some(edits) if *edits != these => {
+                    return Err(self.refuse(
+                        block,
+                        "the block is run in different ways, and no one change is right for all",
+                        "write what differs (G90 or G91, units, plane) into the block, or copy the \
+                         subprogram for each use",
+                    ));
+                }
+                _ => edits = Some(these),
+            }
+        }
+        Ok(edits.unwrap_or_default())
+    }
+
+    fn in_context(
+        &self,
+        block: &Block,
+        runs: &Runs,
+        context: &Context,
+    ) -> Result<Vec<Edit>, Refusal> {
+        let map = &self.map;
+        if map.scale != 1.0 && context.side != chordal::control::Side::Off {
+            return Err(self.refuse(
+                block,
+                "cutter compensation is on: the tool's radius does not grow with the path",
+                "scale the path without compensation",
+            ));
+        }
+        let mut edits = Vec::new();
+        self.codes(block, context, &mut edits)?;
+        let roles = roles(block, context, self.writer.control);
+        if map.turns {
+            let is_round = matches!(context.did, Did::Arc | Did::Spiral | Did::Cycle);
+            if context.plane != Plane::Xy && is_round {
+                return Err(self.refuse(
+                    block,
+                    "an arc or a cycle in G18 or G19 would lie in no plane of the control",
+                    "turn by 180°, or write it in G17 or as chords (--chords)",
+                ));
+            }
+            self.pairs(block, runs, context, &roles, &mut edits)?;
+        }
+        for (word, role) in block.words.iter().zip(&roles) {
+            let (factor, plus) = match *role {
+                Role::Place(axis) | Role::Way(axis) | Role::Center(axis) | Role::Spoke(axis)
+                    if map.turns && axis < 2 =>
+                {
+                    continue;
+                }
+                Role::Place(axis) | Role::Center(axis) => (map.factor(axis), map.shift[axis]),
+                Role::Way(axis) | Role::Spoke(axis) => (map.factor(axis), 0.0),
+                Role::Length => (map.scale, 0.0),
+                Role::Doubtful if !map.is_shift() => {
+                    return Err(self.refuse(
+                        block,
+                        format!("`{}` may be a length or a direction", self.writer.word(word)),
+                        "write the moves out, or use the control's own G68, G51 or mirror setting",
+                    ));
+                }
+                _ => continue,
+            };
+            if factor == 1.0 && plus == 0.0 {
+                continue;
+            }
+            let units = (context.units, context.units);
+            let text = self.writer.scaled_length(block, word, units, factor, plus)?;
+            edits.push(Edit::new(word.range, text, self.reason()));
+        }
+        Ok(edits)
+    }
+
+    fn reason(&self) -> &'static str {
+        "the path is moved"
+    }
+
+    /// Codes that say left or right.
+    fn codes(
+        &self,
+        block: &Block,
+        context: &Context,
+        edits: &mut Vec<Edit>,
+    ) -> Result<(), Refusal> {
+        for (word, action) in actions(block, self.writer.control) {
+            let other = match action {
+                Action::Pattern(_)
+                | Action::CircularPocketCw
+                | Action::CircularPocketCcw
+                | Action::GeneralPocket
+                | Action::RunCycleHere
+                    if !self.map.is_shift() =>
+                {
+                    return Err(self.refuse(
+                        block,
+                        format!(
+                            "`{}` makes moves whose directions no word says",
+                            self.writer.word(word)
+                        ),
+                        "write the moves out, or turn by the control's own G68",
+                    ));
+                }
+                _ if !self.map.is_mirrored(context.plane) => continue,
+                Action::ArcCw => Action::ArcCcw,
+                Action::ArcCcw => Action::ArcCw,
+                Action::SpiralCw => Action::SpiralCcw,
+                Action::SpiralCcw => Action::SpiralCw,
+                Action::CompensationLeft => Action::CompensationRight,
+                Action::CompensationRight => Action::CompensationLeft,
+                _ => continue,
+            };
+            let rows = self.writer.control.table.g_codes;
+            let Some(row) = rows.iter().find(|row| row.action == other) else {
+                return Err(self.refuse(
+                    block,
+                    format!("the control has no mirror image of `{}`", self.writer.word(word)),
+                    "write the move in another way",
+                ));
+            };
+            let text = self.writer.code(word, row.code);
+            edits.push(Edit::new(word.range, text, "a mirror image turns the other way"));
+        }
+        Ok(())
+    }
+
+    /// Words of X and Y, which a turn mixes: where there is one, the other comes to be.
+    fn pairs(
+        &self,
+        block: &Block,
+        runs: &Runs,
+        context: &Context,
+        roles: &[Role],
+        edits: &mut Vec<Edit>,
+    ) -> Result<(), Refusal> {
+        let find = |role: &dyn Fn(usize) -> Role| {
+            [0, 1].map(|axis| {
+                let place = roles.iter().rposition(|one| *one == role(axis))?;
+                Some(&block.words[place])
+            })
+        };
+        for (letters, words, is_place) in [
+            (*b"XY", find(&Role::Place), true),
+            (*b"XY", find(&Role::Way), false),
+            (*b"IJ", find(&Role::Center), true),
+            (*b"IJ", find(&Role::Spoke), false),
+        ] {
+            let Some(one) = words[0].or(words[1]) else { continue };
+            let mut old = [0.0; 2];
+            for axis in 0..2 {
+                old[axis] = match words[axis] {
+                    Some(word) => self.literal(block, word, context)?,
+                    None if !is_place => 0.0,
+                    None if letters[0] == b'X' => self.missing(block, runs, axis)?,
+                    None => runs.first.shape.map_or(f64::NAN, |shape| shape.center[axis]),
+                };
+            }
+            let [[a, b], [c, d]] = self.map.plane;
+            let shift = if is_place { self.map.shift } else { [0.0; 3] };
+            let new = [a * old[0] + b * old[1] + shift[0], c * old[0] + d * old[1] + shift[1]];
+            self.write_pair(block, context, letters, words, one, new, is_place, edits);
+        }
+        Ok(())
+    }
+
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "one place, told apart from the finding of its parts"
+    )]
+    fn write_pair(
+        &self,
+        _block: &Block,
+        context: &Context,
+        letters: [u8; 2],
+        words: [Option<&Word>; 2],
+        one: &Word,
+        new: [f64; 2],
+        is_place: bool,
+        edits: &mut Vec<Edit>,
+    ) {
+        let reason = self.reason();
+        let mut put_in = String::new();
+        for axis in 0..2 {
+            let digits = words[axis].or(Some(one)).and_then(Word::number);
+            let number = self.writer.length(new[axis], context.units, digits, 0);
+            match words[axis] {
+                Some(word) => {
+                    let text = super::edit::with_number(self.writer.text, word, &number);
+                    edits.push(Edit::new(word.range, text, reason));
+                }
+                None if !is_place && number.parse() == Ok(0.0) => {}
+                None => {
+                    put_in = format!("{}{number}", char::from(letters[axis]));
+                }
+            }
+        }
+        if !put_in.is_empty() {
+            let gap = self.writer.style.gap();
+            // X and I stand before Y and J.
+            let edit = if words[0].is_some() {
+                Edit::insert(one.range.end, format!("{gap}{put_in}"), reason)
+            } else {
+                Edit::insert(one.range.start, format!("{put_in}{gap}"), reason)
+            };
+            edits.push(edit);
+        }
+    }
+
+    fn literal(&self, block: &Block, word: &Word, context: &Context) -> Result<f64, Refusal> {
+        match word.value {
+            Value::Number(number) => Ok(self.writer.length_mm(context.units, number)),
+            _ => Err(self.refuse(
+                block,
+                format!(
+                    "`{}` {}: a turn needs its number",
+                    self.writer.word(word),
+                    if is_fixed(word) { "takes its value from elsewhere" } else { "is computed" },
+                ),
+                "turn by the control's own G68, or write the places as numbers",
+            )),
+        }
+    }
+
+    /// The coordinate that a block does not name.
+    fn missing(&self, block: &Block, runs: &Runs, axis: usize) -> Result<f64, Refusal> {
+        let letter = ["X", "Y"][axis];
+        let is_return = actions(block, self.writer.control)
+            .any(|(_, action)| matches!(action, Action::ReturnToReference { .. }));
+        let known: AxisMask = runs.first.known[1];
+        if !runs.same_end {
+            return Err(self.refuse(
+                block,
+                format!("the block runs {} times, each time at another {letter}", runs.count),
+                &format!("name {letter} in the block"),
+            ));
+        }
+        if !known.has(axis) || is_return {
+            return Err(self.refuse(
+                block,
+                format!("where {letter} stands is not known here, and a turn needs it"),
+                &format!("name {letter} in the block"),
+            ));
+        }
+        Ok(runs.first.to[axis])
+    }
+}

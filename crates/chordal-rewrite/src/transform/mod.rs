@@ -1,0 +1,238 @@
+//! A program changed in place: moved, turned, mirrored, scaled, in other units, at other feeds, with
+//! arcs in another form, with fewer blocks, with other numbers.
+//!
+//! The text is run first, so that every word is changed by what it means where it stands; a block that
+//! runs in several ways is changed only where one change is right for all of them. The new text is run
+//! as well, and held against the old path, taken where it is meant to go.
+
+mod arcs;
+mod edit;
+mod fit;
+mod lines;
+mod map;
+mod number;
+mod rates;
+mod record;
+mod roles;
+mod rows;
+mod text;
+mod units;
+mod writer;
+
+use chordal::control::Units;
+use chordal::diagnostics::FileId;
+use chordal::geometry::{Transform, Vec3};
+use chordal::{Job, Source};
+use chordal_compare::{Category, Mapping, Options};
+
+use crate::{Certificate, Change, prove_mapped};
+
+pub use edit::Refusal;
+
+/// How arcs are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArcForm {
+    /// By R.
+    Radius,
+    /// By I, J and K.
+    Center,
+}
+
+/// A change of a program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// Moves the path, mm.
+    Shift([f64; 3]),
+    /// Turns it about Z at a place of X and Y (mm), radians counter-clockwise.
+    Rotate {
+        /// By how much.
+        angle: f64,
+        /// About where.
+        about: [f64; 2],
+    },
+    /// Changes the sign of X.
+    MirrorX,
+    /// Changes the sign of Y.
+    MirrorY,
+    /// Multiplies every length; above zero.
+    Scale(f64),
+    /// Writes lengths in this unit.
+    Units(Units),
+    /// Multiplies feeds and spindle speeds.
+    Rates {
+        /// What feeds of cuts are multiplied by.
+        feed: f64,
+        /// What spindle speeds, and feeds of taps, are multiplied by.
+        speed: f64,
+    },
+    /// Writes arcs by radius or by centre.
+    Arcs(ArcForm),
+    /// Writes arcs and spirals as chords within so many mm.
+    Chords(f64),
+    /// Writes rows of chords as tangent lines and arcs within so many mm.
+    Fit(f64),
+    /// Leaves out chords, so that the path stays within so many mm.
+    Simplify(f64),
+    /// Numbers anew the blocks that have numbers.
+    Renumber {
+        /// Of the first block of each program.
+        first: u32,
+        /// From one to the next.
+        step: u32,
+    },
+    /// Takes out block numbers that nothing goes to.
+    NoNumbers,
+    /// Takes out comments.
+    StripComments,
+    /// Makes the text no longer than so many bytes, by what does nothing.
+    Shrink(usize),
+}
+
+impl Step {
+    /// A step by its name and its numbers, as another language gives it: lengths in mm, angles in
+    /// degrees; `None` where there is no such step.
+    pub fn of(name: &str, numbers: &[f64]) -> Option<Step> {
+        let is_length = |value: f64| value > 0.0 && value.is_finite();
+        let is_count = |value: f64| value >= 0.0 && value <= f64::from(u32::MAX);
+        if numbers.iter().any(|number| !number.is_finite()) {
+            return None;
+        }
+        Some(match (name, numbers) {
+            ("shift", [x, y, z]) => Step::Shift([*x, *y, *z]),
+            ("rotate", [degrees, x, y]) => {
+                Step::Rotate { angle: degrees.to_radians(), about: [*x, *y] }
+            }
+            ("mirror-x", []) => Step::MirrorX,
+            ("mirror-y", []) => Step::MirrorY,
+            ("scale", [factor]) if is_length(*factor) => Step::Scale(*factor),
+            ("mm", []) => Step::Units(Units::Millimetre),
+            ("inch", []) => Step::Units(Units::Inch),
+            ("rates", [feed, speed]) if is_length(*feed) && is_length(*speed) => {
+                Step::Rates { feed: *feed, speed: *speed }
+            }
+            ("arcs-radius", []) => Step::Arcs(ArcForm::Radius),
+            ("arcs-center", []) => Step::Arcs(ArcForm::Center),
+            ("chords", [tolerance]) if is_length(*tolerance) => Step::Chords(*tolerance),
+            ("fit", [tolerance]) if is_length(*tolerance) => Step::Fit(*tolerance),
+            ("simplify", [tolerance]) if is_length(*tolerance) => Step::Simplify(*tolerance),
+            ("renumber", [first, step]) if is_count(*first) && is_count(*step) => {
+                Step::Renumber { first: *first as u32, step: *step as u32 }
+            }
+            ("no-numbers", []) => Step::NoNumbers,
+            ("strip-comments", []) => Step::StripComments,
+            ("shrink", [most]) if is_count(*most) => Step::Shrink(*most as usize),
+            _ => return None,
+        })
+    }
+
+    fn run(&self, job: &Job) -> Result<Outcome, Refusal> {
+        let xy = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
+        match *self {
+            Step::Shift(by) => map::map(job, &Transform::translation(Vec3::from_array(by))),
+            Step::Rotate { angle, about } => {
+                map::map(job, &Transform::rotation_about(xy(about), Vec3::Z, angle))
+            }
+            Step::MirrorX => map::map(job, &Transform::mirror(Vec3::X, Vec3::ZERO)),
+            Step::MirrorY => map::map(job, &Transform::mirror(Vec3::Y, Vec3::ZERO)),
+            Step::Scale(factor) => map::map(job, &Transform::scale(factor).unwrap_or_default()),
+            Step::Units(to) => units::units(job, to),
+            Step::Arcs(form) => arcs::form(job, form),
+            Step::Chords(tolerance) => arcs::chords(job, tolerance),
+            Step::Fit(tolerance) => fit::fit(job, tolerance),
+            Step::Simplify(tolerance) => fit::thin(job, tolerance),
+            Step::Renumber { first, step } => text::renumber(job, first, step),
+            Step::NoNumbers => Ok(text::no_numbers(job)),
+            Step::StripComments => Ok(text::strip_comments(job)),
+            Step::Shrink(most) => text::shrink(job, most),
+            Step::Rates { feed, speed } => rates::rates(job, feed, speed),
+        }
+    }
+}
+
+/// What a step comes to.
+#[derive(Debug, Default)]
+struct Outcome {
+    edits: Vec<edit::Edit>,
+    /// The text and its changes, where they were made one after the other.
+    whole: Option<(Vec<u8>, Vec<Change>)>,
+    notes: Vec<String>,
+    /// What the new path is meant to be.
+    mapping: Mapping,
+    /// How far it may be off, mm.
+    tolerance_mm: f64,
+    feed_tolerance: f64,
+    /// Differences that no writing can take away.
+    expected: Vec<Category>,
+}
+
+impl Outcome {
+    /// Tells of blocks that never ran.
+    fn note_idle(&mut self, lines: &[u32]) {
+        if let [first, ..] = lines {
+            let count = lines.len();
+            let blocks = if count == 1 { "block is" } else { "blocks are" };
+            self.notes.push(format!(
+                "{count} {blocks} never run and left as written, the first on line {first}"
+            ));
+        }
+    }
+}
+
+/// A program after its steps.
+#[derive(Debug)]
+pub struct Transformed {
+    /// The new text.
+    pub text: Vec<u8>,
+    /// What was changed, step by step; lines are those of the text before each step.
+    pub changes: Vec<Change>,
+    /// What is to be known beside it.
+    pub notes: Vec<String>,
+    /// The new path held against the old one.
+    pub certificate: Certificate,
+}
+
+/// Changes the first text of a job, step by step, and proves it.
+///
+/// # Errors
+/// The first block that no change would be right for.
+pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
+    let mut text = first_text(job).to_vec();
+    let mut all = Outcome::default();
+    let mut changes = Vec::new();
+    for step in steps {
+        let now = job.with_text(text);
+        let mut outcome = step.run(&now)?;
+        let (new, mut made) = match outcome.whole.take() {
+            Some(whole) => whole,
+            None => {
+                let new = edit::apply(first_text(&now), &mut outcome.edits);
+                (new, edit::changes(first_text(&now), &outcome.edits))
+            }
+        };
+        text = new;
+        changes.append(&mut made);
+        all.notes.append(&mut outcome.notes);
+        all.tolerance_mm =
+            all.tolerance_mm * outcome.mapping.path.scale_factor() + outcome.tolerance_mm;
+        all.expected.append(&mut outcome.expected);
+        all.feed_tolerance = all.feed_tolerance.max(outcome.feed_tolerance);
+        all.mapping = Mapping {
+            path: all.mapping.path.then(&outcome.mapping.path),
+            feed: all.mapping.feed * outcome.mapping.feed,
+            speed: all.mapping.speed * outcome.mapping.speed,
+        };
+    }
+    let options = Options {
+        tolerance_mm: all.tolerance_mm,
+        feed_tolerance: all.feed_tolerance.max(Options::default().feed_tolerance),
+        in_step: true,
+        ..Options::default()
+    };
+    let new = job.with_text(text.clone());
+    let certificate = prove_mapped(job, &new, &options, &all.expected, &all.mapping);
+    Ok(Transformed { text, changes, notes: all.notes, certificate })
+}
+
+fn first_text<'a>(job: &'a Job) -> &'a [u8] {
+    job.sources().get(FileId(0)).map_or(&[], Source::text)
+}

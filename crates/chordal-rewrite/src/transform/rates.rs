@@ -1,0 +1,131 @@
+//! Feeds and spindle speeds by a factor.
+
+use chordal::Job;
+use chordal::control::Units;
+use chordal::diagnostics::{FileId, TextRange};
+use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
+use chordal_compare::Mapping;
+
+use super::Outcome;
+use super::edit::{Edit, Refusal, with_number};
+use super::record::{Context, Record};
+use super::roles::{Role, roles};
+use super::writer::Writer;
+
+/// Decimals that an F may get.
+const FEED_DIGITS: u8 = 4;
+
+/// The edits that multiply feeds and spindle speeds.
+pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal> {
+    let record = Record::of(job);
+    let writer = Writer::new(job);
+    let mut outcome = Outcome {
+        mapping: Mapping { feed, speed, ..Mapping::default() },
+        // S is a whole number.
+        feed_tolerance: 1e-2,
+        ..Outcome::default()
+    };
+    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        if block.kind != BlockKind::Words {
+            continue;
+        }
+        let Some(runs) = record.blocks.get(&block.range.start) else { continue };
+        let mut edits: Option<Vec<Edit>> = None;
+        for context in &runs.contexts {
+            let these = block_rates(&writer, &block, context, [feed, speed])?;
+            if edits.as_ref().is_some_and(|edits| *edits != these) {
+                return Err(Refusal::new(
+                    writer.text,
+                    &block,
+                    "its F is the feed of a tap at one time and of a cut at another",
+                    "give each its own F",
+                ));
+            }
+            edits = Some(these);
+        }
+        outcome.edits.extend(edits.unwrap_or_default());
+    }
+    Ok(outcome)
+}
+
+fn block_rates(
+    writer: &Writer,
+    block: &Block,
+    context: &Context,
+    [feed, speed]: [f64; 2],
+) -> Result<Vec<Edit>, Refusal> {
+    let mut edits = Vec::new();
+    for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
+        let feeds = Rate::Feed([context.units; 2]);
+        let (factor, rate, reason) = match role {
+            Role::TapFeed => (speed, feeds, "the feed of a tap goes with the spindle"),
+            Role::Feed => (feed, feeds, "another feed"),
+            Role::Speed => (speed, Rate::Speed, "another spindle speed"),
+            _ => continue,
+        };
+        if factor != 1.0 {
+            let text = scaled(writer, block, word, factor, rate)?;
+            edits.push(Edit::new(word.range, text, reason));
+        }
+    }
+    Ok(edits)
+}
+
+/// What a word says of speed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Rate {
+    /// A feed, in the units before and now.
+    Feed([Units; 2]),
+    Speed,
+}
+
+/// An F or S word with its value multiplied.
+pub(super) fn scaled(
+    writer: &Writer,
+    block: &Block,
+    word: &Word,
+    factor: f64,
+    rate: Rate,
+) -> Result<String, Refusal> {
+    // What an F of 1 without a point is, in inches or millimetres.
+    let unit = |units: Units| match units {
+        Units::Inch => 0.1f64.powi(i32::from(writer.control.parameters.feed_digits_inch)),
+        Units::Millimetre => 1.0,
+    };
+    match word.value {
+        Value::Number(number) => {
+            let text = match rate {
+                Rate::Speed => {
+                    let digits = if number.has_point { number.scale } else { 0 };
+                    let value = number.to_f64() * factor;
+                    writer.style.number(value, 0, digits, number.has_point)
+                }
+                Rate::Feed([from, to]) => {
+                    let old = if number.has_point { 1.0 } else { unit(from) };
+                    let value = number.to_f64() * old * factor;
+                    let whole = value / unit(to);
+                    if !number.has_point && (whole - whole.round()).abs() < 1e-9 * whole.abs() {
+                        format!("{}", whole.round())
+                    } else {
+                        writer.style.number(value, 0, FEED_DIGITS.max(number.scale), true)
+                    }
+                }
+            };
+            Ok(with_number(writer.text, word, &text))
+        }
+        Value::Expression(range) => {
+            let head = TextRange::new(word.range.start, range.start).slice(writer.text);
+            let old = String::from_utf8_lossy(range.slice(writer.text));
+            let factor = writer.style.number(factor, 0, 6, true);
+            Ok(format!("{}[{}*{factor}]", String::from_utf8_lossy(head), old.trim()))
+        }
+        Value::Register { .. } | Value::Missing => Err(Refusal::new(
+            writer.text,
+            block,
+            format!("`{}` takes its value from elsewhere", writer.word(word)),
+            "write its value as a number",
+        )),
+    }
+}

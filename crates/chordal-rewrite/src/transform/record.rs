@@ -1,0 +1,210 @@
+//! What every block of the text did each time it ran.
+
+use std::collections::HashMap;
+
+use chordal::control::table::CycleKind;
+use chordal::control::{
+    ArcCenter, ArcShape, AxisMask, FeedMode, Modal, Origin, Position, Side, Units,
+};
+use chordal::diagnostics::FileId;
+use chordal::geometry::Plane;
+use chordal::{Command, CommandKind, Diagnostic, Job, Sink};
+
+/// What the words of a block are read by.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Context {
+    /// G91 in force before the block.
+    pub(super) incremental_before: bool,
+    /// G91 in force behind it.
+    pub(super) incremental: bool,
+    pub(super) plane: Plane,
+    pub(super) units: Units,
+    pub(super) arc_center: ArcCenter,
+    pub(super) cycle: Option<CycleKind>,
+    pub(super) feed_mode: FeedMode,
+    pub(super) side: Side,
+    pub(super) did: Did,
+}
+
+/// What a block did.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Did {
+    Nothing,
+    Rapid,
+    Line,
+    Arc,
+    Spiral,
+    /// The moves of a cycle or a pocket.
+    Cycle,
+}
+
+/// One time that a block ran.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Run {
+    pub(super) context: Context,
+    /// The tool tip before and behind it, program coordinates, mm and rad.
+    pub(super) from: Position,
+    pub(super) to: Position,
+    /// The axes whose place is known, before and behind.
+    pub(super) known: [AxisMask; 2],
+    pub(super) shape: Option<ArcShape>,
+    /// How many moves it made.
+    pub(super) moves: u32,
+    /// F in force, in mm/s, 1/s or mm.
+    pub(super) feed: Option<f64>,
+}
+
+/// All times that a block ran.
+#[derive(Clone, Debug)]
+pub(super) struct Runs {
+    pub(super) first: Run,
+    pub(super) count: u32,
+    /// Which block of the run it was the first time, from 0.
+    pub(super) order: u32,
+    /// Each way in which its words were read.
+    pub(super) contexts: Vec<Context>,
+    /// It went from and to the same places every time.
+    pub(super) same: bool,
+    /// It ended at the same place every time.
+    pub(super) same_end: bool,
+    /// It made the same arc every time, wherever.
+    pub(super) same_arc: bool,
+}
+
+/// The runs of all blocks of the first text, by the byte that they begin at.
+#[derive(Debug, Default)]
+pub(super) struct Record {
+    pub(super) blocks: HashMap<u32, Runs>,
+    /// The first move of a block that stands in another text: its file and line.
+    pub(super) elsewhere: Option<(FileId, u32)>,
+    /// How many blocks ran.
+    ran: u32,
+    last: Option<(Position, AxisMask, bool)>,
+    did: Doing,
+}
+
+/// What the block under way has done so far.
+#[derive(Debug, Default)]
+struct Doing {
+    kind: Option<Did>,
+    shape: Option<ArcShape>,
+    moves: u32,
+    from: Option<(Position, AxisMask)>,
+}
+
+impl Record {
+    pub(super) fn of(job: &Job) -> Record {
+        let mut record = Record::default();
+        job.run(&mut record);
+        record
+    }
+}
+
+impl Sink for Record {
+    fn command(&mut self, command: &Command) {
+        let kind = match &command.kind {
+            _ if command.origin.cycle && command.kind.motion().is_some() => Did::Cycle,
+            CommandKind::Rapid { .. } => Did::Rapid,
+            CommandKind::Line { .. } => Did::Line,
+            CommandKind::Arc { .. } => Did::Arc,
+            CommandKind::Spiral { .. } => Did::Spiral,
+            _ => return,
+        };
+        if command.origin.span.file != FileId(0) {
+            self.elsewhere.get_or_insert((command.origin.span.file, command.origin.line));
+        }
+        let did = &mut self.did;
+        did.kind = Some(match did.kind {
+            Some(Did::Cycle) => Did::Cycle,
+            // An arc whose end is a little off it goes on as a line.
+            Some(Did::Arc) => Did::Arc,
+            _ => kind,
+        });
+        if let Some(shape) = command.kind.shape() {
+            did.shape.get_or_insert(*shape);
+        }
+        if let Some(motion) = command.kind.motion() {
+            did.from.get_or_insert((motion.from, motion.from_known));
+        }
+        did.moves += 1;
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        let modal = modal();
+        let did = std::mem::take(&mut self.did);
+        let before = self.last.unwrap_or((modal.position, AxisMask::NONE, modal.incremental));
+        let from = did.from.unwrap_or((before.0, before.1));
+        self.last = Some((modal.position, modal.known, modal.incremental));
+        if origin.span.file != FileId(0) {
+            return;
+        }
+        let context = Context {
+            incremental_before: before.2,
+            incremental: modal.incremental,
+            plane: modal.plane,
+            units: modal.units,
+            arc_center: modal.arc_center,
+            cycle: modal.cycle,
+            feed_mode: modal.feed_mode,
+            side: modal.side,
+            did: did.kind.unwrap_or(Did::Nothing),
+        };
+        let run = Run {
+            context,
+            from: from.0,
+            to: modal.position,
+            known: [from.1, modal.known],
+            shape: did.shape,
+            moves: did.moves,
+            feed: modal.feed,
+        };
+        let order = self.ran;
+        self.ran += 1;
+        self.blocks
+            .entry(origin.span.range.start)
+            .and_modify(|runs| {
+                runs.count += 1;
+                runs.same &= (runs.first.from, runs.first.to) == (run.from, run.to)
+                    && runs.first.shape == run.shape
+                    && runs.first.known == run.known;
+                runs.same_end &= runs.first.to == run.to && runs.first.known[1] == run.known[1];
+                runs.same_arc &= is_same_arc(&runs.first, &run);
+                if !runs.contexts.contains(&context) {
+                    runs.contexts.push(context);
+                }
+            })
+            .or_insert_with(|| Runs {
+                first: run,
+                count: 1,
+                order,
+                contexts: vec![context],
+                same: true,
+                same_end: true,
+                same_arc: true,
+            });
+    }
+}
+
+/// Two runs make one arc at two places.
+fn is_same_arc(one: &Run, other: &Run) -> bool {
+    let (Some(a), Some(b)) = (one.shape, other.shape) else { return one.shape == other.shape };
+    let (first, second, normal) = a.plane.axes();
+    let spoke = |run: &Run, shape: &ArcShape| {
+        [shape.center[0] - run.from[first], shape.center[1] - run.from[second]]
+    };
+    let rise = |run: &Run| run.to[normal] - run.from[normal];
+    let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    let (u, v) = (spoke(one, &a), spoke(other, &b));
+    a.plane == b.plane
+        && is_near(a.sweep, b.sweep)
+        && is_near(u[0], v[0])
+        && is_near(u[1], v[1])
+        && is_near(a.radius_to, b.radius_to)
+        && is_near(rise(one), rise(other))
+}

@@ -1,0 +1,208 @@
+//! What the words of a block stand for, by what it did.
+
+use chordal::Control;
+use chordal::control::table::{Action, CycleKind};
+use chordal::control::{FeedMode, TapFeed};
+use chordal::syntax::{Block, Value, Word};
+
+use super::record::{Context, Did};
+
+/// What a number stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Role {
+    /// A coordinate of the program: of X, Y or Z.
+    Place(usize),
+    /// A way along an axis.
+    Way(usize),
+    /// A coordinate of an arc's centre.
+    Center(usize),
+    /// A part of the way between an arc's centre and its start.
+    Spoke(usize),
+    /// A length without a direction.
+    Length,
+    /// A length that belongs to the machine: where moving the path changes nothing.
+    Machine,
+    Feed,
+    /// The feed of a tap, which goes with the spindle.
+    TapFeed,
+    /// The way for each turn of a tap.
+    Lead,
+    Speed,
+    /// It may be a length, and moving the path may concern it.
+    Doubtful,
+    /// No length.
+    Other,
+}
+
+/// The rows of a block's G and M codes.
+pub(super) fn actions<'a>(
+    block: &'a Block,
+    control: &'a Control,
+) -> impl Iterator<Item = (&'a Word, Action)> {
+    block.words.iter().filter_map(move |word| {
+        let number = word.number()?;
+        let code = u16::try_from(tenths(number)?).ok()?;
+        let row = match word.letter {
+            b'G' => control.g_code(code),
+            b'M' => control.m_code(code),
+            _ => None,
+        }?;
+        Some((word, row.action))
+    })
+}
+
+fn tenths(number: chordal::syntax::Decimal) -> Option<i64> {
+    match number.scale {
+        0 => number.mantissa.checked_mul(10),
+        1 => Some(number.mantissa),
+        _ => (number.to_f64() * 10.0).fract().eq(&0.0).then_some((number.to_f64() * 10.0) as i64),
+    }
+}
+
+/// What sort of block it is, where words do not mean what they mean beside a move.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Sort {
+    Move,
+    Dwell,
+    Data,
+    Machine,
+    Local,
+    Arguments,
+    Pattern,
+    Pocket,
+}
+
+/// The role of each word of a block.
+pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<Role> {
+    let mut sort = Sort::Move;
+    let mut starts_compensation = false;
+    // Letters that are lengths beside a code that says how corners are passed.
+    let mut corner_letters: &[u8] = b"";
+    for (_, action) in actions(block, control) {
+        sort = match action {
+            Action::Dwell => Sort::Dwell,
+            Action::SetData => Sort::Data,
+            Action::MachineCoordinates => Sort::Machine,
+            Action::LocalShift => Sort::Local,
+            Action::MacroCall | Action::ModalMacroCall { .. } | Action::ModalSubroutine => {
+                Sort::Arguments
+            }
+            Action::Pattern(_) => Sort::Pattern,
+            Action::CircularPocketCw | Action::CircularPocketCcw | Action::GeneralPocket => {
+                Sort::Pocket
+            }
+            _ => sort,
+        };
+        corner_letters = match action {
+            Action::PathContinuous => b"PQ",
+            Action::Smoothness => b"E",
+            _ => corner_letters,
+        };
+        starts_compensation |= matches!(
+            action,
+            Action::CompensationLeft | Action::CompensationRight | Action::CornerArc { .. }
+        );
+    }
+    let left_to_right = control.table.distance_left_to_right;
+    let mut incremental =
+        if left_to_right { context.incremental_before } else { context.incremental };
+    let mut roles = Vec::with_capacity(block.words.len());
+    for word in &block.words {
+        if left_to_right && word.letter == b'G' {
+            let code = word.number().and_then(tenths).and_then(|code| u16::try_from(code).ok());
+            match code.and_then(|code| control.g_code(code)).map(|row| row.action) {
+                Some(Action::Absolute) => incremental = false,
+                Some(Action::Incremental) => incremental = true,
+                _ => {}
+            }
+        }
+        let role = match sort {
+            Sort::Move if corner_letters.contains(&word.letter) => Role::Length,
+            Sort::Move => move_role(word, context, control, incremental, starts_compensation),
+            Sort::Dwell | Sort::Arguments => Role::Other,
+            Sort::Data | Sort::Machine => match word.letter {
+                b'X' | b'Y' | b'Z' | b'R' => Role::Machine,
+                b'F' => Role::Feed,
+                _ => Role::Other,
+            },
+            Sort::Local => match axis(word.letter) {
+                Some(axis) => Role::Way(axis),
+                None => Role::Other,
+            },
+            Sort::Pattern | Sort::Pocket => match (axis(word.letter), word.letter) {
+                (Some(axis), _) if incremental => Role::Way(axis),
+                (Some(axis), _) => Role::Place(axis),
+                (None, b'F') => Role::Feed,
+                (None, b'S') => Role::Speed,
+                (None, b'I' | b'J' | b'K' | b'Q' | b'R') => Role::Doubtful,
+                _ => Role::Other,
+            },
+        };
+        roles.push(role);
+    }
+    roles
+}
+
+fn axis(letter: u8) -> Option<usize> {
+    b"XYZ".iter().position(|axis| *axis == letter)
+}
+
+fn move_role(
+    word: &Word,
+    context: &Context,
+    control: &Control,
+    incremental: bool,
+    starts_compensation: bool,
+) -> Role {
+    let place = |axis: usize| if incremental { Role::Way(axis) } else { Role::Place(axis) };
+    let normal = context.plane.axes().2;
+    let in_cycle = context.cycle.is_some();
+    let is_arc = matches!(context.did, Did::Arc | Did::Spiral);
+    if word.comma {
+        return if matches!(word.letter, b'R' | b'C') { Role::Length } else { Role::Other };
+    }
+    match word.letter {
+        letter @ b'X'..=b'Z' => place(usize::from(letter - b'X')),
+        b'F' if context.cycle.is_some_and(|cycle| cycle.is_tap()) => {
+            match (control.parameters.cycles.tap.feed, context.feed_mode) {
+                (TapFeed::SpeedWithLeadQ, _) => Role::Speed,
+                (TapFeed::Lead, _) | (TapFeed::Programmed, FeedMode::PerRevolution) => Role::Lead,
+                (TapFeed::Programmed, _) => Role::TapFeed,
+            }
+        }
+        b'F' => Role::Feed,
+        b'S' => Role::Speed,
+        letter @ b'I'..=b'K' if is_arc => {
+            let axis = usize::from(letter - b'I');
+            let is_place = context.arc_center == chordal::control::ArcCenter::Absolute;
+            if axis != normal && is_place { Role::Center(axis) } else { Role::Spoke(axis) }
+        }
+        letter @ b'I'..=b'K' if in_cycle => match context.cycle {
+            Some(CycleKind::FineBore | CycleKind::BackBore) if letter != b'K' => {
+                Role::Way(usize::from(letter - b'I'))
+            }
+            // K counts repeats on some controls, and then has no point.
+            _ if word.number().is_some_and(|number| number.has_point) => Role::Length,
+            _ => Role::Other,
+        },
+        letter @ b'I'..=b'K' if starts_compensation => Role::Way(usize::from(letter - b'I')),
+        b'R' if control.table.lexicon.registers => match word.register {
+            Some(0) if is_arc => Role::Length,
+            Some(0) if in_cycle => place(normal),
+            _ => Role::Doubtful,
+        },
+        b'R' if is_arc => Role::Length,
+        b'R' if in_cycle => place(normal),
+        b'Q' if in_cycle => match context.cycle {
+            Some(CycleKind::FineBore | CycleKind::BackBore) => Role::Doubtful,
+            _ => Role::Length,
+        },
+        b'Q' if context.did == Did::Spiral => Role::Length,
+        _ => Role::Other,
+    }
+}
+
+/// Whether a word has a value that can be changed by its text.
+pub(super) fn is_fixed(word: &Word) -> bool {
+    matches!(word.value, Value::Register { .. } | Value::Missing)
+}

@@ -1,0 +1,136 @@
+//! A program in the other unit of length.
+
+use chordal::Job;
+use chordal::control::table::Action;
+use chordal::control::{FeedMode, Units};
+use chordal::diagnostics::FileId;
+use chordal::syntax::{Block, BlockKind, BlockReader};
+
+use super::Outcome;
+use super::edit::{Edit, Refusal};
+use super::number::unit_mm;
+use super::rates::{Rate, scaled};
+use super::record::{Context, Record};
+use super::roles::{Role, actions, roles};
+use super::writer::Writer;
+
+const REASON: &str = "lengths in the other unit";
+
+/// The edits that write every length in `to`.
+pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
+    let record = Record::of(job);
+    let writer = Writer::new(job);
+    let wanted = match to {
+        Units::Inch => Action::Inch,
+        Units::Millimetre => Action::Millimetre,
+    };
+    let mut outcome = Outcome { feed_tolerance: 1e-3, ..Outcome::default() };
+    let Some(code) = writer.control.table.g_codes.iter().find(|row| row.action == wanted) else {
+        return Err(Refusal::new(
+            writer.text,
+            &Block::new(),
+            "the control has no code for that unit",
+            "its parameters choose the unit; there is nothing to write",
+        ));
+    };
+    let mut first: Option<(u32, u32)> = None;
+    let mut is_said = false;
+    let mut idle = Vec::new();
+    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        if block.kind != BlockKind::Words || block.words.is_empty() {
+            continue;
+        }
+        let Some(runs) = record.blocks.get(&block.range.start) else {
+            if "XYZ".bytes().any(|axis| block.letters().has(axis)) {
+                idle.push(block.line);
+            }
+            continue;
+        };
+        let mut says = false;
+        for (word, action) in actions(&block, writer.control) {
+            if matches!(action, Action::Inch | Action::Millimetre) {
+                says = true;
+                if action != wanted {
+                    let text = writer.code(word, code.code);
+                    outcome.edits.push(Edit::new(word.range, text, "the other unit"));
+                }
+            }
+        }
+        let is_head = block.word(b'O').is_some();
+        if !is_head && first.is_none_or(|(order, _)| runs.order < order) {
+            first = Some((runs.order, block.range.start));
+            is_said = says;
+        }
+        let mut edits: Option<Vec<Edit>> = None;
+        for context in &runs.contexts {
+            let these = lengths(&writer, &block, context, to)?;
+            if edits.as_ref().is_some_and(|edits| *edits != these) {
+                return Err(Refusal::new(
+                    writer.text,
+                    &block,
+                    "the block is run in both units",
+                    "write the units into the subprogram",
+                ));
+            }
+            edits = Some(these);
+        }
+        outcome.edits.extend(edits.unwrap_or_default());
+    }
+    if let Some((_, at)) = first.filter(|_| !is_said && outcome_changes(&outcome)) {
+        let line = format!("{}\n", code.name(b'G'));
+        outcome.edits.push(Edit::insert(
+            at,
+            line,
+            "what the machine begins with is no longer meant",
+        ));
+    }
+    outcome.note_idle(&idle);
+    outcome.tolerance_mm = writer.tolerance_mm();
+    Ok(outcome)
+}
+
+fn outcome_changes(outcome: &Outcome) -> bool {
+    !outcome.edits.is_empty()
+}
+
+fn lengths(
+    writer: &Writer,
+    block: &Block,
+    context: &Context,
+    to: Units,
+) -> Result<Vec<Edit>, Refusal> {
+    let mut edits = Vec::new();
+    if context.units == to {
+        return Ok(edits);
+    }
+    let units = (context.units, to);
+    for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
+        let text = match role {
+            Role::Place(_)
+            | Role::Way(_)
+            | Role::Center(_)
+            | Role::Spoke(_)
+            | Role::Length
+            | Role::Machine => writer.scaled_length(block, word, units, 1.0, 0.0)?,
+            Role::Feed | Role::TapFeed | Role::Lead
+                if context.feed_mode != FeedMode::InverseTime =>
+            {
+                let factor = unit_mm(context.units) / unit_mm(to);
+                scaled(writer, block, word, factor, Rate::Feed([context.units, to]))?
+            }
+            Role::Doubtful => {
+                return Err(Refusal::new(
+                    writer.text,
+                    block,
+                    format!("`{}` may be a length", writer.word(word)),
+                    "write the moves out",
+                ));
+            }
+            _ => continue,
+        };
+        edits.push(Edit::new(word.range, text, REASON));
+    }
+    Ok(edits)
+}

@@ -1,0 +1,272 @@
+//! Every program of the documents and of the examples through every transform: the motion that is
+//! meant, or a refusal that says why.
+
+#![allow(clippy::disallowed_methods, reason = "the programs are files")]
+
+use std::path::{Path, PathBuf};
+
+use chordal::control::{RunOptions, Units};
+use chordal::{Job, Machine, Source, SourceMap};
+use chordal_compare::Category;
+use chordal_rewrite::{ArcForm, Step, Transformed, transform};
+use proptest::prelude::*;
+
+const MACHINES: [(&str, &str); 9] = [
+    ("fadal", "fadal-4020"),
+    ("haas", "haas-vf2"),
+    ("fanuc", "fanuc-30i"),
+    ("mitsubishi-type2", "mitsubishi-m700-type2"),
+    ("mitsubishi", "mitsubishi-m700"),
+    ("linuxcnc", "linuxcnc-mill"),
+    ("textbook-absolute-center", "textbook-absolute-center"),
+    ("textbook-from-center", "textbook-from-center"),
+    ("textbook", "textbook-from-center"),
+];
+
+/// Programs with the machine that their folder says.
+fn programs() -> Vec<(PathBuf, &'static str)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut all = Vec::new();
+    for base in ["examples", "tests/suite"] {
+        for (folder, machine) in MACHINES {
+            let Ok(entries) = std::fs::read_dir(root.join(base).join(folder)) else { continue };
+            let mut files: Vec<PathBuf> = entries
+                .map(|entry| entry.unwrap().path())
+                .filter(|path| {
+                    path.extension().is_some_and(|ending| ending == "nc" || ending == "ngc")
+                })
+                .collect();
+            files.sort();
+            all.extend(files.into_iter().map(|file| (file, machine)));
+        }
+    }
+    assert!(all.len() > 100);
+    all
+}
+
+fn job(text: Vec<u8>, machine: &str) -> Job<'static> {
+    let machine = Machine::from_builtin(machine).unwrap();
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text));
+    // What never ends need not be run for long.
+    let options = RunOptions { max_repeated_blocks: 20_000, ..RunOptions::default() };
+    Job::new(sources, machine).unwrap().options(options)
+}
+
+/// Each with how many of the programs must come out proved; the others are refused, or differ in a way
+/// that is told (a travel that is exceeded, a printed position, a clearance that a parameter holds).
+fn steps() -> Vec<(&'static str, Step, usize)> {
+    let rotate = |degrees: f64| Step::Rotate { angle: degrees.to_radians(), about: [25.4, 12.7] };
+    vec![
+        ("shift", Step::Shift([2.54, -12.7, 0.254]), 150),
+        ("rotate 90", rotate(90.0), 90),
+        ("rotate 30", rotate(30.0), 86),
+        ("mirror x", Step::MirrorX, 130),
+        ("mirror y", Step::MirrorY, 135),
+        ("scale 2", Step::Scale(2.0), 73),
+        ("mm", Step::Units(Units::Millimetre), 135),
+        ("inch", Step::Units(Units::Inch), 160),
+        ("feed", Step::Rates { feed: 0.5, speed: 1.0 }, 168),
+        ("speed", Step::Rates { feed: 1.0, speed: 2.0 }, 170),
+        ("radius", Step::Arcs(ArcForm::Radius), 178),
+        ("center", Step::Arcs(ArcForm::Center), 177),
+        ("chords", Step::Chords(0.01), 128),
+        ("fit", Step::Fit(0.02), 178),
+        ("simplify", Step::Simplify(0.02), 178),
+        ("renumber", Step::Renumber { first: 10, step: 5 }, 174),
+        ("no numbers", Step::NoNumbers, 178),
+        ("comments", Step::StripComments, 176),
+    ]
+}
+
+/// Every program through every step: the motion that is meant, or a reason.
+#[test]
+fn every_program_through_every_step() {
+    let mut short = Vec::new();
+    for (name, step, least) in steps() {
+        let (mut proved, mut refused, mut differ) = (0, 0, 0);
+        for (path, machine) in programs() {
+            let text = std::fs::read(&path).unwrap();
+            let said = String::from_utf8_lossy(&text).into_owned();
+            let said = said.split_once("(machine: ").and_then(|(_, rest)| rest.split_once(')'));
+            let job = job(text, said.map_or(machine, |(name, _)| name.trim()));
+            match transform(&job, &[step]) {
+                Ok(done) if done.certificate.holds() => proved += 1,
+                Ok(done) => {
+                    differ += 1;
+                    assert!(!done.certificate.comparison.differences.is_empty(), "{name} {path:?}");
+                }
+                Err(refusal) => {
+                    refused += 1;
+                    let is_told =
+                        refusal.line > 0 && !refusal.what.is_empty() && !refusal.help.is_empty();
+                    assert!(is_told, "{name} {path:?}: {refusal:?}");
+                }
+            }
+        }
+        println!("{name}: {proved} proved, {refused} refused, {differ} differ and say where");
+        if proved < least {
+            short.push((name, proved, least));
+        }
+    }
+    assert!(short.is_empty(), "fewer are proved than were: {short:?}");
+}
+
+fn haas(text: &str, steps: &[Step]) -> Transformed {
+    let done = transform(&job(text.as_bytes().to_vec(), "haas-vf2"), steps).unwrap();
+    let differences = &done.certificate.comparison.differences;
+    assert!(done.certificate.holds(), "{differences:?}\n{}", String::from_utf8_lossy(&done.text));
+    done
+}
+
+fn text_after(text: &str, steps: &[Step]) -> String {
+    String::from_utf8(haas(text, steps).text).unwrap()
+}
+
+const PART: &str = "\
+%
+O1 (PART)
+N10 G21 G90 G54 G17
+N20 T1 M6
+N30 G0 X0. Y0. S900 M3 (APPROACH)
+N40 G43 H1 Z2.
+N50 G1 Z-1. F100.
+N60 X10.50 F200.
+N70 G3 X20. Y9.5 R9.5
+N80 G91 G1 X-5. Y.5
+N90 G90 G2 X5. Y10. I-5. J0.
+N100 G0 Z50.
+N110 M30
+%
+";
+
+#[test]
+fn the_style_is_kept() {
+    let moved = text_after(PART, &[Step::Shift([5.0, -0.25, 0.0])]);
+    let expected = PART
+        .replace("X0. Y0. S900", "X5. Y-0.25 S900")
+        .replace("X10.50 F200", "X15.50 F200")
+        .replace("X20. Y9.5 R9.5", "X25. Y9.25 R9.5")
+        .replace("X5. Y10. I-5.", "X10. Y9.75 I-5.");
+    assert_eq!(moved, expected);
+}
+
+#[test]
+fn a_mirror_image_turns_the_other_way() {
+    let image = text_after(PART, &[Step::MirrorX]);
+    assert!(image.contains("N70 G2 X-20. Y9.5 R9.5") && image.contains("N80 G91 G1 X5. Y.5"));
+    assert!(image.contains("N90 G90 G3 X-5. Y10. I5. J0."), "{image}");
+}
+
+#[test]
+fn a_turn_names_the_axis_that_was_left_out() {
+    let turned =
+        text_after(PART, &[Step::Rotate { angle: std::f64::consts::FRAC_PI_2, about: [0.0; 2] }]);
+    assert!(turned.contains("N60 X0.00 Y10.50 F200."), "{turned}");
+    assert!(turned.contains("N90 G90 G2 X-10. Y5. I0. J-5."), "{turned}");
+}
+
+#[test]
+fn other_units_and_back() {
+    let done = haas(PART, &[Step::Units(Units::Inch)]);
+    let inch = String::from_utf8(done.text).unwrap();
+    assert!(inch.contains("N10 G20 G90") && inch.contains("X0.4134 F7.874"), "{inch}");
+    haas(PART, &[Step::Units(Units::Inch), Step::Units(Units::Millimetre)]);
+}
+
+#[test]
+fn a_variable_is_moved_where_it_is_used() {
+    let text = "G21 G90 S900 M3\n#1=10.\nG0 X0 Y0 Z2.\nG1 Z-1. F100.\nX#1 Y[#1*2.]\nG0 Z50.\nM30\n";
+    let moved = text_after(text, &[Step::Shift([5.0, -1.0, 0.0])]);
+    assert!(moved.contains("X[#1+5.] Y[[#1*2.]-1.]"), "{moved}");
+    let image = text_after(text, &[Step::MirrorX]);
+    assert!(image.contains("X[0.-#1]"), "{image}");
+}
+
+#[test]
+fn a_subprogram_that_is_run_in_two_ways_is_refused() {
+    let text = "O1\nG21 G90 S900 M3\nG0 X0 Y0 Z2.\nG1 Z-1. F100.\nM98 P2\nG91\nM98 P2\nG90 G0 Z50.\nM30\n\
+                O2\nX10. Y5.\nM99\n";
+    let refusal =
+        transform(&job(text.into(), "haas-vf2"), &[Step::Shift([1.0, 0.0, 0.0])]).unwrap_err();
+    assert_eq!((refusal.line, refusal.text.as_str()), (11, "X10. Y5."));
+}
+
+#[test]
+fn a_tap_goes_with_the_spindle() {
+    let text =
+        "G21 G90 G54 S500 M3\nG0 X0 Y0 Z5.\nG84 Z-10. R2. F500.\nG80\nG1 Z1. F300.\nG0 Z50.\nM30\n";
+    let slow = text_after(text, &[Step::Rates { feed: 0.9, speed: 0.5 }]);
+    assert!(
+        slow.contains("S250") && slow.contains("R2. F250.") && slow.contains("Z1. F270."),
+        "{slow}"
+    );
+}
+
+#[test]
+fn shrinking_takes_what_does_nothing_and_no_more() {
+    let tight = haas(PART, &[Step::Shrink(PART.len() - 1)]);
+    assert!(String::from_utf8_lossy(&tight.text).contains("N60X10.50F200."));
+    let small = haas(PART, &[Step::Shrink(tight.text.len() - 1)]);
+    assert!(small.text.len() < tight.text.len());
+    let text = String::from_utf8(small.text).unwrap();
+    assert!(text.contains("(PART)") && text.contains("N60X10.5F200."), "{text}");
+    let refusal = transform(&job(PART.into(), "haas-vf2"), &[Step::Shrink(20)]).unwrap_err();
+    assert!(refusal.what.contains("bytes"), "{refusal}");
+}
+
+/// Three laps of chords: the arcs that they were come back, and the lines stay.
+#[test]
+fn chords_become_arcs_again() {
+    let chords = haas(PART, &[Step::Chords(0.001)]);
+    let text = String::from_utf8(chords.text).unwrap();
+    assert!(text.lines().count() > 60 && !text.contains("G2 ") && !text.contains("G3 "), "{text}");
+    let fitted = haas(&text, &[Step::Fit(0.01)]);
+    let text = String::from_utf8(fitted.text).unwrap();
+    let arcs = text.lines().filter(|line| line.contains("G2 ") || line.contains("G3 ")).count();
+    assert!(arcs >= 1 && text.lines().count() < 25, "{text}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(40) })]
+
+    /// A path that is moved in several ways and back is where it was.
+    #[test]
+    fn there_and_back(
+        shift in prop::array::uniform3(-200i32..200),
+        turns in prop::bool::ANY,
+        degrees in -180i32..180,
+        scale in prop::sample::select(vec![0.5, 2.0, 4.0]),
+        mirror in prop::bool::ANY,
+        which in 0usize..1000,
+    ) {
+        let shift = shift.map(|step| f64::from(step) * 0.254);
+        let mut there = vec![Step::Shift(shift)];
+        let mut back = vec![Step::Shift(shift.map(|by| -by))];
+        if mirror {
+            there.push(Step::MirrorY);
+            back.push(Step::MirrorY);
+        }
+        if turns {
+            let angle = f64::from(degrees).to_radians();
+            there.push(Step::Rotate { angle, about: [0.0; 2] });
+            back.push(Step::Rotate { angle: -angle, about: [0.0; 2] });
+        } else {
+            there.push(Step::Scale(scale));
+            back.push(Step::Scale(1.0 / scale));
+        }
+        let programs = programs();
+        let (path, machine) = &programs[which % programs.len()];
+        let text = std::fs::read(path).unwrap();
+        let Ok(moved) = transform(&job(text.clone(), machine), &there) else { return Ok(()) };
+        if !moved.certificate.holds() {
+            return Ok(());
+        }
+        let all: Vec<Step> = there.into_iter().chain(back.into_iter().rev()).collect();
+        let Ok(done) = transform(&job(text, machine), &all) else { return Ok(()) };
+        // Expressions that grow may be nested too deep.
+        let differences = &done.certificate.comparison.differences;
+        let is_deep = differences.iter().any(|one| one.category == Category::Problem);
+        prop_assert!(done.certificate.holds() || is_deep, "{path:?} {all:?}: {:?}", done.certificate.comparison.differences.first());
+    }
+}

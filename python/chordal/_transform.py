@@ -1,0 +1,106 @@
+"""Programs changed in place, and the proof that the motion is the one meant."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from .errors import UsageError
+
+if TYPE_CHECKING:
+    from . import _chordal
+
+__all__ = ["Change", "Transformed"]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What was changed on a line, and why."""
+
+    #: Line of the old text, from 1.
+    line: int
+    #: The line as it was.
+    before: str
+    #: What stands there now; several lines are parted by ``\\n``.
+    after: str
+    #: Why.
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Transformed:
+    """A program after its changes."""
+
+    #: The new text.
+    text: bytes
+    #: The new program was run and makes the motion that is meant, within the certificate's tolerance.
+    proved: bool
+    #: The changes, in the order of the steps.
+    changes: tuple[Change, ...]
+    #: What is to be known beside them.
+    notes: tuple[str, ...]
+    #: The path that is meant against the new one, as ``chordal compare --format json`` tells it.
+    certificate: Mapping[str, Any]
+
+    @property
+    def max_distance_mm(self) -> float | None:
+        """The new path is nowhere further from the one that is meant; ``None`` without moves."""
+        distance: float | None = self.certificate["max_distance_mm"]
+        return distance
+
+
+_Steps = list[tuple[str, list[float]]]
+
+
+def steps(
+    shift: Sequence[float] | None,
+    rotate: float | None,
+    about: Sequence[float],
+    mirror: Literal["x", "y"] | None,
+    scale: float | None,
+    units: Literal["mm", "inch"] | None,
+    feed: float,
+    speed: float,
+    arcs: Literal["radius", "center"] | None,
+    chords: float | None,
+    simplify: float | None,
+    fit: float | None,
+    renumber: tuple[int, int] | None,
+    no_numbers: bool,
+    strip_comments: bool,
+    shrink: int | None,
+) -> _Steps:
+    """The steps in the order of the command."""
+    asked: list[tuple[str, Sequence[float] | None]] = [
+        (str(units), [] if units else None),
+        (f"mirror-{mirror}", [] if mirror else None),
+        ("rotate", None if rotate is None else [rotate, *about]),
+        ("scale", None if scale is None else [scale]),
+        ("shift", shift),
+        ("rates", [feed, speed] if (feed, speed) != (1.0, 1.0) else None),
+        ("chords", None if chords is None else [chords]),
+        ("simplify", None if simplify is None else [simplify]),
+        ("fit", None if fit is None else [fit]),
+        (f"arcs-{arcs}", [] if arcs else None),
+        ("strip-comments", [] if strip_comments else None),
+        ("no-numbers", [] if no_numbers else None),
+        ("renumber", renumber),
+        ("shrink", None if shrink is None else [shrink]),
+    ]
+    wanted = [(name, [float(n) for n in numbers]) for name, numbers in asked if numbers is not None]
+    if not wanted:
+        raise UsageError("there is nothing to do", "say what is to change, as shift=(5, 0, 0)")
+    return wanted
+
+
+def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
+    """Carries the steps out; a refusal is a ``UsageError`` that names the line."""
+    text, told = program.transform(wanted)
+    document = json.loads(told)
+    if text is None:
+        raise UsageError(f"line {document['line']}: {document['message']}", document["help"])
+    changes = tuple(Change(**change) for change in document["changes"])
+    proved = document["verdict"] == "proved"
+    return Transformed(bytes(text), proved, changes, tuple(document["notes"]), document["certificate"])

@@ -1,0 +1,42 @@
+"""Programs changed in place."""
+
+import pytest
+
+import chordal
+
+TEXT = "G21 G90 G54 S900 M3\nG0 X0 Y0\nZ2.\nG1 Z-1. F100.\nX10.\nG3 X20. Y10. R10.\nG0 Z50.\nM30\n"
+
+
+def test_moved_and_proved() -> None:
+    program = chordal.loads(TEXT, "haas-vf2")
+    done = program.transform(shift=(5, 0, 0))
+    assert done.proved
+    assert done.max_distance_mm is not None and done.max_distance_mm < 1e-9
+    assert b"G3 X25. Y10. R10." in done.text
+    assert [change.line for change in done.changes] == [2, 5, 6]
+    assert done.changes[1] == chordal.Change(5, "X10.", "X15.", "the path is moved")
+
+
+def test_there_and_back_is_the_same_text() -> None:
+    program = chordal.loads(TEXT, "haas-vf2")
+    there = program.transform(mirror="x").text
+    assert b"G2 X-20." in there
+    back = chordal.loads(there, "haas-vf2").transform(mirror="x")
+    assert back.text == TEXT.encode()
+
+
+def test_chords_become_arcs_again() -> None:
+    program = chordal.loads(TEXT, "haas-vf2")
+    chords = program.transform(chords=0.002)
+    assert chords.proved and len(chords.text) > 1.5 * len(TEXT)
+    arcs = chordal.loads(chords.text, "haas-vf2").transform(fit=0.01)
+    assert arcs.proved
+    assert arcs.text.count(b"G3") == 1
+
+
+def test_what_no_change_is_right_for_names_the_line() -> None:
+    program = chordal.loads("G21 G90 S900 M3\nG1 X0 Y0 F100.\nG13 I5. F100. D1\nM30\n", "haas-vf2")
+    with pytest.raises(chordal.UsageError, match="line 3"):
+        program.transform(rotate=30)
+    with pytest.raises(chordal.UsageError, match="nothing"):
+        program.transform()
