@@ -277,7 +277,7 @@ impl Mapper<'_> {
             let [[a, b], [c, d]] = self.map.plane;
             let shift = if is_place { self.map.shift } else { [0.0; 3] };
             let new = [a * old[0] + b * old[1] + shift[0], c * old[0] + d * old[1] + shift[1]];
-            self.write_pair(block, context, letters, words, one, new, is_place, edits);
+            self.write_pair(context, letters, words, one, new, is_place, edits);
         }
         Ok(())
     }
@@ -288,7 +288,6 @@ impl Mapper<'_> {
     )]
     fn write_pair(
         &self,
-        _block: &Block,
         context: &Context,
         letters: [u8; 2],
         words: [Option<&Word>; 2],

@@ -53,7 +53,7 @@ impl<'a> Writer<'a> {
         let number = self.style.number(mm / unit, least, digits, point);
         let written: f64 = number.parse().unwrap_or(f64::NAN);
         let off = (written * unit - mm).abs();
-        if !(off <= 1e-10 * mm.abs().max(1.0)) {
+        if off > 1e-10 * mm.abs().max(1.0) {
             let half = 0.5 * unit * 0.1f64.powi(i32::from(digits.max(least)));
             self.rounded_mm.set(self.rounded_mm.get().max(half.max(off)));
         }
