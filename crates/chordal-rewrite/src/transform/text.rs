@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use chordal::Job;
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
-use chordal_editor::{Name, Numbering, Program, Role};
+use chordal_editor::{Name, Numbering, Program, Role, Setup};
 
 use super::edit::{Edit, Refusal, apply, changes, line_end};
 use super::{Outcome, first_text};
@@ -256,7 +256,7 @@ fn each_block(job: &Job, mut see: impl FnMut(&Block)) {
 fn program(job: &Job) -> Option<Program> {
     let texts = job.sources().iter().skip(1);
     let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
+    let setup = Setup { beside: beside.collect(), ..Setup::of(job.machine().clone()) };
     let name = job.sources().get(FileId(0)).map_or("", |source| source.name());
-    let program = Program::new(name, first_text(job).to_vec(), job.machine().clone()).ok()?;
-    Some(program.beside(beside.collect()))
+    Program::set_up(name, first_text(job).to_vec(), setup).ok()
 }
