@@ -23,7 +23,7 @@ use chordal::control::Units;
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
 use chordal::{Job, Source};
-use chordal_compare::{Category, Mapping, Options};
+use chordal_compare::{Category, Mapping, Options, Verdict};
 
 use crate::{Certificate, Change, prove_mapped};
 
@@ -229,7 +229,18 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
         ..Options::default()
     };
     let new = job.with_text(text.clone());
-    let certificate = prove_mapped(job, &new, &options, &all.expected, &all.mapping);
+    let mut certificate = prove_mapped(job, &new, &options, &all.expected, &all.mapping);
+    let comparison = &mut certificate.comparison;
+    let moves = comparison.moves.iter().any(|moves| *moves > 0);
+    if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {
+        // Nothing was held against anything: that is no proof.
+        comparison.verdict = Verdict::Different;
+        all.notes.push(
+            "no move lies between places that are known, so that nothing is proved: name X, Y and Z \
+             before the first cut"
+                .into(),
+        );
+    }
     Ok(Transformed { text, changes, notes: all.notes, certificate })
 }
 

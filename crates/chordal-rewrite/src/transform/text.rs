@@ -149,8 +149,7 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
                 text.len(),
                 text.len() - most
             ),
-            help: "make subprograms of what repeats, fit arcs (--fit), or split it (--split)"
-                .into(),
+            help: "make subprograms of what repeats, or fit arcs (--fit)".into(),
         });
     }
     let mut outcome = Outcome::default();
