@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from . import archive, geometry, motion
 from ._chordal import __version__
+from ._held import Comparison, Conversion, Refusal
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
 from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
@@ -35,6 +36,8 @@ __all__ = [
     "Change",
     "ChordalError",
     "Chords",
+    "Comparison",
+    "Conversion",
     "Diagnostic",
     "Fix",
     "Label",
@@ -45,6 +48,7 @@ __all__ = [
     "Place",
     "Program",
     "ProgramError",
+    "Refusal",
     "ShopAnswer",
     "ShopCall",
     "ShopCodes",

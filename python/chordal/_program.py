@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
-from . import _chordal, _notebook, _shop, _summary, _time, _toml, _transform, diagnostics
+from . import _chordal, _held, _notebook, _shop, _summary, _time, _toml, _transform, diagnostics
+from ._held import Comparison, Conversion
 from ._machine import Machine, MachineLike, machine_of
 from ._shop import ShopCodes
 from ._summary import Summary
@@ -303,6 +305,51 @@ class Program:
             shrink,
         )
         return _transform.transformed(self._program, wanted)
+
+    def compare(
+        self,
+        other: Program,
+        *,
+        tolerance: float = 0.0,
+        feed_tolerance: float = 1e-6,
+        ignore: Sequence[str] = (),
+    ) -> Comparison:
+        """This program held against another by what they do, not by their text. Paths up to ``tolerance`` mm
+        apart are no difference, nor are feeds and speeds that differ by that part, nor the categories of
+        ``ignore``, as ``"coolant"``.
+
+        >>> import chordal
+        >>> text = "G21 G90 S100 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
+        >>> one = chordal.loads(text, "haas-vf2")
+        >>> one.compare(chordal.loads(text.replace("9.", "9.5"), "haas-vf2")).max_distance_mm
+        0.5
+        """
+        told = self._program.compare(
+            other._program, float(tolerance), float(feed_tolerance), list(ignore)
+        )
+        return _held.comparison(json.loads(told))
+
+    def convert(
+        self,
+        to: MachineLike,
+        *,
+        tolerance: float = 0.005,
+        digits: int | None = None,
+        despite_errors: bool = False,
+    ) -> Conversion:
+        """The program for another machine, each change with its reason, and the new program held against this
+        one: see ``holds``. Where a form must be written out, the path is within ``tolerance`` mm; ``digits``
+        are those behind the point of computed words.
+
+        >>> import chordal
+        >>> fadal = chordal.loads("G0 G90 E1 X1. Y1.\\nM2\\n", "fadal-4020")
+        >>> print(fadal.convert("haas-vf2").changes[0].after)
+        G54
+        """
+        told = self._program.convert(
+            machine_of(to)._machine, float(tolerance), digits, despite_errors
+        )
+        return _held.conversion(json.loads(told))
 
     def report(self, *, date: str | None = None) -> str:
         """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs

@@ -11,10 +11,11 @@ use chordal::motion::{
 use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
 use chordal_cli::load::{self, Failure, Loaded, Request};
+use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
-    Plot, PlotOptions, SampleHead, TimeDocument, refusal_json, report, sha256_hex, time_json,
-    transformed_json,
+    Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
+    report, sha256_hex, time_json, transformed_json,
 };
 use chordal_report::{About, gather, html};
 use chordal_rewrite as rewrite;
@@ -386,6 +387,47 @@ impl Program {
                 Ok((Some(done.text), told))
             }
             Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
+        })
+    }
+
+    /// This program held against another, as JSON. Categories of `ignore` are no differences.
+    fn compare(
+        &self,
+        py: Python<'_>,
+        other: &Program,
+        tolerance_mm: f64,
+        feed_tolerance: f64,
+        ignore: Vec<String>,
+    ) -> PyResult<String> {
+        let ignored = ignore
+            .iter()
+            .map(|word| {
+                let mut all = Category::ALL.into_iter();
+                all.find(|category| category.word() == word)
+                    .ok_or_else(|| error::value(format!("there is no category {word}")))
+            })
+            .collect::<PyResult<_>>()?;
+        let options = Comparing { tolerance_mm, feed_tolerance, ignored, ..Comparing::default() };
+        self.ask(py, |job| {
+            let other = other.loaded.job().map_err(|failure| error::inside(failure.to_string()))?;
+            let found = compare(job, &other, &options);
+            Ok(comparison_json(&found, [job, &other], tolerance_mm))
+        })
+    }
+
+    /// The program for another machine: changes, proof and text as JSON.
+    fn convert(
+        &self,
+        py: Python<'_>,
+        to: &Machine,
+        tolerance_mm: f64,
+        digits: Option<usize>,
+        despite_errors: bool,
+    ) -> PyResult<String> {
+        let options = rewrite::convert::Options { tolerance_mm, digits, despite_errors };
+        self.ask(py, |job| {
+            let found = rewrite::convert::convert(job, &to.0, &options);
+            Ok(conversion_json(&found, job))
         })
     }
 

@@ -60,6 +60,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "chordal-python",
         &[
             "chordal",
+            "chordal-compare",
             "chordal-export",
             "chordal-report",
             "chordal-rewrite",
