@@ -9,6 +9,7 @@ use chordal::path::PathBuilder;
 use chordal::{Job, PathCommand, Report, Segment, Watch};
 
 use crate::Mapping;
+use crate::Options;
 use crate::machine_places::MachinePlaces;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
@@ -100,9 +101,14 @@ pub(crate) enum Event {
 }
 
 impl Course {
-    pub(crate) fn of(job: &Job, programmed: bool, machine_places: Option<MachinePlaces>) -> Course {
-        let mut gather = Gather { machine_places, ..Gather::new() };
-        let report = if programmed {
+    pub(crate) fn of(
+        job: &Job,
+        options: &Options,
+        machine_places: Option<MachinePlaces>,
+    ) -> Course {
+        let assume_known = options.assume_known;
+        let mut gather = Gather { machine_places, assume_known, ..Gather::new() };
+        let report = if options.programmed {
             let (offset, known) = initial_offset(job.machine(), job.control());
             let builder = PathBuilder::new(job.machine(), offset, known);
             let mut contour = Programmed { gather: &mut gather, builder, segments: Vec::new() };
@@ -170,6 +176,8 @@ struct Gather {
     now: State,
     machine_places: Option<MachinePlaces>,
     commands: u32,
+    /// Every place is taken as it is counted.
+    assume_known: bool,
 }
 
 impl Gather {
@@ -191,6 +199,7 @@ impl Gather {
             turns: vec![[[0.0; 3]; 2]],
             now,
             machine_places: None,
+            assume_known: false,
             commands: 0,
         }
     }
@@ -306,7 +315,7 @@ impl Gather {
             let moved = Moved {
                 curve: segment.curve,
                 length_mm: segment.length_mm,
-                known: segment.known && !is_of_machine,
+                known: (segment.known || self.assume_known) && !is_of_machine,
                 way: way(command),
                 feed: speed(command, segment),
                 per_revolution: feed_mode == Some(FeedMode::PerRevolution),

@@ -44,6 +44,9 @@ pub struct Options {
     /// The path as it is programmed is compared, not that of the tool centre: cutter compensation
     /// is a state of its moves.
     pub programmed: bool,
+    /// Places that are not known relative to the part are taken as they are counted: for two runs that
+    /// begin at the same place, on machines with the same offsets and reference points.
+    pub assume_known: bool,
     /// Differences of these are none.
     pub ignored: Vec<Category>,
     /// So many differences are kept; the rest is counted.
@@ -60,6 +63,7 @@ impl Default for Options {
             feed_tolerance: 1e-6,
             precision_mm: 1e-6,
             programmed: false,
+            assume_known: false,
             ignored: Vec::new(),
             kept: 1000,
             in_step: false,
@@ -128,7 +132,7 @@ pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) ->
     let is_moved = mapping.path != Transform::identity();
     let [mut a, b] = jobs.map(|job| {
         let places = is_moved.then(|| machine_places::MachinePlaces::of(job));
-        course::Course::of(job, options.programmed, places)
+        course::Course::of(job, options, places)
     });
     if *mapping != Mapping::default() {
         a.map(mapping);

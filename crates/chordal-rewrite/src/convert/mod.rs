@@ -100,8 +100,7 @@ fn job(name: &str, text: String, machine: &Machine) -> Option<Job<'static>> {
 }
 
 /// Whole categories of those.
-const OF_MACHINES: &[Category] =
-    &[Category::RapidPath, Category::PathMode, Category::Unknown, Category::Overrides];
+const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
 
 /// Rounds of writing out what differs. Each writes out more blocks, so that there is an end anyway.
 const MOST_ROUNDS: usize = 8;
@@ -169,6 +168,8 @@ fn proof(old: &Job, new: &Job, options: &Options, compensates: bool, printed: bo
     let compare = chordal_compare::Options {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
+        // Both begin at the same place, and both machines have the same tables.
+        assume_known: true,
         kept: 100_000,
         ..chordal_compare::Options::default()
     };
@@ -286,6 +287,8 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         RapidPath::Straight => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
+    machine.home = old.home;
+    machine.reference_points = old.reference_points;
     machine.macros = old.macros.clone();
     machine.probe = old.probe;
     machine.switches = old.switches;

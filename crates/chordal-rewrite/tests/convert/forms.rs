@@ -94,3 +94,14 @@ fn compensation_of_another_kind_is_proved_by_the_contour() {
     let center = certificate.tool_center.as_ref().expect("another way round corners");
     assert!(center.max_distance_mm.is_some_and(|mm| mm > 1.0 && mm < 5.0), "{center:?}");
 }
+
+#[test]
+fn moves_of_unknown_places_are_proved_too() {
+    // In increments from wherever the tool stands.
+    let old = job("G20 G91 S100 M3\nG1 X1. F10.\nY.5\nM30\n", machine("haas-vf2"));
+    let found = converted(&old, "fadal-4020");
+    assert!(found.holds(), "{}", verdict(&found));
+    let comparison = found.certificate.expect("a proof").comparison;
+    assert_eq!(comparison.max_distance_mm, Some(0.0));
+    assert_eq!(comparison.moves, [2, 2]);
+}
