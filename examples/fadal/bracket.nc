@@ -1,3 +1,5 @@
+(machine: fadal-4020)
+(set: tools.1.diameter="0.5 in")
 (BRACKET: POCKET, BORE, BOSS AND FOUR HOLES
 L100 (ONE TURN DOWN IN THE BORE
 G91 I-.25 G3 Z-.1

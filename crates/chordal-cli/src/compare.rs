@@ -203,7 +203,12 @@ pub fn headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
     let total = found.differences.len() as u64 + found.dropped;
     let differences = counted(total, "difference", "differences");
     match (found.verdict, found.max_distance_mm) {
-        (Answer::Same, None) => "same: neither moves\n".into(),
+        (Answer::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
+        (Answer::Same, None) => {
+            "same as far as can be said: no move lies between places that are known \
+                                 relative to the part\n"
+                .into()
+        }
         (Answer::Same, Some(_)) => format!(
             "same: {}\n",
             match found.moves {

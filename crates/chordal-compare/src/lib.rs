@@ -24,7 +24,7 @@ mod steps;
 mod walk;
 
 use chordal::geometry::Transform;
-use chordal::{Job, Report};
+use chordal::{Job, Machine, Report};
 
 pub use difference::{Blocks, Category, Difference, Place, Value};
 
@@ -121,9 +121,23 @@ pub struct Comparison {
     pub reports: [Report; 2],
 }
 
-/// Runs both and holds them against each other.
+/// Runs both and holds them against each other. Where no place of either is known relative to the part,
+/// and their machines have the same tables, both are taken to begin at the same place.
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
-    compare_mapped(a, b, options, &Mapping::default())
+    let mapping = Mapping::default();
+    let found = compare_mapped(a, b, options, &mapping);
+    let nothing_known = found.max_distance_mm.is_none() && found.moves != [0, 0];
+    if nothing_known && !options.assume_known && have_same_places(a.machine(), b.machine()) {
+        let options = Options { assume_known: true, ..options.clone() };
+        return compare_mapped(a, b, &options, &mapping);
+    }
+    found
+}
+
+fn have_same_places(a: &Machine, b: &Machine) -> bool {
+    let places =
+        |machine: &Machine| (machine.home, machine.reference_points, machine.work_offsets.clone());
+    places(a) == places(b)
 }
 
 /// Holds what the first does, moved and at other feeds and speeds, against the second.

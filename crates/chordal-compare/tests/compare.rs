@@ -309,3 +309,13 @@ fn contours_as_programmed() {
     let contour = compare(&jobs[0], &jobs[1], &programmed);
     assert_eq!(contour.verdict, Verdict::Same, "{:#?}", contour.differences);
 }
+
+/// Without a place that is known, both begin at the same one.
+#[test]
+fn increments_from_anywhere() {
+    let text = "G21 G91 S100 M3\nG1 X10. F100.\nY5.\nM30\n";
+    assert_eq!(plain(text, text).max_distance_mm, Some(0.0));
+    let found = plain(text, &text.replace("Y5.", "Y5.5"));
+    let path = only(&found, Category::Path);
+    assert!((path.distance_mm.unwrap() - 0.5).abs() < 1e-9, "{path:?}");
+}

@@ -111,25 +111,30 @@ impl<'c, 'a> Plan<'c, 'a> {
                 self.expand[at] = Some(reason.clone());
             }
         }
+        // Each turn writes more out; when there is nothing more, what is left is refused.
+        let mut at_the_end = false;
         loop {
             self.whole_cycles();
             let covered = self.covered();
-            if let Some((at, reason)) = self.moving_statement(&covered) {
-                self.escalate(at, &reason, &covered);
+            if !at_the_end && let Some((at, reason)) = self.moving_statement(&covered) {
+                at_the_end = !self.escalate(at, &reason, &covered);
                 continue;
             }
             let mut rendered =
                 Rendered { lines: vec![None; self.drafts.len()], ..Rendered::default() };
-            match self.written_out(&covered, &mut rendered) {
-                Some((at, reason)) => self.escalate(at, &reason, &covered),
-                None => {
-                    self.kept(&covered, &mut rendered);
-                    self.flattened(&mut rendered);
-                    initial::begin(self.context, &mut rendered);
-                    rendered.changes.sort_by_key(|change| change.line);
-                    return rendered;
+            if let Some((at, reason)) = self.written_out(&covered, &mut rendered) {
+                if self.escalate(at, &reason, &covered) {
+                    continue;
                 }
+                let line = self.context.source.blocks[at].line;
+                let words = self.context.source.words(at);
+                rendered.refusals.push(Refusal { line, words, reason });
             }
+            self.kept(&covered, &mut rendered);
+            self.flattened(&mut rendered);
+            initial::begin(self.context, &mut rendered);
+            rendered.changes.sort_by_key(|change| change.line);
+            return rendered;
         }
     }
 
@@ -179,8 +184,8 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// The lines of a block are not the same in all of its runs: its callers are written out, or the
-    /// whole program.
-    fn escalate(&mut self, at: usize, reason: &str, covered: &[bool]) {
+    /// whole program. False where that is done already.
+    fn escalate(&mut self, at: usize, reason: &str, covered: &[bool]) -> bool {
         let trace = self.context.trace;
         let mut callers = BTreeSet::new();
         for (index, exec) in trace.execs.iter().enumerate() {
@@ -197,15 +202,15 @@ impl<'c, 'a> Plan<'c, 'a> {
             }
         }
         if callers.contains(&None) || !any {
-            match self.main_of(at) {
+            any |= match self.main_of(at) {
                 Some(main) if self.flat[main].is_none() => {
                     self.flat[main] = Some(reason.to_string());
+                    true
                 }
-                _ => {
-                    self.write_all(reason);
-                }
-            }
+                _ => self.write_all(reason),
+            };
         }
+        any
     }
 
     /// The lines of blocks that are written out; a block whose runs differ is handed back.

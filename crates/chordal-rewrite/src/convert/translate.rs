@@ -349,7 +349,8 @@ impl<'a> Context<'a> {
             let written = draft.now(word);
             match own.register {
                 Some(0) if self.uses_r(at) => {
-                    let value = &draft.written(word)[2..];
+                    let written = draft.written(word);
+                    let value = written.get(2..).unwrap_or_default();
                     let value = value.strip_prefix('+').unwrap_or(value);
                     draft.replace(word, format!("R{value}"), format!("{title} writes R so"));
                 }
