@@ -90,16 +90,15 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         despite_errors: args.despite_errors,
     };
     let found = convert(&job, &target, &options);
-    let json = conversion_json(&found, &job);
     if let Some(path) = &args.certificate {
-        write(path, &args.file, &json)?;
+        write(path, &args.file, &conversion_json(&found, &job))?;
     }
     let may_write = found.holds() || (args.unproved && !found.text.is_empty());
     let output = args.output.as_deref();
     let streams = output == Some(Path::new("-"));
     let answer = match args.format {
         AnswerFormat::Text => text(&found, &job, may_write, output),
-        AnswerFormat::Json => json,
+        AnswerFormat::Json => conversion_json(&found, &job),
     };
     if let (Some(path), Some(new), Some(certificate)) =
         (&args.picture, found.job("new"), &found.certificate)

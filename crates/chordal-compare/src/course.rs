@@ -2,7 +2,7 @@
 
 use chordal::control::{
     Command, CommandKind, Coolant, FeedMode, Origin, Overrides, PathMode, RapidPath, Side,
-    SpindleState, WorkName, initial_offset,
+    SpindleState, initial_offset,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
@@ -269,7 +269,7 @@ impl Gather {
                 self.now.radius_offset = if *side == Side::Off { None } else { *number };
             }
             Kind::ToolLength { number, .. } => self.now.length_offset = *number,
-            Kind::WorkOffset { name, .. } => self.now.work_offset = ordinal(*name),
+            Kind::WorkOffset { name, .. } => self.now.work_offset = name.ordinal(),
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             // How the words are to be read is in the moves already; a tool that is made ready
@@ -326,17 +326,6 @@ impl Gather {
             };
             self.push(moved);
         }
-    }
-}
-
-/// The number of a work offset, counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1
-/// and G59.1; 0 are machine coordinates.
-fn ordinal(name: WorkName) -> u32 {
-    match name {
-        WorkName::Machine => 0,
-        WorkName::G(number) => u32::from(number).saturating_sub(53),
-        WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
-        WorkName::E(number) => u32::from(number),
     }
 }
 

@@ -421,6 +421,17 @@ pub enum WorkName {
 }
 
 impl WorkName {
+    /// Its number, counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1; 0 are
+    /// machine coordinates.
+    pub fn ordinal(self) -> u32 {
+        match self {
+            WorkName::Machine => 0,
+            WorkName::G(number) => u32::from(number).saturating_sub(53),
+            WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
+            WorkName::E(number) => u32::from(number),
+        }
+    }
+
     /// The name in a machine file; extended systems by the control's own code.
     pub fn key(self, extended: &str) -> String {
         match self {

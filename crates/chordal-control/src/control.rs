@@ -1,4 +1,5 @@
 use chordal_machine::{AxisLimits, Machine};
+use chordal_syntax::Word;
 
 use chordal_syntax::Decimal;
 
@@ -8,7 +9,7 @@ use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::{self, SettingError};
 use crate::state::Scale;
-use crate::table::{Action, CodeRow, ControlTable};
+use crate::table::{Action, CodeRow, ControlTable, code_number};
 
 /// A control as one machine has it: its table, and the parameters after the machine file's
 /// settings.
@@ -64,6 +65,16 @@ impl Control {
     #[inline]
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
         self.m_rows.get(code as usize).copied().flatten()
+    }
+
+    /// The row of a G or M word.
+    pub fn row_of(&self, word: &Word) -> Option<&'static CodeRow> {
+        let code = code_number(word.number()?)?;
+        match word.letter {
+            b'G' => self.g_code(code),
+            b'M' => self.m_code(code),
+            _ => None,
+        }
     }
 
     /// Programs that codes call by settings of the machine: nothing in the text names them.

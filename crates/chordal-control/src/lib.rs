@@ -36,7 +36,7 @@ pub use controls::{ALL as CONTROLS, table};
 pub use cycle_rules::*;
 pub use interpreter::{
     EndReason, Interrupt, Outcome, Rest, RunOptions, initial_offset, initial_work_offset, run,
-    run_from,
+    run_from, subroutine_head,
 };
 pub use library::{Library, Program, referenced_programs};
 pub use modal::Modal;

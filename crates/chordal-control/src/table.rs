@@ -1,7 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
 use chordal_diagnostics::Code;
-use chordal_syntax::{Letters, Lexicon};
+use chordal_syntax::{Decimal, Letters, Lexicon};
 
 use crate::macros::rules::MacroRules;
 use crate::parameters::Parameters;
@@ -165,6 +165,36 @@ pub enum Action {
     NotSimulated,
 }
 
+impl Action {
+    /// The code takes the axis words of its block for itself.
+    pub const fn takes_axes(self) -> bool {
+        matches!(
+            self,
+            Action::Dwell
+                | Action::SetData
+                | Action::ReturnToReference { .. }
+                | Action::ReturnFromReference
+                | Action::MachineCoordinates
+                | Action::LocalShift
+                | Action::PresetPosition
+                | Action::ClearPreset { .. }
+                | Action::RestorePreset
+                | Action::CircularPocketCw
+                | Action::CircularPocketCcw
+                | Action::GeneralPocket
+                | Action::Pattern(_)
+                | Action::Probe { .. }
+                | Action::CornerArc { own_block: true }
+                | Action::NotSimulated
+        )
+    }
+
+    /// A motion code that every control has: G0 to G3.
+    pub const fn is_plain_motion(self) -> bool {
+        matches!(self, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
+    }
+}
+
 /// Canned cycles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 #[allow(missing_docs, reason = "named by their common codes")]
@@ -268,6 +298,22 @@ pub fn code_name(letter: u8, code: u16) -> String {
     } else {
         format!("{letter}{whole}.{}", code % 10)
     }
+}
+
+/// Ten times a code's number, as the tables count it: 541 of `54.1`. Nothing for numbers that no code has.
+pub fn code_number(number: Decimal) -> Option<u16> {
+    let tenths = match number.scale {
+        0 => number.mantissa.checked_mul(10)?,
+        1 => number.mantissa,
+        scale => {
+            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
+            if number.mantissa % power != 0 {
+                return None;
+            }
+            number.mantissa / power
+        }
+    };
+    u16::try_from(tenths).ok()
 }
 
 /// Writes a row of a code table.

@@ -6,7 +6,7 @@ use chordal::syntax::Block;
 
 use crate::Program;
 use crate::meaning::{code_text, codes, letter_text};
-use crate::names::{Name, row_of};
+use crate::names::Name;
 
 /// What a completion is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -92,7 +92,7 @@ impl Program {
     fn places(&self, line: u32) -> Vec<Completion> {
         let mut calls = None;
         self.blocks(line, line + 1, |block| {
-            let rows = block.words.iter().filter_map(|word| row_of(self.control(), word));
+            let rows = block.words.iter().filter_map(|word| self.control().row_of(word));
             for row in rows {
                 match row.action {
                     Action::CallProgram | Action::MacroCall | Action::ModalMacroCall { .. } => {
@@ -152,7 +152,7 @@ impl Program {
         let rows: Vec<_> = here
             .iter()
             .flat_map(|block| &block.words)
-            .filter_map(|word| row_of(self.control(), word))
+            .filter_map(|word| self.control().row_of(word))
             .collect();
         let views = [self.view()];
         let taken = |letter: u8| rows.iter().any(|row| row.words.has(letter));

@@ -2,12 +2,13 @@
 
 use chordal::Diagnostic;
 use chordal::control::FeedMode;
+use chordal::control::table::code_number;
 use chordal::control::{Modal, SpindleState, Units, number_text};
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, Word};
 
 use crate::meaning::{code_brief, letter_text};
-use crate::names::{Name, Role, code_number};
+use crate::names::{Name, Role};
 use crate::{Program, Ran};
 
 /// Something to show beside a word.
@@ -49,7 +50,8 @@ impl Program {
     fn word_text(&self, word: &Word) -> String {
         let views = [self.view()];
         let letter = char::from(word.letter);
-        let code = code_number(word).filter(|_| matches!(word.letter, b'G' | b'M'));
+        let code =
+            word.number().and_then(code_number).filter(|_| matches!(word.letter, b'G' | b'M'));
         let text = code
             .and_then(|code| code_brief(word.letter, code, &views[0]))
             .or_else(|| letter_text(word.letter, &views))

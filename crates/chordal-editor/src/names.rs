@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use chordal::control::Control;
-use chordal::control::table::{Action, CodeRow};
+use chordal::control::table::Action;
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind, Value, Word};
 
@@ -289,7 +288,7 @@ impl<'a> Finder<'a> {
     /// What P means in a block, where it names something.
     fn call_of(&self, block: &Block) -> Option<Call> {
         let control = self.program.control();
-        let rows = block.words.iter().filter_map(|word| row_of(control, word));
+        let rows = block.words.iter().filter_map(|word| control.row_of(word));
         rows.into_iter().find_map(|row| match row.action {
             Action::CallProgram
             | Action::MacroCall
@@ -425,22 +424,6 @@ fn key_of(text: &[u8]) -> String {
     let (letter, digits) = plain.split_at(1.min(plain.len()));
     let number: u32 = digits.parse().unwrap_or(0);
     format!("{}{number}", letter.to_ascii_uppercase())
-}
-
-/// The row of the table that a G or M word names.
-pub(crate) fn row_of(control: &Control, word: &Word) -> Option<&'static CodeRow> {
-    let number = code_number(word)?;
-    match word.letter {
-        b'G' => control.g_code(number),
-        b'M' => control.m_code(number),
-        _ => None,
-    }
-}
-
-/// Ten times the number of a G or M word, where it has at most one decimal.
-pub(crate) fn code_number(word: &Word) -> Option<u16> {
-    let tenfold = word.number()?.times(10, 0);
-    (tenfold.fract() == 0.0 && (0.0..65_536.0).contains(&tenfold)).then_some(tenfold as u16)
 }
 
 fn number_of(text: &[u8]) -> Option<i64> {

@@ -5,7 +5,6 @@ use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind};
 
 use crate::Program;
-use crate::names::row_of;
 
 /// What an entry of the outline is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -79,7 +78,7 @@ impl Program {
             return Some((PROGRAM, self.make(block, EntryKind::Program, format!("O{number}"))));
         }
         let changes = block.words.iter().any(|word| {
-            row_of(self.control(), word).is_some_and(|row| row.action == Action::ToolChange)
+            self.control().row_of(word).is_some_and(|row| row.action == Action::ToolChange)
         });
         if changes {
             let name = tool.map_or("tool change".into(), |number| format!("T{number}"));

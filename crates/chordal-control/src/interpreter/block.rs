@@ -3,10 +3,10 @@
 use chordal_syntax::{Block, Letters};
 
 use super::judge::ALWAYS;
-use super::report::code_number;
 use super::{EndReason, Flow, Interpreter};
 use crate::command::AxisMask;
 use crate::parameters::UnitCodes;
+use crate::table::code_number;
 use crate::table::{Action, CodeRow, Group, LineRepeat, Subroutines};
 
 /// Letters of a block that only moves: no mode, no table, no call.
@@ -149,7 +149,7 @@ impl Interpreter<'_> {
             }
         }
         self.take_length(block, codes);
-        let one_shot = codes.iter().rev().find(|(row, _)| takes_axes(row.action));
+        let one_shot = codes.iter().rev().find(|(row, _)| row.action.takes_axes());
         match one_shot {
             Some((row, at)) => {
                 self.modes_beside_one_shot(codes);
@@ -225,27 +225,4 @@ impl Interpreter<'_> {
         }
         Some(Flow::Next)
     }
-}
-
-/// Codes that take the axis words of their block for themselves.
-pub(super) fn takes_axes(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Dwell
-            | Action::SetData
-            | Action::ReturnToReference { .. }
-            | Action::ReturnFromReference
-            | Action::MachineCoordinates
-            | Action::LocalShift
-            | Action::PresetPosition
-            | Action::ClearPreset { .. }
-            | Action::RestorePreset
-            | Action::CircularPocketCw
-            | Action::CircularPocketCcw
-            | Action::GeneralPocket
-            | Action::Pattern(_)
-            | Action::Probe { .. }
-            | Action::CornerArc { own_block: true }
-            | Action::NotSimulated
-    )
 }

@@ -92,7 +92,7 @@ impl Interpreter<'_> {
 
     fn ends_section(&self, block: &Block) -> bool {
         block.all(b'M').any(|word| {
-            let code = word.number().and_then(super::report::code_number);
+            let code = word.number().and_then(crate::table::code_number);
             code.and_then(|code| self.control.m_code(code))
                 .is_some_and(|row| matches!(row.action, Action::ProgramEnd { rewind: true }))
         })
@@ -533,7 +533,7 @@ impl Interpreter<'_> {
 }
 
 /// The number of a subroutine whose head this block is: `L100` alone is subroutine 1.
-fn subroutine_head(block: &Block) -> Option<u32> {
+pub fn subroutine_head(block: &Block) -> Option<u32> {
     if !block.letters().within(Letters::of("LN")) {
         return None;
     }

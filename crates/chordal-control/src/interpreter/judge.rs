@@ -5,7 +5,6 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
-use super::block::takes_axes;
 use crate::parameters::SpiralForm;
 use crate::state::Motion;
 use crate::table::{Action, CodeRow, Group, MotionModality};
@@ -161,7 +160,7 @@ impl Interpreter<'_> {
 fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
     match second.group {
         Group::Distance => !distance_left_to_right && first.code != second.code,
-        Group::OneShot => takes_axes(first.action) && takes_axes(second.action),
+        Group::OneShot => first.action.takes_axes() && second.action.takes_axes(),
         Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
         _ => first.code != second.code,
     }

@@ -24,6 +24,8 @@ mod shop;
 mod spiral;
 mod values;
 
+pub use self::calls::subroutine_head;
+
 use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;

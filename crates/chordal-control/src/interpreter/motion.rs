@@ -42,7 +42,7 @@ impl Interpreter<'_> {
     fn distance_word(&mut self, word: &chordal_syntax::Word) {
         let row = self
             .literal(word)
-            .and_then(super::report::code_number)
+            .and_then(crate::table::code_number)
             .and_then(|code| self.control.g_code(code));
         match row.map(|row| row.action) {
             Some(Action::Absolute) => self.state.incremental = false,

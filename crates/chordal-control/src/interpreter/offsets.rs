@@ -291,7 +291,7 @@ impl Interpreter<'_> {
         }
         let moves = arc_words || block.letters().meets(Letters::of("XYZ"));
         let own = block.all(b'G').filter_map(|word| {
-            let row = self.control.g_code(super::report::code_number(word.number()?)?)?;
+            let row = self.control.g_code(crate::table::code_number(word.number()?)?)?;
             (row.group == Group::Motion).then_some(row.action)
         });
         moves

@@ -31,7 +31,7 @@ impl Interpreter<'_> {
         let letter = word.letter as char;
         let Some(number) = self.literal(word) else { return };
         let title = self.control.table.title;
-        let code = code_number(number);
+        let code = crate::table::code_number(number);
         let others: Vec<&str> = crate::CONTROLS
             .iter()
             .filter(|table| {
@@ -144,22 +144,6 @@ impl Interpreter<'_> {
             .help("put G40 on the move away from the contour"),
         );
     }
-}
-
-/// Ten times a code's number, where it has at most one decimal.
-pub(super) fn code_number(number: chordal_syntax::Decimal) -> Option<u16> {
-    let tenths = match number.scale {
-        0 => number.mantissa.checked_mul(10)?,
-        1 => number.mantissa,
-        scale => {
-            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
-            if number.mantissa % power != 0 {
-                return None;
-            }
-            number.mantissa / power
-        }
-    };
-    u16::try_from(tenths).ok()
 }
 
 /// `541` → `54.1`.

@@ -1,11 +1,11 @@
 //! G and M codes of one control on another: by what they do.
 
-use chordal::control::table::{Action, CodeRow, Group};
+use chordal::control::table::{Action, CodeRow, Group, code_name, code_number};
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
 use super::emit::spelt;
-use super::source::{Style, code_number, whole};
+use super::source::{Style, whole};
 
 /// The row of a control that does this.
 pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow, u8)> {
@@ -53,19 +53,9 @@ pub(crate) fn what(action: Action) -> String {
     title.unwrap_or("a code of the control").into()
 }
 
-/// Counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1.
-fn ordinal(name: WorkName) -> u32 {
-    match name {
-        WorkName::Machine => 0,
-        WorkName::G(number) => u32::from(number).saturating_sub(53),
-        WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
-        WorkName::E(number) => u32::from(number),
-    }
-}
-
 /// The words that choose a work offset; nothing where the control does not have so many.
 pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Option<String> {
-    let number = ordinal(name);
+    let number = name.ordinal();
     let table = control.table;
     if table.work_offset_by_e {
         return Some(format!("E{number}"));
@@ -93,12 +83,10 @@ pub(crate) fn translate(
 ) -> Result<(), Expand> {
     for at in 0..draft.block.words.len() {
         let word = draft.block.words[at];
-        if !matches!(word.letter, b'G' | b'M') || draft.is_changed(at) {
+        if draft.is_changed(at) {
             continue;
         }
-        let Some(code) = word.number().and_then(code_number) else { continue };
-        let own = if word.letter == b'G' { from.g_code(code) } else { from.m_code(code) };
-        let Some(own) = own else { continue };
+        let Some(own) = from.row_of(&word) else { continue };
         one(draft, at, own, [from, to], style)?;
     }
     Ok(())
@@ -228,7 +216,7 @@ fn offset_code(
     [from, to]: [&Control; 2],
     style: Style,
 ) -> Result<(), Expand> {
-    let p = draft.block.words.iter().position(|word| word.letter == b'P');
+    let p = draft.place(b'P');
     let name = match action {
         Action::WorkOffset(number) => WorkName::G(number),
         Action::WorkOffsetPoint(number) => WorkName::G59(number),
@@ -247,13 +235,13 @@ fn offset_code(
         }
     };
     let new = work_offset(name, to, style).ok_or_else(|| {
-        Expand(format!("{} has no work offset {}", to.table.title, ordinal(name)))
+        Expand(format!("{} has no work offset {}", to.table.title, name.ordinal()))
     })?;
-    let reason = format!("work offset {} is called {new} on {}", ordinal(name), to.table.title);
+    let reason = format!("work offset {} is called {new} on {}", name.ordinal(), to.table.title);
     let written = draft.written(at);
     let is_same = chordal::syntax::Decimal::parse(&written.as_bytes()[1..])
         .and_then(code_number)
-        .is_some_and(|code| new == chordal::control::table::code_name(b'G', code));
+        .is_some_and(|code| new == code_name(b'G', code));
     if !is_same {
         draft.replace(at, new, reason);
     }

@@ -1,7 +1,7 @@
 //! Canned cycles: the same words where both controls have the cycle.
 
 use chordal::CommandKind;
-use chordal::control::table::{Action, CycleKind};
+use chordal::control::table::{Action, CycleKind, DwellWord};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
 
 use super::codes;
@@ -190,7 +190,7 @@ fn count(context: &Context, draft: &mut Draft, run: &Exec) {
     if one == other || !matches!(run.after.motion, Some(Action::Cycle(_))) {
         return;
     }
-    if let Some(word) = draft.block.words.iter().position(|word| word.letter == one) {
+    if let Some(word) = draft.place(one) {
         let new = format!("{}{}", char::from(other), &draft.written(word)[1..]);
         draft.replace(word, new, format!("{} counts holes so", context.to.table.title));
     }
@@ -213,7 +213,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         chordal::control::FeedMode::PerRevolution => cut.value * speed / unit,
         _ => cut.value * 60.0 / unit,
     };
-    let place = |letter: u8| draft.block.words.iter().position(|word| word.letter == letter);
+    let place = |letter| draft.place(letter);
     let (f, q) = (place(b'F'), place(b'Q'));
     let style = context.style();
     let title = context.to.table.title;
@@ -244,21 +244,18 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
 /// P of a cycle.
 fn dwell(context: &Context, draft: &mut Draft) {
     let [one, other] = context.controls().map(|control| control.parameters.cycles);
-    let Some(p) = draft.block.words.iter().position(|word| word.letter == b'P') else { return };
+    let Some(p) = draft.place(b'P') else { return };
     let Some(number) = draft.block.words[p].number() else { return };
-    let unit = |rules: &chordal::control::CycleRules, has_point: bool| {
-        if has_point { rules.dwell_point_s } else { rules.dwell_integer_s }
-    };
-    if unit(&one, number.has_point) == unit(&other, number.has_point) {
+    let [one, other] = [one, other].map(|rules| DwellWord {
+        letter: b'P',
+        integer_s: rules.dwell_integer_s,
+        point_s: rules.dwell_point_s,
+    });
+    let unit = |word: &DwellWord| if number.has_point { word.point_s } else { word.integer_s };
+    if unit(&one) == unit(&other) {
         return;
     }
-    let seconds = number.to_f64() * unit(&one, number.has_point);
-    let whole = seconds / other.dwell_integer_s;
-    let new = if (whole - whole.round()).abs() < 1e-6 {
-        format!("P{:.0}", whole.round())
-    } else {
-        format!("P{}", format!("{:.6}", seconds / other.dwell_point_s).trim_end_matches('0'))
-    };
+    let new = numbers::time_word(number.to_f64() * unit(&one), &other);
     draft.replace(p, new, format!("{} counts the time of a cycle so", context.to.table.title));
 }
 
@@ -266,9 +263,7 @@ fn dwell(context: &Context, draft: &mut Draft) {
 fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
     let [one, other] =
         context.controls().map(|control| control.parameters.cycles.one_group_with_motion);
-    let moves = context.source.has_action(at, context.from, |action| {
-        matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
-    });
+    let moves = context.source.has_action(at, context.from, Action::is_plain_motion);
     if one || !other || !moves {
         return;
     }

@@ -10,7 +10,7 @@ use crate::Change;
 pub(crate) struct Expand(pub String);
 
 /// A block and what becomes of it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Draft<'a> {
     text: &'a [u8],
     pub block: &'a Block,
@@ -47,6 +47,11 @@ impl<'a> Draft<'a> {
             changes: Vec::new(),
             spaced,
         }
+    }
+
+    /// The first word of a letter.
+    pub fn place(&self, letter: u8) -> Option<usize> {
+        self.block.words.iter().position(|word| word.letter == letter)
     }
 
     /// The word as it was written.

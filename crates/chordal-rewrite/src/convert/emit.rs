@@ -96,8 +96,7 @@ impl<'a> Emitter<'a> {
             words.extend(self.code(distance_action(modes.incremental)));
             self.incremental = Some(modes.incremental);
         }
-        let wanted = modes.motion.filter(|action| is_plain_motion(*action));
-        if let Some(action) = wanted
+        if let Some(action) = modes.motion
             && self.motion.is_some()
             && self.motion != Some(action)
             && matches!(action, Action::Rapid | Action::Linear)
@@ -460,10 +459,6 @@ impl<'a> Emitter<'a> {
 
 const AXES: [char; 3] = ['X', 'Y', 'Z'];
 const CENTERS: [char; 3] = ['I', 'J', 'K'];
-
-fn is_plain_motion(action: Action) -> bool {
-    matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
-}
 
 pub(crate) fn plane_action(plane: Plane) -> Action {
     match plane {

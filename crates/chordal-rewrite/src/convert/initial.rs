@@ -6,7 +6,6 @@ use chordal::syntax::Letters;
 use super::codes;
 use super::emit::distance_action;
 use super::plan::Rendered;
-use super::source::code_number;
 use super::trace::Exec;
 use super::translate::Context;
 use crate::Change;
@@ -78,10 +77,9 @@ fn is_silent(context: &Context, runs: &[&Exec], group: Group, letters: Letters) 
     for exec in runs {
         let Some(at) = exec.block else { return true };
         let block = &context.source.blocks[at];
-        let says = block.all(b'G').any(|word| {
-            let code = word.number().and_then(code_number);
-            code.and_then(|code| context.from.g_code(code)).is_some_and(|row| row.group == group)
-        });
+        let says = block
+            .all(b'G')
+            .any(|word| context.from.row_of(word).is_some_and(|row| row.group == group));
         if says {
             return false;
         }

@@ -21,7 +21,6 @@ mod structure;
 mod trace;
 mod translate;
 
-use chordal::control::table::Action;
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
@@ -84,10 +83,8 @@ impl Conversion {
         self.refusals.is_empty() && self.certificate.as_ref().is_some_and(Certificate::holds)
     }
 
-    /// The new text as a program on the machine that it was proved on.
-    ///
-    /// # Panics
-    /// Never: the machine's settings were good for the proof.
+    /// The new text as a program on the machine that it was proved on; nothing where that has settings that
+    /// its control does not know.
     pub fn job(&self, name: &str) -> Option<Job<'static>> {
         job(name, self.text.clone(), &self.machine)
     }
@@ -322,19 +319,4 @@ fn renamed(name: &str, target: &Machine) -> String {
         (false, _) => format!("{} P{}", table.extended_offset_code, ordinal.saturating_sub(6)),
     };
     work_offset_name(&new).unwrap_or(new)
-}
-
-/// Codes whose words are not those of a move.
-fn takes_axes(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Dwell
-            | Action::SetData
-            | Action::ReturnToReference { .. }
-            | Action::ReturnFromReference
-            | Action::LocalShift
-            | Action::PresetPosition
-            | Action::Probe { .. }
-            | Action::CornerArc { own_block: true }
-    )
 }

@@ -99,7 +99,8 @@ pub(crate) fn dwell_word(seconds: f64, table: &ControlTable) -> Option<String> {
     Some(time_word(seconds, word))
 }
 
-fn time_word(seconds: f64, word: &DwellWord) -> String {
+/// A time as a word counts it: a whole number where it is one.
+pub(crate) fn time_word(seconds: f64, word: &DwellWord) -> String {
     let letter = char::from(word.letter);
     let units = seconds / word.integer_s;
     if (units - units.round()).abs() < 1e-6 && units < 1e9 {

@@ -309,7 +309,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         };
         // Words that mean the same on both controls may do what no command tells.
         let source = self.context.source;
-        let draft = exec.block.map(|at| (at, self.context.block(at)));
+        let draft = exec.block.map(|at| (at, self.drafts[at].clone()));
         match draft {
             Some((_, Ok(mut draft))) => {
                 for word in 0..draft.block.words.len() {

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use chordal::Job;
-use chordal::control::Control;
 use chordal::control::table::{Action, Subroutines};
+use chordal::control::{Control, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
-use chordal::syntax::{Block, BlockKind, BlockReader, Decimal, Letters, Word};
+use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
 /// How a subprogram is written and called.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -112,7 +112,7 @@ impl<'a> Source<'a> {
                 let ends = self.has_action(at, control, |action| {
                     matches!(action, Action::ProgramEnd { rewind: true })
                 });
-                let head = section_number(block);
+                let head = subroutine_head(block);
                 if open.is_none() && head.is_none() {
                     break;
                 }
@@ -205,39 +205,12 @@ impl<'a> Source<'a> {
 
 /// What a G or M word does on a control.
 pub(crate) fn code_action(word: &Word, control: &Control) -> Option<Action> {
-    let code = code_number(word.number()?)?;
-    match word.letter {
-        b'G' => control.g_code(code).map(|row| row.action),
-        b'M' => control.m_code(code).map(|row| row.action),
-        _ => None,
-    }
-}
-
-/// Ten times a code's number: G54.1 is 541.
-pub(crate) fn code_number(number: Decimal) -> Option<u16> {
-    let tenths = match number.scale {
-        0 => number.mantissa.checked_mul(10)?,
-        1 => number.mantissa,
-        scale => {
-            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
-            (number.mantissa % power == 0).then(|| number.mantissa / power)?
-        }
-    };
-    u16::try_from(tenths).ok()
+    control.row_of(word).map(|row| row.action)
 }
 
 /// A whole number not below zero.
 pub(crate) fn whole(word: Option<&Word>) -> Option<u32> {
     u32::try_from(word?.number()?.to_integer()?).ok()
-}
-
-/// The number of a section whose head this block is: `L100` alone is 1.
-pub(crate) fn section_number(block: &Block) -> Option<u32> {
-    if block.kind != BlockKind::Words || !block.letters().within(Letters::of("LN")) {
-        return None;
-    }
-    let value = whole(block.word(b'L'))?;
-    (value >= 100 && value % 100 == 0).then_some(value / 100)
 }
 
 fn style(text: &[u8], blocks: &[Block]) -> Style {

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::Control;
 use chordal::control::table::{Action, Subroutines};
+use chordal::control::{Control, subroutine_head};
 
 use super::codes;
 use super::draft::{Draft, Expand};
-use super::source::{Form, Source, Style, code_action, section_number, whole};
+use super::source::{Form, Source, Style, code_action, whole};
 
 /// Where each subprogram goes.
 pub(crate) struct Structure {
@@ -131,7 +131,7 @@ impl Places<'_> {
     }
 
     fn program_head(&self, draft: &mut Draft, at: usize) {
-        let Some(word) = draft.block.words.iter().position(|word| word.letter == b'O') else {
+        let Some(word) = draft.place(b'O') else {
             return;
         };
         let Some(number) = whole(Some(&draft.block.words[word])) else { return };
@@ -167,8 +167,8 @@ impl Places<'_> {
             Form::Program => program_name(number, self.to),
         };
         let title = self.to.table.title;
-        if section_number(draft.block).is_some() {
-            let word = draft.block.words.iter().position(|word| word.letter == b'L');
+        if subroutine_head(draft.block).is_some() {
+            let word = draft.place(b'L');
             let reason = format!("subroutines begin so on {title}");
             for at in 0..draft.block.words.len() {
                 if Some(at) == word {
@@ -185,11 +185,11 @@ impl Places<'_> {
 
     /// `L201`.
     fn letter_call(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
-        let Some(word) = draft.block.words.iter().position(|word| word.letter == b'L') else {
+        let Some(word) = draft.place(b'L') else {
             return Ok(());
         };
         let is_call = self.from.table.subroutines == Subroutines::LetterL
-            && section_number(draft.block).is_none()
+            && subroutine_head(draft.block).is_none()
             && !self.source.has_action(at, self.from, |action| action == Action::SetData);
         let Some(value) = whole(Some(&draft.block.words[word])).filter(|value| *value >= 100)
         else {
@@ -273,7 +273,7 @@ impl Places<'_> {
                 )));
             }
         }
-        let p = block.words.iter().position(|word| word.letter == b'P');
+        let p = draft.place(b'P');
         let Some(number) = whole(p.map(|p| &block.words[p])) else { return Ok(()) };
         let has = |number: u32| {
             self.source
@@ -291,7 +291,7 @@ impl Places<'_> {
         if new == number && (packed_times.is_none() || self.to.parameters.packed_calls) {
             return Ok(());
         }
-        let l = block.words.iter().position(|word| word.letter == b'L');
+        let l = draft.place(b'L');
         let times = packed_times.or(whole(l.map(|l| &block.words[l]))).unwrap_or(1);
         let call = self.call(Form::Program, new, times)?;
         let words: Vec<usize> = [Some(code), p, l].into_iter().flatten().collect();
@@ -305,7 +305,7 @@ impl Places<'_> {
     /// `M97 P100 L3`.
     fn label_call(&self, draft: &mut Draft, at: usize, code: usize) -> Result<(), Expand> {
         let block = draft.block;
-        let p = block.words.iter().position(|word| word.letter == b'P');
+        let p = draft.place(b'P');
         let label = whole(p.map(|p| &block.words[p]));
         let in_main = self.source.mains.iter().any(|main| main.contains(&at));
         let sub = self
@@ -320,7 +320,7 @@ impl Places<'_> {
         if form == Form::Label {
             return Ok(());
         }
-        let l = block.words.iter().position(|word| word.letter == b'L');
+        let l = draft.place(b'L');
         let times = whole(l.map(|l| &block.words[l])).unwrap_or(1);
         let call = self.call(form, number, times)?;
         let words: Vec<usize> = [Some(code), p, l].into_iter().flatten().collect();

@@ -2,7 +2,7 @@
 
 use chordal::CommandKind;
 use chordal::control::table::{Action, DataTarget, Group, LineRepeat, MotionModality, Subroutines};
-use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName};
+use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName, subroutine_head};
 use chordal::syntax::{BlockKind, Letters, Value};
 
 use super::codes;
@@ -10,7 +10,7 @@ use super::comments;
 use super::cycles;
 use super::draft::{Draft, Expand};
 use super::numbers::{self, Kind};
-use super::source::{Source, Style, code_action, section_number, whole};
+use super::source::{Source, Style, code_action, whole};
 use super::spiral;
 use super::structure::{Places, Structure};
 use super::trace::{Exec, Trace, moves};
@@ -86,7 +86,7 @@ impl<'a> Context<'a> {
             style: self.style(),
         };
         places.translate(draft, at)?;
-        if self.source.heads.contains(&at) || section_number(draft.block).is_some() {
+        if self.source.heads.contains(&at) || subroutine_head(draft.block).is_some() {
             return Ok(());
         }
         codes::translate(draft, self.from, self.to, self.style())?;
@@ -107,7 +107,7 @@ impl<'a> Context<'a> {
     fn offsets(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
         let title = self.to.table.title;
         if self.from.table.work_offset_by_e && !self.to.table.work_offset_by_e {
-            let e = draft.block.words.iter().position(|word| word.letter == b'E');
+            let e = draft.place(b'E');
             if let Some(e) = e {
                 let number = whole(Some(&draft.block.words[e]));
                 let number = number.and_then(|number| u16::try_from(number).ok());
@@ -143,7 +143,7 @@ impl<'a> Context<'a> {
         if !self.source.has_action(at, self.from, |action| action == Action::SetData) {
             return Ok(());
         }
-        let place = |letter: u8| draft.block.words.iter().position(|word| word.letter == letter);
+        let place = |letter| draft.place(letter);
         let (l, p) = (place(b'L'), place(b'P'));
         let number = |at: Option<usize>| whole(at.map(|at| &draft.block.words[at]));
         let (Some(l), Some(code)) = (l, number(l)) else { return Ok(()) };
@@ -201,7 +201,7 @@ impl<'a> Context<'a> {
                 Action::LengthPlus | Action::LengthMinus | Action::LengthCancel | Action::SetData
             )
         });
-        let Some(h) = draft.block.words.iter().position(|word| word.letter == b'H') else { return };
+        let Some(h) = draft.place(b'H') else { return };
         let Some(number) = whole(Some(&draft.block.words[h])).filter(|_| !own) else { return };
         let title = self.to.table.title;
         let written = draft.written(h);
@@ -322,7 +322,7 @@ impl<'a> Context<'a> {
         if self.trace.facts[at].feed_varies {
             return Err(Expand(reason));
         }
-        let own = draft.block.words.iter().position(|word| word.letter == b'F');
+        let own = draft.place(b'F');
         match own {
             Some(own) => draft.replace(own, text(value * scale), reason),
             None => draft.append(text(value * scale), reason),
@@ -452,8 +452,9 @@ impl<'a> Context<'a> {
         let Some(run) = self.run(at) else { return };
         let own = draft.block.words.iter().any(|word| {
             code_action(word, self.from).is_some_and(|action| {
-                matches!(action, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
-                    || super::takes_axes(action)
+                // A move of G53 goes by G0 or G1 like any other.
+                action.is_plain_motion()
+                    || action.takes_axes() && action != Action::MachineCoordinates
             })
         });
         let commands = self.trace.commands_of(run);
@@ -515,21 +516,14 @@ impl<'a> Context<'a> {
             return None;
         }
         let claimed = self.source.blocks[at].words.iter().any(|word| {
-            let Some(code) = word.number().and_then(super::source::code_number) else {
-                return false;
-            };
-            let row = match word.letter {
-                b'G' => self.from.g_code(code),
-                b'M' => self.from.m_code(code),
-                _ => None,
-            };
+            let row = self.from.row_of(word);
             row.is_some_and(|row| row.words.has(b'L') || row.group == Group::Cycle)
         });
         let in_cycle = self.run(at).is_some_and(|run| self.in_cycle(run));
         if claimed || in_cycle {
             return None;
         }
-        let word = draft.block.words.iter().position(|word| word.letter == b'L')?;
+        let word = draft.place(b'L')?;
         let count = whole(Some(&draft.block.words[word]))?;
         let calls = self.from.table.subroutines == Subroutines::LetterL && count >= 100;
         (!calls).then_some((word, count))

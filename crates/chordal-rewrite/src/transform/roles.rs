@@ -39,24 +39,7 @@ pub(super) fn actions<'a>(
     block: &'a Block,
     control: &'a Control,
 ) -> impl Iterator<Item = (&'a Word, Action)> {
-    block.words.iter().filter_map(move |word| {
-        let number = word.number()?;
-        let code = u16::try_from(tenths(number)?).ok()?;
-        let row = match word.letter {
-            b'G' => control.g_code(code),
-            b'M' => control.m_code(code),
-            _ => None,
-        }?;
-        Some((word, row.action))
-    })
-}
-
-fn tenths(number: chordal::syntax::Decimal) -> Option<i64> {
-    match number.scale {
-        0 => number.mantissa.checked_mul(10),
-        1 => Some(number.mantissa),
-        _ => (number.to_f64() * 10.0).fract().eq(&0.0).then_some((number.to_f64() * 10.0) as i64),
-    }
+    block.words.iter().filter_map(move |word| Some((word, control.row_of(word)?.action)))
 }
 
 /// What sort of block it is, where words do not mean what they mean beside a move.
@@ -109,8 +92,7 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
     let mut roles = Vec::with_capacity(block.words.len());
     for word in &block.words {
         if left_to_right && word.letter == b'G' {
-            let code = word.number().and_then(tenths).and_then(|code| u16::try_from(code).ok());
-            match code.and_then(|code| control.g_code(code)).map(|row| row.action) {
+            match control.row_of(word).map(|row| row.action) {
                 Some(Action::Absolute) => incremental = false,
                 Some(Action::Incremental) => incremental = true,
                 _ => {}

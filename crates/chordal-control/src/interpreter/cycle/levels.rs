@@ -49,7 +49,7 @@ impl Interpreter<'_> {
                 break;
             }
             let code = (word.letter == b'G')
-                .then(|| self.literal(word).and_then(super::super::report::code_number))
+                .then(|| self.literal(word).and_then(crate::table::code_number))
                 .flatten();
             match code.and_then(|code| self.control.g_code(code)).map(|row| row.action) {
                 Some(Action::Absolute) => incremental = false,

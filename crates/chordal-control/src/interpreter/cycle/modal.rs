@@ -37,7 +37,7 @@ impl Interpreter<'_> {
     /// `,R` of this block says whether a tap is synchronous.
     pub(in super::super) fn tap_stands_in(&self, block: &Block) -> bool {
         let own = block.all(b'G').find_map(|word| {
-            let code = word.number().and_then(super::super::report::code_number)?;
+            let code = word.number().and_then(crate::table::code_number)?;
             match self.control.g_code(code)?.action {
                 Action::Cycle(kind) => Some(kind.is_tap()),
                 _ => None,

@@ -3,7 +3,6 @@
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
-use super::super::report::code_number;
 use super::super::shop::Given;
 use super::super::{Flow, Interpreter};
 use crate::command::Units;
@@ -12,6 +11,7 @@ use crate::macros::arguments::{Assigner, reserved_variable};
 use crate::macros::evaluate::Purpose;
 use crate::macros::rules::ArgumentScale;
 use crate::parameters::DecimalPoint;
+use crate::table::code_number;
 use crate::table::{Action, Group};
 
 /// A modal call in force.

@@ -57,7 +57,7 @@ impl Interpreter<'_> {
     /// Units that hold for the block's own words.
     fn units_of(&self, block: &Block) -> Units {
         let own = block.all(b'G').filter_map(|word| {
-            let code = super::super::report::code_number(word.number()?)?;
+            let code = crate::table::code_number(word.number()?)?;
             match self.control.g_code(code)?.action {
                 Action::Inch => Some(Units::Inch),
                 Action::Millimetre => Some(Units::Millimetre),

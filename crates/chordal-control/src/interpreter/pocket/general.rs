@@ -11,9 +11,9 @@ use chordal_syntax::{Block, Letters};
 use super::MAX_RINGS;
 use crate::command::{AxisMask, Feed, Move, Position};
 use crate::interpreter::Interpreter;
-use crate::interpreter::report::code_number;
 use crate::pocket::{Outline, RasterAlong, Region, Step, inset};
 use crate::table::Action;
+use crate::table::code_number;
 
 /// A depth that misses the last level by less than this, mm, is that level.
 const LEVEL_EPSILON_MM: f64 = 1e-9;

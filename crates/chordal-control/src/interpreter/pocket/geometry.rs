@@ -5,9 +5,9 @@ use chordal_geometry::{Direction, Plane, Vec2, Vec3, arc_from_center, center_fro
 use chordal_syntax::{Block, BlockKind, BlockReader, Value};
 
 use crate::interpreter::Interpreter;
-use crate::interpreter::report::code_number;
 use crate::pocket::{Element, Outline, OutlineError};
 use crate::table::Action;
+use crate::table::code_number;
 
 /// Most moves of an outline (Haas, G150).
 const MAX_MOVES: usize = 40;
