@@ -26,7 +26,7 @@ from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
-from ._transform import Change, Transformed
+from ._transform import Change, Part, Split, Transformed
 from .diagnostics import Diagnostic, Fix, Label, Place, codes
 from .errors import ChordalError, MachineError, MachineProblem, ProgramError, UsageError
 
@@ -46,6 +46,7 @@ __all__ = [
     "MachineProblem",
     "Moves",
     "Place",
+    "Part",
     "Program",
     "ProgramError",
     "Refusal",
@@ -54,6 +55,7 @@ __all__ = [
     "ShopCodes",
     "ShopRefusal",
     "ShopWait",
+    "Split",
     "Summary",
     "Table",
     "Time",

@@ -15,7 +15,7 @@ from ._shop import ShopCodes
 from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
-from ._transform import Transformed
+from ._transform import Split, Transformed
 from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
@@ -305,6 +305,16 @@ class Program:
             shrink,
         )
         return _transform.transformed(self._program, wanted)
+
+    def split(self, most: int | Literal["tool"]) -> Split:
+        """The program in parts of at most ``most`` bytes, or one for each ``"tool"``: each stands by itself,
+        and all of them, run one after the other, are held against the whole: see ``proved``.
+
+        A stretch that has no place where it can be parted raises :class:`~chordal.UsageError`, which names
+        the lines."""
+        if most != "tool" and (isinstance(most, str) or most <= 0):
+            raise UsageError(f"{most!r} is no size", 'give a number of bytes, or "tool"')
+        return _transform.parts(*self._program.split(None if most == "tool" else int(most)))
 
     def compare(
         self,

@@ -12,7 +12,7 @@ from .errors import UsageError
 if TYPE_CHECKING:
     from . import _chordal
 
-__all__ = ["Change", "Transformed"]
+__all__ = ["Change", "Part", "Split", "Transformed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +49,36 @@ class Transformed:
         """The new path is nowhere further from the one that is meant; ``None`` without moves."""
         distance: float | None = self.certificate["max_distance_mm"]
         return distance
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One of the programs that a program was parted into."""
+
+    #: Its text.
+    text: bytes
+    #: Its O number, where the whole has one.
+    number: int | None
+    #: The lines of the whole that it carries out, first and last.
+    lines: tuple[int, int]
+    #: The lines that are put in so that it begins as the whole stood there.
+    put_in: tuple[str, ...]
+    #: ``"as the whole"``, ``"before a tool change"`` or, where the tool stands clear of all cuts, ``"clear"``.
+    begins: Literal["as the whole", "before a tool change", "clear"]
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """A program in parts."""
+
+    #: In order.
+    parts: tuple[Part, ...]
+    #: The parts, run one after the other, make the motion of the whole.
+    proved: bool
+    #: What is to be known beside it.
+    notes: tuple[str, ...]
+    #: The whole against the parts, as ``chordal compare --format json`` tells it.
+    certificate: Mapping[str, Any]
 
 
 _Steps = list[tuple[str, list[float]]]
@@ -104,3 +134,22 @@ def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
     changes = tuple(Change(**change) for change in document["changes"])
     proved = document["verdict"] == "proved"
     return Transformed(bytes(text), proved, changes, tuple(document["notes"]), document["certificate"])
+
+
+def parts(texts: list[bytes], told: str) -> Split:
+    """What was said of a program in parts; a refusal is a ``UsageError`` that names the line."""
+    document = json.loads(told)
+    if document["verdict"] == "refused":
+        raise UsageError(f"line {document['line']}: {document['message']}", document["help"])
+    found = tuple(
+        Part(
+            bytes(text),
+            one["number"],
+            (one["lines"][0], one["lines"][1]),
+            tuple(one["put_in"]),
+            one["begins"],
+        )
+        for text, one in zip(texts, document["parts"], strict=True)
+    )
+    proved = document["verdict"] == "proved"
+    return Split(found, proved, tuple(document["notes"]), document["certificate"])

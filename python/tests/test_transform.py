@@ -40,3 +40,27 @@ def test_what_no_change_is_right_for_names_the_line() -> None:
         program.transform(rotate=30)
     with pytest.raises(chordal.UsageError, match="nothing"):
         program.transform()
+
+
+TWO_TOOLS = (
+    "O5\nT1 M6\nG20 G90 G54 G0 X0 Y0 S900 M3\nG43 H1 Z1.\nG1 Z-.1 F5.\nG0 Z1.\n"
+    "T2 M6\nG90 G54 G0 X1. Y0 S900 M3\nG43 H2 Z1.\nG1 Z-.1 F5.\nG0 Z1.\nM30\n"
+)
+
+
+def test_a_program_for_each_tool() -> None:
+    done = chordal.loads(TWO_TOOLS, "haas-vf2").split("tool")
+    assert done.proved and done.notes == ()
+    assert [part.number for part in done.parts] == [5, 6]
+    assert done.parts[1].lines == (7, 12)
+    assert done.parts[1].begins == "before a tool change"
+    assert done.parts[1].put_in[0] == "G20 G90"
+    assert done.parts[0].text.endswith(b"G0 Z1.\nM5\nM30\n")
+
+
+def test_what_cannot_be_parted_names_the_lines() -> None:
+    program = chordal.loads(TWO_TOOLS, "haas-vf2")
+    with pytest.raises(chordal.UsageError, match="from line 1 to line 6"):
+        program.split(50)
+    with pytest.raises(chordal.UsageError, match="no size"):
+        program.split(0)

@@ -18,6 +18,7 @@ mod couple;
 mod course;
 mod difference;
 mod frechet;
+mod joined;
 mod machine_places;
 mod problems;
 mod steps;
@@ -27,6 +28,7 @@ use chordal::geometry::Transform;
 use chordal::{Job, Machine, Report};
 
 pub use difference::{Blocks, Category, Difference, Place, Value};
+pub use joined::{Kept, Part, compare_joined};
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
 /// computed from a radius; no control computes as finely.
@@ -151,6 +153,16 @@ pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) ->
     if *mapping != Mapping::default() {
         a.map(mapping);
     }
+    conclude(jobs, a, b, options)
+}
+
+/// Walks along two runs.
+fn conclude(
+    jobs: [&Job; 2],
+    a: course::Course,
+    b: course::Course,
+    options: &Options,
+) -> Comparison {
     let mut walk = walk::Walk::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.

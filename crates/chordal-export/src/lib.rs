@@ -52,5 +52,5 @@ pub use plot::{
 };
 pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
 pub use time::{TimeDocument, comment_text, level_word, time_json};
-pub use transformed::{refusal_json, transformed_json};
+pub use transformed::{refusal_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

@@ -2,7 +2,7 @@
 
 use chordal::Job;
 use chordal::diagnostics::FileId;
-use chordal_rewrite::{Refusal, Transformed};
+use chordal_rewrite::{Change, Refusal, Split, Transformed};
 use serde_json::{Value, json};
 
 use crate::comparison::comparison;
@@ -12,14 +12,6 @@ use crate::comparison::comparison;
 /// new one (`b`). `written` is the name of the file that was written, if one was.
 pub fn transformed_json(done: &Transformed, jobs: [&Job; 2], written: Option<&str>) -> String {
     let certificate = &done.certificate;
-    let changes = done.changes.iter().map(|change| {
-        json!({
-            "line": change.line,
-            "before": change.before,
-            "after": change.after,
-            "reason": change.reason,
-        })
-    });
     let before = jobs[0].sources().get(FileId(0)).map_or(0, |source| source.text().len());
     let document = json!({
         "schema": "chordal.transform/1",
@@ -27,8 +19,60 @@ pub fn transformed_json(done: &Transformed, jobs: [&Job; 2], written: Option<&st
         "written": written,
         "bytes": { "before": before, "after": done.text.len() },
         "notes": done.notes,
-        "changes": changes.collect::<Vec<Value>>(),
+        "changes": changes(&done.changes),
         "certificate": comparison(&certificate.comparison, jobs, certificate.tolerance_mm),
+    });
+    format!("{document:#}\n")
+}
+
+fn changes(changes: &[Change]) -> Vec<Value> {
+    let one = |change: &Change| {
+        json!({
+            "line": change.line,
+            "before": change.before,
+            "after": change.after,
+            "reason": change.reason,
+        })
+    };
+    changes.iter().map(one).collect()
+}
+
+/// A program in parts, in the same schema: `parts` with their lines of the whole, the lines that are put
+/// in to begin with. `changed` is what was done before it was parted, to the first
+/// of the jobs; its certificate is `changed`. `written` are the names of the files.
+pub fn split_json(
+    done: &Split,
+    changed: Option<&Transformed>,
+    jobs: [&Job; 2],
+    written: &[String],
+) -> String {
+    let certificate = &done.certificate;
+    let parts = done.parts.iter().enumerate().map(|(index, part)| {
+        json!({
+            "number": part.number,
+            "lines": part.lines,
+            "bytes": part.text.len(),
+            "begins": match (index, part.at_tool_change) {
+                (0, _) => "as the whole",
+                (_, true) => "before a tool change",
+                (_, false) => "clear",
+            },
+            "put_in": part.begin,
+            "written": written.get(index),
+        })
+    });
+    let of_change = |changed: &Transformed| {
+        comparison(&changed.certificate.comparison, jobs, changed.certificate.tolerance_mm)
+    };
+    let notes = changed.map(|changed| changed.notes.as_slice()).unwrap_or_default();
+    let document = json!({
+        "schema": "chordal.transform/1",
+        "verdict": if certificate.holds() { "proved" } else { "not proved" },
+        "notes": notes.iter().chain(&done.notes).collect::<Vec<&String>>(),
+        "changes": changed.map(|changed| changes(&changed.changes)).unwrap_or_default(),
+        "parts": parts.collect::<Vec<Value>>(),
+        "certificate": comparison(&certificate.comparison, [jobs[1], jobs[1]], certificate.tolerance_mm),
+        "changed": changed.map(of_change),
     });
     format!("{document:#}\n")
 }

@@ -15,7 +15,7 @@ use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
-    report, sha256_hex, time_json, transformed_json,
+    report, sha256_hex, split_json, time_json, transformed_json,
 };
 use chordal_report::{About, gather, html};
 use chordal_rewrite as rewrite;
@@ -387,6 +387,19 @@ impl Program {
                 Ok((Some(done.text), told))
             }
             Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
+        })
+    }
+
+    /// The program in parts of at most so many bytes, or one for each tool: their texts, and what is to be
+    /// said of them as JSON.
+    fn split(&self, py: Python<'_>, most: Option<usize>) -> PyResult<(Vec<Vec<u8>>, String)> {
+        let by = most.map_or(rewrite::By::Tool, rewrite::By::Bytes);
+        self.ask(py, |job| match rewrite::split(job, by) {
+            Ok(done) => {
+                let told = split_json(&done, None, [job, job], &[]);
+                Ok((done.parts.into_iter().map(|part| part.text).collect(), told))
+            }
+            Err(refusal) => Ok((Vec::new(), refusal_json(&refusal, self.loaded.name()))),
         })
     }
 

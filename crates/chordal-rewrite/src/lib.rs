@@ -9,8 +9,11 @@
 mod change;
 pub mod convert;
 mod proof;
+mod source;
+mod split;
 mod transform;
 
 pub use change::Change;
 pub use proof::{Certificate, prove, prove_contour, prove_mapped};
+pub use split::{By, Part, Split, split};
 pub use transform::{ArcForm, Refusal, Step, Transformed, transform};

@@ -5,7 +5,7 @@ use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
 use super::emit::spelt;
-use super::source::{Style, whole};
+use crate::source::{Style, whole};
 
 /// The row of a control that does this.
 pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow, u8)> {

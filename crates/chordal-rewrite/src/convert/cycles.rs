@@ -7,9 +7,9 @@ use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Uni
 use super::codes;
 use super::draft::{Draft, Expand};
 use super::numbers;
-use super::source::code_action;
 use super::trace::Exec;
 use super::translate::Context;
+use crate::source::code_action;
 
 /// Words of cycles, and codes that end them.
 pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {

@@ -10,9 +10,9 @@ use chordal::{Command, CommandKind};
 
 use super::codes;
 use super::numbers;
-use super::source::Style;
 use super::spiral;
 use super::trace::Modes;
+use crate::source::Style;
 
 /// Writes commands as blocks in absolute coordinates.
 #[derive(Clone)]

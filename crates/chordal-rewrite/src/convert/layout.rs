@@ -7,8 +7,8 @@ use chordal::control::{Control, referenced_programs};
 use chordal::syntax::{BlockKind, Semicolon};
 
 use super::codes;
-use super::source::{Form, Source};
 use super::structure::{Structure, program_name};
+use crate::source::{Form, Source};
 
 /// The new lines of each block; nothing for blocks that are left out.
 pub(crate) type Lines = Vec<Option<Vec<String>>>;

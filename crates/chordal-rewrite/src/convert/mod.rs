@@ -6,16 +6,15 @@
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
-mod codes;
+pub(crate) mod codes;
 mod comments;
 mod cycles;
 mod draft;
 mod emit;
 mod initial;
 mod layout;
-mod numbers;
+pub(crate) mod numbers;
 mod plan;
-mod source;
 mod spiral;
 mod structure;
 mod trace;
@@ -28,10 +27,10 @@ use chordal_compare::{Category, Difference, Value};
 
 use self::layout::Layout;
 use self::plan::{Plan, Rendered};
-use self::source::Source;
 use self::structure::Structure;
 use self::trace::Trace;
 use self::translate::Context;
+use crate::source::Source;
 use crate::{Certificate, Change, prove, prove_contour};
 
 /// How a program is converted.

@@ -4,7 +4,7 @@ use chordal::control::table::{ControlTable, DwellWord};
 use chordal::control::{Control, DecimalPoint, Units};
 use chordal::syntax::Decimal;
 
-use super::source::Style;
+use crate::source::Style;
 
 /// A length in program units: at most so many digits behind the point, which is always written.
 pub(crate) fn length(mm: f64, units: Units, digits: usize, style: Style) -> String {

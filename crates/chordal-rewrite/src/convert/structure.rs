@@ -7,7 +7,7 @@ use chordal::control::{Control, subroutine_head};
 
 use super::codes;
 use super::draft::{Draft, Expand};
-use super::source::{Form, Source, Style, code_action, whole};
+use crate::source::{Form, Source, Style, code_action, whole};
 
 /// Where each subprogram goes.
 pub(crate) struct Structure {

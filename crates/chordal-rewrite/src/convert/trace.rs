@@ -7,7 +7,7 @@ use chordal::control::{CallPath, FeedMode, Modal, Origin, Position, Side, Units,
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
 
-use super::source::Source;
+use crate::source::Source;
 
 /// What is in force behind a block.
 #[derive(Clone, Copy, PartialEq, Debug)]

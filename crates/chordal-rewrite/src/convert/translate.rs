@@ -10,10 +10,10 @@ use super::comments;
 use super::cycles;
 use super::draft::{Draft, Expand};
 use super::numbers::{self, Kind};
-use super::source::{Source, Style, code_action, whole};
 use super::spiral;
 use super::structure::{Places, Structure};
 use super::trace::{Exec, Trace, moves};
+use crate::source::{Source, Style, code_action, whole};
 
 /// Everything that a block's new form depends on.
 pub(crate) struct Context<'a> {

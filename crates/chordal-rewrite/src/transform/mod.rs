@@ -19,12 +19,12 @@ mod text;
 mod units;
 mod writer;
 
+use chordal::Job;
 use chordal::control::Units;
-use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
-use chordal::{Job, Source};
 use chordal_compare::{Category, Mapping, Options, Verdict};
 
+use crate::source::first_text;
 use crate::{Certificate, Change, prove_mapped};
 
 pub use edit::Refusal;
@@ -242,8 +242,4 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
         );
     }
     Ok(Transformed { text, changes, notes: all.notes, certificate })
-}
-
-fn first_text<'a>(job: &'a Job) -> &'a [u8] {
-    job.sources().get(FileId(0)).map_or(&[], Source::text)
 }

@@ -5,10 +5,12 @@ use std::collections::HashSet;
 use chordal::Job;
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
-use chordal_editor::{Name, Numbering, Program, Role, Setup};
+use chordal_editor::{Name, Numbering, Role};
 
+use crate::source::{first_text, program};
+
+use super::Outcome;
 use super::edit::{Edit, Refusal, apply, changes, line_end};
-use super::{Outcome, first_text};
 
 /// New block numbers, and jumps that go to them.
 pub(super) fn renumber(job: &Job, first: u32, step: u32) -> Result<Outcome, Refusal> {
@@ -249,13 +251,4 @@ fn each_block(job: &Job, mut see: impl FnMut(&Block)) {
     while reader.read(&mut block) {
         see(&block);
     }
-}
-
-/// The text as an editor holds it, for the places of names.
-fn program(job: &Job) -> Option<Program> {
-    let texts = job.sources().iter().skip(1);
-    let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
-    let setup = Setup { beside: beside.collect(), ..Setup::of(job.machine().clone()) };
-    let name = job.sources().get(FileId(0)).map_or("", |source| source.name());
-    Program::set_up(name, first_text(job).to_vec(), setup).ok()
 }

@@ -1,3 +1,5 @@
+mod split;
+
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -5,7 +7,7 @@ use chordal::Job;
 use chordal::control::Units as TextUnits;
 use chordal::machine::Dimension;
 use chordal_export::{refusal_json, transformed_json};
-use chordal_rewrite::{ArcForm, Refusal, Step, Transformed, transform};
+use chordal_rewrite::{ArcForm, By, Refusal, Step, Transformed, transform};
 use clap::ValueEnum;
 
 use crate::compare;
@@ -26,9 +28,10 @@ Examples:
   chordal transform part.nc --units mm --feed 90% -o metric.nc
   chordal transform surface.nc --fit 0.01mm -o arcs.nc  chords as tangent arcs and lines
   chordal transform part.nc --shrink 8000 -o small.nc   for a control with little memory
+  chordal transform part.nc --split 32k -o part.nc      part-1.nc, part-2.nc, …: each stands by itself
 
 Steps are made in the order: units, mirror, rotate, scale, shift, feed and speed, chords, simplify,
-fit, arcs, comments, numbers, shrink. Lengths without a unit are those of the program. Each word is changed by what it means where it stands. The new
+fit, arcs, comments, numbers, shrink, split. Lengths without a unit are those of the program. Each word is changed by what it means where it stands. The new
 program is run and held against the old path, taken where it is meant to go; where that fails,
 nothing is written.
 
@@ -105,6 +108,10 @@ pub struct Args {
     #[arg(long, value_name = "BYTES")]
     shrink: Option<usize>,
 
+    /// Writes the program in parts of at most this many bytes (32000 or 32k), or one for each `tool`
+    #[arg(long, value_name = "BYTES|tool", value_parser = parted)]
+    split: Option<By>,
+
     /// Writes the new program; without it, only the difference is shown
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
@@ -149,6 +156,20 @@ fn factor(text: &str) -> Result<f64, String> {
     match number.trim().parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value / part),
         _ => Err("a factor above zero is due, as 0.9 or 90%".into()),
+    }
+}
+
+/// `32000`, `32k`, `tool`.
+fn parted(text: &str) -> Result<By, String> {
+    let lower = text.trim().to_ascii_lowercase();
+    if lower == "tool" {
+        return Ok(By::Tool);
+    }
+    let (number, times) =
+        lower.strip_suffix('k').map_or((lower.as_str(), 1), |number| (number, 1000));
+    match number.trim().parse::<usize>().ok().and_then(|number| number.checked_mul(times)) {
+        Some(bytes) if bytes > 0 => Ok(By::Bytes(bytes)),
+        _ => Err("a number of bytes is due, as 32000 or 32k, or the word `tool`".into()),
     }
 }
 
@@ -218,7 +239,7 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
         steps.push(Step::Renumber { first, step });
     }
     steps.extend(args.shrink.map(Step::Shrink));
-    if steps.is_empty() {
+    if steps.is_empty() && args.split.is_none() {
         return Err(Failure::wrong(
             "there is nothing to do",
             "say what is to change, as --shift X5; `chordal transform --help` lists it",
@@ -249,6 +270,9 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     terminal.tell(&told.unwrap_or_default());
     let units = Units::of(job.report().summary.inch);
     let steps = steps(args, units)?;
+    if let (Some(by), true) = (args.split, steps.is_empty()) {
+        return split::run(&job, by, &Asked { args, loaded: &loaded }, None);
+    }
     let done = match transform(&job, &steps) {
         Ok(done) => done,
         Err(refusal) => {
@@ -260,6 +284,10 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         }
     };
     let holds = done.certificate.holds();
+    if let (Some(by), true) = (args.split, holds || args.unproved) {
+        let new = job.with_text(done.text.clone());
+        return split::run(&new, by, &Asked { args, loaded: &loaded }, Some((&done, &job)));
+    }
     let is_written = !args.dry_run && (holds || args.unproved);
     let out = args.output.as_ref().filter(|_| is_written);
     if let Some(path) = out {
@@ -278,6 +306,12 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(if holds { Verdict::Clean } else { Verdict::Problems })
 }
 
+/// What was asked for, of which program.
+struct Asked<'a> {
+    args: &'a Args,
+    loaded: &'a Loaded,
+}
+
 /// Text has one format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Plain {
@@ -291,9 +325,13 @@ impl crate::out::Format for Plain {
 }
 
 fn refused(refusal: &Refusal, name: &str) -> String {
+    let words = match refusal.text.as_str() {
+        "" => String::new(),
+        words => format!("  | {words}\n"),
+    };
     format!(
-        "refused: {name}:{}: {}\n  | {}\n  {}\nnothing is written\n",
-        refusal.line, refusal.what, refusal.text, refusal.help
+        "refused: {name}:{}: {}\n{words}  {}\nnothing is written\n",
+        refusal.line, refusal.what, refusal.help
     )
 }
 
@@ -304,6 +342,20 @@ fn text(
     args: &Args,
     is_written: bool,
 ) -> String {
+    let mut text = difference(done, loaded, jobs);
+    let certificate = &done.certificate;
+    text += &match (&args.output, is_written, certificate.holds()) {
+        (None, _, true) => "nothing is written: -o says where\n".to_string(),
+        (Some(path), true, true) => format!("written: {}\n", path.display()),
+        (Some(path), true, false) => format!("written, though not proved: {}\n", path.display()),
+        (_, _, false) => "nothing is written: the proof fails (--unproved writes it)\n".into(),
+        (Some(_), false, true) => "nothing is written: --dry-run\n".into(),
+    };
+    text
+}
+
+/// What changes, and the proof.
+fn difference(done: &Transformed, loaded: &Loaded, jobs: [&Job; 2]) -> String {
     let difference = unified(loaded.name(), loaded.text(), &done.text);
     let mut text = if difference.is_empty() { "nothing changes\n".into() } else { difference };
     text += &format!("\n{}", counted(done.changes.len() as u64, "change", "changes"));
@@ -319,12 +371,5 @@ fn text(
     text += "proof: the new program against the path that is meant\n";
     text +=
         &compare::told(&certificate.comparison, ["meant", "new"], jobs, certificate.tolerance_mm);
-    text += &match (&args.output, is_written, certificate.holds()) {
-        (None, _, true) => "nothing is written: -o says where\n".to_string(),
-        (Some(path), true, true) => format!("written: {}\n", path.display()),
-        (Some(path), true, false) => format!("written, though not proved: {}\n", path.display()),
-        (_, _, false) => "nothing is written: the proof fails (--unproved writes it)\n".into(),
-        (Some(_), false, true) => "nothing is written: --dry-run\n".into(),
-    };
     text
 }

@@ -8,6 +8,7 @@ use chordal::control::table::{Action, Subroutines};
 use chordal::control::{Control, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal_editor::{Program, Setup};
 
 /// How a subprogram is written and called.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -56,7 +57,7 @@ pub(crate) struct Style {
 
 impl<'a> Source<'a> {
     pub fn of(job: &'a Job) -> Source<'a> {
-        let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
+        let text = first_text(job);
         let control = job.control();
         let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
         let mut blocks = Vec::new();
@@ -169,8 +170,19 @@ impl<'a> Source<'a> {
         main.clone().find(|at| !is_head(*at)).unwrap_or(main.end)
     }
 
-    fn first_at(&self, offset: u32) -> usize {
+    /// The first block that begins at a byte or behind it.
+    pub fn first_at(&self, offset: u32) -> usize {
         self.blocks.partition_point(|block| block.range.start < offset)
+    }
+
+    /// The byte that a block begins at; behind the last one the end of the text.
+    pub fn start_of(&self, at: usize) -> u32 {
+        self.blocks.get(at).map_or(self.text.len() as u32, |block| block.range.start)
+    }
+
+    /// The byte behind a block and its line end.
+    pub fn end_of(&self, at: usize) -> u32 {
+        self.start_of(at + 1)
     }
 
     /// The block at a place of the text.
@@ -233,4 +245,18 @@ fn style(text: &[u8], blocks: &[Block]) -> Style {
         }
     }
     Style { spaced: apart >= together, leading_zero: zeros > points, two_digits: two > one }
+}
+
+/// The text as an editor holds it, for the places of names.
+pub(crate) fn program(job: &Job) -> Option<Program> {
+    let texts = job.sources().iter().skip(1);
+    let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
+    let setup = Setup { beside: beside.collect(), ..Setup::of(job.machine().clone()) };
+    let name = job.sources().get(FileId(0)).map_or("", |source| source.name());
+    Program::set_up(name, first_text(job).to_vec(), setup).ok()
+}
+
+/// The program's own text.
+pub(crate) fn first_text<'a>(job: &'a Job) -> &'a [u8] {
+    job.sources().get(FileId(0)).map_or(&[], chordal::Source::text)
 }

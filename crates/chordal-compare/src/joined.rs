@@ -1,0 +1,215 @@
+//! Several runs one after the other, as one that they take the place of.
+
+use std::collections::HashMap;
+
+use chordal::control::{CallPath, Origin};
+use chordal::diagnostics::{Counts, FileId, Span, TextRange};
+use chordal::geometry::{ParamCurve, Vec3};
+use chordal::{Diagnostic, Job, Report, Severity, Summary};
+
+use crate::course::{Course, Event, Moved, Step, Way};
+use crate::{Comparison, Options, SAME_MM, conclude};
+
+/// A text that a part has from the whole, byte for byte.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kept {
+    /// Where it stands in the part.
+    pub part: TextRange,
+    /// Where it begins in the whole.
+    pub whole: u32,
+    /// Its first line in the part and in the whole, from 1.
+    pub lines: [u32; 2],
+}
+
+impl Kept {
+    /// A block of the part as one of the whole.
+    fn origin(&self, origin: &Origin) -> Option<Origin> {
+        let span = self.span(origin.span)?;
+        let line = origin.line - self.lines[0] + self.lines[1];
+        Some(Origin { span, line, call: CallPath::default(), ..*origin })
+    }
+
+    fn span(&self, span: Span) -> Option<Span> {
+        let range = span.range;
+        let is_inside =
+            span.file == FileId(0) && self.part.start <= range.start && range.end <= self.part.end;
+        let moved = |at: u32| at - self.part.start + self.whole;
+        is_inside
+            .then(|| Span { range: TextRange::new(moved(range.start), moved(range.end)), ..span })
+    }
+}
+
+/// One of the programs that are run one after the other.
+#[derive(Debug)]
+pub struct Part<'j, 't> {
+    /// Its text and machine.
+    pub job: &'j Job<'t>,
+    /// The blocks of the main program that it carries out.
+    pub body: Kept,
+    /// What else its text has from the whole: subprograms. The rest is put in to begin and to end it.
+    pub beside: Vec<Kept>,
+}
+
+impl Part<'_, '_> {
+    fn kept(&self) -> impl Iterator<Item = &Kept> {
+        self.beside.iter().chain([&self.body])
+    }
+}
+
+/// Holds parts, run one after the other, against the whole that they are made of, move by move.
+///
+/// Rapids of blocks that a part puts in are not held against anything, nor the tool that they bring into
+/// the spindle, if it is the one that was there. Where a part then comes from another place than the whole,
+/// so are the rapids before its first cut, as far as they are others. Places of the differences
+/// are those of the whole.
+pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
+    let options = Options { in_step: true, ..options.clone() };
+    let found = joined(whole, parts, &options);
+    // All begin at the same place.
+    let nothing_known = found.max_distance_mm.is_none() && found.moves != [0, 0];
+    if nothing_known && !options.assume_known {
+        return joined(whole, parts, &Options { assume_known: true, ..options });
+    }
+    found
+}
+
+fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
+    let mut a = Course::of(whole, options, None);
+    let begins = begins(&a, parts);
+    let mut b =
+        Course { steps: Vec::new(), states: Vec::new(), turns: Vec::new(), report: empty() };
+    for (part, of_a) in parts.iter().zip(begins) {
+        let of_b = b.steps.len();
+        join(&mut b, part, options);
+        if of_b > 0 {
+            arrive([&mut a, &mut b], [of_a, of_b], options.tolerance_mm.max(SAME_MM));
+        }
+    }
+    conclude([whole, whole], a, b, options)
+}
+
+/// The steps of the whole at which its parts begin: behind the last one that a block before them makes.
+fn begins(whole: &Course, parts: &[Part]) -> Vec<usize> {
+    let calls = whole.report.outcomes.first().map(|outcome| &outcome.calls);
+    let mut callers: HashMap<CallPath, u32> = HashMap::new();
+    let mut begins = vec![0; parts.len()];
+    for (at, step) in whole.steps.iter().enumerate() {
+        let Origin { call, span, .. } = *step.origin();
+        let block = if call == CallPath::default() {
+            span.range.start
+        } else {
+            *callers.entry(call).or_insert_with(|| {
+                let blocks = calls.map(|calls| calls.resolve(call)).unwrap_or_default();
+                blocks.last().map_or(u32::MAX, |outermost| outermost.range.start)
+            })
+        };
+        let begun = parts.partition_point(|part| part.body.whole <= block);
+        for begin in &mut begins[begun..] {
+            *begin = at + 1;
+        }
+    }
+    begins
+}
+
+/// What nothing that was run found.
+fn empty() -> Report {
+    Report {
+        summary: Summary::default(),
+        diagnostics: Vec::new(),
+        dropped: Vec::new(),
+        counts: Counts::default(),
+        output: Vec::new(),
+        outcomes: Vec::new(),
+    }
+}
+
+/// Puts the run of a part behind those before it.
+fn join(joined: &mut Course, part: &Part, options: &Options) {
+    let run = Course::of(part.job, options, None);
+    let (states, turns) = (joined.states.len() as u32, joined.turns.len() as u32);
+    joined.states.extend(run.states);
+    joined.turns.extend(run.turns);
+    for step in run.steps {
+        let origin = *step.origin();
+        let kept = part.kept().find_map(|kept| kept.origin(&origin));
+        let is_own = kept.is_none() && origin.span.file == FileId(0);
+        let origin = kept.unwrap_or(origin);
+        match step {
+            Step::Move(moved) if is_own && moved.way != Way::Cut => {}
+            Step::Move(mut moved) => {
+                moved.state += states;
+                moved.turn += turns;
+                joined.steps.push(Step::Move(Moved { origin, ..moved }));
+            }
+            Step::Event { what: Event::Tool(number), .. }
+                if is_own && tool(joined) == Some(number) => {}
+            Step::Event { what, .. } => joined.steps.push(Step::Event { what, origin }),
+        }
+    }
+    join_reports(&mut joined.report, run.report, part);
+}
+
+/// The tool in the spindle behind the last step.
+fn tool(course: &Course) -> Option<u32> {
+    course.steps.iter().rev().find_map(|step| match step {
+        Step::Event { what: Event::Tool(number), .. } => Some(*number),
+        _ => None,
+    })
+}
+
+fn join_reports(joined: &mut Report, report: Report, part: &Part) {
+    let errors = report.diagnostics.into_iter().filter(|one| one.severity == Severity::Error);
+    joined.diagnostics.extend(errors.map(|mut one: Diagnostic| {
+        let span = part.kept().find_map(|kept| kept.span(one.primary.span));
+        one.primary.span = span.unwrap_or(Span { range: TextRange::new(0, 0), ..one.primary.span });
+        one
+    }));
+    joined.counts.errors += report.counts.errors;
+    joined.dropped.extend(report.dropped);
+    joined.output.extend(report.output);
+}
+
+/// The last of the moves before the first cut that both do not make alike is where the part comes from
+/// elsewhere: that one and those before it are left out, where the cut begins at one place.
+fn arrive(courses: [&mut Course; 2], begins: [usize; 2], tolerance_mm: f64) {
+    let [a, b] = courses;
+    let (Some(one), Some(other)) = (approach(a, begins[0]), approach(b, begins[1])) else { return };
+    let apart = |a: Vec3, b: Vec3| (a - b).length() > tolerance_mm;
+    if apart(one.cut_from, other.cut_from) {
+        return;
+    }
+    let ends = |course: &Course, at: usize| {
+        course.moved(at).map(|moved| [moved.curve.start(), moved.curve.end()])
+    };
+    let is_alike = |(at, of): &(&usize, &usize)| {
+        let (Some(one), Some(other)) = (ends(a, **at), ends(b, **of)) else { return false };
+        !apart(one[0], other[0]) && !apart(one[1], other[1])
+    };
+    let alike = one.rapids.iter().rev().zip(other.rapids.iter().rev()).take_while(is_alike).count();
+    for (course, rapids) in [(a, one.rapids), (b, other.rapids)] {
+        for at in &rapids[..rapids.len() - alike] {
+            if let Some(Step::Move(moved)) = course.steps.get_mut(*at) {
+                moved.known = false;
+            }
+        }
+    }
+}
+
+/// The rapids before a cut, by their steps.
+struct Approach {
+    cut_from: Vec3,
+    rapids: Vec<usize>,
+}
+
+/// The way to the first cut from a step on.
+fn approach(course: &Course, from: usize) -> Option<Approach> {
+    let mut rapids = Vec::new();
+    for at in from..course.steps.len() {
+        let Some(moved) = course.moved(at) else { continue };
+        if moved.way == Way::Cut {
+            return Some(Approach { cut_from: moved.curve.start(), rapids });
+        }
+        rapids.push(at);
+    }
+    None
+}

@@ -1,0 +1,224 @@
+//! A long program as several, each of which stands by itself.
+//!
+//! `points` finds where the tool stands clear and nothing is open, `open` where what one part sets or
+//! begins another would need, `standing` what is in force there, `text` writes the parts. The parts, run one
+//! after the other, are held against the whole; a place behind which something else happens is given up.
+
+mod open;
+mod points;
+mod standing;
+mod text;
+
+use chordal::Job;
+use chordal_compare::{Comparison, Difference, Options, compare_joined};
+
+use self::points::{Kind, Point, Survey};
+use self::text::Writer;
+use crate::source::Source;
+use crate::{Certificate, Refusal};
+
+/// So many places are given up before the parts are told as not proved.
+const MOST_TRIES: usize = 12;
+
+/// Where a program is parted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// So that no part has more bytes.
+    Bytes(usize),
+    /// Before every tool change.
+    Tool,
+}
+
+/// One of the programs.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its text.
+    pub text: Vec<u8>,
+    /// The lines of the whole that it carries out, first and last.
+    pub lines: [u32; 2],
+    /// Its O number, where the whole has one.
+    pub number: Option<u32>,
+    /// The lines that are put in so that it begins as the whole stood there.
+    pub begin: Vec<String>,
+    /// It begins with a tool change; otherwise where the tool stands clear of all cuts.
+    pub at_tool_change: bool,
+}
+
+/// A program in parts.
+#[derive(Debug)]
+pub struct Split {
+    /// In order.
+    pub parts: Vec<Part>,
+    /// What is to be known beside it.
+    pub notes: Vec<String>,
+    /// The parts, run one after the other, against the whole.
+    pub certificate: Certificate,
+}
+
+/// Parts the main program of a job's first text.
+///
+/// # Errors
+/// A stretch that has no place where it can be parted, with its lines.
+pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
+    let source = Source::of(job);
+    let [main] = source.mains.as_slice() else {
+        let count = source.mains.len();
+        return Err(refusal(
+            1,
+            format!("the file has {count} main programs"),
+            "part a file that has one",
+        ));
+    };
+    let mut survey = Survey::of(job, &source, main);
+    let open = open::stretches(job, &source, main);
+    survey.points.retain(|point| !open.iter().any(|open| open.holds(source.start_of(point.at))));
+    let mut given_up = Vec::new();
+    loop {
+        let made = parts(job, &source, &survey, by);
+        let (parts, rounded_mm) = made.map_err(|mut refusal| {
+            for note in notes(&given_up) {
+                refusal.what += &format!("; {note}");
+            }
+            refusal
+        })?;
+        let comparison = prove(job, &parts, rounded_mm);
+        let certificate = Certificate {
+            comparison,
+            expected: Vec::new(),
+            tolerance_mm: rounded_mm,
+            tool_center: None,
+        };
+        let differences = &certificate.comparison.differences;
+        let begin = differences.iter().find_map(|difference| begin_before(difference, &parts));
+        let Some(begin) = begin.filter(|_| given_up.len() < MOST_TRIES) else {
+            let parts = parts.into_iter().map(|(part, _)| part).collect();
+            return Ok(Split { parts, notes: notes(&given_up), certificate });
+        };
+        survey.points.retain(|point| source.blocks[point.at].line != begin);
+        given_up.push(begin);
+    }
+}
+
+fn notes(given_up: &[u32]) -> Vec<String> {
+    given_up
+        .iter()
+        .map(|line| format!("not parted before line {line}: what follows would not be the same"))
+        .collect()
+}
+
+/// The first line of the part that something differs in: what differs follows from how it begins.
+fn begin_before(difference: &Difference, parts: &[(Part, text::Kept)]) -> Option<u32> {
+    // What one of the two lacks is told behind the block before it.
+    let line = difference.blocks.iter().flatten().map(|blocks| blocks.first.line).max()?;
+    parts.iter().skip(1).map(|(part, _)| part.lines[0]).rfind(|from| *from <= line)
+}
+
+fn refusal(line: u32, what: String, help: &str) -> Refusal {
+    Refusal { line, text: String::new(), what, help: help.into() }
+}
+
+/// The parts with the text that each has from the whole, and by how much places were rounded, mm.
+type Parts = (Vec<(Part, text::Kept)>, f64);
+
+fn parts(job: &Job, source: &Source, survey: &Survey, by: By) -> Result<Parts, Refusal> {
+    // Tools that cut nothing are no parts of their own.
+    let tools = || -> Vec<Point> {
+        let mut points: Vec<Point> = survey.points.to_vec();
+        points.retain(|point| point.kind == Kind::ToolChange);
+        points.dedup_by_key(|point| point.cuts);
+        points
+    };
+    // What the first part and the others have beside their blocks is known once they are written.
+    let mut beside = [0; 2];
+    loop {
+        let chosen = match by {
+            By::Tool => tools(),
+            By::Bytes(most) => choose(source, survey, most, beside)?,
+        };
+        let standing = standing::at(job, source, &chosen);
+        let writer = Writer::new(job, source, survey);
+        let (parts, rounded_mm) = writer.parts(&chosen, &standing);
+        let By::Bytes(most) = by else { return Ok((parts, rounded_mm)) };
+        let over = |part: &(Part, text::Kept)| part.0.text.len().saturating_sub(most);
+        let first = parts.first().map_or(0, over);
+        let others = parts.iter().skip(1).map(over).max().unwrap_or(0);
+        if first == 0 && others == 0 {
+            return Ok((parts, rounded_mm));
+        }
+        beside = [beside[0] + first, beside[1] + others];
+    }
+}
+
+/// The fewest places between which there are no more bytes, those before tool changes preferred where a
+/// part is at least half full then.
+fn choose(
+    source: &Source,
+    survey: &Survey,
+    most: usize,
+    beside: [usize; 2],
+) -> Result<Vec<Point>, Refusal> {
+    let mut chosen: Vec<Point> = Vec::new();
+    let end = source.end_of(survey.end);
+    let mut from = 0;
+    loop {
+        let beside = beside[usize::from(from > 0)];
+        if (end - from) as usize + beside <= most {
+            return Ok(chosen);
+        }
+        let room = most.saturating_sub(beside);
+        let at = |point: &Point| source.start_of(point.at);
+        let ahead = || survey.points.iter().filter(|point| at(point) > from && at(point) < end);
+        let fits = |point: &&Point| (at(point) - from) as usize <= room;
+        let is_half = |point: &&Point| (at(point) - from) as usize * 2 >= room;
+        let tool = ahead().take_while(fits).filter(is_half);
+        let tool = tool.filter(|point| point.kind == Kind::ToolChange).last();
+        // Near the end of the room the highest one is the safest, and of several of one height the last.
+        let is_near = |point: &&Point| (at(point) - from) as usize * 10 >= room * 9;
+        let clear = || ahead().take_while(fits);
+        let highest = || clear().filter(is_near).max_by(|a, b| a.height.0.total_cmp(&b.height.0));
+        let Some(next) = tool.or_else(highest).or_else(|| clear().last()) else {
+            let line = source.blocks[source.first_at(from)].line;
+            let (what, help) = match ahead().next() {
+                Some(point) => {
+                    let to = source.blocks[point.at].line;
+                    let bytes = (at(point) - from) as usize + beside;
+                    let what = format!(
+                        "from line {line} to line {} there is no place to part the program: a part \
+                         would have {bytes} bytes, {} more than allowed",
+                        to - 1,
+                        bytes - most
+                    );
+                    (what, "allow larger parts, or retract above all cuts in between")
+                }
+                None => (
+                    format!(
+                        "from line {line} on there is no place to part the program, whose rest has {} \
+                         bytes: neither a tool change nor a place where the tool stands above all cuts \
+                         and nothing is open",
+                        (end - from) as usize + beside
+                    ),
+                    "retract above all cuts in between, with G40 and G80 in force and outside of loops; \
+                     what sets variables must stand with what uses them",
+                ),
+            };
+            return Err(refusal(line, what, help));
+        };
+        from = at(next);
+        chosen.push(*next);
+    }
+}
+
+fn prove(job: &Job, parts: &[(Part, text::Kept)], rounded_mm: f64) -> Comparison {
+    let jobs: Vec<Job> = parts.iter().map(|(part, _)| job.with_text(part.text.clone())).collect();
+    let parts: Vec<chordal_compare::Part> = parts
+        .iter()
+        .zip(&jobs)
+        .map(|((_, kept), job)| chordal_compare::Part {
+            job,
+            body: kept.body.clone(),
+            beside: kept.beside.clone(),
+        })
+        .collect();
+    let options = Options { tolerance_mm: rounded_mm, ..Options::default() };
+    compare_joined(job, &parts, &options)
+}

@@ -1,0 +1,90 @@
+//! Stretches of the text that belong together whatever the run does: loops, jumps, variables.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use chordal::Job;
+use chordal::syntax::BlockKind;
+use chordal_editor::{Name, Occurrence, Role};
+
+use crate::source::{Source, program};
+
+/// Variables from this number on are the control's own.
+const FIRST_SYSTEM_VARIABLE: u32 = 1000;
+
+/// From a byte to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Stretch {
+    from: u32,
+    to: u32,
+}
+
+impl Stretch {
+    /// True when a text parted before this byte would part it.
+    pub(super) fn holds(&self, at: u32) -> bool {
+        self.from < at && at <= self.to
+    }
+}
+
+/// All that must not be parted in the main program.
+pub(super) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<Stretch> {
+    let mut stretches = loops(source, main);
+    let Some(program) = program(job) else { return stretches };
+    let mut places: HashMap<Name, Vec<Occurrence>> = HashMap::new();
+    for place in program.occurrences() {
+        places.entry(place.name.clone()).or_default().push(place);
+    }
+    stretches.extend(places.iter().filter_map(|(name, places)| match name {
+        // Every part has the programs that it calls.
+        Name::Program(_) => None,
+        Name::Variable { name, .. } => variable(name, places),
+        Name::Subroutine(_) => whole(places),
+        Name::Label { .. } | Name::LineLabel(_) => {
+            let is_used = places.iter().any(|place| place.role == Role::Use);
+            let is_sub = places.iter().any(|place| {
+                let at = source.first_at(place.range.end).saturating_sub(1);
+                place.role == Role::Definition && source.sub_of(at).is_some()
+            });
+            if is_used && !is_sub { whole(places) } else { None }
+        }
+    }));
+    stretches
+}
+
+fn whole(places: &[Occurrence]) -> Option<Stretch> {
+    let from = places.iter().map(|place| place.range.start).min()?;
+    let to = places.iter().map(|place| place.range.start).max()?;
+    (from < to).then_some(Stretch { from, to })
+}
+
+/// From where a variable gets its first value to where it is used last. The values of the control's own
+/// variables act without being named.
+fn variable(name: &str, places: &[Occurrence]) -> Option<Stretch> {
+    let given = places.iter().filter(|place| place.role == Role::Definition);
+    let from = given.map(|place| place.range.start).min()?;
+    let number = name.trim_start_matches(|letter: char| !letter.is_ascii_digit()).parse::<u32>();
+    let is_system = number.is_ok_and(|number| number >= FIRST_SYSTEM_VARIABLE);
+    let used = places.iter().filter(|place| place.role == Role::Use);
+    let to = used.map(|place| place.range.start).max();
+    let to = if is_system { Some(u32::MAX) } else { to };
+    to.map(|to| Stretch { from, to })
+}
+
+/// From `DO` to `END`.
+fn loops(source: &Source, main: &Range<usize>) -> Vec<Stretch> {
+    let mut open = Vec::new();
+    let mut stretches = Vec::new();
+    for block in &source.blocks[main.clone()] {
+        let BlockKind::Macro(range) = block.kind else { continue };
+        let words = range.slice(source.text).to_ascii_uppercase();
+        let begins = |word: &[u8]| words.trim_ascii_start().starts_with(word);
+        if begins(b"WHILE") || begins(b"DO") {
+            open.push(block.range.start);
+        } else if begins(b"END")
+            && let Some(from) = open.pop()
+        {
+            stretches.push(Stretch { from, to: block.range.start });
+        }
+    }
+    stretches
+}

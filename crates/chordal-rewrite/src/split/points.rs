@@ -1,0 +1,249 @@
+//! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use chordal::control::table::{Action, Group};
+use chordal::control::{CallPath, Modal, Origin, Side};
+use chordal::syntax::Block;
+use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
+
+use crate::source::{Source, code_action};
+
+/// What makes a place safe.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// A tool change follows.
+    ToolChange,
+    /// The tool is above all cuts of its work offset.
+    Clear,
+}
+
+/// A place between two blocks of the main program.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Point {
+    /// The block behind it.
+    pub(super) at: usize,
+    /// How many blocks were carried out before it.
+    pub(super) ran: u32,
+    pub(super) kind: Kind,
+    /// Where the tool stands, mm, and in which work offset.
+    pub(super) height: (f64, u32),
+    /// How many cuts were made before it.
+    pub(super) cuts: u32,
+}
+
+/// A run, as far as parting it goes.
+#[derive(Debug)]
+pub(super) struct Survey {
+    /// In order, each once.
+    pub(super) points: Vec<Point>,
+    /// The last block of the main program that was carried out.
+    pub(super) end: usize,
+    /// How many cuts it makes.
+    pub(super) cuts: u32,
+    /// By subprogram: the blocks of the main program that carry it out, in order.
+    pub(super) users: Vec<Vec<usize>>,
+}
+
+impl Survey {
+    pub(super) fn of(job: &Job, source: &Source, main: &Range<usize>) -> Survey {
+        let mut walk = Walk {
+            source,
+            control: job.control(),
+            main: main.clone(),
+            survey: Survey {
+                points: Vec::new(),
+                end: main.start,
+                cuts: 0,
+                users: vec![Vec::new(); source.subs.len()],
+            },
+            ran: 0,
+            cuts: HashMap::new(),
+            lowest: None,
+            open: Open::default(),
+            settled: false,
+        };
+        job.run(&mut walk);
+        let Walk { mut survey, cuts, .. } = walk;
+        let all = survey.cuts;
+        survey.points.retain(|point| point.cuts > 0 && point.cuts < all);
+        // Between a tool change and the first cut, the change would be made twice.
+        let mut changed = None;
+        survey.points.retain(|point| {
+            let is_change = point.kind == Kind::ToolChange;
+            changed = if is_change { Some(point.cuts) } else { changed };
+            is_change || changed != Some(point.cuts)
+        });
+        survey.points.retain(|point| {
+            let (height, work) = point.height;
+            let highest = cuts.get(&work).copied().unwrap_or(f64::NEG_INFINITY);
+            point.kind == Kind::ToolChange || height > highest
+        });
+        survey
+    }
+}
+
+/// What keeps a program from being parted for as long as it lasts.
+#[derive(Debug, Default)]
+struct Open {
+    /// G52, G92: where the program's zero lies is not said again.
+    shift: bool,
+    /// A modal macro call.
+    call: bool,
+    /// A code that Chordal does not carry out may be in force.
+    unknown: bool,
+    /// Offsets were written by increments.
+    data: bool,
+}
+
+struct Walk<'s, 'a> {
+    source: &'s Source<'a>,
+    control: &'s Control,
+    main: Range<usize>,
+    survey: Survey,
+    ran: u32,
+    /// By work offset: the highest place of a cut, but for those that lead straight up.
+    cuts: HashMap<u32, f64>,
+    /// The same in the block under way.
+    lowest: Option<f64>,
+    open: Open,
+    /// Neither compensation nor a cycle was in force behind the last block.
+    settled: bool,
+}
+
+impl Walk<'_, '_> {
+    /// Notes what a block opens and closes.
+    fn follow(&mut self, block: &Block) {
+        for word in &block.words {
+            let Some(row) = self.control.row_of(word) else { continue };
+            match row.action {
+                Action::LocalShift | Action::PresetPosition | Action::RestorePreset => {
+                    let axes = block.words.iter().filter(|word| b"XYZABC".contains(&word.letter));
+                    let is_zero = |number: chordal::syntax::Decimal| number.is_zero();
+                    let ends = row.action == Action::LocalShift
+                        && axes.clone().count() > 0
+                        && axes.clone().all(|word| word.number().is_some_and(is_zero));
+                    self.open.shift = !ends;
+                }
+                Action::ClearPreset { .. } => self.open.shift = false,
+                Action::ModalMacroCall { .. } | Action::ModalSubroutine => self.open.call = true,
+                Action::ModalCallOff => self.open.call = false,
+                Action::NotSimulated | Action::ShopCode
+                    if !matches!(row.group, Group::OneShot | Group::Auxiliary) =>
+                {
+                    self.open.unknown = true;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn is_closed(&self) -> bool {
+        let Open { shift, call, unknown, data } = self.open;
+        !(shift || call || unknown || data)
+    }
+
+    /// The place before a tool change, remarks before it included.
+    fn before(&mut self, at: usize, modal: &Modal) {
+        let is_remark = |at: &usize| {
+            let block = &self.source.blocks[*at];
+            block.words.is_empty() && block.kind == chordal::syntax::BlockKind::Words
+        };
+        let remarks = (self.main.start..at).rev().take_while(is_remark).count();
+        let at = at - remarks;
+        self.forget(at);
+        if self.settled && self.is_closed() && self.ran > 0 {
+            let height = (f64::INFINITY, modal.work.ordinal());
+            let (ran, cuts) = (self.ran, self.survey.cuts);
+            self.survey.points.push(Point { at, ran, kind: Kind::ToolChange, height, cuts });
+        }
+    }
+
+    /// Takes back the places from a block on.
+    fn forget(&mut self, from: usize) {
+        while self.survey.points.last().is_some_and(|point| point.at >= from) {
+            self.survey.points.pop();
+        }
+    }
+
+    fn behind(&mut self, at: usize, modal: &Modal) {
+        self.forget(at + 1);
+        let is_known = (0..3).all(|axis| modal.known.has(axis));
+        if is_known && self.settled && self.is_closed() && at + 1 < self.main.end {
+            let height = (modal.position[2], modal.work.ordinal());
+            let (ran, cuts) = (self.ran + 1, self.survey.cuts);
+            self.survey.points.push(Point { at: at + 1, ran, kind: Kind::Clear, height, cuts });
+        }
+    }
+}
+
+impl Sink for Walk<'_, '_> {
+    fn command(&mut self, command: &Command) {
+        if matches!(command.kind, CommandKind::Rapid { .. }) {
+            return;
+        }
+        let Some(motion) = command.kind.motion() else { return };
+        self.survey.cuts += 1;
+        let leads_up = motion.from[..2] == motion.to[..2]
+            && motion.to[2] > motion.from[2]
+            && command.kind.shape().is_none();
+        if !leads_up {
+            let height = self.lowest.unwrap_or(f64::NEG_INFINITY);
+            self.lowest = Some(height.max(motion.to[2]));
+        }
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        let modal = modal();
+        if let Some(height) = self.lowest.take() {
+            let highest = self.cuts.entry(modal.work.ordinal()).or_insert(f64::NEG_INFINITY);
+            *highest = highest.max(height);
+        }
+        let block = self.source.block_at(origin.span);
+        let is_main = origin.call == CallPath::default();
+        if let Some(at) = block {
+            let block = &self.source.blocks[at];
+            if is_main && self.main.contains(&at) {
+                let changes = block
+                    .words
+                    .iter()
+                    .any(|word| code_action(word, self.control) == Some(Action::ToolChange));
+                if changes {
+                    self.before(at, &modal);
+                }
+            }
+            self.follow(block);
+            self.open.data |= modal.incremental
+                && self.source.has_action(at, self.control, |action| action == Action::SetData);
+        }
+        self.settled = modal.side == Side::Off && modal.cycle.is_none();
+        match block {
+            Some(at) if is_main && self.main.contains(&at) => {
+                self.behind(at, &modal);
+                self.survey.end = self.survey.end.max(at);
+            }
+            Some(at) => {
+                // The place behind the calling block lies within the call.
+                self.survey
+                    .points
+                    .pop_if(|point| point.kind == Kind::Clear && point.ran == self.ran);
+                let main = self.survey.end;
+                if let Some(sub) = self.source.sub_of(at) {
+                    let users = &mut self.survey.users[sub];
+                    if users.last() != Some(&main) {
+                        users.push(main);
+                    }
+                }
+            }
+            None => {}
+        }
+        self.ran += 1;
+    }
+}

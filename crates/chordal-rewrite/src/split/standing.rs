@@ -1,0 +1,180 @@
+//! What is in force at a place of a run, and how the program has said it.
+
+use std::collections::BTreeMap;
+
+use chordal::control::table::{Action, Group};
+use chordal::control::{Modal, Origin};
+use chordal::syntax::{Block, Word};
+use chordal::{Command, Control, Diagnostic, Job, Sink};
+
+use super::points::Point;
+use crate::source::Source;
+
+/// What holds before a block.
+#[derive(Clone, Debug)]
+pub(super) struct Standing {
+    pub(super) modal: Modal,
+    pub(super) said: Said,
+}
+
+/// What the program has said so far and what still counts, in its own words.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Said {
+    /// By what they decide about: codes that need no other words.
+    pub(super) codes: BTreeMap<Slot, String>,
+    /// Codes with words of their own, which stand on lines of their own.
+    pub(super) lines: BTreeMap<Slot, String>,
+    /// A work offset was chosen.
+    pub(super) work: bool,
+    /// The code beside H (G43).
+    pub(super) length: Option<String>,
+    /// The last H word.
+    pub(super) h: Option<String>,
+    /// The words of the last tool change.
+    pub(super) tool: Option<String>,
+    /// The code that started the spindle.
+    pub(super) spindle: Option<String>,
+    /// A speed was given.
+    pub(super) speed: bool,
+    /// The codes of coolant that is on.
+    pub(super) coolant: Vec<String>,
+    /// Blocks that wrote offsets.
+    pub(super) data: Vec<String>,
+    /// The code that ends the program.
+    pub(super) end: Option<String>,
+}
+
+/// What a code decides about, in the order in which programs say it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Slot {
+    Units,
+    Plane,
+    Distance,
+    ArcDistance,
+    Compensation,
+    Cycle,
+    FeedMode,
+    ReturnLevel,
+    PathMode,
+    FeedRamp,
+    Smoothness,
+    LookAhead(u8),
+    Overrides,
+}
+
+fn slot(group: Group, action: Action) -> Option<Slot> {
+    Some(match (action, group) {
+        (Action::Smoothness, _) => Slot::Smoothness,
+        (Action::LookAhead { letter, .. }, _) => Slot::LookAhead(letter),
+        (Action::Overrides { .. } | Action::OverridesByP, _) => Slot::Overrides,
+        (Action::CompensationOff, _) => Slot::Compensation,
+        (Action::CancelCycle, _) => Slot::Cycle,
+        (_, Group::Units) => Slot::Units,
+        (_, Group::Plane) => Slot::Plane,
+        (_, Group::Distance) => Slot::Distance,
+        (_, Group::ArcDistance) => Slot::ArcDistance,
+        (_, Group::FeedMode) => Slot::FeedMode,
+        (_, Group::ReturnLevel) => Slot::ReturnLevel,
+        (_, Group::PathMode) => Slot::PathMode,
+        (_, Group::FeedRamp) => Slot::FeedRamp,
+        _ => return None,
+    })
+}
+
+impl Said {
+    fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
+        let text =
+            |word: &Word| String::from_utf8_lossy(word.range.slice(source.text)).into_owned();
+        let gap = if source.style.spaced { " " } else { "" };
+        let beside = |own: &Word, letters: &dyn Fn(u8) -> bool| -> Vec<String> {
+            let words = block.words.iter().filter(|word| {
+                word.range == own.range || (letters(word.letter) && word.number().is_some())
+            });
+            words.map(text).collect()
+        };
+        self.work |= control.table.work_offset_by_e && block.word(b'E').is_some();
+        self.speed |= block.word(b'S').is_some();
+        self.h = block.word(b'H').map(text).or(self.h.take());
+        for word in &block.words {
+            let Some(row) = control.row_of(word) else { continue };
+            if let Some(slot) = slot(row.group, row.action) {
+                let words = beside(word, &|letter| row.words.has(letter));
+                self.codes.remove(&slot);
+                self.lines.remove(&slot);
+                let has_own_line = words.len() > 1 || word.letter == b'M';
+                let slots = if has_own_line { &mut self.lines } else { &mut self.codes };
+                slots.insert(slot, words.join(gap));
+                continue;
+            }
+            match row.action {
+                Action::WorkOffset(_)
+                | Action::WorkOffsetPoint(_)
+                | Action::WorkOffsetExtended
+                | Action::WorkOffsetNumbered(_) => self.work = true,
+                Action::LengthPlus | Action::LengthMinus => self.length = Some(text(word)),
+                Action::ToolChange => {
+                    let words = beside(word, &|letter| letter == b'T');
+                    self.tool = Some(words.join(gap));
+                    self.coolant.clear();
+                }
+                Action::SpindleCw | Action::SpindleCcw => self.spindle = Some(text(word)),
+                Action::CoolantMist | Action::CoolantFlood | Action::CoolantThroughTool => {
+                    let code = text(word);
+                    self.coolant.retain(|said| *said != code);
+                    self.coolant.push(code);
+                }
+                Action::CoolantThroughToolOff => self.coolant.retain(|said| {
+                    !control.table.m_codes.iter().any(|row| {
+                        row.action == Action::CoolantThroughTool && row.name(b'M') == *said
+                    })
+                }),
+                Action::CoolantOff => self.coolant.clear(),
+                Action::SetData => {
+                    let number = block.word(b'N').map_or(block.range.start, |word| word.range.end);
+                    let words = &source.text[number as usize..block.range.end as usize];
+                    self.data.push(String::from_utf8_lossy(words).trim().to_string());
+                }
+                Action::ProgramEnd { .. } => self.end = Some(text(word)),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// What holds at places, in the order of the run.
+pub(super) fn at(job: &Job, source: &Source, points: &[Point]) -> Vec<Standing> {
+    let (control, said) = (job.control(), Said::default());
+    let mut walk = Walk { source, control, points, said, ran: 0, standing: Vec::new() };
+    job.run(&mut walk);
+    walk.standing
+}
+
+struct Walk<'s, 'a> {
+    source: &'s Source<'a>,
+    control: &'s Control,
+    points: &'s [Point],
+    said: Said,
+    ran: u32,
+    standing: Vec<Standing>,
+}
+
+impl Sink for Walk<'_, '_> {
+    fn command(&mut self, _: &Command) {}
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        if let Some(at) = self.source.block_at(origin.span) {
+            self.said.follow(self.source, self.control, &self.source.blocks[at]);
+        }
+        self.ran += 1;
+        let next = self.points.get(self.standing.len());
+        if next.is_some_and(|point| point.ran == self.ran) {
+            self.standing.push(Standing { modal: modal(), said: self.said.clone() });
+        }
+    }
+}

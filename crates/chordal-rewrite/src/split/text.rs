@@ -1,0 +1,344 @@
+//! The parts as texts.
+
+use chordal::control::table::Action;
+use chordal::control::{Modal, SpindleState, Units};
+use chordal::diagnostics::TextRange;
+use chordal::syntax::Block;
+use chordal::{Control, Job};
+
+use super::points::{Kind, Point, Survey};
+use super::standing::{Slot, Standing};
+use super::{Part, Parts};
+use crate::convert::codes;
+use crate::convert::numbers::{digits, length, plain};
+use crate::source::{Form, Source};
+
+/// Decimals of rotary axes, and the most of all others.
+const MOST_DECIMALS: usize = 6;
+
+/// What a part has from the whole.
+#[derive(Clone, Debug)]
+pub(super) struct Kept {
+    pub(super) body: chordal_compare::Kept,
+    pub(super) beside: Vec<chordal_compare::Kept>,
+}
+
+/// Writes parts.
+pub(super) struct Writer<'w, 'a> {
+    source: &'w Source<'a>,
+    control: &'w Control,
+    survey: &'w Survey,
+    line_end: &'static str,
+    /// The blocks before the first of the main program: head, remarks, `L` sections.
+    first: usize,
+    /// Numbers that programs of the job have.
+    taken: Vec<u32>,
+}
+
+/// A part that is being written.
+#[derive(Default)]
+struct Draft {
+    text: Vec<u8>,
+    lines: u32,
+    beside: Vec<chordal_compare::Kept>,
+}
+
+impl Draft {
+    /// A line that is put in.
+    fn line(&mut self, words: &str, line_end: &str) {
+        self.text.extend_from_slice(words.as_bytes());
+        self.text.extend_from_slice(line_end.as_bytes());
+        self.lines += 1;
+    }
+
+    /// Blocks of the whole.
+    fn keep(&mut self, source: &Source, blocks: std::ops::Range<usize>) -> chordal_compare::Kept {
+        let (from, to) = (source.start_of(blocks.start), source.start_of(blocks.end));
+        let start = self.text.len() as u32;
+        let text = TextRange::new(from, to).slice(source.text);
+        self.text.extend_from_slice(text);
+        let first = source.blocks.get(blocks.start).map_or(1, |block| block.line);
+        let kept = chordal_compare::Kept {
+            part: TextRange::new(start, start + (to - from)),
+            whole: from,
+            lines: [self.lines + 1, first],
+        };
+        self.lines += text.iter().filter(|byte| **byte == b'\n').count() as u32;
+        if !text.is_empty() && !text.ends_with(b"\n") {
+            self.line("", "\n");
+        }
+        kept
+    }
+}
+
+impl<'w, 'a> Writer<'w, 'a> {
+    pub(super) fn new(job: &'w Job, source: &'w Source<'a>, survey: &'w Survey) -> Writer<'w, 'a> {
+        let main = &source.mains[0];
+        let behind_sections = source.section_end.map_or(main.start, |end| end + 1);
+        let words = |at: &usize| {
+            let block = &source.blocks[*at];
+            !block.words.is_empty() && !source.heads.contains(at)
+        };
+        let first = (behind_sections..main.end).find(words).unwrap_or(main.end);
+        let crlf = source.text.windows(2).any(|pair| pair == b"\r\n");
+        let taken = job.programs().iter().filter_map(|program| program.head.number).collect();
+        let line_end = if crlf { "\r\n" } else { "\n" };
+        Writer { source, control: job.control(), survey, line_end, first, taken }
+    }
+
+    /// The parts between places, and by how much places that are said again were rounded, mm.
+    pub(super) fn parts(&self, points: &[Point], standing: &[Standing]) -> Parts {
+        let count = points.len() + 1;
+        let end = self.survey.end + 1;
+        let (mut parts, mut rounded_mm) = (Vec::new(), 0.0f64);
+        for index in 0..count {
+            let from = index.checked_sub(1).map(|before| points[before]);
+            let to = points.get(index).map_or(end, |point| point.at);
+            let blocks = from.map_or(0, |point| point.at)..to;
+            let begin = from.map(|point| self.begin(&standing[index - 1], point, &mut rounded_mm));
+            let number = self.number(index);
+            let begin = begin.unwrap_or_default();
+            let mut draft = Draft::default();
+            if index > 0 {
+                self.head(&mut draft, number, [index + 1, count], blocks.clone());
+                for line in &begin {
+                    draft.line(line, self.line_end);
+                }
+            }
+            let body = draft.keep(self.source, blocks.clone());
+            if let Some(standing) = standing.get(index) {
+                for line in self.end(standing) {
+                    draft.line(&line, self.line_end);
+                }
+            }
+            self.tail(&mut draft, end, &blocks);
+            let line = |at: usize| self.source.blocks.get(at).map_or(1, |block| block.line);
+            let part = Part {
+                text: draft.text,
+                lines: [line(blocks.start), line(blocks.end.saturating_sub(1))],
+                number,
+                begin,
+                at_tool_change: from.is_some_and(|point| point.kind == Kind::ToolChange),
+            };
+            parts.push((part, Kept { body, beside: draft.beside }));
+        }
+        (parts, rounded_mm)
+    }
+
+    /// The number of a part: those behind that of the whole which nothing has.
+    fn number(&self, index: usize) -> Option<u32> {
+        let head = *self.source.heads.iter().find(|at| self.source.mains[0].contains(at))?;
+        let own = crate::source::whole(self.source.blocks[head].word(b'O'))?;
+        let free = (own + 1..).filter(|number| !self.taken.contains(number));
+        std::iter::once(own).chain(free).nth(index)
+    }
+
+    /// Head, remarks and `L` sections, as in the whole, with another number.
+    fn head(
+        &self,
+        draft: &mut Draft,
+        number: Option<u32>,
+        [index, count]: [usize; 2],
+        blocks: std::ops::Range<usize>,
+    ) {
+        let line = self.source.blocks[blocks.start].line;
+        let told = format!("(PART {index} OF {count}, FROM LINE {line})");
+        let mut is_told = false;
+        for at in 0..self.first {
+            if self.source.sub_of(at).is_some() {
+                if self.is_used(self.source.sub_of(at), &blocks) {
+                    let kept = draft.keep(self.source, at..at + 1);
+                    draft.beside.push(kept);
+                }
+                continue;
+            }
+            if self.source.section_end == Some(at) && !self.uses_sections(&blocks) {
+                continue;
+            }
+            let block = &self.source.blocks[at];
+            if !self.source.heads.contains(&at) {
+                draft.keep(self.source, at..at + 1);
+                continue;
+            }
+            let words = self.renumbered(block, number);
+            draft.line(&words, self.line_end);
+            draft.line(&told, self.line_end);
+            is_told = true;
+        }
+        if !is_told {
+            draft.line(&told, self.line_end);
+        }
+    }
+
+    /// A program head with another number, as wide as it was.
+    fn renumbered(&self, block: &Block, number: Option<u32>) -> String {
+        let words = String::from_utf8_lossy(block.range.slice(self.source.text)).into_owned();
+        let (Some(number), Some(word)) = (number, block.word(b'O')) else { return words };
+        let at = (word.range.start - block.range.start) as usize;
+        let old = String::from_utf8_lossy(word.range.slice(self.source.text)).into_owned();
+        let wide = old.bytes().filter(u8::is_ascii_digit).count();
+        let letter = &old[..old.find(|c: char| c.is_ascii_digit()).unwrap_or(1)];
+        let new = format!("{letter}{number:0wide$}");
+        words[..at].to_string() + &new + &words[at + old.len()..]
+    }
+
+    fn is_used(&self, sub: Option<usize>, blocks: &std::ops::Range<usize>) -> bool {
+        let Some(users) = sub.map(|sub| &self.survey.users[sub]) else { return true };
+        // What never ran may run another time.
+        users.is_empty() || users.iter().any(|user| blocks.contains(user))
+    }
+
+    fn uses_sections(&self, blocks: &std::ops::Range<usize>) -> bool {
+        let subs = self.source.subs.iter().enumerate();
+        let mut sections = subs.filter(|(_, sub)| sub.form == Form::Letter);
+        sections.any(|(at, _)| self.is_used(Some(at), blocks))
+    }
+
+    /// What stands behind the end of the main program: subprograms that the blocks use, and the last `%`.
+    fn tail(&self, draft: &mut Draft, end: usize, blocks: &std::ops::Range<usize>) {
+        let mut at = end;
+        while at < self.source.blocks.len() {
+            let sub = self.source.sub_of(at);
+            let to = sub.map_or(at + 1, |sub| self.source.subs[sub].blocks.end.max(at + 1));
+            if self.is_used(sub, blocks) {
+                let kept = draft.keep(self.source, at..to);
+                draft.beside.push(kept);
+            }
+            at = to;
+        }
+    }
+
+    /// The lines that end a part that is not the last.
+    fn end(&self, standing: &Standing) -> Vec<String> {
+        let name = |action| codes::name(action, self.control, self.source.style);
+        let mut lines = Vec::new();
+        if standing.modal.coolant != Default::default() {
+            lines.extend(name(Action::CoolantOff));
+        }
+        if standing.modal.spindle != SpindleState::Off {
+            lines.extend(name(Action::SpindleStop));
+        }
+        let end = standing.said.end.clone();
+        lines.extend(end.or_else(|| name(Action::ProgramEnd { rewind: true })));
+        lines
+    }
+
+    /// The lines that a part begins with, so that all is as it was.
+    fn begin(&self, standing: &Standing, point: Point, rounded_mm: &mut f64) -> Vec<String> {
+        let Standing { modal, said } = standing;
+        let style = self.source.style;
+        let gap = if style.spaced { " " } else { "" };
+        let name = |action| codes::name(action, self.control, style);
+        let mut lines = Vec::new();
+        let is_clear = point.kind == Kind::Clear;
+        let mut codes = said.codes.clone();
+        let is_incremental = is_clear && modal.incremental;
+        if is_incremental {
+            codes.extend(name(Action::Absolute).map(|code| (Slot::Distance, code)));
+        }
+        lines.push(codes.into_values().collect::<Vec<String>>().join(gap));
+        lines.extend(said.lines.values().cloned());
+        lines.extend(said.data.iter().cloned());
+        let work = codes::work_offset(modal.work, self.control, style).filter(|_| said.work);
+        let motion = modal.motion.filter(|action| *action == Action::Linear);
+        if is_clear {
+            lines.extend(self.tool(standing));
+            lines.extend(self.approach(standing, work, rounded_mm));
+            lines.extend(said.coolant.iter().cloned());
+            lines.extend(motion.and_then(name));
+        } else {
+            lines.extend(work);
+            lines.extend(motion.or(Some(Action::Rapid)).and_then(name));
+        }
+        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
+        lines.extend(ready.map(|tool| format!("T{tool}")));
+        lines.extend(self.feed(modal));
+        if is_incremental {
+            lines.extend(name(Action::Incremental));
+        }
+        lines.retain(|line| !line.is_empty());
+        lines
+    }
+
+    /// The tool change.
+    fn tool(&self, Standing { modal, said }: &Standing) -> Option<String> {
+        let words = said.tool.as_ref()?;
+        let gap = if self.source.style.spaced { " " } else { "" };
+        Some(if words.contains('T') {
+            words.clone()
+        } else {
+            format!("T{}{gap}{words}", modal.tool)
+        })
+    }
+
+    /// To where the tool stood: over the place, then down to it.
+    fn approach(
+        &self,
+        Standing { modal, said }: &Standing,
+        work: Option<String>,
+        rounded_mm: &mut f64,
+    ) -> [String; 2] {
+        let style = self.source.style;
+        let gap = if style.spaced { " " } else { "" };
+        let name = |action| codes::name(action, self.control, style);
+        let mut place = |axis: usize| self.place(modal, axis, rounded_mm);
+        let mut over: Vec<String> = name(Action::Rapid).into_iter().chain(work).collect();
+        // Rotary axes begin at zero.
+        let is_said =
+            |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);
+        over.extend([0, 1, 3, 4, 5].into_iter().filter(is_said).map(&mut place));
+        if said.speed && modal.rpm > 0.0 {
+            over.push(format!("S{}", plain(modal.rpm, 3, style).trim_end_matches('.')));
+        }
+        if modal.spindle != SpindleState::Off {
+            over.extend(said.spindle.clone());
+        }
+        let mut down: Vec<String> = Vec::new();
+        if let Some(number) = modal.length_offset {
+            down.extend(said.length.clone());
+            let written = said.h.clone().filter(|word| word[1..].parse() == Ok(number));
+            down.push(written.unwrap_or_else(|| format!("H{number}")));
+        }
+        down.push(place(2));
+        [over.join(gap), down.join(gap)]
+    }
+
+    /// The word of an axis, with as many digits as it takes.
+    fn place(&self, modal: &Modal, axis: usize, rounded_mm: &mut f64) -> String {
+        let (value, style) = (modal.position[axis], self.source.style);
+        let letter = char::from(b"XYZABC"[axis]);
+        if axis > 2 {
+            return format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style));
+        }
+        let unit = match modal.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        };
+        let least = digits(self.control, modal.units);
+        let off = |count: usize| {
+            let power = 10f64.powi(count as i32);
+            ((value / unit * power).round() / power * unit - value).abs()
+        };
+        let exact = (least..=MOST_DECIMALS).find(|count| off(*count) < 1e-10);
+        let count = exact.unwrap_or(least);
+        if exact.is_none() {
+            *rounded_mm = rounded_mm.max(off(count) * 2.0);
+        }
+        format!("{letter}{}", length(value, modal.units, count, style))
+    }
+
+    fn feed(&self, modal: &Modal) -> Option<String> {
+        use chordal::control::FeedMode;
+        let unit = match modal.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        };
+        let value = match modal.feed_mode {
+            FeedMode::PerTime => modal.feed? * 60.0 / unit,
+            FeedMode::PerRevolution => modal.feed? / unit,
+            // Each block says its own.
+            FeedMode::InverseTime => return None,
+        };
+        Some(format!("F{}", plain(value, MOST_DECIMALS, self.source.style)))
+    }
+}
