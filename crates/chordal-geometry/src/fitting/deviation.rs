@@ -18,6 +18,8 @@ const WIDEST_STEP: f64 = math::PI / 4.0;
 pub(super) fn deviation(flat: &Flat, piece: &Piece, measure: Measure, limit: f64) -> Option<f64> {
     let worst = match piece.shape {
         Shape::Line => along_line(flat, piece, limit),
+        // No distance from what is no number would be found.
+        Shape::Arc { center, sweep } if !(center.dot(center) + sweep).is_finite() => None,
         Shape::Arc { center, sweep } => along_arc(flat, piece, (center, sweep), measure, limit),
     };
     worst.filter(|worst| *worst <= limit && worst.is_finite())
@@ -76,7 +78,7 @@ fn along_arc(
         let turned = spoke * cos + spoke.turned_left() * sin;
         (center + turned, piece.heights[0] + rise * angle)
     };
-    let step = |a: Vec2, b: Vec2| math::atan2(sign * a.cross(b), a.dot(b));
+    let step = |a: Vec2, b: Vec2| angle(sign * a.cross(b), a.dot(b));
     let mut row = points(flat, piece.span);
     let first = row.next()?;
     let mut arm = first.0 - center;
@@ -119,6 +121,16 @@ fn along_arc(
         (arm, arm_length, last) = (next, length, point);
     }
     Some(worst.max(distance(last, (piece.ends[1], piece.heights[1]))))
+}
+
+/// The angle of a direction; that of a short chord, as most are, by its series.
+fn angle(sin: f64, cos: f64) -> f64 {
+    if sin.abs() > 0.03 * cos {
+        return math::atan2(sin, cos);
+    }
+    let slope = sin / cos;
+    let square = slope * slope;
+    slope * (1.0 - square * (1.0 / 3.0 - square * (0.2 - square * (1.0 / 7.0 - square / 9.0))))
 }
 
 /// The least distance from zero of the chord between two points.

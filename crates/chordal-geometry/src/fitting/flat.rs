@@ -4,8 +4,11 @@ use crate::{Vec2, math};
 
 use super::Measure;
 
-/// A part of the points, in the coordinates of a plane.
+/// A part of the points, in the coordinates of a plane. Of a closed path they go round twice, so that places
+/// may be counted on over its start.
 pub(super) struct Flat {
+    /// The last point of the path.
+    last: usize,
     pub(super) at: Vec<Vec2>,
     pub(super) height: Vec<f64>,
     /// Length of the chords up to a point, in the plane.
@@ -18,7 +21,18 @@ pub(super) struct Flat {
 }
 
 impl Flat {
-    pub(super) fn new(at: Vec<Vec2>, height: Vec<f64>, tolerance: f64, measure: Measure) -> Flat {
+    pub(super) fn new(
+        mut at: Vec<Vec2>,
+        mut height: Vec<f64>,
+        is_closed: bool,
+        tolerance: f64,
+        measure: Measure,
+    ) -> Flat {
+        let last = at.len() - 1;
+        if is_closed {
+            at.extend_from_within(1..);
+            height.extend_from_within(1..);
+        }
         let chords = at.len() - 1;
         let mut along = vec![0.0; at.len()];
         for index in 0..chords {
@@ -29,7 +43,9 @@ impl Flat {
                 return 0.0;
             }
             let (a, b) = (at[index] - at[index - 1], at[index + 1] - at[index]);
-            math::atan2(a.cross(b), a.dot(b)).abs()
+            let lengths = (along[index] - along[index - 1]) * (along[index + 1] - along[index]);
+            // The sine serves for the small angles that matter.
+            if a.dot(b) > 0.0 { (a.cross(b) / lengths).abs() } else { math::PI }
         };
         let depth = |index: usize| {
             let length = along[index + 1] - along[index];
@@ -46,10 +62,14 @@ impl Flat {
             .iter()
             .map(|depth| measure == Measure::Chords && *depth > tolerance / 30.0)
             .collect();
-        Flat { at, height, along, stiff, deep }
+        Flat { last, at, height, along, stiff, deep }
     }
 
     pub(super) fn last(&self) -> usize {
+        self.last
+    }
+
+    fn end(&self) -> usize {
         self.at.len() - 1
     }
 
@@ -59,15 +79,88 @@ impl Flat {
 
     /// The point at a place: a whole number is a point, a fraction lies on the chord behind it.
     pub(super) fn point(&self, place: f64) -> (Vec2, f64) {
-        let whole = (place as usize).min(self.last());
+        let whole = (place as usize).min(self.end());
         let fraction = place - whole as f64;
-        if fraction <= 0.0 || whole == self.last() {
+        if fraction <= 0.0 || whole == self.end() {
             return (self.at[whole], self.height[whole]);
         }
         let (a, b) = (self.at[whole], self.at[whole + 1]);
         let height = self.height[whole] + (self.height[whole + 1] - self.height[whole]) * fraction;
         (a + (b - a) * fraction, height)
     }
+
+    /// The length along the chords up to a place.
+    pub(super) fn length_at(&self, place: f64) -> f64 {
+        let whole = (place as usize).min(self.end() - 1);
+        self.along[whole] + (place - whole as f64) * self.length(whole, whole + 1)
+    }
+
+    /// The place of a length along the chords.
+    pub(super) fn place(&self, length: f64) -> f64 {
+        let behind = self.along.partition_point(|along| *along <= length).min(self.end());
+        let (a, b) = (self.along[behind - 1], self.along[behind]);
+        (behind - 1) as f64 + part(length, a, b)
+    }
+
+    /// The place, near to another, where the path crosses the line through a point square to a direction.
+    pub(super) fn foot(&self, near: f64, point: Vec2, direction: Vec2) -> Option<f64> {
+        let ahead = |index: usize| (self.at[index] - point).dot(direction);
+        let start = (near as usize).min(self.end() - 1);
+        let (mut low, mut high, mut step) = (start, start, 1);
+        if ahead(start) <= 0.0 {
+            while ahead(high) <= 0.0 {
+                if high == self.end() {
+                    return (ahead(high) == 0.0).then_some(high as f64);
+                }
+                (low, high) = (high, (high + step).min(self.end()));
+                step *= 2;
+            }
+        } else {
+            while ahead(low) > 0.0 {
+                if low == 0 {
+                    return None;
+                }
+                (low, high) = (low.saturating_sub(step), low);
+                step *= 2;
+            }
+        }
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if ahead(middle) <= 0.0 { low = middle } else { high = middle }
+        }
+        let (before, behind) = (ahead(low), ahead(high));
+        Some(low as f64 + before / (before - behind))
+    }
+
+    /// Places at which a piece between two others is looked at: all points, or about `count` of more.
+    pub(super) fn probes(&self, from: f64, to: f64, count: usize, mut see: impl FnMut(f64)) {
+        let (first, last) = (math::ceil(from) as usize, to as usize);
+        if first >= last {
+            return see(0.5 * (from + to));
+        }
+        let mut look = |index: usize| {
+            see(index as f64);
+            if index < last && self.deep[index] {
+                see(index as f64 + 0.5);
+            }
+        };
+        if last - first <= count {
+            return (first..=last).for_each(look);
+        }
+        let (start, end) = (self.along[first], self.along[last]);
+        let mut index = first;
+        for probe in 0..=count {
+            let length = start + (end - start) * (probe as f64 / count as f64);
+            let behind = &self.along[index..=last];
+            index += behind.partition_point(|along| *along < length).min(behind.len() - 1);
+            look(index);
+        }
+    }
+}
+
+/// The part of the way from `a` to `b` that has been gone at `level`.
+pub(super) fn part(level: f64, a: f64, b: f64) -> f64 {
+    if b > a { ((level - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// A line or an arc between two points, and the part of the points that it stands for.
@@ -114,6 +207,12 @@ impl Piece {
             Shape::Line => 0.0,
             Shape::Arc { sweep, .. } => sweep / 2.0,
         }
+    }
+
+    /// The direction at the start, as long as the chord.
+    pub(super) fn direction(&self) -> Vec2 {
+        let (sin, cos) = math::sin_cos(-self.half());
+        self.chord() * cos + self.chord().turned_left() * sin
     }
 
     pub(super) fn is_line(&self) -> bool {

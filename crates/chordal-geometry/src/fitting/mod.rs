@@ -5,13 +5,15 @@
 //! them from end to end without going back are nowhere further apart. It is computed for every piece
 //! that is handed out, by a walk that is one such way to go, so it is a bound and not a sample.
 
+mod band;
 mod deviation;
-mod ease;
 mod flat;
 mod reach;
+mod relax;
+mod row;
 mod sections;
 mod simplify;
-mod tangent;
+mod smooth;
 
 use crate::{Curve, Plane, Vec3, math};
 
@@ -117,9 +119,7 @@ impl core::error::Error for FitError {}
 pub fn fit_path(points: &[Vec3], options: &FitOptions) -> Result<Vec<FitPiece>, FitError> {
     let points = Points::of(points, options.tolerance)?;
     let mut pieces = Vec::new();
-    for section in sections::sections(&points.at, options) {
-        sections::fit(&points.at, &section, options, &mut pieces);
-    }
+    sections::fit(&points.at, options, &mut pieces);
     for piece in &mut pieces {
         piece.span = piece.span.map(|at| points.place(at));
     }

@@ -1,0 +1,102 @@
+//! Equations with few unknowns each, and symmetric systems whose entries stand near the diagonal.
+
+/// The terms of an equation: unknown and factor. The most are of a joint's: the places of three joints and
+/// the bulges of two pieces.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Terms {
+    terms: [(usize, f64); 8],
+    count: usize,
+}
+
+impl Terms {
+    pub(super) fn push(&mut self, unknown: usize, factor: f64) {
+        self.terms[self.count] = (unknown, factor);
+        self.count += 1;
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.terms[..self.count].iter().copied()
+    }
+
+    /// The product of two equations' factors, each unknown with its weight.
+    pub(super) fn product(&self, other: &Terms, weight: impl Fn(usize) -> f64) -> f64 {
+        let mut sum = 0.0;
+        for (one, a) in self.iter() {
+            for (two, b) in other.iter() {
+                if one == two {
+                    sum += a * b * weight(one);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// A symmetric system: of each row the diagonal and the entries behind it, `W` in all.
+#[derive(Clone)]
+pub(super) struct Band<const W: usize> {
+    pub(super) rows: Vec<[f64; W]>,
+}
+
+impl<const W: usize> Band<W> {
+    pub(super) fn new(unknowns: usize) -> Band<W> {
+        Band { rows: vec![[0.0; W]; unknowns] }
+    }
+
+    /// Adds an equation with a weight, as for the least sum of squares.
+    pub(super) fn add(&mut self, right: &mut [f64], terms: &Terms, value: f64, weight: f64) {
+        for (one, a) in terms.iter() {
+            right[one] += weight * a * value;
+            for (other, b) in terms.iter() {
+                if other >= one {
+                    self.rows[one][other - one] += weight * a * b;
+                }
+            }
+        }
+    }
+
+    /// Eliminates, without exchanges, as is sound for sums of squares.
+    pub(super) fn factored(mut self) -> Option<Factored<W>> {
+        let count = self.rows.len();
+        for row in 0..count {
+            let pivot = self.rows[row];
+            if !(pivot[0] > 0.0 && pivot[0].is_finite()) {
+                return None;
+            }
+            for shift in 1..W.min(count - row) {
+                let factor = pivot[shift] / pivot[0];
+                if factor != 0.0 {
+                    for (entry, behind) in self.rows[row + shift].iter_mut().zip(&pivot[shift..]) {
+                        *entry -= factor * behind;
+                    }
+                }
+            }
+        }
+        Some(Factored { rows: self.rows })
+    }
+}
+
+/// A system that was eliminated.
+pub(super) struct Factored<const W: usize> {
+    rows: Vec<[f64; W]>,
+}
+
+impl<const W: usize> Factored<W> {
+    pub(super) fn solve(&self, mut right: Vec<f64>) -> Vec<f64> {
+        let count = self.rows.len();
+        for row in 0..count {
+            let part = right[row] / self.rows[row][0];
+            for shift in 1..W.min(count - row) {
+                right[row + shift] -= self.rows[row][shift] * part;
+            }
+        }
+        for row in (0..count).rev() {
+            let mut value = right[row];
+            for shift in 1..W.min(count - row) {
+                value -= self.rows[row][shift] * right[row + shift];
+            }
+            right[row] = value / self.rows[row][0];
+        }
+        right
+    }
+}

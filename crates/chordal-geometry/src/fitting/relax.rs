@@ -1,0 +1,239 @@
+//! Relaxes a row of pieces into a strip about the path: what lies outside pulls, with the square of how far
+//! it does, and the row stays tangent.
+//!
+//! Levenberg's and Marquardt's steps: what changes of a piece touches its neighbours only, so each costs a
+//! band of nine numbers a row. The distance of a point from an arc is taken from its power by the circle, which
+//! stays sound where an arc becomes straight.
+
+use crate::{Vec2, math};
+
+use super::band::{Band, Terms};
+use super::flat::Flat;
+use super::row::{Along, EACH, Row};
+
+/// Steps at most; a row that gets nearer by less than `GAIN` of what is left in several of them is given up.
+const STEPS: usize = 40;
+const GAIN: f64 = 0.05;
+const PATIENCE: usize = 4;
+/// After so many steps a row is given up that is so far outside, of the strip's width.
+const EARLY: usize = 10;
+const FAR: f64 = 1.5;
+/// Steps in which every point pulls, of a row that is not near the path yet.
+const FIRST_STEPS: usize = 3;
+/// Chords of a piece after which its path is looked at; longer ones at as many points.
+const PROBES: usize = 20;
+/// Weight of the directions' equality beside distances.
+const DIRECTION: f64 = 1e5;
+/// How hard joints may slide, of what the strip's width and the pieces' length let expect.
+const SLIDE: f64 = 16.0;
+
+/// What holds of a row in a strip.
+#[derive(Clone, Copy)]
+pub(super) struct Strip<'a> {
+    pub(super) flat: &'a Flat,
+    /// Half of its width, mm.
+    pub(super) width: f64,
+}
+
+/// How far points are outside.
+#[derive(Clone, Copy)]
+struct Outside {
+    /// Of the squares.
+    sum: f64,
+    largest: f64,
+}
+
+impl Strip<'_> {
+    /// The row relaxed, tangent: and by how much it is outside at most, mm. `None` where that does not come
+    /// to an end.
+    pub(super) fn relax(&self, row: &Row, is_rough: bool) -> Option<(Row, f64)> {
+        let mut row = row.clone();
+        if !row.is_sound() {
+            return None;
+        }
+        if is_rough {
+            for _ in 0..FIRST_STEPS {
+                let probes = self.probes(&row);
+                let change = self.step(&row, &probes, 0.0, 1e-4)?;
+                row.change(&change)?;
+                row.settle(self.flat)?;
+            }
+        }
+        row.make_tangent()?;
+        row.settle(self.flat)?;
+        let probes = self.probes(&row);
+        let mut outside = self.outside(&row, &probes);
+        let (mut damping, mut waited) = (1e-3, 0);
+        for step in 0..STEPS {
+            let is_far = step >= EARLY && outside.largest > FAR * self.width;
+            if outside.largest <= 0.0 || waited > PATIENCE || is_far {
+                break;
+            }
+            let change = self.step(&row, &probes, self.width, damping)?;
+            match self.tried(&row, &probes, &change) {
+                Some((new, left)) if left.sum < outside.sum => {
+                    waited = if left.sum > (1.0 - GAIN) * outside.sum { waited + 1 } else { 0 };
+                    (row, outside) = (new, left);
+                    damping = (damping * 0.3).max(1e-7);
+                }
+                _ => {
+                    damping *= 10.0;
+                    waited += 1;
+                }
+            }
+        }
+        Some((row, outside.largest))
+    }
+
+    fn tried(&self, row: &Row, probes: &[Probe], change: &[f64]) -> Option<(Row, Outside)> {
+        let mut new = row.clone();
+        new.change(change)?;
+        new.make_tangent()?;
+        new.settle(self.flat)?;
+        let outside = self.outside(&new, probes);
+        Some((new, outside))
+    }
+
+    /// Where the path is looked at: places that stay the same while joints move.
+    fn probes(&self, row: &Row) -> Vec<Probe> {
+        let mut probes = Vec::with_capacity(row.len() * (PROBES + 1));
+        for span in row.places.windows(2) {
+            self.flat.probes(span[0], span[1], PROBES, |place| {
+                probes.push(Probe { place, point: self.flat.point(place).0 });
+            });
+        }
+        probes
+    }
+
+    fn outside(&self, row: &Row, probes: &[Probe]) -> Outside {
+        let mut outside = Outside { sum: 0.0, largest: 0.0 };
+        each(row, probes, |_, circle, point| {
+            let by = circle.off(point).abs() - self.width;
+            if by > 0.0 {
+                outside.sum += by * by;
+                outside.largest = outside.largest.max(by);
+            }
+        });
+        outside
+    }
+
+    /// The step that brings points nearer which are further off than `width`.
+    fn step(&self, row: &Row, probes: &[Probe], width: f64, damping: f64) -> Option<Vec<f64>> {
+        let unknowns = row.len() * EACH;
+        let (mut band, mut right) = (Band::<9>::new(unknowns), vec![0.0; unknowns]);
+        let along = row.along();
+        each(row, probes, |piece, circle, point| {
+            let off = circle.off(point);
+            if off.abs() > width {
+                let terms = circle.terms(row, &along, piece, point, off);
+                band.add(&mut right, &terms, off.signum() * width - off, 1.0);
+            }
+        });
+        let weight = |joint: usize| {
+            let of = |piece: usize| row.chord(piece.min(row.len() - 1)).length();
+            let length = of(joint.saturating_sub(1)).min(of(joint));
+            (length, DIRECTION * length * length)
+        };
+        let first = if row.is_closed { 1 } else { 0 };
+        for joint in first..=row.len() {
+            if let Some((terms, off)) = row.equation(joint, &along) {
+                band.add(&mut right, &terms, -off, weight(joint).1);
+            }
+        }
+        for joint in 0..row.len() {
+            let slide = (SLIDE * self.width / weight(joint).0).min(1.0);
+            band.rows[joint * EACH][0] += damping;
+            band.rows[joint * EACH + 1][0] += damping * slide * slide;
+            band.rows[joint * EACH + 2][0] += damping;
+        }
+        let factored = band.factored()?;
+        let mut change = factored.solve(right);
+        if row.is_closed
+            && let Some((terms, off)) = row.equation(0, &along)
+        {
+            close(&factored, &mut change, &terms, off, weight(0).1);
+        }
+        Some(change)
+    }
+}
+
+/// A place of the path, and where it is.
+struct Probe {
+    place: f64,
+    point: Vec2,
+}
+
+/// Hands on every probe with the piece that it belongs to.
+fn each(row: &Row, probes: &[Probe], mut see: impl FnMut(usize, &Circle, Vec2)) {
+    let mut probes = probes.iter().peekable();
+    for piece in 0..row.len() {
+        let circle = Circle::of(row, piece);
+        let is_last = piece + 1 == row.len();
+        while let Some(probe) = probes.next_if(|it| is_last || it.place <= row.places[piece + 1]) {
+            see(piece, &circle, probe.point);
+        }
+    }
+}
+
+/// Takes one more equation into a solution, as Sherman and Morrison do.
+fn close(
+    factored: &super::band::Factored<9>,
+    change: &mut [f64],
+    terms: &Terms,
+    off: f64,
+    weight: f64,
+) {
+    let mut right = vec![0.0; change.len()];
+    terms.iter().for_each(|(unknown, factor)| right[unknown] += factor);
+    let solved = factored.solve(right);
+    let (mut met, mut reach) = (0.0, 0.0);
+    for (unknown, factor) in terms.iter() {
+        met += factor * change[unknown];
+        reach += factor * solved[unknown];
+    }
+    let factor = weight * (-off - met) / (1.0 + weight * reach);
+    for (entry, by) in change.iter_mut().zip(&solved) {
+        *entry += factor * by;
+    }
+}
+
+/// A piece as the circle or line that it lies on.
+struct Circle {
+    ends: [Vec2; 2],
+    chord: Vec2,
+    length: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl Circle {
+    fn of(row: &Row, piece: usize) -> Circle {
+        let (sin, cos) = math::sin_cos(row.halves[piece]);
+        let chord = row.chord(piece);
+        let ends = [row.joints[piece], row.joints[piece + 1]];
+        Circle { ends, chord, length: chord.length(), sin, cos }
+    }
+
+    /// How far a point is to the left: its power by the circle, over the diameter.
+    fn off(&self, point: Vec2) -> f64 {
+        let [v, w] = self.ends.map(|end| point - end);
+        (self.cos * self.chord.cross(v) - self.sin * v.dot(w)) / self.length
+    }
+
+    /// How that changes with the piece.
+    fn terms(&self, row: &Row, along: &Along, piece: usize, point: Vec2, off: f64) -> Terms {
+        let [v, w] = self.ends.map(|end| point - end);
+        let part = 1.0 / self.length;
+        let stretch = self.chord * (off * part * part);
+        let first = (w.turned_left() * self.cos + w * self.sin) * part + stretch;
+        let last = (v.turned_left() * -self.cos + v * self.sin) * part - stretch;
+        let mut terms = Terms::default();
+        along.terms(piece, first, &mut terms);
+        along.terms(piece + 1, last, &mut terms);
+        if !row.lines[piece] {
+            let turn = -(self.sin * self.chord.cross(v) + self.cos * v.dot(w)) * part;
+            terms.push(piece * EACH + 2, turn * 4.0 * part);
+        }
+        terms
+    }
+}

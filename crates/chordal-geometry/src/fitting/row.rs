@@ -1,0 +1,457 @@
+//! A row of lines and arcs by what may change of it: where its joints are, and how far each piece bulges.
+//!
+//! Two arcs meet tangentially where the angle between their chords is half the sum of their turns. Every
+//! tangent joint has such an equation.
+
+use crate::{Vec2, math};
+
+use super::band::{Band, Terms};
+use super::flat::{Flat, Piece, part, shape};
+
+/// Unknowns of a piece: its first joint's move off the path and along it, and the change of its bulge, all in
+/// millimetres.
+pub(super) const EACH: usize = 3;
+/// How much more freely a joint slides along the path than it leaves it.
+const SLIDE: f64 = 16.0;
+const MOST_STEPS: usize = 8;
+/// Pieces with a shorter chord are none, mm.
+const SHORTEST: f64 = 1e-9;
+/// Directions that differ by less are one, radians.
+const TANGENT: f64 = 1e-11;
+
+/// What may happen to a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Joint {
+    /// It moves, and its pieces meet in one direction.
+    Free,
+    /// It stays; its pieces meet in one direction.
+    Pinned,
+    /// It stays, and its pieces need not meet in one direction.
+    Corner,
+}
+
+/// The directions in which free joints slide.
+pub(super) struct Along(Vec<Option<Vec2>>);
+
+impl Along {
+    /// What a joint's unknowns add to an equation, for a gradient by its place.
+    pub(super) fn terms(&self, joint: usize, gradient: Vec2, terms: &mut Terms) {
+        if let Some(along) = self.0[joint] {
+            terms.push(joint * EACH, along.cross(gradient));
+            terms.push(joint * EACH + 1, along.dot(gradient));
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// Where pieces begin; the last is the end. The outermost never move.
+    pub(super) joints: Vec<Vec2>,
+    pub(super) kinds: Vec<Joint>,
+    /// The places of the path that belong to the joints.
+    pub(super) places: Vec<f64>,
+    /// Half of the turn of each piece, positive counter-clockwise.
+    pub(super) halves: Vec<f64>,
+    pub(super) lines: Vec<bool>,
+    /// The last piece and the first meet in one direction.
+    pub(super) is_closed: bool,
+    /// Directions in which the row has to begin and to end.
+    pub(super) directions: [Option<Vec2>; 2],
+}
+
+/// The angle from one direction to another, less what it is meant to be.
+fn excess(a: Vec2, b: Vec2, meant: f64) -> f64 {
+    let turn = math::atan2(a.cross(b), a.dot(b)) - meant;
+    turn - math::TAU * math::round(turn / math::TAU)
+}
+
+/// How the angle of a chord changes with its end.
+fn slope(chord: Vec2) -> Vec2 {
+    chord.turned_left() * (1.0 / chord.dot(chord))
+}
+
+impl Row {
+    /// A row of the pieces; those of `straight` stay lines. Joints between two of these are corners.
+    pub(super) fn of(pieces: &[Piece], straight: impl Fn(&Piece) -> bool) -> Row {
+        let lines: Vec<bool> = pieces.iter().map(straight).collect();
+        let mut kinds: Vec<Joint> = lines
+            .windows(2)
+            .map(|pair| if pair[0] && pair[1] { Joint::Corner } else { Joint::Free })
+            .collect();
+        kinds.insert(0, Joint::Corner);
+        kinds.push(Joint::Corner);
+        let last = &pieces[pieces.len() - 1];
+        let heads = pieces.iter().map(|piece| (piece.ends[0], piece.span[0]));
+        let (joints, places) = heads.chain([(last.ends[1], last.span[1])]).unzip();
+        let halves = pieces.iter().map(Piece::half).collect();
+        Row { joints, kinds, places, halves, lines, is_closed: false, directions: [None; 2] }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.halves.len()
+    }
+
+    pub(super) fn chord(&self, piece: usize) -> Vec2 {
+        self.joints[piece + 1] - self.joints[piece]
+    }
+
+    /// The direction of a piece at its start or its end, as long as its chord.
+    pub(super) fn direction(&self, piece: usize, at_end: bool) -> Vec2 {
+        let half = if at_end { self.halves[piece] } else { -self.halves[piece] };
+        let (sin, cos) = math::sin_cos(half);
+        let chord = self.chord(piece);
+        chord * cos + chord.turned_left() * sin
+    }
+
+    /// The pieces from one joint to another, which keep the directions in which they meet the others. Joints of a
+    /// closed row are counted on over its start.
+    pub(super) fn part(&self, from: usize, to: usize) -> Row {
+        let count = self.len();
+        let is_closed = self.is_closed && from == 0 && to == count;
+        let before = match from {
+            0 if is_closed => None,
+            0 if self.is_closed => Some(self.direction(count - 1, true)),
+            0 => self.directions[0],
+            _ => (self.kinds[from] != Joint::Corner).then(|| self.direction(from - 1, true)),
+        };
+        let behind = match to {
+            _ if is_closed => None,
+            _ if self.is_closed && to >= count => Some(self.direction(to - count, false)),
+            _ if to == count => self.directions[1],
+            _ => (self.kinds[to] != Joint::Corner).then(|| self.direction(to, false)),
+        };
+        // What is taken once, and what behind the start.
+        let (once, again) = (from..to.min(count), 0..to.saturating_sub(count));
+        let pieces = || once.clone().chain(again.clone());
+        let joints = || from..=to;
+        let joint = |at: usize| if at > count { at - count } else { at };
+        Row {
+            joints: joints().map(|at| self.joints[joint(at)]).collect(),
+            kinds: joints().map(|at| self.kinds[joint(at)]).collect(),
+            places: joints().map(|at| self.places[joint(at)] + self.round(at)).collect(),
+            halves: pieces().map(|at| self.halves[at]).collect(),
+            lines: pieces().map(|at| self.lines[at]).collect(),
+            is_closed,
+            directions: [before, behind],
+        }
+    }
+
+    /// What places of a joint counted on over the start of a closed row are larger.
+    fn round(&self, joint: usize) -> f64 {
+        if joint > self.len() { self.places[self.len()] - self.places[0] } else { 0.0 }
+    }
+
+    /// The row with places that are smaller.
+    pub(super) fn moved_back(mut self, by: f64) -> Row {
+        self.places.iter_mut().for_each(|place| *place -= by);
+        self
+    }
+
+    /// Puts another row in the place of the pieces from one joint to another; it begins and ends there.
+    pub(super) fn replace(&mut self, from: usize, to: usize, new: &Row) {
+        let inner = 1..new.len();
+        self.joints.splice(from + 1..to, new.joints[inner.clone()].iter().copied());
+        self.kinds.splice(from + 1..to, new.kinds[inner.clone()].iter().copied());
+        self.places.splice(from + 1..to, new.places[inner].iter().copied());
+        self.halves.splice(from..to, new.halves.iter().copied());
+        self.lines.splice(from..to, new.lines.iter().copied());
+    }
+
+    pub(super) fn is_free(&self, joint: usize) -> bool {
+        joint > 0 && joint < self.len() && self.kinds[joint] == Joint::Free
+    }
+
+    /// The direction of the path at every joint that is free, about.
+    pub(super) fn along(&self) -> Along {
+        let unit = |piece: usize| self.chord(piece).normalized().unwrap_or(Vec2::ZERO);
+        let mut before = unit(0);
+        let mut along = vec![None; self.len() + 1];
+        for joint in 1..self.len() {
+            let behind = unit(joint);
+            if self.is_free(joint) {
+                along[joint] = Some((before + behind).normalized().unwrap_or(Vec2::ZERO));
+            }
+            before = behind;
+        }
+        Along(along)
+    }
+
+    fn bulge_term(&self, piece: usize, terms: &mut Terms) {
+        if !self.lines[piece] {
+            terms.push(piece * EACH + 2, -4.0 / self.chord(piece).length());
+        }
+    }
+
+    /// The equation of a joint, and by how much it is not met; `None` where there is none. That of the two
+    /// ends of a closed row is the first.
+    pub(super) fn equation(&self, joint: usize, along: &Along) -> Option<(Terms, f64)> {
+        let count = self.len();
+        let mut terms = Terms::default();
+        let (before, behind) = match joint {
+            0 if self.is_closed => (Some(count - 1), Some(0)),
+            0 => (None, Some(0)),
+            _ if joint == count => (Some(count - 1), None),
+            _ if self.kinds[joint] == Joint::Corner => return None,
+            _ => (Some(joint - 1), Some(joint)),
+        };
+        if let (None, _) | (_, None) = (before, behind) {
+            // One of the two directions is given.
+            let given = self.directions[usize::from(joint == count)]?;
+            return Some(match (before, behind) {
+                (Some(piece), _) => {
+                    along.terms(piece, slope(self.chord(piece)), &mut terms);
+                    self.bulge_term(piece, &mut terms);
+                    (terms, excess(self.chord(piece), given, self.halves[piece]))
+                }
+                _ => {
+                    along.terms(1, slope(self.chord(0)), &mut terms);
+                    self.bulge_term(0, &mut terms);
+                    (terms, excess(given, self.chord(0), self.halves[0]))
+                }
+            });
+        }
+        let (before, behind) = (before?, behind?);
+        let slopes = [before, behind].map(|piece| slope(self.chord(piece)));
+        along.terms(before, slopes[0], &mut terms);
+        along.terms(joint, -(slopes[0] + slopes[1]), &mut terms);
+        along.terms(behind + 1, slopes[1], &mut terms);
+        self.bulge_term(before, &mut terms);
+        self.bulge_term(behind, &mut terms);
+        let meant = self.halves[before] + self.halves[behind];
+        Some((terms, excess(self.chord(before), self.chord(behind), meant)))
+    }
+
+    /// Moves joints and changes bulges; `None` where that makes no row.
+    pub(super) fn change(&mut self, change: &[f64]) -> Option<()> {
+        let along = self.along();
+        let moves: Vec<Vec2> = (1..self.len())
+            .map(|joint| {
+                let Some(along) = along.0[joint] else { return Vec2::ZERO };
+                // No joint overtakes another.
+                let most = 0.3 * self.chord(joint - 1).length().min(self.chord(joint).length());
+                let slide = change[joint * EACH + 1].clamp(-most, most);
+                along.turned_left() * change[joint * EACH] + along * slide
+            })
+            .collect();
+        for piece in 0..self.len() {
+            if !self.lines[piece] {
+                self.halves[piece] += 4.0 * change[piece * EACH + 2] / self.chord(piece).length();
+            }
+        }
+        for (joint, by) in self.joints[1..].iter_mut().zip(moves) {
+            *joint = *joint + by;
+        }
+        self.is_sound().then_some(())
+    }
+
+    /// Whether every piece is one: what has no length has no direction.
+    pub(super) fn is_sound(&self) -> bool {
+        let has_length = |piece: usize| {
+            let length = self.chord(piece).length();
+            length > SHORTEST && length.is_finite()
+        };
+        self.halves.iter().all(|half| half.abs() < 0.95 * math::PI)
+            && (0..self.len()).all(has_length)
+    }
+
+    /// Makes the row tangent by the least change, in Newton's steps; `None` where they do not come to an end.
+    pub(super) fn make_tangent(&mut self) -> Option<()> {
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST_STEPS {
+            let along = self.along();
+            let equations: Vec<_> =
+                (0..=self.len()).map(|joint| self.equation(joint, &along)).collect();
+            let off = |equation: &Option<(Terms, f64)>| equation.map_or(0.0, |(_, off)| off.abs());
+            let largest = equations.iter().map(off).fold(0.0, f64::max);
+            if largest <= TANGENT {
+                return Some(());
+            }
+            if !(largest < last * 4.0 && largest < 1.0) {
+                return None;
+            }
+            last = largest;
+            let change = self.least_change(&equations)?;
+            self.change(&change)?;
+        }
+        None
+    }
+
+    /// The least change that meets the equations, as far as they are linear: W·Aᵀ·λ with A·W·Aᵀ·λ = −off.
+    fn least_change(&self, equations: &[Option<(Terms, f64)>]) -> Option<Vec<f64>> {
+        let weight = |unknown: usize| if unknown % EACH == 1 { SLIDE } else { 1.0 };
+        // The equation that closes a row stands beside the band.
+        let closing = equations[0].filter(|_| self.is_closed);
+        let inner = |joint: usize| equations[joint].filter(|_| joint > 0 || closing.is_none());
+        let mut band = Band::<3>::new(equations.len());
+        let mut right = vec![0.0; equations.len()];
+        for joint in 0..equations.len() {
+            let Some((terms, off)) = inner(joint) else {
+                band.rows[joint][0] = 1.0;
+                continue;
+            };
+            right[joint] = -off;
+            for shift in 0..3.min(equations.len() - joint) {
+                if let Some((other, _)) = inner(joint + shift) {
+                    band.rows[joint][shift] = terms.product(&other, weight);
+                }
+            }
+        }
+        let factored = band.factored()?;
+        let mut factors = factored.solve(right);
+        if let Some((terms, off)) = closing {
+            let beside: Vec<f64> = (0..equations.len())
+                .map(|joint| inner(joint).map_or(0.0, |(other, _)| terms.product(&other, weight)))
+                .collect();
+            let solved = factored.solve(beside.clone());
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let pivot = terms.product(&terms, weight) - dot(&beside, &solved);
+            let factor = (-off - dot(&beside, &factors)) / pivot;
+            for (entry, by) in factors.iter_mut().zip(&solved) {
+                *entry -= factor * by;
+            }
+            factors[0] = factor;
+        }
+        let mut change = vec![0.0; self.len() * EACH];
+        for (equation, factor) in equations.iter().zip(&factors) {
+            for (unknown, value) in equation.iter().flat_map(|(terms, _)| terms.iter()) {
+                change[unknown] += weight(unknown) * value * factor;
+            }
+        }
+        Some(change)
+    }
+
+    /// Makes lines of the arcs of a larger radius; whether there are any.
+    pub(super) fn flatten(&mut self, max_radius: f64) -> bool {
+        let mut is_any = false;
+        for piece in (0..self.len()) {
+            if self.lines[piece] {
+                continue;
+            }
+            let sin = math::sin_cos(self.halves[piece]).0.abs();
+            if self.chord(piece).length() > 2.0 * max_radius * sin {
+                (self.lines[piece], self.halves[piece]) = (true, 0.0);
+                is_any = true;
+            }
+        }
+        is_any
+    }
+
+    /// Finds the places of the path that belong to joints anew; `None` where they are not in order.
+    pub(super) fn settle(&mut self, flat: &Flat) -> Option<()> {
+        for (joint, along) in self.along().0.iter().enumerate() {
+            if let Some(along) = *along {
+                self.places[joint] = flat.foot(self.places[joint], self.joints[joint], along)?;
+            }
+        }
+        self.places.is_sorted().then_some(())
+    }
+
+    /// A piece as a curve, not measured.
+    pub(super) fn piece(&self, flat: &Flat, index: usize) -> Piece {
+        let places = [index, index + 1].map(|joint| self.places[joint]);
+        let ends = [index, index + 1].map(|joint| self.joints[joint]);
+        let half = if self.lines[index] { 0.0 } else { self.halves[index] };
+        Piece {
+            ends,
+            heights: places.map(|place| flat.point(place).1),
+            shape: shape(ends, half),
+            span: places,
+            deviation: f64::NAN,
+        }
+    }
+
+    /// Makes two points the ends of the row; its first and last piece reach there.
+    pub(super) fn end_at(&mut self, flat: &Flat, [from, to]: [usize; 2]) {
+        let last = self.len();
+        self.is_closed = false;
+        for (joint, point) in [(0, from), (last, to)] {
+            self.joints[joint] = flat.at[point];
+            self.places[joint] = point as f64;
+            self.kinds[joint] = Joint::Corner;
+        }
+        for piece in [0, last - 1] {
+            let [from, to] = [piece, piece + 1].map(|joint| flat.length_at(self.places[joint]));
+            let middle = flat.point(flat.place(0.5 * (from + to))).0;
+            if !self.lines[piece] {
+                self.halves[piece] =
+                    half_through(self.joints[piece], middle, self.joints[piece + 1]);
+            }
+        }
+    }
+
+    /// Puts `count` arcs, each through three places of the path, where those between two joints were: as long
+    /// as the old joints, or a density, ask.
+    pub(super) fn spread(&mut self, flat: &Flat, [from, to]: [usize; 2], count: usize, by: Spread) {
+        let ends = [from, to].map(|joint| flat.length_at(self.places[joint]));
+        let table = match by {
+            Spread::Joints => {
+                let lengths = self.places[from..=to].iter().map(|place| flat.length_at(*place));
+                lengths.enumerate().map(|(joint, length)| (joint as f64, length)).collect()
+            }
+            Spread::Density(density) => density.table(ends),
+        };
+        let whole = table[table.len() - 1].0;
+        let at = |joint: f64| {
+            let level = whole * joint / count as f64;
+            let behind =
+                table.partition_point(|(there, _)| *there < level).clamp(1, table.len() - 1);
+            let [(a, from), (b, to)] = [table[behind - 1], table[behind]];
+            flat.place(from + part(level, a, b) * (to - from))
+        };
+        let inner = 1..count;
+        let places: Vec<f64> = inner.clone().map(|joint| at(joint as f64)).collect();
+        self.joints.splice(from + 1..to, places.iter().map(|place| flat.point(*place).0));
+        self.places.splice(from + 1..to, places);
+        self.kinds.splice(from + 1..to, inner.map(|_| Joint::Free));
+        self.lines.splice(from..to, (0..count).map(|_| false));
+        let halves: Vec<f64> = (0..count)
+            .map(|piece| {
+                let middle = flat.point(at(piece as f64 + 0.5)).0;
+                half_through(self.joints[from + piece], middle, self.joints[from + piece + 1])
+            })
+            .collect();
+        self.halves.splice(from..to, halves);
+    }
+}
+
+/// By what joints are spread.
+#[derive(Clone, Copy)]
+pub(super) enum Spread<'a> {
+    /// By the lengths of the pieces that there were.
+    Joints,
+    /// By how many arcs the path asks for, where.
+    Density(&'a Density),
+}
+
+/// How many arcs the path asks for, where: the lengths up to the joints of a row of far shorter ones.
+pub(super) struct Density(pub(super) Vec<f64>);
+
+impl Density {
+    pub(super) fn go_round_twice(&mut self) {
+        let round = self.0[self.0.len() - 1];
+        let again: Vec<f64> = self.0[1..].iter().map(|length| length + round).collect();
+        self.0.extend(again);
+    }
+
+    /// Sums of arcs with the lengths at which they are reached, between two lengths.
+    fn table(&self, [start, end]: [f64; 2]) -> Vec<(f64, f64)> {
+        let rank = |length: f64| {
+            let behind = self.0.partition_point(|joint| *joint < length).clamp(1, self.0.len() - 1);
+            let (a, b) = (self.0[behind - 1], self.0[behind]);
+            (behind - 1) as f64 + part(length, a, b)
+        };
+        let first = self.0.partition_point(|length| *length <= start);
+        let inner = self.0[first..].iter().copied().take_while(|length| *length < end);
+        core::iter::once(start)
+            .chain(inner)
+            .chain([end])
+            .map(|length| (rank(length) - rank(start), length))
+            .collect()
+    }
+}
+
+/// Half of the turn of the arc from one point through another to a third.
+fn half_through(from: Vec2, through: Vec2, to: Vec2) -> f64 {
+    let (v, w) = (through - from, through - to);
+    math::atan2(-(to - from).cross(v), -v.dot(w))
+}

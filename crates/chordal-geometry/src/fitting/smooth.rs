@@ -1,0 +1,474 @@
+//! From pieces through the points to tangent ones, as few as can be.
+//!
+//! The row of pieces, each as long as it can be, is relaxed into the strip of the tolerance. Where it does not
+//! fit, one piece more is put in there, the joints about it spread evenly, and relaxed again; where the
+//! distances say that there is room, one is taken out. What cannot be tangent stays as it was.
+
+use crate::{Vec2, math};
+
+use super::deviation::deviation;
+use super::flat::{Flat, Piece};
+use super::reach::Reach;
+use super::relax::Strip;
+use super::row::{Density, Joint, Row, Spread};
+use super::{FitOptions, Measure};
+
+/// Halvings of the tolerance when a row is made even.
+const HALVINGS: usize = 5;
+/// The strip that points are relaxed into, of the tolerance: some lie between those looked at. Where these turn
+/// out to be further off, it is made so often narrower.
+const STRIP: f64 = 0.985;
+const NARROWER: usize = 3;
+/// Rows so far out of the strip, of the tolerance, are not measured.
+const HOPELESS: f64 = 0.02;
+/// Pieces relaxed at once when a row is new, and how many of them again with the next.
+const BLOCK: usize = 64;
+const OVERLAP: usize = 16;
+/// Pieces on either side of a place whose joints are spread anew, and beside them that only give way.
+const SPREAD: usize = 8;
+const GIVE: usize = 4;
+/// The most pieces spread at once.
+const WINDOW: usize = 24;
+/// How often pieces are put in.
+const ATTEMPTS: usize = 8;
+/// How often a row is cut where it cannot be tangent.
+const CUTS: usize = 4;
+/// Where arcs are due is told by a row within this part of the tolerance.
+const FINE: f64 = 0.05;
+/// Pieces are lines to stay where they are nearer than this part of the tolerance.
+const STRAIGHT: f64 = 0.1001;
+
+/// What is asked of the ends of a row.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Ends {
+    /// They meet in one direction.
+    pub(super) is_closed: bool,
+    /// Directions that are given.
+    pub(super) directions: [Option<Vec2>; 2],
+}
+
+/// Fits the points of a section.
+pub(super) struct Fit<'a> {
+    flat: &'a Flat,
+    options: &'a FitOptions,
+}
+
+/// A row with the distances of its pieces; those not measured are no numbers.
+struct Measured {
+    row: Row,
+    deviations: Vec<f64>,
+}
+
+/// A part of a row that was relaxed.
+struct Relaxed {
+    row: Row,
+    deviations: Vec<f64>,
+    /// By how much it is too far off, mm.
+    excess: f64,
+}
+
+impl Measured {
+    /// Puts a part in the place of the pieces between two joints; in a closed row these may be counted on.
+    fn replace(&mut self, [from, to]: [usize; 2], new: &Relaxed) {
+        let count = self.row.len();
+        if to <= count {
+            self.row.replace(from, to, &new.row);
+            self.deviations.splice(from..to, new.deviations.iter().copied());
+            return;
+        }
+        let whole = [0, new.row.len()];
+        let seam = (1..whole[1]).find(|joint| new.row.kinds[*joint] == Joint::Pinned);
+        let seam = seam.unwrap_or(whole[1]);
+        self.row.replace(from, count, &new.row.part(whole[0], seam));
+        self.deviations.splice(from.., new.deviations[..seam].iter().copied());
+        let turn = new.row.places[seam];
+        self.row.replace(0, to - count, &new.row.part(seam, whole[1]).moved_back(turn));
+        self.deviations.splice(..to - count, new.deviations[seam..].iter().copied());
+    }
+}
+
+impl Fit<'_> {
+    pub(super) fn of<'a>(flat: &'a Flat, options: &'a FitOptions) -> Fit<'a> {
+        Fit { flat, options }
+    }
+
+    pub(super) fn row(&self, ends: Ends) -> Vec<Piece> {
+        let range = [0, self.flat.last()];
+        let longest = self.chain(range, self.options.tolerance);
+        let is_single = longest.len() < 2 && ends.directions == [None; 2];
+        if is_single || longest.iter().all(|piece| self.is_straight(piece)) {
+            return longest;
+        }
+        let even = self.even(&longest, range);
+        if !self.options.tangent {
+            return even;
+        }
+        let mut row = Row::of(&even, |piece| self.is_straight(piece));
+        (row.is_closed, row.directions) = (ends.is_closed, ends.directions);
+        if row.is_closed {
+            let last = row.len();
+            (row.kinds[0], row.kinds[last]) = (Joint::Pinned, Joint::Pinned);
+        }
+        let mut measured = Measured { deviations: vec![f64::NAN; row.len()], row };
+        self.relax_all(&mut measured);
+        self.finish(measured, &self.density(ends.is_closed), CUTS)
+    }
+
+    fn chain(&self, range: [usize; 2], tolerance: f64) -> Vec<Piece> {
+        let FitOptions { measure, max_radius, .. } = *self.options;
+        Reach { flat: self.flat, tolerance, measure, max_radius }.chain(range)
+    }
+
+    fn density(&self, is_closed: bool) -> Density {
+        let last = self.flat.last();
+        let fine = self.chain([0, last], FINE * self.options.tolerance);
+        let heads = fine.iter().map(|piece| piece.span[0] as usize).chain([last]);
+        let mut density = Density(heads.map(|head| self.flat.along[head]).collect());
+        if is_closed {
+            density.go_round_twice();
+        }
+        density
+    }
+
+    /// As many pieces within as small a tolerance as that number allows: no last piece is left short, and
+    /// there is room for the joints to move.
+    fn even(&self, longest: &[Piece], range: [usize; 2]) -> Vec<Piece> {
+        let mut best = longest.to_vec();
+        let (mut low, mut high) = (0.0, self.options.tolerance);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let row = self.chain(range, middle);
+            if row.len() <= best.len() {
+                (best, high) = (row, middle);
+            } else {
+                low = middle;
+            }
+        }
+        best
+    }
+
+    fn is_straight(&self, piece: &Piece) -> bool {
+        let is_chord = piece.span[1] - piece.span[0] <= 1.0;
+        piece.is_line()
+            && (piece.deviation <= STRAIGHT * self.options.tolerance
+                || is_chord && self.flat.stiff[piece.span[0] as usize] == piece.span[0] as usize)
+    }
+
+    /// A row relaxed within the tolerance, or as near as it comes.
+    fn relaxed(&self, row: &Row) -> Option<Relaxed> {
+        let FitOptions { tolerance, measure, .. } = *self.options;
+        let mut strip = Strip { flat: self.flat, width: STRIP * tolerance };
+        let (mut row, mut outside) = strip.relax(row, true)?;
+        if row.flatten(self.options.max_radius) {
+            (row, outside) = strip.relax(&row, false)?;
+        }
+        for _ in 0..NARROWER {
+            if outside > HOPELESS * tolerance {
+                break;
+            }
+            let deviations: Vec<f64> = (0..row.len())
+                .map(|at| self.measured(&row.piece(self.flat, at), measure))
+                .collect();
+            let worst = deviations.iter().copied().fold(0.0, f64::max);
+            if worst <= tolerance {
+                return Some(Relaxed { row, deviations, excess: 0.0 });
+            }
+            outside = worst - tolerance;
+            if outside > 0.1 * tolerance {
+                break;
+            }
+            strip.width *= 0.999 * tolerance / worst;
+            (row, outside) = strip.relax(&row, false)?;
+        }
+        let deviations = vec![f64::NAN; row.len()];
+        Some(Relaxed { row, deviations, excess: outside.max(f64::MIN_POSITIVE) })
+    }
+
+    /// Puts pieces in and takes them out until the row is within the tolerance with few; cuts it where it cannot
+    /// be tangent.
+    fn finish(&self, mut measured: Measured, density: &Density, cuts: usize) -> Vec<Piece> {
+        let mut bad = self.bad(&mut measured);
+        for _ in 0..ATTEMPTS {
+            if bad.is_empty() {
+                break;
+            }
+            // From behind, so that numbers before stay what they are.
+            for [from, to] in self.windows(&mut measured, &bad).into_iter().rev() {
+                self.widen(&mut measured, [from, to], density);
+            }
+            bad = self.bad(&mut measured);
+        }
+        if !bad.is_empty() {
+            return self.cut(&measured.row, &bad, density, cuts);
+        }
+        self.thin(&mut measured, density);
+        self.pieces(&measured)
+    }
+
+    /// Relaxes a new row in blocks that overlap.
+    fn relax_all(&self, measured: &mut Measured) {
+        let count = measured.row.len();
+        let mut from = 0;
+        loop {
+            let to = if from + BLOCK + OVERLAP >= count { count } else { from + BLOCK };
+            let mut part = measured.row.part(from, to);
+            if to < count {
+                // What is behind is not tangent yet.
+                part.directions[1] = None;
+                if from == 0 && measured.row.is_closed {
+                    part.directions[0] = None;
+                }
+            }
+            if let Some(new) = self.relaxed(&part) {
+                measured.replace([from, to], &new);
+            }
+            if to == count {
+                return;
+            }
+            from = to - OVERLAP;
+        }
+    }
+
+    /// Measures what is not, and tells which pieces are too far off or do not meet others in one direction.
+    fn bad(&self, measured: &mut Measured) -> Vec<usize> {
+        let FitOptions { tolerance, measure, .. } = *self.options;
+        let row = &measured.row;
+        let new: Vec<usize> =
+            (0..row.len()).filter(|at| measured.deviations[*at].is_nan()).collect();
+        for at in new {
+            let piece = row.piece(self.flat, at);
+            measured.deviations[at] = self.measured(&piece, measure);
+        }
+        let along = row.along();
+        let is_kinked = |piece: usize| {
+            [piece, piece + 1].into_iter().any(|joint| {
+                row.equation(joint % if row.is_closed { row.len() } else { usize::MAX }, &along)
+                    .is_some_and(|(_, off)| !(off.abs() <= 1e-9))
+            })
+        };
+        (0..row.len())
+            .filter(|piece| measured.deviations[*piece] > tolerance || is_kinked(*piece))
+            .collect()
+    }
+
+    fn measured(&self, piece: &Piece, measure: Measure) -> f64 {
+        let length = piece.chord().length();
+        let sin = math::sin_cos(piece.half()).0.abs();
+        let is_flat = !piece.is_line() && length > 2.0 * self.options.max_radius * sin;
+        let measured = deviation(self.flat, piece, measure, f64::INFINITY);
+        measured.filter(|_| !is_flat).unwrap_or(f64::INFINITY)
+    }
+
+    /// The pieces about those that are too far off, in rows of arcs.
+    fn windows(&self, measured: &mut Measured, bad: &[usize]) -> Vec<[usize; 2]> {
+        let row = &mut measured.row;
+        for piece in bad {
+            // A line that does not fit may bend.
+            let is_chord = row.places[piece + 1] - row.places[*piece] <= 1.0;
+            if row.lines[*piece] && !is_chord {
+                row.lines[*piece] = false;
+            }
+        }
+        let mut windows: Vec<[usize; 2]> = Vec::new();
+        for piece in bad.iter().copied() {
+            // Beside a line that has to stay.
+            let about = if row.lines[piece] {
+                [piece.checked_sub(1), (piece + 1 < row.len()).then_some(piece + 1)]
+            } else {
+                [Some(piece), None]
+            };
+            for piece in about.into_iter().flatten().filter(|piece| !row.lines[*piece]) {
+                let start = windows.last().map_or(0, |[_, end]| *end);
+                if piece < start {
+                    continue;
+                }
+                let [mut from, mut to] = [piece, piece + 1];
+                while from > start && piece - from < SPREAD && is_inner(row, from) {
+                    from -= 1;
+                }
+                while to < row.len() && to - piece <= SPREAD && is_inner(row, to) {
+                    to += 1;
+                }
+                match windows.last_mut() {
+                    Some(last)
+                        if from < last[1] + SPREAD
+                            && to - last[0] <= WINDOW
+                            && runs(row, last[0], to) =>
+                    {
+                        last[1] = to
+                    }
+                    _ => windows.push([from, to]),
+                }
+            }
+        }
+        windows
+    }
+
+    /// One piece more between two joints.
+    fn widen(&self, measured: &mut Measured, window: [usize; 2], density: &Density) {
+        let count = window[1] - window[0] + 1;
+        let chords = measured.row.places[window[1]] - measured.row.places[window[0]];
+        // Chords would do nearly as well.
+        if 3.0 * count as f64 > chords {
+            return;
+        }
+        if let Some((part, range)) = self.spread(&measured.row, window, count, density) {
+            measured.replace(range, &part);
+        }
+    }
+
+    /// The part of a row about the pieces between two joints, with another number of them: the better that two ways
+    /// to begin lead to.
+    fn spread(
+        &self,
+        row: &Row,
+        [from, to]: [usize; 2],
+        count: usize,
+        density: &Density,
+    ) -> Option<(Relaxed, [usize; 2])> {
+        let [start, end] = about(row, from, to);
+        let part = row.part(start, end);
+        let lead = (from + row.len() - start) % row.len();
+        let mut best: Option<Relaxed> = None;
+        for by in [Spread::Joints, Spread::Density(density)] {
+            let mut part = part.clone();
+            part.spread(self.flat, [lead, lead + to - from], count, by);
+            if let Some(part) = self.relaxed(&part)
+                && best.as_ref().is_none_or(|best| part.excess < best.excess)
+            {
+                let is_done = part.excess <= 0.0;
+                best = Some(part);
+                if is_done {
+                    break;
+                }
+            }
+        }
+        best.map(|part| (part, [start, end]))
+    }
+
+    /// Takes pieces out where the distances leave room.
+    fn thin(&self, measured: &mut Measured, density: &Density) {
+        let tolerance = self.options.tolerance;
+        let mut from = 0;
+        while from < measured.row.len() {
+            let row = &measured.row;
+            let mut to = from + 1;
+            while to < row.len() && to - from < WINDOW && is_inner(row, to) {
+                to += 1;
+            }
+            // Distances grow with the third power of lengths.
+            let room: f64 = measured.deviations[from..to]
+                .iter()
+                .map(|off| 1.0 - (off / tolerance).cbrt())
+                .sum();
+            let is_whole = to - from == row.len();
+            let mut is_thinner = false;
+            if to - from > 1
+                && !row.lines[from]
+                && (room > 0.6 || is_whole)
+                && let Some((part, range)) = self.spread(row, [from, to], to - from - 1, density)
+                && part.excess <= 0.0
+            {
+                measured.replace(range, &part);
+                is_thinner = true;
+            }
+            if !is_thinner {
+                from = if to - from >= WINDOW { from + WINDOW / 2 } else { to };
+            }
+        }
+    }
+
+    fn pieces(&self, measured: &Measured) -> Vec<Piece> {
+        let with = |at: usize| Piece {
+            deviation: measured.deviations[at],
+            ..measured.row.piece(self.flat, at)
+        };
+        (0..measured.row.len()).map(with).collect()
+    }
+
+    /// Cuts a row at the points beside pieces that cannot be tangent; there pieces through the points stay.
+    fn cut(&self, row: &Row, bad: &[usize], density: &Density, cuts: usize) -> Vec<Piece> {
+        let ends = [row.places[0] as usize, row.places[row.len()] as usize];
+        let mut gaps: Vec<[usize; 2]> = Vec::new();
+        for piece in bad {
+            let from = row.places[*piece] as usize;
+            let to = math::ceil(row.places[piece + 1]) as usize;
+            match gaps.last_mut() {
+                Some(last) if from <= last[1] => last[1] = last[1].max(to),
+                _ => gaps.push([from, to]),
+            }
+        }
+        if cuts == 0 {
+            gaps = vec![ends];
+        }
+        let mut pieces: Vec<Piece> = Vec::new();
+        let mut at = ends[0];
+        for [from, to] in gaps.into_iter().chain([[ends[1]; 2]]) {
+            let directions = [
+                row.directions[0].filter(|_| at == ends[0]),
+                match pieces.first() {
+                    Some(first) if row.is_closed => Some(first.direction()),
+                    _ => row.directions[1],
+                }
+                .filter(|_| from == ends[1]),
+            ];
+            pieces.extend(self.between(row, [at, from], directions, density, cuts));
+            pieces.extend(self.chain([from, to], self.options.tolerance));
+            at = to;
+        }
+        pieces
+    }
+
+    /// What lies of a row between two points, which become its ends.
+    fn between(
+        &self,
+        row: &Row,
+        range: [usize; 2],
+        directions: [Option<Vec2>; 2],
+        density: &Density,
+        cuts: usize,
+    ) -> Vec<Piece> {
+        let [first, last] = range.map(|point| point as f64);
+        // A piece has a chord at least.
+        let from = row.places.partition_point(|place| *place < first + 1.0);
+        let to = row.places.partition_point(|place| *place <= last - 1.0);
+        if from >= to {
+            return self.chain(range, self.options.tolerance);
+        }
+        let mut part = row.part(from - 1, to);
+        part.directions = directions;
+        part.end_at(self.flat, range);
+        let count = part.len();
+        let mut measured = Measured { deviations: vec![f64::NAN; count], row: part };
+        let near = SPREAD.min(count);
+        for [from, to] in [[0, near], [count - near, count]] {
+            if let Some(new) = self.relaxed(&measured.row.part(from, to)) {
+                measured.replace([from, to], &new);
+            }
+        }
+        self.finish(measured, density, cuts - 1)
+    }
+}
+
+/// The joints from which to which pieces give way to those between two others; counted on in a closed row.
+fn about(row: &Row, from: usize, to: usize) -> [usize; 2] {
+    let count = row.len();
+    if !row.is_closed {
+        [from.saturating_sub(GIVE), (to + GIVE).min(count)]
+    } else if to - from + 2 * GIVE >= count {
+        [0, count]
+    } else {
+        let start = (from + count - GIVE) % count;
+        [start, start + to - from + 2 * GIVE]
+    }
+}
+
+/// Whether arcs meet at a joint that may be moved.
+fn is_inner(row: &Row, joint: usize) -> bool {
+    row.kinds[joint] == Joint::Free && !row.lines[joint - 1] && !row.lines[joint]
+}
+
+/// Whether all between two joints are arcs whose joints may be moved.
+fn runs(row: &Row, from: usize, to: usize) -> bool {
+    (from + 1..to).all(|joint| is_inner(row, joint))
+}
