@@ -164,22 +164,12 @@ impl Row {
     /// The direction of the path at every joint that is free, about.
     pub(super) fn along(&self) -> Along {
         let unit = |piece: usize| self.chord(piece).normalized().unwrap_or(Vec2::ZERO);
-        let mut before = unit(0);
-        let mut along = vec![None; self.len() + 1];
-        for joint in 1..self.len() {
-            let behind = unit(joint);
-            if self.is_free(joint) {
-                along[joint] = Some((before + behind).normalized().unwrap_or(Vec2::ZERO));
-            }
-            before = behind;
-        }
-        Along(along)
-    }
-
-    fn bulge_term(&self, piece: usize, terms: &mut Terms) {
-        if !self.lines[piece] {
-            terms.push(piece * EACH + 2, -4.0 / self.chord(piece).length());
-        }
+        let units: Vec<Vec2> = (0..self.len()).map(unit).collect();
+        let at = |joint: usize| {
+            let along = || (units[joint - 1] + units[joint]).normalized().unwrap_or(Vec2::ZERO);
+            self.is_free(joint).then(along)
+        };
+        Along((0..=self.len()).map(at).collect())
     }
 
     /// The equation of a joint, and by how much it is not met; `None` where there is none. That of the two
@@ -194,31 +184,25 @@ impl Row {
             _ if self.kinds[joint] == Joint::Corner => return None,
             _ => (Some(joint - 1), Some(joint)),
         };
-        if let (None, _) | (_, None) = (before, behind) {
-            // One of the two directions is given.
-            let given = self.directions[usize::from(joint == count)]?;
-            return Some(match (before, behind) {
-                (Some(piece), _) => {
-                    along.terms(piece, slope(self.chord(piece)), &mut terms);
-                    self.bulge_term(piece, &mut terms);
-                    (terms, excess(self.chord(piece), given, self.halves[piece]))
-                }
-                _ => {
-                    along.terms(1, slope(self.chord(0)), &mut terms);
-                    self.bulge_term(0, &mut terms);
-                    (terms, excess(given, self.chord(0), self.halves[0]))
-                }
-            });
+        // At an end one of the directions is given.
+        let given = self.directions[usize::from(joint == count)];
+        let direction = |piece: Option<usize>| piece.map_or(given, |piece| Some(self.chord(piece)));
+        let (a, b) = (direction(before)?, direction(behind)?);
+        let (mut slopes, mut meant) = (Vec2::ZERO, 0.0);
+        // A piece turns by its chord, which its other joint moves, and by its bulge.
+        for (piece, other) in
+            [before.map(|at| (at, at)), behind.map(|at| (at, at + 1))].into_iter().flatten()
+        {
+            let slope = slope(self.chord(piece));
+            along.terms(other, slope, &mut terms);
+            if !self.lines[piece] {
+                terms.push(piece * EACH + 2, -4.0 / self.chord(piece).length());
+            }
+            slopes = slopes + slope;
+            meant += self.halves[piece];
         }
-        let (before, behind) = (before?, behind?);
-        let slopes = [before, behind].map(|piece| slope(self.chord(piece)));
-        along.terms(before, slopes[0], &mut terms);
-        along.terms(joint, -(slopes[0] + slopes[1]), &mut terms);
-        along.terms(behind + 1, slopes[1], &mut terms);
-        self.bulge_term(before, &mut terms);
-        self.bulge_term(behind, &mut terms);
-        let meant = self.halves[before] + self.halves[behind];
-        Some((terms, excess(self.chord(before), self.chord(behind), meant)))
+        along.terms(joint, -slopes, &mut terms);
+        Some((terms, excess(a, b, meant)))
     }
 
     /// Moves joints and changes bulges; `None` where that makes no row.
@@ -282,24 +266,24 @@ impl Row {
         // The equation that closes a row stands beside the band.
         let closing = equations[0].filter(|_| self.is_closed);
         let inner = |joint: usize| equations[joint].filter(|_| joint > 0 || closing.is_none());
-        let mut band = Band::<3>::new(equations.len());
-        let mut right = vec![0.0; equations.len()];
-        for joint in 0..equations.len() {
-            let Some((terms, off)) = inner(joint) else {
-                band.rows[joint][0] = 1.0;
+        let count = equations.len();
+        let mut band = Band::<3>::new(count);
+        for (joint, row) in band.rows.iter_mut().enumerate() {
+            let Some((terms, _)) = inner(joint) else {
+                row[0] = 1.0;
                 continue;
             };
-            right[joint] = -off;
-            for shift in 0..3.min(equations.len() - joint) {
+            for (shift, entry) in row.iter_mut().enumerate().take(count - joint) {
                 if let Some((other, _)) = inner(joint + shift) {
-                    band.rows[joint][shift] = terms.product(&other, weight);
+                    *entry = terms.product(&other, weight);
                 }
             }
         }
+        let right = (0..count).map(|joint| inner(joint).map_or(0.0, |(_, off)| -off)).collect();
         let factored = band.factored()?;
         let mut factors = factored.solve(right);
         if let Some((terms, off)) = closing {
-            let beside: Vec<f64> = (0..equations.len())
+            let beside: Vec<f64> = (0..count)
                 .map(|joint| inner(joint).map_or(0.0, |(other, _)| terms.product(&other, weight)))
                 .collect();
             let solved = factored.solve(beside.clone());
@@ -323,7 +307,7 @@ impl Row {
     /// Makes lines of the arcs of a larger radius; whether there are any.
     pub(super) fn flatten(&mut self, max_radius: f64) -> bool {
         let mut is_any = false;
-        for piece in (0..self.len()) {
+        for piece in 0..self.len() {
             if self.lines[piece] {
                 continue;
             }

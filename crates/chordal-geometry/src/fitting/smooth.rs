@@ -240,11 +240,14 @@ impl Fit<'_> {
             measured.deviations[at] = self.measured(&piece, measure);
         }
         let along = row.along();
+        let is_met = |joint: usize| match row.equation(joint, &along) {
+            Some((_, off)) => off.abs() <= 1e-9,
+            None => true,
+        };
+        let closing = row.is_closed && !is_met(0);
         let is_kinked = |piece: usize| {
-            [piece, piece + 1].into_iter().any(|joint| {
-                row.equation(joint % if row.is_closed { row.len() } else { usize::MAX }, &along)
-                    .is_some_and(|(_, off)| !(off.abs() <= 1e-9))
-            })
+            let is_last = piece + 1 == row.len();
+            !is_met(piece) || !is_met(piece + 1) || is_last && closing
         };
         (0..row.len())
             .filter(|piece| measured.deviations[*piece] > tolerance || is_kinked(*piece))
