@@ -9,7 +9,8 @@ export interface Palette {
   background: string;
   rapid: string;
   contour: string;
-  ghost: string;
+  /** The path of the other program. */
+  other: string;
   chord: string;
   travel: string;
   mark: string;
@@ -24,7 +25,7 @@ export const LIGHT: Palette = {
   background: "#f6f8fa",
   rapid: "#8a5a00",
   contour: "#3a7d34",
-  ghost: "#8b929a",
+  other: "#111a22",
   chord: "#c2185b",
   travel: "#7b8794",
   mark: "#d9480f",
@@ -38,7 +39,7 @@ export const DARK: Palette = {
   background: "#10171d",
   rapid: "#e8b04b",
   contour: "#86d67f",
-  ghost: "#7d8790",
+  other: "#ffffff",
   chord: "#ff7ab0",
   travel: "#6d7a86",
   mark: "#ffd166",

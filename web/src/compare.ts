@@ -1,86 +1,108 @@
-// What two machines make of the same text: the lines whose motion differs.
+// What the server found different between two programs: where that is on the page.
 
-import { someRows } from "./lines";
-import { pause } from "./pause";
-import { KNOWN, type Path, type Vec3, kindOf } from "./path";
+import type { Blocks, Difference } from "./link";
+import { type Bounds, KNOWN, type Path, type Vec3, arcEighths, arcIndex, arcPoint } from "./path";
 
-/** Ends this near are the same, mm: what single precision leaves of a part of some metres. */
-const SAME_MM = 2e-3;
+/** Lines of the program that are marked: what differs may be all of a long one. */
+const MOST_LINES = 10_000;
+/** Ranges of rows of one difference: a loop makes one for each turn. */
+const MOST_RANGES = 1_000;
+/** How much larger than the distance what is shown is. */
+const AROUND = 2.5;
+/** And no smaller than this, mm: single precision shows no more. */
+const LEAST_MM = 0.02;
 
-export interface Difference {
-  /** Lines of the program whose motion differs. */
-  lines: number[];
-  /** The rows of the older path that those lines made, as ranges. */
-  rows: [number, number][];
-}
-
-/** Lines and rows that are looked at without a break: some milliseconds. */
-const PIECE = 10_000;
-/** Numbers of a drawn difference at most: half a million lines. */
-const MOST_POINTS = 3_000_000;
-
-/**
- * Lines whose rows differ in kind, number or place between two paths of the same text; none where it
- * is no longer wanted.
- */
-export async function differences(one: Path, other: Path, isWanted: () => boolean): Promise<Difference | undefined> {
-  const shift = [0, 1, 2].map((axis) => one.origin[axis]! - other.origin[axis]!) as Vec3;
-  const lines: number[] = [];
-  const rows: [number, number][] = [];
-  for (let line = 1; line <= Math.max(one.lines, other.lines); line++) {
-    if (line % PIECE === 0) {
-      await pause();
-      if (!isWanted()) return undefined;
-    }
-    const a = one.rowsOfLine(line);
-    const b = other.rowsOfLine(line);
-    if (!a && !b) continue;
-    if (a && b && same(one, a, other, b, shift)) continue;
-    lines.push(line);
-    if (a) rows.push(a);
+/** The lines of a side that differ, in order, each once. */
+export function linesOf(differences: Difference[], side: 0 | 1): number[] {
+  const lines = new Set<number>();
+  for (const { sides } of differences) {
+    const { blocks, lacks } = sides[side];
+    // Where it lacks what the other has, the block only says behind what.
+    if (!blocks || blocks.file !== 0 || lacks) continue;
+    for (let line = blocks.from; line <= blocks.to && lines.size < MOST_LINES; line++) lines.add(line);
   }
-  return { lines, rows };
+  return [...lines].sort((a, b) => a - b);
 }
 
-/** The lines to draw for ranges of rows, as many as there is room for. */
-export async function pointsOf(path: Path, rows: [number, number][], tolerance: number): Promise<Float32Array> {
-  const points: number[] = [];
-  let looked = 0;
-  for (const [from, to] of rows) {
-    for (let row = from; row <= to && points.length < MOST_POINTS; ) {
+/** The ranges of rows that blocks make. */
+export function rowsOf(path: Path, { file, from, to }: Blocks): [number, number][] {
+  const ranges: [number, number][] = [];
+  for (const batch of path.batches) {
+    for (let at = 0; at < batch.rows; at++) {
+      const line = batch.line[at]!;
+      if (batch.file[at] !== file || line < from || line > to) continue;
+      const row = batch.first + at;
+      const last = ranges.at(-1);
+      if (last && last[1] === row - 1) last[1] = row;
+      else if (ranges.length < MOST_RANGES) ranges.push([row, row]);
+      else return ranges;
+    }
+  }
+  return ranges;
+}
+
+/** The box of ranges of rows, in the frame of the run, mm. */
+export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefined {
+  const low: Vec3 = [Infinity, Infinity, Infinity];
+  const high: Vec3 = [-Infinity, -Infinity, -Infinity];
+  const grow = (at: ArrayLike<number>, first: number) => {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = at[first + axis]! + path.origin[axis]!;
+      low[axis] = Math.min(low[axis]!, value);
+      high[axis] = Math.max(high[axis]!, value);
+    }
+  };
+  for (const [from, to] of ranges) {
+    for (let row = from; row <= to; row++) {
       const found = path.find(row);
       if (!found) break;
-      const [batch, first] = found;
-      const last = Math.min(batch.rows - 1, to - batch.first, first + PIECE);
-      for (const value of someRows(batch, first, last, () => tolerance)) points.push(value);
-      looked += last - first + 1;
-      row = batch.first + last + 1;
-      if (looked < PIECE) continue;
-      looked = 0;
-      await pause();
+      const [batch, at] = found;
+      if (!(batch.kind[at]! & KNOWN)) continue;
+      grow(batch.points, 6 * at);
+      grow(batch.points, 6 * at + 3);
+      const curve = batch.curves?.get(at);
+      for (let point = 0; curve && point + 2 < curve.length; point += 3) grow(curve, point);
+      const arc = curve ? -1 : arcIndex(batch, at);
+      const steps = arc < 0 ? 0 : arcEighths(batch.arcs, arc);
+      for (let step = 1; step < steps; step++) grow(arcPoint(batch.arcs, arc, step / steps), 0);
     }
   }
-  return new Float32Array(points);
+  return low[0] <= high[0] ? { low, high } : undefined;
 }
 
-function same(one: Path, a: [number, number], other: Path, b: [number, number], shift: Vec3): boolean {
-  if (a[1] - a[0] !== b[1] - b[0]) return false;
-  // A line of a subprogram spans what it called in between: some rows of it tell.
-  const count = Math.min(a[1] - a[0] + 1, 1000);
-  for (let at = 0; at < count; at++) {
-    const p = one.find(a[0] + at);
-    const q = other.find(b[0] + at);
-    if (!p || !q) return false;
-    const [kindP, kindQ] = [p[0].kind[p[1]]!, q[0].kind[q[1]]!];
-    if (kindOf(kindP) !== kindOf(kindQ)) return false;
-    if (!(kindP & kindQ & KNOWN)) continue;
-    for (const share of [0, 0.5, 1]) {
-      const [u, v] = [one.pointOn(a[0] + at, share), other.pointOn(b[0] + at, share)];
-      if (!u || !v) return false;
-      for (let axis = 0; axis < 3; axis++) {
-        if (Math.abs(u[axis]! - v[axis]! + shift[axis]!) > SAME_MM) return false;
-      }
-    }
+/** A box around two places so that both are seen apart. */
+export function around([a, b]: [Vec3, Vec3]): Bounds {
+  const apart = Math.hypot(...a.map((value, axis) => value - b[axis]!));
+  const half = Math.max(AROUND * apart, LEAST_MM);
+  const middle = a.map((value, axis) => (value + b[axis]!) / 2);
+  return { low: middle.map((value) => value - half) as Vec3, high: middle.map((value) => value + half) as Vec3 };
+}
+
+/** A box that holds all of some, no side smaller than a length. */
+export function union(boxes: (Bounds | undefined)[], least: number): Bounds | undefined {
+  const all = boxes.filter((box) => box !== undefined);
+  if (all.length === 0) return undefined;
+  const low = [0, 1, 2].map((axis) => Math.min(...all.map((box) => box.low[axis]!))) as Vec3;
+  const high = [0, 1, 2].map((axis) => Math.max(...all.map((box) => box.high[axis]!))) as Vec3;
+  for (let axis = 0; axis < 3; axis++) {
+    const more = Math.max(0, least - (high[axis]! - low[axis]!)) / 2;
+    low[axis]! -= more;
+    high[axis]! += more;
   }
-  return true;
+  return { low, high };
+}
+
+/** `line 7`, `lines 7–9`, `line 7 of a file beside`. */
+export function linesText(blocks: Blocks | null): string {
+  if (!blocks) return "nowhere";
+  const { file, from, to } = blocks;
+  const lines = from === to ? `line ${from}` : `lines ${from}–${to}`;
+  return file === 0 ? lines : `${lines} of a file beside`;
+}
+
+/** The next difference in a direction, round and round; -1: none is chosen yet, or there is none. */
+export function step(chosen: number, by: 1 | -1, count: number): number {
+  if (count === 0) return -1;
+  if (chosen < 0) return by > 0 ? 0 : count - 1;
+  return (chosen + by + count) % count;
 }

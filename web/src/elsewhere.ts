@@ -31,8 +31,8 @@ export class Elsewhere {
     over.append(this.root);
   }
 
-  /** Shows a text at a line; nobody can type in it. */
-  show(made: Made): void {
+  /** Shows a text at a line; nobody can type in it. `first` is the number of the first line that is there. */
+  show(made: Made, first = 1): void {
     this.view?.destroy();
     const name = (made.file ?? "").split(/[\\/]/).pop()!;
     this.title.textContent = `${name}, to be read${made.cut_off ? " (the beginning)" : ""}`;
@@ -44,14 +44,14 @@ export class Elsewhere {
       extensions: [
         EditorView.cspNonce.of(nonce),
         EditorState.readOnly.of(true),
-        lineNumbers(),
+        lineNumbers({ formatNumber: (line) => String(line + first - 1) }),
         highlightActiveLine(),
         EditorView.contentAttributes.of({ "aria-label": name }),
       ],
     });
     this.view = new EditorView({ parent: this.body, state });
     const { doc } = state;
-    const line = doc.line(Math.max(1, Math.min(doc.lines, made.line)));
+    const line = doc.line(Math.max(1, Math.min(doc.lines, made.line - first + 1)));
     const at = Math.min(line.to, line.from + made.column);
     this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
     this.view.focus();

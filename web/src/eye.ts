@@ -83,6 +83,23 @@ export class Eye {
     this.controls.update();
   }
 
+  /** A box takes a share of the view, seen from where it is seen now. */
+  show(box: Bounds, share: number): void {
+    const { camera, controls } = this;
+    const center = new Vector3(...box.low).add(new Vector3(...box.high)).multiplyScalar(0.5);
+    camera.position.sub(controls.target).add(center);
+    controls.target.copy(center);
+    camera.updateMatrixWorld();
+    const extent = new Extent(camera.matrixWorldInverse.elements);
+    extent.addBox(box);
+    const [left, right, bottom, top] = extent.edges;
+    const { left: l, right: r, top: t, bottom: b } = camera;
+    camera.zoom = share * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
+    camera.updateProjectionMatrix();
+    this.userMoved = true;
+    controls.update();
+  }
+
   /** Whether places are in the view; every so many numbers of them one is looked at. */
   sees(points: Float32Array, step: number): boolean {
     const extent = new Extent(this.camera.matrixWorldInverse.elements);

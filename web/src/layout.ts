@@ -9,13 +9,14 @@ import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
 import { type Units, angles, coordinate, counted, speed } from "./units";
 
-export type PanelName = "problems" | "outline" | "state" | "times";
+export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
 const PANELS: [PanelName, string][] = [
   ["problems", "Problems"],
   ["outline", "Outline"],
   ["state", "In force"],
   ["times", "Times"],
+  ["compare", "Compare"],
 ];
 
 const VIEWS: [ViewName, string, string][] = [
@@ -166,6 +167,7 @@ export function layout(root: HTMLElement) {
   measured.setAttribute("role", "status");
   const comparison = element("div", "comparison");
   comparison.setAttribute("role", "status");
+  const paths = element("div", "paths");
   const turns = element("div", "turns");
   turns.hidden = true;
   const empty = element("div", "empty");
@@ -174,7 +176,7 @@ export function layout(root: HTMLElement) {
   progress.max = 1;
   progress.hidden = true;
   progress.setAttribute("aria-label", "Running the program");
-  stage.append(canvas, axes, legend, readout, measured, comparison, turns, empty, progress);
+  stage.append(canvas, axes, legend, paths, readout, measured, comparison, turns, empty, progress);
   const timeline = element("div", "timeline");
   right.append(bar, stage, timeline);
 
@@ -226,7 +228,7 @@ export function layout(root: HTMLElement) {
   let toastTimer = 0;
   let colored: ColorBy = "tool";
   const api = {
-    save, machine, measure, section, canvas, axes, code, timeline, panels, rapids, travel, toolOn, chordsOn, balanced,
+    save, machine, measure, section, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
     onFit: () => {},
     onColor: (_by: ColorBy) => {},
@@ -273,7 +275,7 @@ export function layout(root: HTMLElement) {
       counts.textContent = refused
         ? "cannot run"
         : report
-          ? `${counted(report.errors, "error")}, ${counted(report.warnings, "warning")}`
+          ? [counted(report.errors, "error"), ...(report.warnings > 0 ? [counted(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
     legend(report: Report, path: Path, colorOf: (tool: number) => string): void {

@@ -125,8 +125,82 @@ export interface Entry {
   children: Entry[];
 }
 
+/** What the program is held against. */
+export type Other = "nothing" | "named" | { machine: string | null };
+
+/** Lines of a file, from and to, both counted; file 0 is the program itself. */
+export interface Blocks {
+  file: number;
+  from: number;
+  to: number;
+}
+
+/** What one of two programs has. */
+export interface Side {
+  blocks: Blocks | null;
+  steps: number;
+  value: string | null;
+  words: string;
+  /** It has nothing of what the other one has; its block is the one behind which it would be. */
+  lacks: boolean;
+}
+
+export interface Difference {
+  category: string;
+  head: string;
+  distance_mm: number | null;
+  /** A place on each path where they are about furthest apart, in the frame of the run. */
+  at_mm: [[number, number, number], [number, number, number]] | null;
+  sides: [Side, Side];
+}
+
+export interface Comparison {
+  run: number;
+  version: number;
+  verdict: "same" | "within" | "different";
+  tolerance_mm: number;
+  headline: string;
+  max_distance_mm: number | null;
+  farthest: { places: { file: number; line: number }[]; at_mm: Difference["at_mm"] } | null;
+  sides: { name: string; moves: number; errors: number }[];
+  differences: Difference[];
+  dropped: number;
+}
+
+/** The other program; none where `other` is nothing. */
+export interface Against {
+  version: number;
+  other: Other;
+  own_text?: boolean;
+  name?: string;
+  machine?: MachineInfo;
+  why?: string | null;
+}
+
+/** Lines of the other program. */
+export interface OtherText {
+  file: string;
+  line: number;
+  first_line: number;
+  text: string;
+}
+
+export interface Hello {
+  name: string;
+  writable: boolean;
+  machines: { name: string; title: string }[];
+  against: { name: string; own_text: boolean } | null;
+  tolerance_mm: number;
+}
+
 export type Told =
-  | { type: "hello"; name: string; writable: boolean; machines: { name: string; title: string }[] }
+  | ({ type: "hello" } & Hello)
+  | ({ type: "against" } & Against)
+  | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }
+  | { type: "against_end"; version: number; rows: number; rows_left_out: number }
+  | ({ type: "comparison" } & Comparison)
+  | { type: "no_comparison"; run: number; version: number; message: string }
+  | ({ type: "other_text"; id: number } & OtherText)
   | { type: "run"; run: number; machine: MachineInfo; why: string | null }
   | { type: "refused"; run: number; message: string; help?: string | null }
   | ({ type: "report" } & Report)

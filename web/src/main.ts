@@ -2,7 +2,7 @@
 
 import "./style.css";
 import { type ColorBy, DARK, LIGHT, toolColor } from "./colors";
-import { differences, pointsOf } from "./compare";
+import { againstProgram } from "./against";
 import { Editor } from "./editor";
 import { Elsewhere } from "./elsewhere";
 import { type Frame, f32, u32, u8 } from "./frame";
@@ -21,12 +21,8 @@ import { count, counted, length } from "./units";
 
 const ui = layout(document.querySelector<HTMLElement>("#app")!);
 
-/** How far the drawn path of the machine before may be from its arcs. */
-const GHOST_TOLERANCE_MM = 0.02;
-
 let path = new Path();
 let kinematics = new Kinematics([], [0, 0, 0]);
-let former: { path: Path; machine: string } | undefined;
 let run = 0;
 let machine: MachineInfo | undefined;
 let report: Report | undefined;
@@ -34,7 +30,7 @@ let refused: { message: string; help?: string | null } | undefined;
 let times: Times | undefined;
 let timesMessage: string | undefined;
 let setpoints: Setpoints | undefined;
-let comparing = false;
+let programName = "";
 let row = 0;
 
 const isDark = () =>
@@ -66,13 +62,36 @@ const link = new Link(take, takeFrame, () => {
   ui.tell("error", "Chordal has ended or the connection broke. Start chordal view again; what was typed since the last save is still here to copy.");
 });
 
+const against = againstProgram({
+  panel: ui.panels.compare,
+  legend: ui.paths,
+  view,
+  editor,
+  elsewhere,
+  link,
+  path: () => path,
+  run: () => run,
+  machine: () => machine,
+  units: () => ({ inch: report?.inch ?? false }),
+  name: () => programName,
+  goTo: (line) => {
+    editor.goTo(line);
+    cursorAt(line);
+  },
+  tell: ui.comparison,
+  open: () => ui.show("compare"),
+});
+
 function take(told: Told): void {
+  if (against.take(told)) return;
   switch (told.type) {
     case "hello":
       document.title = `${told.name.split(/[\\/]/).pop()} – Chordal`;
       ui.setName(told.name);
       ui.save.hidden = !told.writable;
       ui.setMachines(told.machines);
+      programName = told.name;
+      against.offer(told);
       break;
     case "run":
       begin(told);
@@ -129,7 +148,6 @@ async function goToDefinition(line: number, column: number): Promise<void> {
 
 function begin(told: Extract<Told, { type: "run" }>): void {
   run = told.run;
-  former = comparing && report ? { path, machine: machine?.title ?? "" } : undefined;
   machine = told.machine;
   askWords(editor.view);
   ui.machineWhy(told.machine.title, told.why);
@@ -142,6 +160,7 @@ function begin(told: Extract<Told, { type: "run" }>): void {
   setpoints = undefined;
   ui.progress(0);
   timeline.setMessage("running…");
+  against.began();
 }
 
 /** The first batch of a run takes the place of the path before: until then that stays. */
@@ -150,7 +169,6 @@ function startPath(): void {
   if (started) return;
   started = true;
   view.begin(path);
-  view.setGhost(new Float32Array(0), [0, 0, 0]);
   timeline.clear();
 }
 
@@ -180,6 +198,9 @@ function takeFrame(frame: Frame): void {
         const own = new Kinematics(machine?.rotary ?? [], origin);
         view.addContour(own.batch(batchOf(frame)), origin);
       }
+      break;
+    case "against_path":
+      against.takePath(frame);
       break;
     case "chords":
       view.setChords(f32(frame, "points"), header.origin as Vec3);
@@ -226,7 +247,7 @@ function finish(told: Report): void {
   const { zeros, machine: at } = told.places;
   view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
   view.showTravel(ui.travel.checked);
-  ui.legend(told, path, (tool) => toolColor(palette(), tool));
+  tellColors();
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
   ui.empty(path.bounds ? "" : emptyText(told));
@@ -236,9 +257,14 @@ function finish(told: Report): void {
   tellTimes();
   void tellOutline();
   if (setpoints) timeline.set(setpoints, { inch: told.inch });
-  void compare();
   cursorAt(editor.line);
   if (ui.chordsOn.checked) askChords();
+}
+
+/** Which colour is which tool, and that of the first for the whole path. */
+function tellColors(): void {
+  if (report) ui.legend(report, path, (tool) => toolColor(palette(), tool));
+  against.color(toolColor(palette(), path.tools[0] ?? 0));
 }
 
 function emptyText(told: Report): string {
@@ -257,32 +283,6 @@ function travelBox(at: (number | null)[] | null): Bounds | undefined {
   });
   if (ends.some((end) => !end)) return undefined;
   return { low: ends.map((end) => end![0]) as Vec3, high: ends.map((end) => end![1]) as Vec3 };
-}
-
-/** Tells and draws what the machine before did otherwise. */
-async function compare(): Promise<void> {
-  const other = former;
-  const own = run;
-  const isWanted = () => own === run;
-  comparing = false;
-  former = undefined;
-  if (!other) {
-    editor.markLines("differs", []);
-    ui.comparison("");
-    return;
-  }
-  const found = await differences(other.path, path, isWanted);
-  if (!found) return;
-  const { lines, rows } = found;
-  editor.markLines("differs", lines.slice(0, 10_000));
-  const points = await pointsOf(other.path, rows, GHOST_TOLERANCE_MM);
-  if (!isWanted()) return;
-  view.setGhost(points, other.path.origin);
-  ui.comparison(
-    lines.length === 0
-      ? `Moves as on ${other.machine}`
-      : `${counted(lines.length, "line")} otherwise than on ${other.machine}, shown grey`,
-  );
 }
 
 function tellProblems(): void {
@@ -428,7 +428,6 @@ function askChords(): void {
 editor.onDirty = (dirty) => ui.setDirty(dirty);
 ui.save.addEventListener("click", () => void save(false));
 ui.machine.addEventListener("change", () => {
-  comparing = true;
   editor.flush();
   link.tell("machine", { name: ui.machine.value || null });
 });
@@ -440,7 +439,7 @@ ui.onColor = (by: ColorBy) => {
 };
 ui.onTheme = () => {
   view.setPalette(palette());
-  if (report) ui.legend(report, path, (tool) => toolColor(palette(), tool));
+  tellColors();
   ui.colorBy(undefined, path, report, palette().speeds);
   timeline.draw();
   tellTimes();
@@ -507,6 +506,10 @@ view.onDrawn = () => drawAxes(ui.axes, view.axes());
 document.addEventListener("keydown", (event) => {
   const target = event.target as HTMLElement;
   if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key === "F9") {
+    event.preventDefault();
+    return against.walk(event.shiftKey ? -1 : 1);
+  }
   if (target.closest(".cm-editor, input:not([type=range]):not([type=checkbox]), select, textarea")) return;
   if (event.key === " " && target.closest("button, summary, input")) return;
   const act: Record<string, () => void> = {
@@ -522,6 +525,8 @@ document.addEventListener("keydown", (event) => {
     "4": () => view.setView("iso"),
     f: () => view.fit(),
     m: () => setMeasuring(!measuring),
+    n: () => against.walk(1),
+    p: () => against.walk(-1),
     escape: () => setMeasuring(false),
   };
   const chosen = act[event.key.toLowerCase()];
@@ -535,4 +540,4 @@ window.addEventListener("beforeunload", (event) => {
 });
 
 // For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, path: () => path, report: () => report, setpoints: () => setpoints } });
+Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, path: () => path, report: () => report, setpoints: () => setpoints } });

@@ -45,7 +45,9 @@ export class Painter {
   readonly isSoftware: boolean;
   /** What is to be drawn once for each place of the camera. */
   readonly path = new Group();
-  /** Of it, the rapids: while the view turns the coarse path has some of them. */
+  /** Of it, the program's own, which may be hidden. */
+  readonly own = new Group();
+  /** Of that, the rapids: while the view turns the coarse path has some of them. */
   readonly rapids = new Group();
   /** Of it, what may be missing while the view turns. */
   readonly beside = new Group();
@@ -91,7 +93,8 @@ export class Painter {
     this.isSoftware = drawsInSoftware(this.renderer.getContext());
     this.pace = new Pace(this.isSoftware);
     this.slices = new Slices(this.isSoftware);
-    this.path.add(cuts, coarse.object, this.rapids, this.beside);
+    this.own.add(cuts, coarse.object, this.rapids);
+    this.path.add(this.own, this.beside);
     this.scene.add(this.path, this.over);
   }
 
@@ -112,7 +115,7 @@ export class Painter {
 
   /** An object was added to the path: a picture that is there or being drawn gets it, too. */
   added(object: LineSegments | LineSegments2): void {
-    if (this.state === "stale") return;
+    if (this.state === "stale" || !this.own.visible) return;
     this.queue.push(whole(object));
     if (this.state === "complete") void this.drawQueue();
   }
@@ -150,7 +153,8 @@ export class Painter {
     coarse.show(isCoarse, level);
     cuts.visible = !isCoarse;
     rapids.visible = rapidsShown && !isCoarse;
-    beside.visible = !isCoarse || weight(pieces(beside)) <= LEVELS[level]!;
+    // With the own path hidden there would be nothing else to be seen.
+    beside.visible = !isCoarse || !this.own.visible || weight(pieces(beside)) <= LEVELS[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
     renderer.setRenderTarget(target);

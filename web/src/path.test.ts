@@ -45,6 +45,20 @@ describe("arcs", () => {
 });
 
 describe("a path", () => {
+  it("has a box that holds spirals of many turns", () => {
+    // Four turns and a quarter from radius 10 to 27: the widest places are in the last turn.
+    const turns = 4.25;
+    const arcs = new Float32Array([0, 0, 0, 1, 0, 0, 0, 0, 1, 10, 27, 2 * Math.PI * turns, 0]);
+    const path = new Path();
+    path.add(batch(0, [1], [10, 0, 0, 0, 27, 0], { arcRows: new Uint32Array([0]), arcs }), [0, 0, 0]);
+    const { low, high } = path.bounds!;
+    const radius = (turn: number) => 10 + (17 * turn) / turns;
+    expect(high[0]).toBeCloseTo(radius(4), 1);
+    expect(low[0]).toBeCloseTo(-radius(3.5), 1);
+    expect(high[1]).toBeCloseTo(27, 4);
+    expect(low[1]).toBeCloseTo(-radius(3.75), 1);
+  });
+
   it("knows the rows of a line and the line of a row, across batches", () => {
     const path = new Path();
     path.add(batch(0, [1, 3], [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 5, 0]), [0, 0, 0]);

@@ -109,8 +109,9 @@ export class Path {
     // An arc bulges out of the box of its ends.
     for (let at = 0; at < batch.arcRows.length; at++) {
       if (!(kind[batch.arcRows[at]!]! & KNOWN)) continue;
-      for (let step = 1; step < 8; step++) {
-        const point = arcPoint(batch.arcs, at, step / 8);
+      const steps = arcEighths(batch.arcs, at);
+      for (let step = 1; step < steps; step++) {
+        const point = arcPoint(batch.arcs, at, step / steps);
         for (let axis = 0; axis < 3; axis++) {
           low[axis] = Math.min(low[axis]!, point[axis]!);
           high[axis] = Math.max(high[axis]!, point[axis]!);
@@ -251,6 +252,12 @@ export function arcPoint(arcs: Float32Array, index: number, share: number): Vec3
     arcs[at + 1]! + c * uy + s * (wz * ux - wx * uz) + rise * wy,
     arcs[at + 2]! + c * uz + s * (wx * uy - wy * ux) + rise * wz,
   ];
+}
+
+/** Eighths of a turn that an arc has, about: between them its box is found. */
+export function arcEighths(arcs: Float32Array, index: number): number {
+  const eighths = Math.ceil((8 * Math.abs(arcs[index * RECORD + 11]!)) / (2 * Math.PI));
+  return Math.max(8, Math.min(512, eighths));
 }
 
 /** How many straight pieces an arc takes so that none is further from it than a tolerance, mm. */

@@ -20,6 +20,7 @@ import { Eye, type ViewName } from "./eye";
 import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn, someRows } from "./lines";
+import { Overlay } from "./overlay";
 import { Painter } from "./painter";
 import { pause } from "./pause";
 import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
@@ -63,7 +64,7 @@ export class PathView {
   private rapids: Group;
   private coarse = new Coarse();
   private contour = new Group();
-  private ghost = new Group();
+  private other = new Overlay(() => this.painter.changed());
   private chords = new Group();
   private fixed = new Fixed();
   private mark = new LineSegments2();
@@ -71,7 +72,6 @@ export class PathView {
   private cutMaterials = new StrokeMaterials();
   private rapidMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.75 });
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
-  private ghostMaterial = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
   private palette: Palette;
@@ -109,8 +109,8 @@ export class PathView {
     this.measured.frustumCulled = false;
     this.measured.visible = false;
     this.mark.visible = false;
-    this.painter.beside.add(this.ghost, this.contour, this.chords);
-    this.painter.over.add(this.fixed.object, this.mark, this.measured, this.tool.object);
+    this.painter.beside.add(this.contour, this.chords, this.other.object);
+    this.painter.over.add(this.fixed.object, this.mark, this.other.mark, this.measured, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -147,6 +147,7 @@ export class PathView {
     this.drawnBatches.push(part);
     part.lines = drawn(batch, this.tolerance(), this.keep(batch));
     this.put(part);
+    if (isFirst) this.other.place(this.path.origin);
     if (!this.eye.userMoved && (isFirst || !this.eye.sees(batch.points, 3 * 16))) this.fit(true);
     for (const strokes of [part.cuts?.object, part.rapids]) if (strokes) this.painter.added(strokes);
     this.render();
@@ -155,6 +156,7 @@ export class PathView {
   /** The whole path is there. */
   async finish(): Promise<void> {
     const { path } = this;
+    this.other.place(path.origin);
     if (path.rows > this.mostWide) {
       // The first batches did not know that there would be so many.
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
@@ -232,7 +234,7 @@ export class PathView {
     this.painter.renderer.setClearColor(new Color(palette.background));
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
-    this.ghostMaterial.color.set(palette.ghost);
+    this.other.setColor(palette.other);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
     this.markMaterial.color.set(palette.mark);
@@ -252,15 +254,45 @@ export class PathView {
     this.changed();
   }
 
-  /** The path of another machine, where it differs. */
-  setGhost(points: Float32Array, origin: Vec3): void {
-    empty(this.ghost);
-    if (points.length > 0) {
-      const object = new LineSegments(geometryOf(points), this.ghostMaterial);
-      object.position.set(...difference(origin, this.path.origin));
-      this.ghost.add(object);
-      if (!this.eye.userMoved) this.fit();
-    }
+  /** The path of the other program begins; what is there of it is taken away. */
+  beginOther(path: Path): void {
+    this.other.begin(path);
+    this.changed();
+  }
+
+  addOther(batch: Batch): void {
+    this.other.add(batch, this.tolerance(this.other.path), this.mostWide);
+    this.other.place(this.path.origin);
+    this.changed();
+  }
+
+  /** All of the other path is there. */
+  async finishOther(): Promise<void> {
+    if (!this.eye.userMoved) this.fit();
+    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+  }
+
+  showOwn(shown: boolean): void {
+    this.painter.own.visible = this.contour.visible = this.chords.visible = shown;
+    this.changed();
+  }
+
+  showOther(shown: boolean): void {
+    this.other.show(shown);
+    this.changed();
+  }
+
+  /** Marks ranges of rows of the other path. */
+  markOther(ranges: [number, number][]): void {
+    this.other.markRows(ranges, this.tolerance(this.other.path));
+    this.render();
+  }
+
+  /** Shows a box in the frame of the run, seen from where it is seen now. */
+  zoomTo({ low, high }: Bounds): void {
+    const own = this.path.origin;
+    this.eye.show({ low: difference(low, own), high: difference(high, own) }, 0.8);
+    void this.refine();
     this.changed();
   }
 
@@ -291,13 +323,14 @@ export class PathView {
   showRapids(shown: boolean): void {
     this.rapids.visible = shown;
     this.coarse.showRapids(shown);
+    this.other.showRapids(shown);
     this.changed();
   }
 
-  /** Marks rows; none: nothing is marked. */
+  /** Marks rows; none: nothing is marked. What the other path has there is marked no more. */
   markRows(rows: [number, number] | undefined): void {
-    this.mark.visible = false;
-    if (rows) {
+    this.mark.visible = this.other.mark.visible = false;
+    if (rows && this.painter.own.visible) {
       const points: number[] = [];
       for (const { batch } of this.drawnBatches) {
         const from = Math.max(0, rows[0] - batch.first);
@@ -370,6 +403,7 @@ export class PathView {
       material.clippingPlanes = planes;
       material.needsUpdate = true;
     }
+    this.other.clip(planes);
   }
 
   /** A line between two places, relative to the origin of the path. */
@@ -388,6 +422,7 @@ export class PathView {
 
   /** The row at a place of the canvas. */
   pick(x: number, y: number): Picked | undefined {
+    if (!this.painter.own.visible) return undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
     return pick(this.drawnBatches, this.eye, this.canvas, [x, y], this.rapids.visible, (at) => {
       const z = at[2] + this.path.origin[2];
@@ -422,7 +457,8 @@ export class PathView {
     const box = new Box3();
     const { bounds } = this.path;
     if (bounds) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
-    box.union(new Box3().setFromObject(this.ghost));
+    const other = this.other.bounds(this.path.origin);
+    if (other) box.union(new Box3(new Vector3(...other.low), new Vector3(...other.high)));
     if (box.isEmpty()) box.set(new Vector3(-10, -10, -10), new Vector3(10, 10, 10));
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
@@ -436,20 +472,22 @@ export class PathView {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
     }
-    if (extent.isEmpty || this.ghost.children.length > 0) extent.addBox(box);
+    if (extent.isEmpty || this.other.isShown) extent.addBox(box);
     return extent.edges;
   }
 
   /** A quarter of a pixel, for arcs that can be seen; the others stay as coarse as they may. */
-  private tolerance(): (arcs: Float32Array, index: number) => number {
+  private tolerance(path = this.path): (arcs: Float32Array, index: number) => number {
     const pixel = this.eye.pixel();
     const matrix = this.eye.matrix();
     const side = this.eye.shorterSide();
     const center = new Vector3();
-    const many = this.path.rows > MANY;
+    const many = path.rows > MANY;
+    // Whether it is in sight is asked of places relative to the origin of the shown path.
+    const [dx, dy, dz] = difference(path.origin, this.path.origin);
     return (arcs, index) => {
       const reach = arcReach(arcs, index);
-      center.set(arcs[13 * index]!, arcs[13 * index + 1]!, arcs[13 * index + 2]!).applyMatrix4(matrix);
+      center.set(arcs[13 * index]! + dx, arcs[13 * index + 1]! + dy, arcs[13 * index + 2]! + dz).applyMatrix4(matrix);
       const margin = 1 + (2 * reach) / side;
       const seen = Math.abs(center.x) < margin && Math.abs(center.y) < margin;
       return seen ? pixel * (many ? 0.5 : 0.25) : Math.max(pixel, reach / 20);
@@ -463,7 +501,9 @@ export class PathView {
     const curved = this.drawnBatches.filter(({ batch }) => batch.arcRows.length > 0);
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
-    if (curved.length === 0 || !(near || always || this.eye.userMoved)) return;
+    if (!(near || always || this.eye.userMoved)) return;
+    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+    if (curved.length === 0 || number !== this.refining) return;
     this.cutFor = pixel;
     const tolerance = this.tolerance();
     for (const part of curved) {
@@ -541,6 +581,7 @@ export class PathView {
       this.rapidMaterial.gapSize = 4 * pixel;
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
+      this.other.dash(pixel);
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();

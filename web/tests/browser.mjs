@@ -13,13 +13,19 @@ const PICTURES = join(ROOT, "target/view");
 mkdirSync(PICTURES, { recursive: true });
 
 /** Starts `chordal view` and gives its address. */
-export async function serve(file, ...more) {
-  const process_ = spawn(CHORDAL, ["view", file, "--no-browser", ...more], { stdio: ["ignore", "pipe", "pipe"] });
+export function serve(file, ...more) {
+  return command("view", file, "--no-browser", ...more);
+}
+
+/** Starts a command that shows a page, and gives its address; nothing is there that could open it. */
+export async function command(...words) {
+  const process_ = spawn(CHORDAL, words, { stdio: ["ignore", "pipe", "pipe"], env: { ...process.env, PATH: "" } });
   const url = await new Promise((answer, fail) => {
     let text = "";
     process_.stdout.on("data", (data) => {
       text += data;
-      if (text.includes("\n")) answer(text.trim());
+      const found = /^http:\S+$/m.exec(text);
+      if (found) answer(found[0]);
     });
     process_.stderr.on("data", (data) => (text += data));
     process_.on("exit", (code) => fail(new Error(`chordal ended with ${code}: ${text}`)));

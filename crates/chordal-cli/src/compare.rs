@@ -2,14 +2,16 @@ use std::path::{Path, PathBuf};
 
 use chordal::Job;
 use chordal::machine::Dimension;
-use chordal_compare::{Category, Comparison, Difference, Options, Verdict as Answer, compare};
-use chordal_export::{Plot, PlotOptions, comparison_json, value_text};
+use chordal_compare::{Category, Options, Verdict as Answer, compare};
+use chordal_export::{
+    Plot, PlotOptions, comparison_headline, comparison_json, comparison_names, comparison_text,
+};
 
 use crate::failure::{Failure, Verdict};
-use crate::numbers::{Units, counted, grouped, short};
+use crate::numbers::Units;
 use crate::options::{AnswerFormat, Common, quantity};
 use crate::output::write_whole;
-use crate::session::{Loaded, load_one};
+use crate::session::load_one;
 use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
@@ -66,9 +68,6 @@ pub struct Args {
     common: Common,
 }
 
-/// Most differences that are told to people.
-const MOST_TOLD: usize = 20;
-
 fn category(text: &str) -> Result<Category, String> {
     Category::ALL.into_iter().find(|category| category.word() == text).ok_or_else(|| {
         let words: Vec<&str> = Category::ALL.iter().map(|category| category.word()).collect();
@@ -84,7 +83,12 @@ pub fn length_mm(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let [a, b] = sides(args)?;
+    let Some([a, b]) = sides(&args.a, args.b.as_ref(), &args.machines, &args.common)? else {
+        return Err(Failure::wrong(
+            "there is one program and nothing to hold it against",
+            "name another program, or another machine with --as",
+        ));
+    };
     let (a, b) = (load_one(a.0, &a.1)?, load_one(b.0, &b.1)?);
     let jobs = [a.job()?, b.job()?];
     let jobs = [&jobs[0], &jobs[1]];
@@ -99,13 +103,21 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         ..Options::default()
     };
     let found = compare(jobs[0], jobs[1], &options);
+    let names = comparison_names([a.name(), b.name()], jobs);
     if let Some(path) = &args.output {
         let units = Units::of(found.reports[0].summary.inch);
-        let about = headline(&found, units, args.tolerance);
-        picture(path, jobs, names([&a, &b], jobs), &about)?;
+        let about = comparison_headline(&found, units, args.tolerance);
+        picture(path, jobs, names.clone(), &about)?;
     }
     match args.format {
-        AnswerFormat::Text => say(&text(&found, [&a, &b], jobs, args.tolerance))?,
+        AnswerFormat::Text => {
+            say(&comparison_text(
+                &found,
+                names.each_ref().map(String::as_str),
+                jobs,
+                args.tolerance,
+            ))?;
+        }
         AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
     Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
@@ -144,21 +156,22 @@ pub fn picture(
     write_whole(path, &content)
 }
 
-/// The two programs, each with its options.
-fn sides(args: &Args) -> Result<[(&PathBuf, Common); 2], Failure> {
+/// The two programs, each with its options; nothing where there is one program on one machine.
+pub fn sides<'a>(
+    a: &'a PathBuf,
+    b: Option<&'a PathBuf>,
+    machines: &[String],
+    common: &Common,
+) -> Result<Option<[(&'a PathBuf, Common); 2]>, Failure> {
     let on = |machine: Option<&String>| {
-        let machine = machine.or(args.common.machine.as_ref()).cloned();
-        Common { machine, ..args.common.clone() }
+        let machine = machine.or(common.machine.as_ref()).cloned();
+        Common { machine, ..common.clone() }
     };
-    let machines = args.machines.as_slice();
-    match (&args.b, machines) {
-        (Some(b), [] | [_, _]) => Ok([(&args.a, on(machines.first())), (b, on(machines.get(1)))]),
-        (None, [first, second]) => Ok([(&args.a, on(Some(first))), (&args.a, on(Some(second)))]),
-        (None, [second]) => Ok([(&args.a, on(None)), (&args.a, on(Some(second)))]),
-        (None, []) => Err(Failure::wrong(
-            "there is one program and nothing to hold it against",
-            "name another program, or another machine with --as",
-        )),
+    match (b, machines) {
+        (Some(b), [] | [_, _]) => Ok(Some([(a, on(machines.first())), (b, on(machines.get(1)))])),
+        (None, [first, second]) => Ok(Some([(a, on(Some(first))), (a, on(Some(second)))])),
+        (None, [second]) => Ok(Some([(a, on(None)), (a, on(Some(second)))])),
+        (None, []) => Ok(None),
         (Some(_), [_]) => Err(Failure::wrong(
             "--as is given once for two programs",
             "give it twice, in the order of the programs, or --machine for both",
@@ -167,135 +180,4 @@ fn sides(args: &Args) -> Result<[(&PathBuf, Common); 2], Failure> {
             Err(Failure::wrong("--as is given more than twice", "give it once for each program"))
         }
     }
-}
-
-fn text(found: &Comparison, loaded: [&Loaded; 2], jobs: [&Job; 2], tolerance_mm: f64) -> String {
-    let names = names(loaded, jobs);
-    told(found, [&names[0], &names[1]], jobs, tolerance_mm)
-}
-
-/// A comparison for people, the two called by these names.
-pub fn told(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_mm: f64) -> String {
-    let units = Units::of(found.reports[0].summary.inch);
-    let names = names.map(str::to_string);
-    let mut text = headline(found, units, tolerance_mm);
-    if let Some(at) = found.farthest {
-        let [a, b] = [0, 1].map(|side: usize| format!("{}:{}", names[side], at[side].line));
-        text += &format!("furthest apart at {a} and {b}\n");
-    }
-    for (name, report) in names.iter().zip(&found.reports) {
-        if report.counts.errors > 0 {
-            let errors = counted(report.counts.errors, "error", "errors");
-            text += &format!("{name}: {errors}; `chordal check` tells them\n");
-        }
-    }
-    for one in found.differences.iter().take(MOST_TOLD) {
-        text += &difference(one, &names, jobs, units);
-    }
-    let more = found.differences.len().saturating_sub(MOST_TOLD) as u64 + found.dropped;
-    if more > 0 {
-        text += &format!("\nand {}\n", counted(more, "difference more", "differences more"));
-    }
-    text
-}
-
-pub fn headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
-    let total = found.differences.len() as u64 + found.dropped;
-    let differences = counted(total, "difference", "differences");
-    match (found.verdict, found.max_distance_mm) {
-        (Answer::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
-        (Answer::Same, None) => {
-            "same as far as can be said: no move lies between places that are known \
-                                 relative to the part\n"
-                .into()
-        }
-        (Answer::Same, Some(_)) => format!(
-            "same: {}\n",
-            match found.moves {
-                [a, b] if a == b => counted(a, "move", "moves"),
-                [a, b] => format!("the motion of {a} moves in {b}"),
-            }
-        ),
-        (Answer::Within, most) => {
-            let most = length(most.unwrap_or_default(), units);
-            format!(
-                "within: the paths are at most {most} apart, {} are allowed\n",
-                length(tolerance_mm, units)
-            )
-        }
-        (Answer::Different, None) => format!("different: {differences}\n"),
-        (Answer::Different, Some(most)) if most <= chordal_compare::SAME_MM => {
-            format!("different: {differences}; the paths are the same\n")
-        }
-        (Answer::Different, Some(most)) => {
-            format!(
-                "different: {differences}; the paths are at most {} apart\n",
-                length(most, units)
-            )
-        }
-    }
-}
-
-/// How the two are called: by their names, or by their machines where it is one program.
-fn names(loaded: [&Loaded; 2], jobs: [&Job; 2]) -> [String; 2] {
-    let names = loaded.map(|loaded| loaded.name().to_string());
-    if names[0] != names[1] {
-        let short = names.each_ref().map(|name| {
-            Path::new(name).file_name().map(|name| name.to_string_lossy().into_owned())
-        });
-        return match short {
-            [Some(a), Some(b)] if a != b => [a, b],
-            _ => names,
-        };
-    }
-    jobs.map(|job| job.machine().name.clone())
-}
-
-pub fn difference(one: &Difference, names: &[String; 2], jobs: [&Job; 2], units: Units) -> String {
-    let mut head = format!("\n{}", one.category.word());
-    if let Some(distance) = one.distance_mm {
-        head += &format!(": at most {} apart", length(distance, units));
-    }
-    if let Some(shift) = one.shift_mm {
-        let shift = shift.map(|mm| length(mm, units));
-        head += &format!(", moved by X {} Y {} Z {}", shift[0], shift[1], shift[2]);
-    }
-    if one.times > 1 {
-        head += &format!(", {} times", grouped(one.times));
-    }
-    let mut text = head + "\n";
-    let places = [0, 1].map(|side: usize| match &one.blocks[side] {
-        None => names[side].clone(),
-        Some(at) => match at.lines() {
-            (from, to) if from == to => format!("{}:{from}", names[side]),
-            (from, to) => format!("{}:{from}-{to}", names[side]),
-        },
-    });
-    let width = places.iter().map(|place| place.chars().count()).max().unwrap_or(0);
-    for side in 0..2 {
-        let lacks = one.steps[side] == 0;
-        let words = one.blocks[side].as_ref().map_or_else(String::new, |at| {
-            let words = jobs[side].sources().words(at.first.span).trim().to_string();
-            if lacks { format!("(lacks it; after {words})") } else { words }
-        });
-        let value = one
-            .values
-            .as_ref()
-            .map_or_else(String::new, |values| format!("  {}", value_text(&values[side], units)));
-        let moves = match one.steps[side] {
-            0 | 1 => String::new(),
-            steps => format!("  ({})", counted(steps, "block", "blocks")),
-        };
-        text += format!("  {:width$}{value}  | {words}{moves}", places[side]).trim_end();
-        text.push('\n');
-    }
-    text
-}
-
-/// To a hundredth of a micrometre: what is less is written as a power of ten.
-pub fn length(mm: f64, units: Units) -> String {
-    let value = mm / units.length_mm();
-    let text =
-        if value == 0.0 || value.abs() >= 1e-4 { short(value, 5) } else { format!("{value:.1e}") };
-    format!("{text} {}", units.length_unit())
 }

@@ -3,18 +3,19 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal_compare::Category;
-use chordal_export::conversion_json;
+use chordal_compare::{Category, Options as Comparing};
+use chordal_export::{comparison_headline, conversion_json, difference_text, length_text};
 use chordal_rewrite::convert::{Conversion, Options, convert};
 use chordal_rewrite::{Certificate, Change};
 
-use crate::compare::{difference, headline, length, length_mm, picture};
+use crate::compare::{length_mm, picture};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted};
 use crate::options::{AnswerFormat, Common};
 use crate::out::{Out, trouble};
 use crate::session::load_one;
 use crate::terminal::{Terminal, say};
+use crate::view::{self, Made};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,6 +23,7 @@ Examples:
   chordal convert part.nc --machine fadal-4020 --to haas-vf2 -o part-haas.nc
   chordal convert part.nc --to haas-vf2 -o - | diff part.nc -
   chordal convert part.nc --to fanuc-30i --tolerance 0.005mm -o part-fanuc.nc
+  chordal convert part.nc --to haas-vf2 --view             old and new over one another
   chordal convert part.nc --to mill.toml --certificate proof.json -o part-mill.nc
 
 The program is run on its own machine, written anew from what it does, run on the other one and
@@ -61,6 +63,10 @@ pub struct Args {
     /// Draws both paths over one another, as .svg or .png: the old one as a band
     #[arg(long, value_name = "OUT")]
     picture: Option<PathBuf>,
+
+    /// Shows both paths over one another in the browser, and what differs, until Ctrl-C
+    #[arg(long)]
+    view: bool,
 
     /// Converts a program that has errors on its own control
     #[arg(long)]
@@ -104,7 +110,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         (&args.picture, found.job("new"), &found.certificate)
     {
         let units = Units::of(certificate.comparison.reports[0].summary.inch);
-        let about = headline(&certificate.comparison, units, certificate.tolerance_mm);
+        let about = comparison_headline(&certificate.comparison, units, certificate.tolerance_mm);
         let names = [job.machine().name.clone(), found.machine.name.clone()];
         picture(path, [&job, &new], names, &about)?;
     }
@@ -118,6 +124,22 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     }
     if streams && may_write {
         say(&found.text)?;
+    }
+    if args.view && !found.text.is_empty() {
+        let made = Made {
+            how: "converted",
+            file: output.filter(|_| may_write && !streams),
+            text: found.text.clone().into_bytes(),
+            machine: found.machine.clone(),
+            // As in the proof: both begin at the same place, and both machines have the same tables.
+            options: Comparing {
+                tolerance_mm: args.tolerance,
+                feed_tolerance: 1e-5,
+                assume_known: true,
+                ..Comparing::default()
+            },
+        };
+        view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
     }
     Ok(if found.holds() { Verdict::Clean } else { Verdict::Problems })
 }
@@ -218,15 +240,16 @@ fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
     let Some(new) = found.job("the new program") else { return String::new() };
     let comparison = &certificate.comparison;
     let units = Units::of(comparison.reports[0].summary.inch);
-    let mut text = format!("\nproof: {}", headline(comparison, units, certificate.tolerance_mm));
-    let names = ["old".to_string(), "new".to_string()];
+    let mut text =
+        format!("\nproof: {}", comparison_headline(comparison, units, certificate.tolerance_mm));
+    let names = ["old", "new"];
     let jobs = [job, &new];
     for one in comparison.differences.iter().take(20) {
-        text += &difference(one, &names, jobs, units);
+        text += &difference_text(one, names, jobs, units);
     }
     if let Some(center) = &certificate.tool_center {
         let most = center.max_distance_mm.map_or_else(String::new, |most| {
-            format!(", up to {} from each other", length(most, units))
+            format!(", up to {} from each other", length_text(most, units))
         });
         text += &format!(
             "  the contours are as programmed; the controls compensate each in its own way{most}\n"
@@ -235,7 +258,7 @@ fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
     let mut expected = BTreeMap::new();
     for one in &certificate.expected {
         if one.category == Category::Problem {
-            text += &difference(one, &names, jobs, units);
+            text += &difference_text(one, names, jobs, units);
             continue;
         }
         *expected.entry(one.category.word()).or_insert(0) += one.times;

@@ -6,10 +6,12 @@ use std::sync::Arc;
 
 use chordal::Machine;
 use chordal::machine::builtin_names;
+use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
-use chordal_server::{MachineChoice, Programs, Refusal, ServeError, Server};
+use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server};
 
 use crate::beside::Folders;
+use crate::compare::{length_mm, sides};
 use crate::failure::{Failure, Verdict};
 use crate::input::{Input, Text};
 use crate::machine::{self, Chosen};
@@ -22,6 +24,9 @@ Examples:
   chordal view part.nc
   chordal view part.nc --machine haas-vf2
   chordal view part.nc --no-browser --port 8137
+  chordal view part.nc --against returned.nc            both paths, and what differs
+  chordal view fadal.nc --against haas.nc --as fadal-4020 --as haas-vf2
+  chordal view part.nc --as fadal-4020 --as haas-vf2    one program on two machines
 
 Serves a page on this machine alone, under an address that nobody can guess, until Ctrl-C. What is
 typed is run as you type; the file is written only when you save.";
@@ -32,6 +37,18 @@ typed is run as you type; the file is written only when you save.";
 pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
+
+    /// Another program to hold it against: its path is drawn beside, and what differs is listed
+    #[arg(long, value_name = "FILE")]
+    against: Option<PathBuf>,
+
+    /// The machine of a program: once for each, in their order; of one program two machines
+    #[arg(long = "as", value_name = "NAME|FILE.toml", conflicts_with = "machine")]
+    machines: Vec<String>,
+
+    /// What the two paths may be apart, as 0.01mm or 0.0005in; the page can change it
+    #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0mm")]
+    tolerance: f64,
 
     /// Only prints the address
     #[arg(long)]
@@ -46,16 +63,79 @@ pub struct Args {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let Args { file, no_browser, port, common } = args;
-    let program = Shown::new(&file, common)?;
+    let Args { file, against, machines, tolerance, no_browser, port, common } = args;
+    let program = match sides(&file, against.as_ref(), &machines, &common)? {
+        None => Shown::new(&file, common)?,
+        Some([_, (other, _)])
+            if against.is_some() && [&file, other].iter().all(|it| is_stdin(it)) =>
+        {
+            return Err(Failure::wrong(
+                "both programs are standard input",
+                "name a file for one of the two",
+            ));
+        }
+        Some([(a, on_a), (b, on_b)]) => {
+            let options = Options { tolerance_mm: tolerance, ..Options::default() };
+            let other =
+                if against.is_some() { Shown::new(b, on_b)? } else { Shown::named(b, on_b)? };
+            let own_text = against.is_none();
+            Shown::new(a, on_a)?.against(Against { programs: Arc::new(other), own_text, options })
+        }
+    };
+    serve(program, !no_browser, port, terminal)?;
+    Ok(Verdict::Clean)
+}
+
+fn is_stdin(file: &Path) -> bool {
+    file.as_os_str() == "-"
+}
+
+/// What a command made of a program.
+pub struct Made<'a> {
+    /// How, in a word before the program's name.
+    pub how: &'a str,
+    /// The file that it was written to; it is looked at as any.
+    pub file: Option<&'a Path>,
+    /// Its text, which the page shows where there is no file.
+    pub text: Vec<u8>,
+    /// What it runs on.
+    pub machine: Machine,
+    /// What counts as a difference.
+    pub options: Options,
+}
+
+/// Shows a program, and what was made of it beside, until the process ends.
+pub fn beside(
+    file: &Path,
+    text: &[u8],
+    common: &Common,
+    made: Made<'_>,
+    terminal: Terminal,
+) -> Result<(), Failure> {
+    let mut old = Shown::named(file, common.clone())?;
+    if is_stdin(file) {
+        old.held = Some(text.to_vec());
+    }
+    let mut new = Shown::named(made.file.unwrap_or(file), common.clone())?;
+    new.given = Some(made.machine);
+    if made.file.is_none() {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        new.title = Some(format!("{} {name}", made.how));
+        new.held = Some(made.text);
+    }
+    let against = Against { programs: Arc::new(new), own_text: false, options: made.options };
+    serve(old.against(against), true, 0, terminal)
+}
+
+/// Shows a program until the process ends.
+fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(), Failure> {
     let server = Server::listen(port).map_err(failed)?;
     let url = server.url();
     say(&format!("{url}\n"))?;
-    if !no_browser && let Err(reason) = open_browser(&url) {
+    if opens && let Err(reason) = open_browser(&url) {
         terminal.tell(&format!("cannot open a browser ({reason}): open the address above\n"));
     }
-    server.serve(Arc::new(program)).map_err(failed)?;
-    Ok(Verdict::Clean)
+    server.serve(Arc::new(program)).map_err(failed)
 }
 
 fn failed(error: ServeError) -> Failure {
@@ -67,37 +147,57 @@ fn failed(error: ServeError) -> Failure {
 /// The program of the command line, with what the command line says of it.
 struct Shown {
     input: Input,
-    /// What standard input held; a file is read anew each time.
+    /// What standard input held, or what has no file yet; a file is read anew each time.
     held: Option<Vec<u8>>,
+    /// The name for people, where it is not that of the file.
+    title: Option<String>,
     given: Option<Machine>,
     common: Common,
+    against: Option<Against>,
 }
 
 impl Shown {
     /// Reads the program once, so that what is wrong is told before a browser opens.
     fn new(file: &Path, common: Common) -> Result<Shown, Failure> {
-        let given = machine::given(&common)?;
-        if file.as_os_str() == "-" {
-            let input = Input { path: None, root: None };
-            let held = Some(Text::read(&input)?.bytes().to_vec());
-            return Ok(Shown { input, held, given, common });
+        if is_stdin(file) {
+            let shown = Shown::named(file, common)?;
+            let held = Some(Text::read(&shown.input)?.bytes().to_vec());
+            return Ok(Shown { held, ..shown });
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), &common).err().unwrap_or_else(|| {
                 Failure::wrong(format!("{} is a folder", file.display()), "name one program")
             }));
         }
-        let input = Input { path: Some(file.to_path_buf()), root: None };
         std::fs::File::open(file).map_err(|error| Failure::read(file.to_string_lossy(), &error))?;
-        Ok(Shown { input, held: None, given, common })
+        Shown::named(file, common)
+    }
+
+    /// A program whose text comes from elsewhere.
+    fn named(file: &Path, common: Common) -> Result<Shown, Failure> {
+        let given = machine::given(&common)?;
+        let path = (!is_stdin(file)).then(|| file.to_path_buf());
+        let input = Input { path, root: None };
+        Ok(Shown { input, held: None, title: None, given, common, against: None })
+    }
+
+    fn against(self, against: Against) -> Shown {
+        Shown { against: Some(against), ..self }
     }
 
     fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Failure> {
         let chosen = match machine {
+            // The page may choose of what it was told, and name no file.
+            Some(name) if !builtin_names().contains(&name) => {
+                return Err(Failure::wrong(
+                    format!("{name} is no machine of the list"),
+                    "choose one of the list, or start `chordal view` with --machine",
+                ));
+            }
             Some(name) => Some(machine::finish(machine::named(name)?, &self.common)?),
             None => self.given.clone(),
         };
-        let text = Text::of(&self.input.name(), text)?;
+        let text = Text::of(&self.name(), text)?;
         let mut folders = Folders::default();
         let loaded = load_text(text, &self.input, chosen.as_ref(), &self.common, &mut folders)?;
         let title = loaded.machine().title.clone();
@@ -119,11 +219,11 @@ impl Shown {
 
 impl Programs for Shown {
     fn path(&self) -> Option<PathBuf> {
-        self.input.path.clone()
+        self.input.path.clone().filter(|_| self.held.is_none())
     }
 
     fn name(&self) -> String {
-        self.input.name().into_owned()
+        self.title.clone().unwrap_or_else(|| self.input.name().into_owned())
     }
 
     fn read(&self) -> Result<Vec<u8>, Refusal> {
@@ -137,6 +237,10 @@ impl Programs for Shown {
 
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
         self.load(text, machine).map_err(|failure| refusal(&failure))
+    }
+
+    fn against(&self) -> Option<&Against> {
+        self.against.as_ref()
     }
 
     fn machines(&self) -> Vec<MachineChoice> {

@@ -1,8 +1,8 @@
 //! What a program does, in order.
 
 use chordal::control::{
-    Command, CommandKind, Coolant, FeedMode, Origin, Overrides, PathMode, RapidPath, Side,
-    SpindleState, initial_offset,
+    Command, CommandKind, Coolant, EndReason, FeedMode, Origin, Overrides, PathMode, RapidPath,
+    Side, SpindleState, initial_offset,
 };
 use chordal::geometry::{Curve, ParamCurve};
 use chordal::path::PathBuilder;
@@ -119,6 +119,11 @@ impl Course {
         Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
     }
 
+    /// The run was given up before its end.
+    pub(crate) fn was_interrupted(&self) -> bool {
+        was_interrupted(&self.report)
+    }
+
     /// Moves everything, and changes feeds and speeds.
     pub(crate) fn map(&mut self, mapping: &Mapping) {
         let scale = mapping.path.scale_factor();
@@ -164,6 +169,11 @@ impl Course {
     pub(crate) fn turn(&self, moved: &Moved) -> &[[f64; 3]; 2] {
         &self.turns[moved.turn as usize]
     }
+}
+
+/// The run was given up before its end.
+pub(crate) fn was_interrupted(report: &Report) -> bool {
+    report.outcomes.iter().any(|outcome| outcome.end == EndReason::Interrupted)
 }
 
 /// Arcs of more turns stay whole.

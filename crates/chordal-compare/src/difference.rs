@@ -163,7 +163,16 @@ impl Difference {
         steps: [u64; 2],
         values: Option<[Value; 2]>,
     ) -> Difference {
-        Difference { category, blocks, steps, times: 1, values, distance_mm: None, shift_mm: None }
+        Difference {
+            category,
+            blocks,
+            steps,
+            times: 1,
+            values,
+            distance_mm: None,
+            at_mm: None,
+            shift_mm: None,
+        }
     }
 
     /// A difference of one block and another.
@@ -236,6 +245,9 @@ pub struct Difference {
     pub values: Option<[Value; 2]>,
     /// The two paths are nowhere further apart here, mm.
     pub distance_mm: Option<f64>,
+    /// A place on each of the two paths where they are about furthest apart here, in the frame of the
+    /// run, mm: where to look, not a measure.
+    pub at_mm: Option<[[f64; 3]; 2]>,
     /// The second path is the first moved by this, mm, where it is that.
     pub shift_mm: Option<[f64; 3]>,
 }

@@ -113,6 +113,8 @@ pub struct Comparison {
     pub max_distance_mm: Option<f64>,
     /// The blocks where they are furthest apart.
     pub farthest: Option<[Place; 2]>,
+    /// A place on each path, about there, in the frame of the run, mm: where to look, not a measure.
+    pub farthest_at_mm: Option<[[f64; 3]; 2]>,
     /// The differences, in the order of the first program; paths within the tolerance are none.
     pub differences: Vec<Difference>,
     /// How many more there are.
@@ -123,12 +125,15 @@ pub struct Comparison {
     pub reports: [Report; 2],
 }
 
-/// Runs both and holds them against each other. Where no place of either is known relative to the part,
+/// Runs both and holds them against each other. A run that [`Job::interrupt`] ends leaves the comparison
+/// without a word, as its report tells. Where no place of either is known relative to the part,
 /// and their machines have the same tables, both are taken to begin at the same place.
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
     let mapping = Mapping::default();
     let found = compare_mapped(a, b, options, &mapping);
-    let nothing_known = found.max_distance_mm.is_none() && found.moves != [0, 0];
+    let was_interrupted = found.reports.iter().any(course::was_interrupted);
+    let nothing_known =
+        found.max_distance_mm.is_none() && found.moves != [0, 0] && !was_interrupted;
     if nothing_known && !options.assume_known && have_same_places(a.machine(), b.machine()) {
         let options = Options { assume_known: true, ..options.clone() };
         return compare_mapped(a, b, &options, &mapping);
@@ -163,6 +168,9 @@ fn conclude(
     b: course::Course,
     options: &Options,
 ) -> Comparison {
+    if [&a, &b].into_iter().any(course::Course::was_interrupted) {
+        return interrupted([a, b]);
+    }
     let mut walk = walk::Walk::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
@@ -185,9 +193,24 @@ fn conclude(
         verdict,
         max_distance_mm: found.max_distance_mm,
         farthest: found.farthest,
+        farthest_at_mm: found.farthest_at_mm,
         differences: found.differences,
         dropped,
         moves: [&a, &b].map(course::Course::move_count),
         reports: [a.report, b.report],
+    }
+}
+
+/// Nothing can be said of a run that was given up.
+fn interrupted(courses: [course::Course; 2]) -> Comparison {
+    Comparison {
+        verdict: Verdict::Different,
+        max_distance_mm: None,
+        farthest: None,
+        farthest_at_mm: None,
+        differences: Vec::new(),
+        dropped: 0,
+        moves: courses.each_ref().map(course::Course::move_count),
+        reports: courses.map(|course| course.report),
     }
 }

@@ -20,13 +20,16 @@ pub(crate) struct Found {
     pub(crate) differences: Vec<Difference>,
     pub(crate) max_distance_mm: Option<f64>,
     pub(crate) farthest: Option<[Place; 2]>,
+    pub(crate) farthest_at_mm: Option<[[f64; 3]; 2]>,
 }
 
 impl Found {
-    fn distance(&mut self, apart_mm: f64, at: [Place; 2]) {
+    fn distance(&mut self, apart_mm: f64, at: [Place; 2], spot: impl FnOnce() -> [Vec3; 2]) {
         if self.max_distance_mm.is_none_or(|most| apart_mm > most || apart_mm.is_nan()) {
             self.max_distance_mm = Some(apart_mm);
-            self.farthest = (apart_mm > SAME_MM).then_some(at);
+            let is_apart = apart_mm > SAME_MM;
+            self.farthest = is_apart.then_some(at);
+            self.farthest_at_mm = is_apart.then(|| spot().map(Vec3::to_array));
         }
     }
 }
@@ -129,7 +132,9 @@ impl<'a> Walk<'a> {
         if most(&couples) > self.threshold() && between <= self.threshold() {
             self.steps.moves(a, b);
             self.steps.bend(a, b);
-            self.found.distance(between, [a, b].map(|moved| Place::from(&moved.origin)));
+            let spots = [starts, [a_end.curve.end(), b_end.curve.end()]];
+            let at = [a, b].map(|moved| Place::from(&moved.origin));
+            self.found.distance(between, at, || widest(spots));
             return;
         }
         for couple in &mut couples {
@@ -163,28 +168,39 @@ impl<'a> Walk<'a> {
         }
         self.steps.rotary([one, other], couple.parts);
         let at = [Place::from(&one.origin), Place::from(&other.origin)];
-        self.found.distance(couple.apart_mm, at);
+        let spot = || widest(spots([one, other], couple.parts));
+        self.found.distance(couple.apart_mm, at, spot);
         // What is no number is too far.
         if couple.apart_mm <= self.threshold() {
             self.close();
             return;
         }
         let shift = couple.is_whole().then(|| shift(&one.curve, &other.curve)).flatten();
-        self.extend(at, Some(couple.apart_mm), shift);
+        self.extend(at, couple.apart_mm, spot, shift);
     }
 
     /// The path is too far apart here, as it may have been just before.
-    fn extend(&mut self, at: [Place; 2], apart_mm: Option<f64>, shift: Option<[f64; 3]>) {
+    fn extend(
+        &mut self,
+        at: [Place; 2],
+        apart_mm: f64,
+        spot: impl FnOnce() -> [Vec3; 2],
+        shift: Option<[f64; 3]>,
+    ) {
         match &mut self.open {
             Some(open) => {
                 open.extend(at);
-                open.distance_mm = open.distance_mm.zip(apart_mm).map(|(a, b)| a.max(b));
+                if open.distance_mm.is_some_and(|most| apart_mm > most) {
+                    open.distance_mm = Some(apart_mm);
+                    open.at_mm = Some(spot().map(Vec3::to_array));
+                }
                 let is_same = open.shift_mm.zip(shift).is_some_and(|(a, b)| is_near(a, b));
                 open.shift_mm = open.shift_mm.filter(|_| is_same);
             }
             None => {
                 let path = Difference::at(Category::Path, at, None);
-                self.open = Some(Difference { distance_mm: apart_mm, shift_mm: shift, ..path });
+                let (distance_mm, at_mm) = (Some(apart_mm), Some(spot().map(Vec3::to_array)));
+                self.open = Some(Difference { distance_mm, at_mm, shift_mm: shift, ..path });
             }
         }
     }
@@ -304,8 +320,14 @@ impl<'a> Walk<'a> {
             let couples = couple(&curves[0], &curves[1], [stands; 2], self.precision(), 0.0);
             let most = most(&couples);
             missing.distance_mm = Some(most);
+            let spot = || {
+                let made = curves[1 - waits].iter().map(|curve| curve.end());
+                let spots = made.map(|end| if waits == 1 { [end, stands] } else { [stands, end] });
+                widest(spots)
+            };
+            missing.at_mm = Some(spot().map(Vec3::to_array));
             if let [Some(a), Some(b)] = missing.blocks {
-                self.found.distance(most, [a.first, b.first]);
+                self.found.distance(most, [a.first, b.first], spot);
             }
             if most <= self.threshold() {
                 return;
@@ -324,6 +346,25 @@ impl<'a> Walk<'a> {
             behind.map(|moved| moved.curve.start())
         })
     }
+}
+
+/// Places of two moves, or of parts of them, that are passed at the same time when both are walked evenly.
+fn spots(moves: [&Moved; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item = [Vec3; 2]> {
+    (0..=8).map(move |eighth| {
+        let share = f64::from(eighth) / 8.0;
+        [0, 1].map(|side: usize| {
+            let [from, to] = parts[side];
+            let moved = moves[side];
+            moved.curve.point_at(moved.length_mm * (from + (to - from) * share))
+        })
+    })
+}
+
+/// The two places that are furthest apart.
+fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>) -> [Vec3; 2] {
+    let apart = |[a, b]: &[Vec3; 2]| (*a - *b).length();
+    let wider = |a: &[Vec3; 2], b: &[Vec3; 2]| apart(a).total_cmp(&apart(b));
+    spots.into_iter().max_by(wider).unwrap_or([Vec3::ZERO; 2])
 }
 
 /// By how much a whole curve is moved to be the other, mm; nothing where it is not only moved.

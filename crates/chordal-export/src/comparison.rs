@@ -59,7 +59,11 @@ pub(crate) fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64)
         "verdict": found.verdict,
         "tolerance_mm": tolerance_mm,
         "max_distance_mm": found.max_distance_mm,
-        "farthest": found.farthest.map(|at| sides(&|side| place(&at[side], jobs[side]))),
+        "farthest": found.farthest.map(|at| sides(&|side| {
+            let mut at = place(&at[side], jobs[side]);
+            at["at_mm"] = json!(found.farthest_at_mm.map(|spots| spots[side]));
+            at
+        })),
         "programs": sides(&|side| json!({
             "file": file(FileId(0), jobs[side]),
             "machine": jobs[side].machine().name,
@@ -80,6 +84,9 @@ fn difference(one: &Difference, jobs: [&Job; 2]) -> Value {
         row["steps"] = json!(one.steps[side]);
         if let Some(values) = &one.values {
             row["value"] = value(&values[side]);
+        }
+        if let Some(spots) = &one.at_mm {
+            row["at_mm"] = json!(spots[side]);
         }
         row
     };

@@ -10,6 +10,7 @@
 //! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
+//! | comparisons | text, JSON | [`comparison_text`], [`comparison_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
@@ -24,6 +25,7 @@ pub mod columns;
 mod command_csv;
 mod command_json;
 mod comparison;
+mod comparison_text;
 mod contour_ranges;
 mod dxf;
 mod json;
@@ -44,6 +46,10 @@ pub use columns::column_reference;
 pub use command_csv::CommandCsv;
 pub use command_json::CommandJsonLines;
 pub use comparison::{comparison_json, conversion_json, value_text};
+pub use comparison_text::{
+    DifferenceWords, SideWords, comparison_headline, comparison_names, comparison_text,
+    difference_text, difference_words, length_text,
+};
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;

@@ -4,7 +4,8 @@
 //! program: it is told what the library finds. One file per concern: `guard` refuses whom the page
 //! is not for, `page` has the files, `live` is the one connection of a page, `session` what it
 //! asks, `document` the text as it is edited, `file` the one on disk, `run` and `times` make
-//! columns of a path and of its time, `frame` packs them, `words` asks what an editor asks.
+//! columns of a path and of its time, `stream` and `frame` pack them, `other` holds it against another program,
+//! `words` asks what an editor asks.
 
 #![allow(
     clippy::disallowed_methods,
@@ -22,11 +23,13 @@ mod frame;
 mod guard;
 mod live;
 mod modal;
+mod other;
 mod page;
 mod program;
 mod request;
 mod run;
 mod session;
+mod stream;
 mod times;
 mod wanted;
 mod words;
@@ -36,7 +39,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 
 pub use guard::Token;
-pub use program::{MachineChoice, Programs, Refusal};
+pub use program::{Against, MachineChoice, Programs, Refusal};
 
 /// Why there is no server.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,9 @@
 //! What the server is given: who finds programs, machines and subprograms.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
+use chordal_compare::Options;
 use chordal_editor::Program;
 
 /// Why a program cannot be run at all: in words for people.
@@ -20,6 +22,16 @@ pub struct MachineChoice {
     pub name: String,
     /// For people.
     pub title: String,
+}
+
+/// What the command line says that a program is held against.
+pub struct Against {
+    /// Finds the other program; its machine is the one that it takes by itself.
+    pub programs: Arc<dyn Programs>,
+    /// The text is that of the program itself, as it is edited, on another machine.
+    pub own_text: bool,
+    /// What counts as a difference; the page may set another tolerance.
+    pub options: Options,
 }
 
 /// Finds what a program needs, as the command line says.
@@ -45,4 +57,9 @@ pub trait Programs: Send + Sync + 'static {
 
     /// The machines that [`Programs::open`] knows.
     fn machines(&self) -> Vec<MachineChoice>;
+
+    /// What the program is held against, where the command line says it.
+    fn against(&self) -> Option<&Against> {
+        None
+    }
 }

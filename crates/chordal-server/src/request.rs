@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::other::Other;
+
 /// A piece of the text that is replaced; places are UTF-16 code units of the text before.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -38,6 +40,24 @@ pub enum Ask {
     Machine {
         /// As `chordal machines` lists it.
         name: Option<String>,
+    },
+    /// What the program is held against.
+    Against {
+        /// Nothing, what the command line names, or the same text on another machine.
+        other: Other,
+    },
+    /// What the two paths may be apart.
+    Tolerance {
+        /// mm.
+        tolerance_mm: f64,
+    },
+    /// Lines of the other program, to be read.
+    OtherText {
+        /// 0 is the program itself, others are those of its subprograms.
+        #[serde(default)]
+        file: u32,
+        /// From 1.
+        line: u32,
     },
     /// The chords that stand for arcs within a tolerance.
     Chords {
@@ -99,6 +119,11 @@ mod tests {
         let change = Change { from: 1, to: 2, insert: "x".into() };
         assert_eq!(edit, Request { id: 3, ask: Ask::Edit { changes: vec![change] } });
         assert_eq!(read(r#"{"ask":"reload"}"#).unwrap().ask, Ask::Reload);
+        let machine = read(r#"{"ask":"against","other":{"machine":"haas-vf2"}}"#).unwrap().ask;
+        let other = Other::Machine(Some("haas-vf2".into()));
+        assert_eq!(machine, Ask::Against { other });
+        let named = read(r#"{"ask":"against","other":"named"}"#).unwrap().ask;
+        assert_eq!(named, Ask::Against { other: Other::Named });
         for wrong in [
             "",
             "[]",
@@ -108,6 +133,9 @@ mod tests {
             r#"{"ask":"edit","changes":[{"from":-1,"to":0,"insert":""}]}"#,
             r#"{"ask":"state","done":1e99,"line":1}"#,
             r#"{"id":"x","ask":"reload"}"#,
+            r#"{"ask":"against","other":"/etc/passwd"}"#,
+            r#"{"ask":"against","other":{"file":"other.nc"}}"#,
+            r#"{"ask":"tolerance","tolerance_mm":"0.1"}"#,
         ] {
             assert!(read(wrong).is_err(), "{wrong}");
         }

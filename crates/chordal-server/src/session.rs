@@ -5,11 +5,13 @@
 //! | `answers` | requests in their order; an edit sets off a run |
 //! | `paths` | runs the newest text, sends path and diagnostics |
 //! | `times` | plans the newest run, sends its motion |
-//! | `watch` | looks whether the file has changed |
+//! | `others` | holds the newest run against the other program |
+//! | `watch` | looks whether a file has changed |
 //!
-//! A run that is no longer the newest is given up, so that typing never waits for one.
+//! A run and a comparison that are no longer the newest are given up, so that typing never waits for one.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -22,6 +24,7 @@ use serde_json::{Value, json};
 use crate::document::Document;
 use crate::file::{self, Content, Stamp};
 use crate::live::Outbox;
+use crate::other::{Comparing, Other, text_around};
 use crate::program::Programs;
 use crate::request::{Ask, Request};
 use crate::run::{Ran, run};
@@ -45,8 +48,17 @@ struct Shared {
     out: Outbox,
     /// The number of the newest run that somebody wants.
     newest: Arc<AtomicU64>,
+    /// The number of the newest comparison that somebody wants.
+    compared: Arc<AtomicU64>,
     over: Arc<AtomicBool>,
     held: Mutex<Held>,
+}
+
+/// What is wanted of the other threads.
+#[derive(Clone)]
+struct Queues {
+    runs: Sender<u64>,
+    comparisons: Sender<u64>,
 }
 
 struct Held {
@@ -59,6 +71,23 @@ struct Held {
     /// The text as an editor asks of it, until it changes.
     words: Option<Arc<Program>>,
     ran: Option<Arc<Ran>>,
+    /// What the program is held against.
+    other: Other,
+    /// What the two paths may be apart, mm.
+    tolerance_mm: f64,
+    /// The other program as it is shown.
+    beside: Option<Arc<Program>>,
+}
+
+impl Held {
+    /// Runs on another machine, and is held against the one before unless the command line names what to hold
+    /// it against.
+    fn run_on(&mut self, machine: Option<String>) {
+        let before = std::mem::replace(&mut self.machine, machine);
+        if self.other != Other::Named {
+            self.other = Other::Machine(before);
+        }
+    }
 }
 
 /// A run whose time is to be planned.
@@ -74,6 +103,7 @@ impl Session {
     /// # Errors
     /// When the system gives no threads.
     pub fn begin(programs: Arc<dyn Programs>, out: Outbox) -> std::io::Result<Session> {
+        let against = programs.against();
         let held = Held {
             document: Document::read(b""),
             on_disk: Content::of(b""),
@@ -81,21 +111,29 @@ impl Session {
             opened: None,
             words: None,
             ran: None,
+            other: if against.is_some() { Other::Named } else { Other::Nothing },
+            tolerance_mm: against.map_or(0.0, |against| against.options.tolerance_mm),
+            beside: None,
         };
         let shared = Arc::new(Shared {
             programs,
             out,
             newest: Arc::default(),
+            compared: Arc::default(),
             over: Arc::default(),
             held: Mutex::new(held),
         });
         let (requests, asked) = channel();
         let (runs, to_run) = channel();
         let (plans, to_plan) = channel();
-        spawn("answers", &shared, move |shared| shared.answer_all(&asked, &runs))?;
-        spawn("paths", &shared, move |shared| shared.run_all(&to_run, &plans))?;
+        let (comparisons, to_compare) = channel();
+        let queues = Queues { runs, comparisons: comparisons.clone() };
+        let after_runs = comparisons.clone();
+        spawn("answers", &shared, move |shared| shared.answer_all(&asked, &queues))?;
+        spawn("paths", &shared, move |shared| shared.run_all(&to_run, &plans, &after_runs))?;
         spawn("times", &shared, move |shared| shared.plan_all(&to_plan))?;
-        spawn("watch", &shared, Shared::watch)?;
+        spawn("others", &shared, move |shared| shared.compare_all(&to_compare))?;
+        spawn("watch", &shared, move |shared| shared.watch(&comparisons))?;
         Ok(Session { shared, requests })
     }
 
@@ -169,11 +207,11 @@ impl Shared {
         Wanted { newest: self.newest.clone(), over: self.over.clone(), number }
     }
 
-    fn answer_all(&self, asked: &Receiver<Request>, runs: &Sender<u64>) {
+    fn answer_all(&self, asked: &Receiver<Request>, queues: &Queues) {
         self.tell_hello();
-        self.load(0, runs);
+        self.load(0, queues);
         while let Ok(request) = asked.recv() {
-            self.answer(request, runs);
+            self.answer(request, queues);
         }
     }
 
@@ -183,15 +221,21 @@ impl Shared {
             .iter()
             .map(|machine| json!({ "name": machine.name, "title": machine.title }))
             .collect();
+        let against = self.programs.against();
         self.out.json(&json!({
             "type": "hello",
             "name": self.programs.name(),
             "writable": self.programs.path().is_some(),
             "machines": machines,
+            "against": against.map(|against| json!({
+                "name": against.programs.name(),
+                "own_text": against.own_text,
+            })),
+            "tolerance_mm": self.held().tolerance_mm,
         }));
     }
 
-    fn answer(&self, request: Request, runs: &Sender<u64>) {
+    fn answer(&self, request: Request, queues: &Queues) {
         let id = request.id;
         match request.ask {
             Ask::Edit { changes } => {
@@ -201,7 +245,7 @@ impl Shared {
                     held.document.apply(&changes)
                 };
                 match applied {
-                    Ok(()) => self.start(runs),
+                    Ok(()) => self.start(queues),
                     Err(error) => {
                         self.out.refuse(id, &error.to_string(), Some("the text is sent again"));
                         self.send_text();
@@ -209,8 +253,18 @@ impl Shared {
                 }
             }
             Ask::Machine { name } => {
-                self.held().machine = name;
-                self.start(runs);
+                self.held().run_on(name);
+                self.start(queues);
+            }
+            Ask::Against { other } => self.against(id, other, queues),
+            Ask::Tolerance { tolerance_mm } => self.tolerance(id, tolerance_mm, queues),
+            Ask::OtherText { file, line } => {
+                let Some(beside) = self.held().beside.clone() else {
+                    return self.out.refuse(id, "there is no other program", None);
+                };
+                let mut told = text_around(&beside, file, line);
+                told["id"] = json!(id);
+                self.out.json(&told);
             }
             Ask::Chords { tolerance_mm, balanced } => self.chords(id, tolerance_mm, balanced),
             Ask::State { done, line } => {
@@ -233,18 +287,45 @@ impl Shared {
             }
             Ask::Outline => self.answer_words(id, words::outline),
             Ask::Save { force } => self.save(id, force),
-            Ask::Reload => self.load(id, runs),
+            Ask::Reload => self.load(id, queues),
         }
     }
 
     /// The next run is wanted, and none before it.
-    fn start(&self, runs: &Sender<u64>) {
+    fn start(&self, queues: &Queues) {
         let number = self.newest.fetch_add(1, Ordering::Relaxed) + 1;
-        let _ = runs.send(number);
+        // What is compared now is of the text before; the run asks for the next.
+        self.compared.fetch_add(1, Ordering::Relaxed);
+        let _ = queues.runs.send(number);
+    }
+
+    /// The next comparison is wanted, and none before it.
+    fn compare(&self, comparisons: &Sender<u64>) {
+        let number = self.compared.fetch_add(1, Ordering::Relaxed) + 1;
+        let _ = comparisons.send(number);
+    }
+
+    /// Another program, or none, is to be shown beside.
+    fn against(&self, id: u64, other: Other, queues: &Queues) {
+        if other == Other::Named && self.programs.against().is_none() {
+            let help = Some("start `chordal view` with --against to name one");
+            return self.out.refuse(id, "the command line names no other program", help);
+        }
+        self.held().other = other;
+        self.compare(&queues.comparisons);
+    }
+
+    fn tolerance(&self, id: u64, tolerance_mm: f64, queues: &Queues) {
+        if !(tolerance_mm >= 0.0 && tolerance_mm.is_finite()) {
+            let message = format!("{tolerance_mm} mm is no tolerance");
+            return self.out.refuse(id, &message, Some("give a length of zero or more"));
+        }
+        self.held().tolerance_mm = tolerance_mm;
+        self.compare(&queues.comparisons);
     }
 
     /// Reads the file, runs it and sends its text.
-    fn load(&self, id: u64, runs: &Sender<u64>) {
+    fn load(&self, id: u64, queues: &Queues) {
         let bytes = match self.programs.read() {
             Ok(bytes) => bytes,
             Err(refusal) => {
@@ -258,7 +339,7 @@ impl Shared {
             held.words = None;
         }
         // The run first: its picture is made while the text goes over.
-        self.start(runs);
+        self.start(queues);
         self.send_text();
     }
 
@@ -351,7 +432,7 @@ impl Shared {
         }
     }
 
-    fn run_all(&self, to_run: &Receiver<u64>, plans: &Sender<ToPlan>) {
+    fn run_all(&self, to_run: &Receiver<u64>, plans: &Sender<ToPlan>, comparisons: &Sender<u64>) {
         while let Some(number) = newest(to_run) {
             let wanted = self.wanted(number);
             if !wanted.is_wanted() {
@@ -379,6 +460,7 @@ impl Shared {
                 }
             };
             if let Some(about_s) = self.run_one(number, &program, &wanted) {
+                self.compare(comparisons);
                 let _ = plans.send(ToPlan { number, program, about_s });
             }
         }
@@ -396,6 +478,26 @@ impl Shared {
         let (ran, about_s) = run(number, program, &job, &self.out, wanted)?;
         self.held().ran = Some(Arc::new(ran));
         Some(about_s)
+    }
+
+    fn compare_all(&self, to_compare: &Receiver<u64>) {
+        let mut comparing = Comparing::new(self.programs.clone(), self.out.clone());
+        let mut was_something = false;
+        while let Some(number) = newest(to_compare) {
+            let wanted = Wanted { newest: self.compared.clone(), over: self.over.clone(), number };
+            let (ran, other, tolerance_mm) = {
+                let held = self.held();
+                (held.ran.clone(), held.other.clone(), held.tolerance_mm)
+            };
+            let is_something = other != Other::Nothing;
+            match ran.filter(|_| wanted.is_wanted()) {
+                Some(ran) if is_something => comparing.compare(&ran, &other, tolerance_mm, &wanted),
+                _ if !is_something && was_something => comparing.nothing(),
+                _ => continue,
+            }
+            was_something = is_something;
+            self.held().beside = comparing.program();
+        }
     }
 
     fn plan_all(&self, to_plan: &Receiver<ToPlan>) {
@@ -417,13 +519,27 @@ impl Shared {
         }
     }
 
-    /// Tells when the file holds something else than was read or written last.
-    fn watch(&self) {
-        let Some(path) = self.programs.path() else { return };
-        let mut seen = Stamp::of(&path);
+    /// Tells when the file holds something else than was read or written last, and compares anew when the
+    /// other one does.
+    fn watch(&self, comparisons: &Sender<u64>) {
+        let path = self.programs.path();
+        let against = self.programs.against().filter(|against| !against.own_text);
+        let other = against.and_then(|against| against.programs.path());
+        if path.is_none() && other.is_none() {
+            return;
+        }
+        let stamp = |path: &Option<PathBuf>| path.as_deref().and_then(Stamp::of);
+        let (mut seen, mut other_seen) = (stamp(&path), stamp(&other));
         while !self.is_over() {
             thread::sleep(LOOK_EVERY);
-            let now = Stamp::of(&path);
+            let other_now = stamp(&other);
+            if other_now != other_seen {
+                other_seen = other_now;
+                if self.held().other == Other::Named {
+                    self.compare(comparisons);
+                }
+            }
+            let now = stamp(&path);
             if now == seen {
                 continue;
             }

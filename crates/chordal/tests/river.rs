@@ -40,7 +40,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),
     ("chordal-lsp", &["chordal", "chordal-editor"]),
-    ("chordal-server", &["chordal", "chordal-editor"]),
+    ("chordal-server", &["chordal", "chordal-editor", "chordal-compare", "chordal-export"]),
     (
         "chordal-cli",
         &[

@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use chordal::Job;
 use chordal::control::Units as TextUnits;
 use chordal::machine::Dimension;
-use chordal_export::{refusal_json, transformed_json};
+use chordal_compare::Options;
+use chordal_export::{comparison_text, refusal_json, transformed_json};
 use chordal_rewrite::{ArcForm, By, Refusal, Step, Transformed, transform};
 use clap::ValueEnum;
 
-use crate::compare;
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted};
 use crate::options::{AnswerFormat, Common, quantity};
@@ -18,11 +18,13 @@ use crate::out::Out;
 use crate::session::{Loaded, load_one};
 use crate::terminal::{Terminal, say};
 use crate::unified::unified;
+use crate::view::{self, Made};
 
 const EXAMPLES: &str = "\
 Examples:
   chordal transform part.nc --shift X5 Y-2.5 Z.1        shows what would change
   chordal transform part.nc --shift X5 -o moved.nc      and writes it, once it is proved
+  chordal transform part.nc --view --shift X5           both paths over one another
   chordal transform part.nc --rotate 30 --about 1,2 -o turned.nc
   chordal transform part.nc --mirror x -o left.nc       G2 and G3, G41 and G42 change places
   chordal transform part.nc --units mm --feed 90% -o metric.nc
@@ -119,6 +121,10 @@ pub struct Args {
     /// Shows the difference and writes nothing
     #[arg(long)]
     dry_run: bool,
+
+    /// Shows both paths over one another in the browser, as they are, until Ctrl-C
+    #[arg(long, conflicts_with = "split")]
+    view: bool,
 
     /// Writes the new program where the proof fails, too
     #[arg(long)]
@@ -303,6 +309,12 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
             say(&transformed_json(&done, [&job, &new], written.as_deref()))?;
         }
     }
+    if args.view {
+        let machine = loaded.machine().clone();
+        let (file, options) = (out.map(PathBuf::as_path), Options::default());
+        let made = Made { how: "changed", file, text: done.text, machine, options };
+        view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
+    }
     Ok(if holds { Verdict::Clean } else { Verdict::Problems })
 }
 
@@ -370,6 +382,6 @@ fn difference(done: &Transformed, loaded: &Loaded, jobs: [&Job; 2]) -> String {
     let certificate = &done.certificate;
     text += "proof: the new program against the path that is meant\n";
     text +=
-        &compare::told(&certificate.comparison, ["meant", "new"], jobs, certificate.tolerance_mm);
+        &comparison_text(&certificate.comparison, ["meant", "new"], jobs, certificate.tolerance_mm);
     text
 }

@@ -4,11 +4,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal_export::{refusal_json, split_json};
+use chordal_export::{comparison_text, refusal_json, split_json};
 use chordal_rewrite::{By, Part, Split, Transformed, split};
 
 use super::{Asked, Plain, difference, refused};
-use crate::compare;
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
 use crate::options::AnswerFormat;
@@ -108,7 +107,7 @@ fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> 
     }
     let certificate = &done.certificate;
     text += "proof: the parts, run one after the other, against the whole\n";
-    text += &compare::told(
+    text += &comparison_text(
         &certificate.comparison,
         ["whole", "parts"],
         [job, job],

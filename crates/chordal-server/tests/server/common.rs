@@ -8,8 +8,9 @@ use std::thread;
 use std::time::Duration;
 
 use chordal::Machine;
+use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
-use chordal_server::{MachineChoice, Programs, Refusal, Server};
+use chordal_server::{Against, MachineChoice, Programs, Refusal, Server};
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
@@ -21,15 +22,23 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub struct Shown {
     pub path: Option<PathBuf>,
     pub text: Mutex<Vec<u8>>,
+    pub against: Option<Against>,
 }
 
 impl Shown {
     pub fn text(text: &str) -> Shown {
-        Shown { path: None, text: Mutex::new(text.as_bytes().to_vec()) }
+        Shown { path: None, text: Mutex::new(text.as_bytes().to_vec()), against: None }
     }
 
     pub fn file(path: PathBuf) -> Shown {
-        Shown { path: Some(path), text: Mutex::default() }
+        Shown { path: Some(path), text: Mutex::default(), against: None }
+    }
+
+    /// Held against another program.
+    pub fn against(self, other: Shown, own_text: bool) -> Shown {
+        let programs = Arc::new(other);
+        let against = Against { programs, own_text, options: Options::default() };
+        Shown { against: Some(against), ..self }
     }
 }
 
@@ -57,6 +66,10 @@ impl Programs for Shown {
         let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
         let setup = Setup { beside, ..Setup::of(machine) };
         Ok(Program::set_up("part.nc", text, setup).expect("settings that the control knows"))
+    }
+
+    fn against(&self) -> Option<&Against> {
+        self.against.as_ref()
     }
 
     fn machines(&self) -> Vec<MachineChoice> {

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "speaks to a server")]
 #![allow(missing_docs, reason = "tests")]
 
+mod against;
 mod common;
 mod live;
 mod security;

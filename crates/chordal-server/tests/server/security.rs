@@ -149,6 +149,14 @@ fn malformed_messages_are_told_and_the_connection_goes_on() {
         r#"{"ask":"chords","tolerance_mm":0}"#,
         r#"{"ask":"chords","tolerance_mm":1e999}"#,
         r#"{"ask":"save"}"#,
+        r#"{"ask":"against"}"#,
+        r#"{"ask":"against","other":"named"}"#,
+        r#"{"ask":"against","other":"/etc/passwd"}"#,
+        r#"{"ask":"against","other":{"file":"/etc/passwd"}}"#,
+        r#"{"ask":"tolerance","tolerance_mm":-0.1}"#,
+        r#"{"ask":"tolerance","tolerance_mm":1e999}"#,
+        r#"{"ask":"other_text","file":0,"line":1}"#,
+        r#"{"ask":"other_text","line":-1}"#,
     ] {
         live.send(text);
         let error = live.json("error");

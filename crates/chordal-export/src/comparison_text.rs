@@ -1,0 +1,173 @@
+//! A comparison of two programs as words.
+
+use std::path::Path;
+
+use chordal::Job;
+use chordal_compare::{Comparison, Difference, Verdict};
+
+use crate::comparison::value_text;
+use crate::numbers::{Units, counted, grouped, short};
+
+/// Most differences that are told to people.
+const MOST_TOLD: usize = 20;
+
+/// A comparison for people, the two called by these names.
+pub fn comparison_text(
+    found: &Comparison,
+    names: [&str; 2],
+    jobs: [&Job; 2],
+    tolerance_mm: f64,
+) -> String {
+    let units = Units::of(found.reports[0].summary.inch);
+    let mut text = comparison_headline(found, units, tolerance_mm);
+    if let Some(at) = found.farthest {
+        let [a, b] = [0, 1].map(|side: usize| format!("{}:{}", names[side], at[side].line));
+        text += &format!("furthest apart at {a} and {b}\n");
+    }
+    for (name, report) in names.iter().zip(&found.reports) {
+        if report.counts.errors > 0 {
+            let errors = counted(report.counts.errors, "error", "errors");
+            text += &format!("{name}: {errors}; `chordal check` tells them\n");
+        }
+    }
+    for one in found.differences.iter().take(MOST_TOLD) {
+        text += &difference_text(one, names, jobs, units);
+    }
+    let more = found.differences.len().saturating_sub(MOST_TOLD) as u64 + found.dropped;
+    if more > 0 {
+        text += &format!("\nand {}\n", counted(more, "difference more", "differences more"));
+    }
+    text
+}
+
+/// The answer in a line.
+pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) -> String {
+    let total = found.differences.len() as u64 + found.dropped;
+    let differences = counted(total, "difference", "differences");
+    match (found.verdict, found.max_distance_mm) {
+        (Verdict::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
+        (Verdict::Same, None) => {
+            "same as far as can be said: no move lies between places that are known \
+                                 relative to the part\n"
+                .into()
+        }
+        (Verdict::Same, Some(_)) => format!(
+            "same: {}\n",
+            match found.moves {
+                [a, b] if a == b => counted(a, "move", "moves"),
+                [a, b] => format!("the motion of {a} moves in {b}"),
+            }
+        ),
+        (Verdict::Within, most) => {
+            let most = length_text(most.unwrap_or_default(), units);
+            format!(
+                "within: the paths are at most {most} apart, {} are allowed\n",
+                length_text(tolerance_mm, units)
+            )
+        }
+        (Verdict::Different, None) => format!("different: {differences}\n"),
+        (Verdict::Different, Some(most)) if most <= chordal_compare::SAME_MM => {
+            format!("different: {differences}; the paths are the same\n")
+        }
+        (Verdict::Different, Some(most)) => {
+            format!(
+                "different: {differences}; the paths are at most {} apart\n",
+                length_text(most, units)
+            )
+        }
+    }
+}
+
+/// How two programs are called: by the names of their files, or by their machines where it is one program.
+pub fn comparison_names(names: [&str; 2], jobs: [&Job; 2]) -> [String; 2] {
+    if names[0] == names[1] {
+        return jobs.map(|job| job.machine().name.clone());
+    }
+    let short = names.map(|name| Path::new(name).file_name().and_then(|name| name.to_str()));
+    match short {
+        [Some(a), Some(b)] if a != b => [a.into(), b.into()],
+        _ => names.map(str::to_string),
+    }
+}
+
+/// A difference in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DifferenceWords {
+    /// In what, how far apart, by how much one is the other moved, how often.
+    pub head: String,
+    /// What each of the two has.
+    pub sides: [SideWords; 2],
+}
+
+/// What one of the two has, in words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SideWords {
+    /// The value, where it is one.
+    pub value: Option<String>,
+    /// The words of its first block; of the block before, where it lacks what the other has.
+    pub words: String,
+    /// It has nothing of the kind.
+    pub lacks: bool,
+}
+
+/// The parts of a difference that are words.
+pub fn difference_words(one: &Difference, jobs: [&Job; 2], units: Units) -> DifferenceWords {
+    let mut head = one.category.word().to_string();
+    if let Some(distance) = one.distance_mm {
+        head += &format!(": at most {} apart", length_text(distance, units));
+    }
+    if let Some(shift) = one.shift_mm {
+        let shift = shift.map(|mm| length_text(mm, units));
+        head += &format!(", moved by X {} Y {} Z {}", shift[0], shift[1], shift[2]);
+    }
+    if one.times > 1 {
+        head += &format!(", {} times", grouped(one.times));
+    }
+    let sides = [0, 1].map(|side: usize| SideWords {
+        value: one.values.as_ref().map(|values| value_text(&values[side], units)),
+        words: one.blocks[side].as_ref().map_or_else(String::new, |at| {
+            jobs[side].sources().words(at.first.span).trim().to_string()
+        }),
+        lacks: one.steps[side] == 0,
+    });
+    DifferenceWords { head, sides }
+}
+
+/// A difference with the lines of both.
+pub fn difference_text(
+    one: &Difference,
+    names: [&str; 2],
+    jobs: [&Job; 2],
+    units: Units,
+) -> String {
+    let DifferenceWords { head, sides } = difference_words(one, jobs, units);
+    let mut text = format!("\n{head}\n");
+    let places = [0, 1].map(|side: usize| match &one.blocks[side] {
+        None => names[side].to_string(),
+        Some(at) => match at.lines() {
+            (from, to) if from == to => format!("{}:{from}", names[side]),
+            (from, to) => format!("{}:{from}-{to}", names[side]),
+        },
+    });
+    let width = places.iter().map(|place| place.chars().count()).max().unwrap_or(0);
+    for (side, SideWords { value, words, lacks }) in sides.into_iter().enumerate() {
+        let lacks = lacks && one.blocks[side].is_some();
+        let words = if lacks { format!("(lacks it; after {words})") } else { words };
+        let value = value.map_or_else(String::new, |value| format!("  {value}"));
+        let moves = match one.steps[side] {
+            0 | 1 => String::new(),
+            steps => format!("  ({})", counted(steps, "block", "blocks")),
+        };
+        text += format!("  {:width$}{value}  | {words}{moves}", places[side]).trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+/// To a hundredth of a micrometre: what is less is written as a power of ten.
+pub fn length_text(mm: f64, units: Units) -> String {
+    let value = mm / units.length_mm();
+    let text =
+        if value == 0.0 || value.abs() >= 1e-4 { short(value, 5) } else { format!("{value:.1e}") };
+    format!("{text} {}", units.length_unit())
+}

@@ -1,0 +1,184 @@
+// The path of another program, over that of the shown one: one colour, dashed, so that both are seen
+// where they are the same.
+
+import { Group, LineDashedMaterial, LineSegments, type Plane } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { difference } from "./fit";
+import { type Lines, type Tolerance, drawn, someRows } from "./lines";
+import { type Batch, type Bounds, Path, type Vec3 } from "./path";
+import { pause } from "./pause";
+import { geometryOf } from "./strokes";
+
+/** Rows that are marked at most. */
+const MOST_MARKED = 50_000;
+/** Rows of a part from which on others are let in before the next. */
+const MANY = 20_000;
+/** Dashes and gaps on the screen, pixels. */
+const CUT: [number, number] = [6, 8];
+const RAPID: [number, number] = [2, 5];
+
+interface Part {
+  batch: Batch;
+  objects: (LineSegments | LineSegments2)[];
+}
+
+export class Overlay {
+  /** Beside the path of the program. */
+  readonly object = new Group();
+  /** Over everything. */
+  readonly mark = new LineSegments2();
+  path = new Path();
+  private parts: Part[] = [];
+  private rapids = new Group();
+  private cuts = new Group();
+  private thin = new LineDashedMaterial({ depthTest: false });
+  private wide = new LineMaterial({ linewidth: 1.5, dashed: true, depthTest: false });
+  private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
+  private markMaterial = new LineMaterial({ linewidth: 3.4, depthTest: false });
+  private refining = 0;
+
+  /** `changes` is called before what is drawn goes. */
+  constructor(private changes: () => void) {
+    this.object.add(this.cuts, this.rapids);
+    this.mark.material = this.markMaterial;
+    this.mark.frustumCulled = false;
+    this.mark.visible = false;
+  }
+
+  /** There is something to be seen of it. */
+  get isShown(): boolean {
+    return this.object.visible && this.parts.length > 0;
+  }
+
+  begin(path: Path): void {
+    this.refining++;
+    this.changes();
+    for (const { objects } of this.parts) objects.forEach(remove);
+    this.parts = [];
+    this.path = path;
+    this.mark.visible = false;
+  }
+
+  add(batch: Batch, tolerance: Tolerance, mostWide: number): void {
+    const part: Part = { batch, objects: [] };
+    this.parts.push(part);
+    this.put(part, tolerance, mostWide);
+  }
+
+  private put(part: Part, tolerance: Tolerance, mostWide: number): void {
+    if (part.objects.length > 0) this.changes();
+    part.objects.forEach(remove);
+    const { cuts, rapids } = drawn(part.batch, tolerance);
+    part.objects = [];
+    if (cuts.count > 0) {
+      const isWide = this.path.rows <= mostWide && cuts.count <= mostWide;
+      const object = isWide ? this.wideLines(cuts) : lines(cuts, this.thin);
+      this.cuts.add(object);
+      part.objects.push(object);
+    }
+    if (rapids.count > 0) {
+      const object = lines(rapids, this.rapid);
+      this.rapids.add(object);
+      part.objects.push(object);
+    }
+  }
+
+  private wideLines({ points }: Lines): LineSegments2 {
+    const geometry = new LineSegmentsGeometry().setPositions(points);
+    const object = new LineSegments2(geometry, this.wide);
+    object.computeLineDistances();
+    object.frustumCulled = false;
+    return object;
+  }
+
+  /** Cuts arcs anew; whether it was still wanted at the end. */
+  async refine(tolerance: Tolerance, mostWide: number): Promise<boolean> {
+    const number = ++this.refining;
+    for (const part of [...this.parts]) {
+      const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
+      if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
+      this.put(part, tolerance, mostWide);
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.refining) return false;
+    }
+    return true;
+  }
+
+  /** Where its places are, relative to the origin of the shown path. */
+  place(origin: Vec3): void {
+    const by = difference(this.path.origin, origin);
+    this.object.position.set(...by);
+    this.mark.position.set(...by);
+  }
+
+  /** Its box, relative to the origin of the shown path. */
+  bounds(origin: Vec3): Bounds | undefined {
+    const { bounds } = this.path;
+    if (!bounds || !this.isShown) return undefined;
+    const by = difference(this.path.origin, origin);
+    const moved = (at: Vec3) => at.map((value, axis) => value + by[axis]!) as Vec3;
+    return { low: moved(bounds.low), high: moved(bounds.high) };
+  }
+
+  /** Marks ranges of rows. */
+  markRows(ranges: [number, number][], tolerance: Tolerance): void {
+    const points: number[] = [];
+    let left = MOST_MARKED;
+    for (const { batch } of this.parts) {
+      for (const [first, last] of ranges) {
+        const from = Math.max(0, first - batch.first);
+        const to = Math.min(batch.rows - 1, last - batch.first, from + left - 1);
+        if (from > to) continue;
+        left -= to - from + 1;
+        for (const value of someRows(batch, from, to, tolerance)) points.push(value);
+      }
+    }
+    this.mark.visible = points.length > 0 && this.object.visible;
+    if (points.length === 0) return;
+    this.mark.geometry.dispose();
+    this.mark.geometry = new LineSegmentsGeometry().setPositions(points);
+  }
+
+  show(shown: boolean): void {
+    this.object.visible = shown;
+    if (!shown) this.mark.visible = false;
+  }
+
+  showRapids(shown: boolean): void {
+    this.rapids.visible = shown;
+  }
+
+  setColor(color: string): void {
+    for (const material of [this.thin, this.wide, this.rapid, this.markMaterial]) material.color.set(color);
+  }
+
+  /** Dashes keep their length on the screen. */
+  dash(pixel: number): void {
+    for (const [material, [dash, gap]] of [[this.thin, CUT], [this.wide, CUT], [this.rapid, RAPID]] as const) {
+      material.dashSize = dash * pixel;
+      material.gapSize = gap * pixel;
+    }
+  }
+
+  clip(planes: Plane[]): void {
+    for (const material of [this.thin, this.wide, this.rapid]) {
+      material.clippingPlanes = planes;
+      material.needsUpdate = true;
+    }
+  }
+}
+
+function lines({ points, count }: Lines, material: LineDashedMaterial): LineSegments {
+  const object = new LineSegments(geometryOf(points.subarray(0, 6 * count)), material);
+  object.computeLineDistances();
+  object.frustumCulled = false;
+  return object;
+}
+
+function remove(object: LineSegments | LineSegments2): void {
+  object.geometry.dispose();
+  object.removeFromParent();
+}
