@@ -36,7 +36,7 @@ export class Overlay {
   private thin = new LineDashedMaterial({ depthTest: false });
   private wide = new LineMaterial({ linewidth: 1.5, dashed: true, depthTest: false });
   private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
-  private markMaterial = new LineMaterial({ linewidth: 3.4, depthTest: false });
+  private markMaterial = new LineMaterial({ linewidth: 2, depthTest: false });
   private refining = 0;
 
   /** `changes` is called before what is drawn goes. */

@@ -167,7 +167,7 @@ export class PathView {
     if (path !== this.path) return;
     this.painter.showsPart = false;
     if (!this.eye.userMoved) this.fit();
-    await this.refine(true);
+    else await this.refine(true);
     this.changed();
   }
 
@@ -268,7 +268,7 @@ export class PathView {
 
   /** All of the other path is there. */
   async finishOther(): Promise<void> {
-    if (!this.eye.userMoved) this.fit();
+    if (!this.eye.userMoved) return this.fit();
     if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
   }
 
@@ -450,6 +450,8 @@ export class PathView {
     const box = this.seen();
     this.eye.fit(box, (inverse) => this.edges(box, inverse), grows);
     this.moved();
+    // Arcs that were out of sight may be coarse.
+    if (!grows) void this.refine(true);
   }
 
   /** The box of everything that is to be seen, relative to the origin. */

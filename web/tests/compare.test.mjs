@@ -225,7 +225,7 @@ test("a conversion is shown over its source before anything is written, on the m
 test("a transformed program is shown beside its source, as it is", async () => {
   const file = join(folder, "shift.nc");
   writeFileSync(file, RELEASED);
-  const server = await command("transform", file, "--machine", "haas-vf2", "--view", "--shift", "X5");
+  const server = await command("transform", file, "--machine", "haas-vf2", "--shift", "X5", "--view");
   servers.push(server);
   const { page } = await open(chromium.context, server.url);
   await page.locator("#tab-compare").click();

@@ -47,6 +47,10 @@ fn as_json() {
     assert_eq!(found["programs"]["b"]["file"], "b.nc");
     let path = &found["differences"][0];
     assert_eq!(path["category"], "path");
+    // Where to look: the same X and Y, two depths.
+    let depth = |of: &Value| of["at_mm"][2].as_f64().unwrap();
+    assert!((depth(&path["a"]) - depth(&path["b"]) - 0.254).abs() < 1e-9, "{path}");
+    assert_eq!(found["farthest"]["a"]["at_mm"], path["a"]["at_mm"]);
     assert_eq!(path["a"]["lines"], path["b"]["lines"]);
     assert!(path["b"]["text"].as_str().unwrap().contains("Z-.11"));
 }

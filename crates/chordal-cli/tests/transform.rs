@@ -41,6 +41,14 @@ fn a_proved_program_is_written() {
 }
 
 #[test]
+fn other_options_may_follow_a_shift() {
+    let folder = folder();
+    let line = ["transform", "part.nc", "-m", "haas-vf2", "--shift", "X5", "Y-1", "-o", "moved.nc"];
+    folder.run(&line).ends(0).says(&["written: moved.nc"]);
+    assert!(std::fs::read_to_string(folder.path("moved.nc")).unwrap().contains("G3 X25. Y9. R10."));
+}
+
+#[test]
 fn what_is_refused_names_the_line() {
     let folder = Folder::new();
     folder.write("pocket.nc", "G21 G90 S900 M3\nG1 X0 Y0 F100.\nG13 I5. F100. D1\nM30\n");

@@ -319,3 +319,33 @@ fn increments_from_anywhere() {
     let path = only(&found, Category::Path);
     assert!((path.distance_mm.unwrap() - 0.5).abs() < 1e-9, "{path:?}");
 }
+
+#[test]
+fn a_difference_says_where_to_look() {
+    let longer = PART.replace("Y30.", "Y30.4");
+    let found = plain(PART, &longer);
+    let path = only(&found, Category::Path);
+    // Both corners of the longer side are 0.4 mm off.
+    let [a, b] = path.at_mm.unwrap();
+    assert!((b[1] - a[1] - 0.4).abs() < 1e-9 && a[0] == b[0], "{a:?} {b:?}");
+    assert_eq!((a[1], a[2]), (30.0, -2.0));
+    assert_eq!(found.farthest_at_mm, path.at_mm);
+    // Where only one of the two moves, the other stands.
+    let without = PART.replace("Y30.\nX0\nY0\n", "");
+    let found = plain(PART, &without.replace("G1 G0", "G0"));
+    let spot = found.farthest_at_mm.unwrap();
+    let apart = spot[0].iter().zip(spot[1]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    assert!(apart > 1.0 && apart <= found.max_distance_mm.unwrap() + 1e-9, "{spot:?}");
+    // The same path has no such place.
+    assert_eq!(plain(PART, PART).farthest_at_mm, None);
+}
+
+#[test]
+fn a_run_that_is_given_up_has_nothing_to_tell() {
+    let long = "G21 G90 G54\nG0 X0 Y0 Z5.\nG1 Z0 F100.\n".to_string() + &"X1.\nX0\n".repeat(50_000);
+    let other = long.replace("X1.", "X2.");
+    let [a, b] = [&long, &other].map(|text| job("a.nc", "haas-vf2", text));
+    let b = b.interrupt(std::sync::Arc::new(|| true));
+    let found = compare(&a, &b, &Options::default());
+    assert_eq!((found.max_distance_mm, found.differences.len()), (None, 0));
+}

@@ -24,7 +24,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal transform part.nc --shift X5 Y-2.5 Z.1        shows what would change
   chordal transform part.nc --shift X5 -o moved.nc      and writes it, once it is proved
-  chordal transform part.nc --view --shift X5           both paths over one another
+  chordal transform part.nc --shift X5 --view           both paths over one another
   chordal transform part.nc --rotate 30 --about 1,2 -o turned.nc
   chordal transform part.nc --mirror x -o left.nc       G2 and G3, G41 and G42 change places
   chordal transform part.nc --units mm --feed 90% -o metric.nc
@@ -67,7 +67,7 @@ pub struct Args {
     scale: Option<f64>,
 
     /// Moves the path: `X1 Y2 Z3`, with a unit as `X1in` or in the program's own
-    #[arg(long, value_name = "AXIS", num_args = 1..=3, allow_hyphen_values = true)]
+    #[arg(long, value_name = "AXIS", num_args = 1..=3)]
     shift: Vec<String>,
 
     /// Multiplies the feeds of cuts, as 90% or 0.9
