@@ -134,7 +134,7 @@ impl<'a> Walk<'a> {
             self.steps.bend(a, b);
             let spots = [starts, [a_end.curve.end(), b_end.curve.end()]];
             let at = [a, b].map(|moved| Place::from(&moved.origin));
-            self.found.distance(between, at, || widest(spots));
+            self.found.distance(between, at, || widest(spots, between));
             return;
         }
         for couple in &mut couples {
@@ -168,7 +168,7 @@ impl<'a> Walk<'a> {
         }
         self.steps.rotary([one, other], couple.parts);
         let at = [Place::from(&one.origin), Place::from(&other.origin)];
-        let spot = || widest(spots([one, other], couple.parts));
+        let spot = || widest(spots([one, other], couple.parts), couple.apart_mm);
         self.found.distance(couple.apart_mm, at, spot);
         // What is no number is too far.
         if couple.apart_mm <= self.threshold() {
@@ -323,7 +323,7 @@ impl<'a> Walk<'a> {
             let spot = || {
                 let made = curves[1 - waits].iter().map(|curve| curve.end());
                 let spots = made.map(|end| if waits == 1 { [end, stands] } else { [stands, end] });
-                widest(spots)
+                widest(spots, most)
             };
             missing.at_mm = Some(spot().map(Vec3::to_array));
             if let [Some(a), Some(b)] = missing.blocks {
@@ -360,10 +360,13 @@ fn spots(moves: [&Moved; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item = [Vec3
     })
 }
 
-/// The two places that are furthest apart.
-fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>) -> [Vec3; 2] {
-    let apart = |[a, b]: &[Vec3; 2]| (*a - *b).length();
-    let wider = |a: &[Vec3; 2], b: &[Vec3; 2]| apart(a).total_cmp(&apart(b));
+/// The two places that are furthest apart; of those that the best walk passes at other times, the nearest.
+fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>, most_mm: f64) -> [Vec3; 2] {
+    let key = |[a, b]: &[Vec3; 2]| {
+        let apart = (*a - *b).length();
+        if apart <= most_mm + SAME_MM { apart } else { -apart }
+    };
+    let wider = |a: &[Vec3; 2], b: &[Vec3; 2]| key(a).total_cmp(&key(b));
     spots.into_iter().max_by(wider).unwrap_or([Vec3::ZERO; 2])
 }
 
