@@ -88,6 +88,7 @@ export class Editor {
   private timer = 0;
   private silent = false;
   private problems: Problem[] = [];
+  private differing: number[] = [];
   private arriving = Text.empty;
   dirty = false;
   onDirty: (dirty: boolean) => void = () => {};
@@ -194,6 +195,7 @@ export class Editor {
     this.silent = false;
     this.setDirty(false);
     this.setProblems(this.problems);
+    this.markLines("differs", this.differing);
   }
 
   setProblems(problems: Problem[]): void {
@@ -230,6 +232,7 @@ export class Editor {
   }
 
   markLines(kind: "differs" | "now", lines: number[]): void {
+    if (kind === "differs") this.differing = lines;
     this.view.dispatch({ effects: setLines.of({ kind, lines }) });
   }
 
