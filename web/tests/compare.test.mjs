@@ -216,7 +216,7 @@ test("a conversion is shown over its source before anything is written, on the m
   assert.match(await page.locator(".paths").innerText(), /bracket\.nc on Fadal[^]*converted bracket\.nc on Haas/);
   await page.locator(".difference .read").first().click();
   await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-content").innerText(), /^\\(L9601 R0\\+20\\. R1\\+0 R2\\+2\\. R3\\+1\\.5\\)$/m);
+  assert.match(await page.locator(".elsewhere .cm-content").innerText(), /^\(L9601 R0\+20\. R1\+0 R2\+2\. R3\+1\.5\)$/m);
   await picture(page, "compare-convert");
   assert.deepEqual(complaints, []);
   await page.close();
