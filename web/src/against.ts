@@ -1,6 +1,6 @@
 // The program held against another one: the path beside, the answer, and the way through the differences.
 
-import { around, boxOf, linesOf, rowsOf, step, union } from "./compare";
+import { around, boxOf, linesOf, rowsOf, rowsOfLines, step, union } from "./compare";
 import { comparePanel, pathLegend } from "./comparepanel";
 import type { Editor } from "./editor";
 import type { Elsewhere } from "./elsewhere";
@@ -100,6 +100,13 @@ export function againstProgram(page: Page) {
     chosen = -1;
     panel.show(told, page.units());
     editor.markLines("differs", linesOf(told.differences, 0));
+    const apart = told.differences.filter(({ distance_mm }) => distance_mm !== null);
+    view.markApart({
+      own: rowsOfLines(page.path(), linesOf(apart, 0)),
+      other: rowsOfLines(path, linesOf(apart, 1)),
+      places: apart.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
+    });
+    legend.apart(apart.length > 0);
     const total = told.differences.length + told.dropped;
     page.tell(total === 0 ? told.verdict : `${counted(total, "difference")} (N, P)`);
   }

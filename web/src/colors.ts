@@ -11,6 +11,8 @@ export interface Palette {
   contour: string;
   /** The path of the other program. */
   other: string;
+  /** Where the two are apart. */
+  apart: string;
   chord: string;
   travel: string;
   mark: string;
@@ -26,6 +28,7 @@ export const LIGHT: Palette = {
   rapid: "#8a5a00",
   contour: "#3a7d34",
   other: "#111a22",
+  apart: "#a34fe0",
   chord: "#c2185b",
   travel: "#7b8794",
   mark: "#d9480f",
@@ -40,6 +43,7 @@ export const DARK: Palette = {
   rapid: "#e8b04b",
   contour: "#86d67f",
   other: "#ffffff",
+  apart: "#b57bf0",
   chord: "#ff7ab0",
   travel: "#6d7a86",
   mark: "#ffd166",

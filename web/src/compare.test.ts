@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { around, boxOf, linesOf, linesText, rowsOf, step, union } from "./compare";
+import { around, boxOf, linesOf, linesText, rowsOf, rowsOfLines, step, union } from "./compare";
 import type { Difference, Side } from "./link";
 import { ARC, KNOWN, Path, type Vec3 } from "./path";
 
@@ -47,6 +47,8 @@ it("finds the rows of blocks in every turn of a loop, of their own file alone", 
   expect(rowsOf(looped, { file: 0, from: 2, to: 3 })).toEqual([[1, 4]]);
   expect(rowsOf(looped, { file: 1, from: 1, to: 9 })).toEqual([[5, 5]]);
   expect(rowsOf(looped, { file: 0, from: 7, to: 9 })).toEqual([]);
+  expect(rowsOfLines(looped, [1, 3])).toEqual([[0, 0], [2, 2], [4, 4]]);
+  expect(rowsOfLines(looped, [])).toEqual([]);
 });
 
 it("boxes rows in the frame of the run, the bulge of an arc included", () => {

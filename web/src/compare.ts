@@ -26,11 +26,21 @@ export function linesOf(differences: Difference[], side: 0 | 1): number[] {
 
 /** The ranges of rows that blocks make. */
 export function rowsOf(path: Path, { file, from, to }: Blocks): [number, number][] {
+  return rowsWhere(path, (own, line) => own === file && line >= from && line <= to);
+}
+
+/** The ranges of rows that lines of the program make. */
+export function rowsOfLines(path: Path, lines: number[]): [number, number][] {
+  if (lines.length === 0) return [];
+  const meant = new Set(lines);
+  return rowsWhere(path, (file, line) => file === 0 && meant.has(line));
+}
+
+function rowsWhere(path: Path, isMeant: (file: number, line: number) => boolean): [number, number][] {
   const ranges: [number, number][] = [];
   for (const batch of path.batches) {
     for (let at = 0; at < batch.rows; at++) {
-      const line = batch.line[at]!;
-      if (batch.file[at] !== file || line < from || line > to) continue;
+      if (!isMeant(batch.file[at]!, batch.line[at]!)) continue;
       const row = batch.first + at;
       const last = ranges.at(-1);
       if (last && last[1] === row - 1) last[1] = row;

@@ -80,7 +80,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
   });
   function showTolerance(): void {
     const value = units.inch ? toleranceMm / MM_PER_INCH : toleranceMm;
-    tolerance.value = String(Number(value.toPrecision(6)));
+    tolerance.value = String(Number(value.toPrecision(4)));
     unit.textContent = units.inch ? "in" : "mm";
   }
 
@@ -203,7 +203,10 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
   const [ownBox, ownSwatch, ownText] = made("own", told.own);
   const [otherBox, , otherText] = made("other", told.other);
   const end = button("×", "Compare no more", told.end);
-  root.append(end);
+  const apart = element("span", "key");
+  apart.append(element("span", "swatch apart"), "apart");
+  apart.hidden = true;
+  root.append(apart, end);
   root.hidden = true;
   return {
     hide(): void {
@@ -216,6 +219,8 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
       [ownText.textContent, otherText.textContent] = [own, other];
       told.other(otherBox.checked);
     },
+    /** Whether the two paths are apart anywhere. */
+    apart: (is: boolean) => (apart.hidden = !is),
     color: (color: string) => (ownSwatch.style.color = color),
   };
 }

@@ -1,12 +1,13 @@
 // The path of another program, over that of the shown one: one colour, dashed, so that both are seen
 // where they are the same.
 
-import { Group, LineDashedMaterial, LineSegments, type Plane } from "three";
+import { Group, LineDashedMaterial, LineSegments, type Object3D, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { difference } from "./fit";
-import { type Lines, type Tolerance, drawn, someRows } from "./lines";
+import { type Lines, type Tolerance, drawn } from "./lines";
+import { Marked } from "./marked";
 import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { pause } from "./pause";
 import { geometryOf } from "./strokes";
@@ -27,8 +28,10 @@ interface Part {
 export class Overlay {
   /** Beside the path of the program. */
   readonly object = new Group();
-  /** Over everything. */
-  readonly mark = new LineSegments2();
+  /** What is chosen of it. */
+  readonly mark = new Marked(2, MOST_MARKED);
+  /** Its mark, which goes with the path where that is hidden. */
+  readonly over = new Group();
   path = new Path();
   private parts: Part[] = [];
   private rapids = new Group();
@@ -36,15 +39,15 @@ export class Overlay {
   private thin = new LineDashedMaterial({ depthTest: false });
   private wide = new LineMaterial({ linewidth: 1.5, dashed: true, depthTest: false });
   private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
-  private markMaterial = new LineMaterial({ linewidth: 2, depthTest: false });
   private refining = 0;
 
-  /** `changes` is called before what is drawn goes. */
-  constructor(private changes: () => void) {
-    this.object.add(this.cuts, this.rapids);
-    this.mark.material = this.markMaterial;
-    this.mark.frustumCulled = false;
-    this.mark.visible = false;
+  /** `changes` is called before what is drawn goes; what lies `under` the path goes with it. */
+  constructor(
+    private changes: () => void,
+    under: Object3D,
+  ) {
+    this.object.add(under, this.cuts, this.rapids);
+    this.over.add(this.mark.object);
   }
 
   /** There is something to be seen of it. */
@@ -58,7 +61,7 @@ export class Overlay {
     for (const { objects } of this.parts) objects.forEach(remove);
     this.parts = [];
     this.path = path;
-    this.mark.visible = false;
+    this.mark.clear();
   }
 
   add(batch: Batch, tolerance: Tolerance, mostWide: number): void {
@@ -96,6 +99,7 @@ export class Overlay {
   /** Cuts arcs anew; whether it was still wanted at the end. */
   async refine(tolerance: Tolerance, mostWide: number): Promise<boolean> {
     const number = ++this.refining;
+    this.mark.cut(tolerance);
     for (const part of [...this.parts]) {
       const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
       if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
@@ -111,7 +115,7 @@ export class Overlay {
   place(origin: Vec3): void {
     const by = difference(this.path.origin, origin);
     this.object.position.set(...by);
-    this.mark.position.set(...by);
+    this.mark.place(by);
   }
 
   /** Its box, relative to the origin of the shown path. */
@@ -123,28 +127,8 @@ export class Overlay {
     return { low: moved(bounds.low), high: moved(bounds.high) };
   }
 
-  /** Marks ranges of rows. */
-  markRows(ranges: [number, number][], tolerance: Tolerance): void {
-    const points: number[] = [];
-    let left = MOST_MARKED;
-    for (const { batch } of this.parts) {
-      for (const [first, last] of ranges) {
-        const from = Math.max(0, first - batch.first);
-        const to = Math.min(batch.rows - 1, last - batch.first, from + left - 1);
-        if (from > to) continue;
-        left -= to - from + 1;
-        for (const value of someRows(batch, from, to, tolerance)) points.push(value);
-      }
-    }
-    this.mark.visible = points.length > 0 && this.object.visible;
-    if (points.length === 0) return;
-    this.mark.geometry.dispose();
-    this.mark.geometry = new LineSegmentsGeometry().setPositions(points);
-  }
-
   show(shown: boolean): void {
-    this.object.visible = shown;
-    if (!shown) this.mark.visible = false;
+    this.object.visible = this.over.visible = shown;
   }
 
   showRapids(shown: boolean): void {
@@ -152,7 +136,8 @@ export class Overlay {
   }
 
   setColor(color: string): void {
-    for (const material of [this.thin, this.wide, this.rapid, this.markMaterial]) material.color.set(color);
+    for (const material of [this.thin, this.wide, this.rapid]) material.color.set(color);
+    this.mark.setColor(color);
   }
 
   /** Dashes keep their length on the screen. */

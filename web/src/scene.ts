@@ -14,6 +14,7 @@ import {
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { Apart, type Apartness } from "./apart";
 import { Coarse } from "./coarse";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
 import { Eye, type ViewName } from "./eye";
@@ -64,7 +65,8 @@ export class PathView {
   private rapids: Group;
   private coarse = new Coarse();
   private contour = new Group();
-  private other = new Overlay(() => this.painter.changed());
+  private apart = new Apart();
+  private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
   private chords = new Group();
   private fixed = new Fixed();
   private mark = new LineSegments2();
@@ -110,7 +112,8 @@ export class PathView {
     this.measured.visible = false;
     this.mark.visible = false;
     this.painter.beside.add(this.contour, this.chords, this.other.object);
-    this.painter.over.add(this.fixed.object, this.mark, this.other.mark, this.measured, this.tool.object);
+    this.painter.own.add(this.apart.own.object);
+    this.painter.over.add(this.fixed.object, this.apart.dots, this.mark, this.other.over, this.measured, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -132,6 +135,7 @@ export class PathView {
   private clearPath(): void {
     for (const group of [this.cuts, this.rapids, this.contour, this.chords]) empty(group);
     this.coarse.clear();
+    this.apart.clear();
     this.drawnBatches = [];
     this.mark.visible = false;
   }
@@ -235,6 +239,7 @@ export class PathView {
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.other.setColor(palette.other);
+    this.apart.setColor(palette.apart);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
     this.markMaterial.color.set(palette.mark);
@@ -256,6 +261,7 @@ export class PathView {
 
   /** The path of the other program begins; what is there of it is taken away. */
   beginOther(path: Path): void {
+    this.apart.clear();
     this.other.begin(path);
     this.changed();
   }
@@ -284,8 +290,15 @@ export class PathView {
 
   /** Marks ranges of rows of the other path. */
   markOther(ranges: [number, number][]): void {
-    this.other.markRows(ranges, this.tolerance(this.other.path));
+    this.other.mark.set(this.other.path, ranges, this.tolerance(this.other.path));
     this.render();
+  }
+
+  /** Marks where the two paths are apart. */
+  markApart(apart: Apartness): void {
+    const { path, other } = this;
+    this.apart.set(apart, [path, other.path], [this.tolerance(), this.tolerance(other.path)]);
+    this.changed();
   }
 
   /** Shows a box in the frame of the run, seen from where it is seen now. */
@@ -329,7 +342,8 @@ export class PathView {
 
   /** Marks rows; none: nothing is marked. What the other path has there is marked no more. */
   markRows(rows: [number, number] | undefined): void {
-    this.mark.visible = this.other.mark.visible = false;
+    this.mark.visible = false;
+    this.other.mark.clear();
     if (rows && this.painter.own.visible) {
       const points: number[] = [];
       for (const { batch } of this.drawnBatches) {
@@ -403,6 +417,7 @@ export class PathView {
       material.clippingPlanes = planes;
       material.needsUpdate = true;
     }
+    this.apart.clip(planes);
     this.other.clip(planes);
   }
 
@@ -504,6 +519,7 @@ export class PathView {
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
     if (!(near || always || this.eye.userMoved)) return;
+    this.apart.cut(this.tolerance(), this.tolerance(this.other.path));
     if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
     if (curved.length === 0 || number !== this.refining) return;
     this.cutFor = pixel;

@@ -111,6 +111,8 @@ test("both paths are drawn, each with a switch, and the differences are told as 
     await page.evaluate(() => [...document.querySelectorAll(".line-differs")].map((each) => each.innerText)),
     ["X40. F600.", "G3 X50. Y10. I0 J10.", "G1 Y40.", "X0", "Y0"],
   );
+  // What is apart is purple, in a dot where it is small; that of a page of the same is not.
+  assert.ok((await pixels(page, [0xa3, 0x4f, 0xe0])) > 20);
   // The tool's blue, and near black for the other.
   const [blue, dark] = [[0x0b, 0x61, 0xa4], [0x11, 0x1a, 0x22]];
   const shown = [await pixels(page, blue), await pixels(page, dark)];
@@ -177,9 +179,40 @@ test("the comparison follows what is typed, the tolerance, and the other file", 
   assert.equal(await page.locator(".line-differs").count(), 0);
   writeFileSync(files[1], readFileSync(files[1], "utf8").replace("X50.05", "X50."));
   await page.waitForSelector(".verdict.same");
+  assert.equal(await pixels(page, [0xa3, 0x4f, 0xe0]), 0);
   assert.match(await verdict(page), /^same/);
   rmSync(files[1]);
   await page.waitForFunction(() => /cannot read/.test(document.querySelector(".verdict").innerText));
+  await page.close();
+});
+
+test("the page can choose a machine of the list, and read no file", async () => {
+  const file = join(folder, "secret.toml");
+  writeFileSync(file, "control = \"haas\"\nsecret = 4711\n");
+  const server = await serve(join(ROOT, "examples/fadal/profile-g18.nc"));
+  servers.push(server);
+  const { page } = await open(chromium.context, server.url);
+  // Another connection than the page's own, which may ask anything.
+  const [refused, against] = await page.evaluate(async (file) => {
+    const live = new WebSocket(new URL("live", location.href).href.replace(/^http/, "ws"));
+    const answer = (type) => new Promise((done) => {
+      live.addEventListener("message", ({ data }) => {
+        if (typeof data === "string" && JSON.parse(data).type === type) done(data);
+      });
+    });
+    await answer("report");
+    const refused = answer("refused");
+    live.send(JSON.stringify({ ask: "machine", name: file }));
+    await refused;
+    const against = answer("against_refused");
+    live.send(JSON.stringify({ ask: "machine", name: null }));
+    live.send(JSON.stringify({ ask: "against", other: { machine: file } }));
+    return [await refused, await against];
+  }, file);
+  for (const told of [refused, against]) {
+    assert.match(told, /no machine of the list/);
+    assert.doesNotMatch(told, /4711/);
+  }
   await page.close();
 });
 
