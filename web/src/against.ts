@@ -131,9 +131,7 @@ export function againstProgram(page: Page) {
     if (a.blocks?.file === 0) page.goTo(a.blocks.from);
     place(difference.at_mm, [a.blocks, b.blocks]);
     const mark = (blocks: Blocks | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
-    const ranges = mark(a.blocks, a.lacks, page.path());
-    view.markRows(ranges.length === 0 ? undefined : [ranges[0]![0], ranges[0]![1]]);
-    view.markOther(mark(b.blocks, b.lacks, path));
+    view.markBoth(mark(a.blocks, a.lacks, page.path()), mark(b.blocks, b.lacks, path));
     // So near the tool would cover what is to be seen.
     view.placeTool(undefined);
   }
@@ -202,6 +200,12 @@ export function againstProgram(page: Page) {
       const batch = new Kinematics(against?.machine?.rotary ?? [], origin).batch(batchOf(frame));
       path.add(batch, origin);
       view.addOther(batch);
+    },
+    /** The line of the other program whose path is at a place of the canvas is to be read. */
+    readAt(x: number, y: number): void {
+      const picked = view.pickOther(x, y);
+      const found = picked && path.find(picked.row);
+      if (found) void read(found[0].file[found[1]]!, found[0].line[found[1]]!);
     },
     /** The program runs anew: what was found is of the text before. */
     began(): void {

@@ -488,7 +488,10 @@ ui.canvas.addEventListener("pointerup", (event) => {
   if (!pressed || Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) > 3) return;
   const picked = view.pick(event.offsetX, event.offsetY);
   const line = picked && path.lineOf(picked.row);
-  if (!picked || !line) return;
+  if (!picked || !line) {
+    if (!measuring) against.readAt(event.offsetX, event.offsetY);
+    return;
+  }
   if (measuring) {
     measure(picked.at);
     return;

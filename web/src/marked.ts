@@ -7,6 +7,9 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { type Tolerance, someRows } from "./lines";
 import { Path, type Vec3 } from "./path";
 
+/** Rows that are marked at most, where nothing else is said. */
+const MOST = 50_000;
+
 export class Marked {
   readonly object = new LineSegments2();
   private material: LineMaterial;
@@ -16,7 +19,7 @@ export class Marked {
   /** Lines of a width in pixels, for so many rows at most. */
   constructor(
     width: number,
-    private most: number,
+    private most = MOST,
   ) {
     this.material = new LineMaterial({ linewidth: width, depthTest: false });
     this.object.material = this.material;

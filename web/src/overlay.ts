@@ -1,7 +1,7 @@
 // The path of another program, over that of the shown one: one colour, dashed, so that both are seen
 // where they are the same.
 
-import { Group, LineDashedMaterial, LineSegments, type Object3D, type Plane } from "three";
+import { Group, LineDashedMaterial, LineSegments, Matrix4, type Object3D, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -10,18 +10,16 @@ import { type Lines, type Tolerance, drawn } from "./lines";
 import { Marked } from "./marked";
 import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { pause } from "./pause";
+import { type Pickable, type Picked, type Sight, pick } from "./picking";
 import { geometryOf } from "./strokes";
 
-/** Rows that are marked at most. */
-const MOST_MARKED = 50_000;
 /** Rows of a part from which on others are let in before the next. */
 const MANY = 20_000;
 /** Dashes and gaps on the screen, pixels. */
 const CUT: [number, number] = [6, 8];
 const RAPID: [number, number] = [2, 5];
 
-interface Part {
-  batch: Batch;
+interface Part extends Pickable {
   objects: (LineSegments | LineSegments2)[];
 }
 
@@ -29,7 +27,7 @@ export class Overlay {
   /** Beside the path of the program. */
   readonly object = new Group();
   /** What is chosen of it. */
-  readonly mark = new Marked(2, MOST_MARKED);
+  readonly mark = new Marked(2);
   /** Its mark, which goes with the path where that is hidden. */
   readonly over = new Group();
   path = new Path();
@@ -65,15 +63,15 @@ export class Overlay {
   }
 
   add(batch: Batch, tolerance: Tolerance, mostWide: number): void {
-    const part: Part = { batch, objects: [] };
+    const part: Part = { batch, lines: drawn(batch, tolerance), objects: [] };
     this.parts.push(part);
-    this.put(part, tolerance, mostWide);
+    this.put(part, mostWide);
   }
 
-  private put(part: Part, tolerance: Tolerance, mostWide: number): void {
+  private put(part: Part, mostWide: number): void {
     if (part.objects.length > 0) this.changes();
     part.objects.forEach(remove);
-    const { cuts, rapids } = drawn(part.batch, tolerance);
+    const { cuts, rapids } = part.lines;
     part.objects = [];
     if (cuts.count > 0) {
       const isWide = this.path.rows <= mostWide && cuts.count <= mostWide;
@@ -103,7 +101,8 @@ export class Overlay {
     for (const part of [...this.parts]) {
       const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
       if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
-      this.put(part, tolerance, mostWide);
+      part.lines = drawn(part.batch, tolerance);
+      this.put(part, mostWide);
       if (part.batch.rows < MANY) continue;
       await pause();
       if (number !== this.refining) return false;
@@ -125,6 +124,17 @@ export class Overlay {
     const by = difference(this.path.origin, origin);
     const moved = (at: Vec3) => at.map((value, axis) => value + by[axis]!) as Vec3;
     return { low: moved(bounds.low), high: moved(bounds.high) };
+  }
+
+  /** Its row at a place of the canvas, as the shown path is seen. */
+  pick(eye: Sight, canvas: HTMLCanvasElement, at: [number, number]): Picked | undefined {
+    if (!this.object.visible) return undefined;
+    const by = this.object.position;
+    const sight: Sight = {
+      matrix: () => eye.matrix().multiply(new Matrix4().makeTranslation(by)),
+      project: (place) => eye.project([place[0] + by.x, place[1] + by.y, place[2] + by.z]),
+    };
+    return pick(this.parts, sight, canvas, at, this.rapids.visible, () => true);
   }
 
   show(shown: boolean): void {

@@ -24,10 +24,13 @@ export interface Pickable {
   lines: { cuts: Lines; rapids: Lines };
 }
 
+/** How places, relative to the origin of a path, are seen. */
+export type Sight = Pick<Eye, "matrix" | "project">;
+
 /** The row nearest to a place of the canvas, of those whose place there `counts`. */
 export function pick(
   parts: Pickable[],
-  eye: Eye,
+  eye: Sight,
   canvas: HTMLCanvasElement,
   [x, y]: [number, number],
   withRapids: boolean,

@@ -11,16 +11,15 @@ import {
   Plane,
   Vector3,
 } from "three";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { Apart, type Apartness } from "./apart";
 import { Coarse } from "./coarse";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
 import { Eye, type ViewName } from "./eye";
 import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
-import { type Keep, type Lines, drawn, someRows } from "./lines";
+import { type Keep, type Lines, drawn } from "./lines";
+import { Marked } from "./marked";
+import { Measured } from "./measured";
 import { Overlay } from "./overlay";
 import { Painter } from "./painter";
 import { pause } from "./pause";
@@ -69,8 +68,7 @@ export class PathView {
   private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
   private chords = new Group();
   private fixed = new Fixed();
-  private mark = new LineSegments2();
-  private markMaterial = new LineMaterial({ linewidth: 4, depthTest: false });
+  private mark = new Marked(4);
   private cutMaterials = new StrokeMaterials();
   private rapidMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.75 });
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
@@ -90,8 +88,7 @@ export class PathView {
   private cutFor = 0;
   private section: Section = {};
   private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
-  private measured = new LineSegments2();
-  private measuredMaterial = new LineMaterial({ linewidth: 2, depthTest: false });
+  private measured = new Measured();
   /** Frames that were drawn: for measurements. */
   drawnFrames = 0;
   onDrawn: () => void = () => {};
@@ -105,15 +102,9 @@ export class PathView {
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
     this.tool = new ToolShape(palette);
-    this.mark.frustumCulled = false;
-    this.mark.material = this.markMaterial;
-    this.measured.material = this.measuredMaterial;
-    this.measured.frustumCulled = false;
-    this.measured.visible = false;
-    this.mark.visible = false;
     this.painter.beside.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.apart.own.object);
-    this.painter.over.add(this.fixed.object, this.apart.dots, this.mark, this.other.over, this.measured, this.tool.object);
+    this.painter.over.add(this.fixed.object, this.apart.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -137,7 +128,7 @@ export class PathView {
     this.coarse.clear();
     this.apart.clear();
     this.drawnBatches = [];
-    this.mark.visible = false;
+    this.mark.clear();
   }
 
   add(batch: Batch): void {
@@ -242,8 +233,8 @@ export class PathView {
     this.apart.setColor(palette.apart);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
-    this.markMaterial.color.set(palette.mark);
-    this.measuredMaterial.color.set(palette.measure);
+    this.mark.setColor(palette.mark);
+    this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     void this.recolor();
     this.changed();
@@ -286,12 +277,6 @@ export class PathView {
   showOther(shown: boolean): void {
     this.other.show(shown);
     this.changed();
-  }
-
-  /** Marks ranges of rows of the other path. */
-  markOther(ranges: [number, number][]): void {
-    this.other.mark.set(this.other.path, ranges, this.tolerance(this.other.path));
-    this.render();
   }
 
   /** Marks where the two paths are apart. */
@@ -342,21 +327,13 @@ export class PathView {
 
   /** Marks rows; none: nothing is marked. What the other path has there is marked no more. */
   markRows(rows: [number, number] | undefined): void {
-    this.mark.visible = false;
-    this.other.mark.clear();
-    if (rows && this.painter.own.visible) {
-      const points: number[] = [];
-      for (const { batch } of this.drawnBatches) {
-        const from = Math.max(0, rows[0] - batch.first);
-        const to = Math.min(batch.rows - 1, rows[1] - batch.first, from + 50_000);
-        if (from <= to) points.push(...someRows(batch, from, to, this.tolerance()));
-      }
-      if (points.length > 0) {
-        this.mark.geometry.dispose();
-        this.mark.geometry = new LineSegmentsGeometry().setPositions(points);
-        this.mark.visible = true;
-      }
-    }
+    this.markBoth(rows ? [rows] : [], []);
+  }
+
+  /** Marks ranges of rows of the path and of the other one. */
+  markBoth(own: [number, number][], other: [number, number][]): void {
+    this.mark.set(this.path, this.painter.own.visible ? own : [], this.tolerance());
+    this.other.mark.set(this.other.path, other, this.tolerance(this.other.path));
     this.render();
   }
 
@@ -423,15 +400,7 @@ export class PathView {
 
   /** A line between two places, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
-    this.measured.visible = from !== undefined;
-    if (from) {
-      const size = 5 * this.eye.pixel();
-      const cross = (at: Vec3) =>
-        [0, 1, 2].flatMap((axis) => [-size, size].flatMap((by) => at.map((value, i) => (i === axis ? value + by : value))));
-      const points = [...cross(from), ...(to ? [...cross(to), ...from, ...to] : [])];
-      this.measured.geometry.dispose();
-      this.measured.geometry = new LineSegmentsGeometry().setPositions(points);
-    }
+    this.measured.show(from, to, this.eye.pixel());
     this.render();
   }
 
@@ -443,6 +412,11 @@ export class PathView {
       const z = at[2] + this.path.origin[2];
       return z >= low - 1e-3 && z <= high + 1e-3;
     });
+  }
+
+  /** The row of the other path at a place of the canvas. */
+  pickOther(x: number, y: number): Picked | undefined {
+    return this.other.pick(this.eye, this.canvas, [x, y]);
   }
 
   /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
@@ -519,6 +493,7 @@ export class PathView {
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
     if (!(near || always || this.eye.userMoved)) return;
+    this.mark.cut(this.tolerance());
     this.apart.cut(this.tolerance(), this.tolerance(this.other.path));
     if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
     if (curved.length === 0 || number !== this.refining) return;

@@ -164,6 +164,24 @@ test("a difference goes to its line and shows the place, and keys go on to the n
   await page.close();
 });
 
+test("a click on the other path shows its line, to be read", async () => {
+  const { page, files } = await show("click");
+  writeFileSync(files[1], RETURNED.replace("N20 X40.", "N15 Y-8.\nN20 X40.\nY0"));
+  await page.waitForFunction(() => /8 mm/.test(document.querySelector(".verdict").innerText));
+  const place = await page.evaluate(() => {
+    const { view, path, against } = window.chordal;
+    const other = against().path;
+    const at = other.pointOn(other.rowsOfLine(10)[0], 0.5);
+    const [x, y] = view.project(at.map((value, axis) => value + other.origin[axis] - path().origin[axis]));
+    const box = document.querySelector("canvas.path").getBoundingClientRect();
+    return { x: box.x + x, y: box.y + y };
+  });
+  await page.mouse.click(place.x, place.y);
+  await page.waitForSelector(".elsewhere:not([hidden])");
+  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /^N20 X40\.$/);
+  await page.close();
+});
+
 test("the comparison follows what is typed, the tolerance, and the other file", async () => {
   const { page, files } = await show("live");
   await page.locator("#compare-tolerance").fill("0.06");
