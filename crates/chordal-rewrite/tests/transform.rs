@@ -229,6 +229,34 @@ fn chords_become_arcs_again() {
     assert!(arcs >= 1 && text.lines().count() < 25, "{text}");
 }
 
+/// Five rows of `tools/surfacing.py` in the digits of the program: as few arcs as the geometry's test holds them to,
+/// proved, and tangent as far as these digits say it.
+#[test]
+fn a_surfacing_program_becomes_tangent_arcs() {
+    let mut text =
+        String::from("G21 G90 G17 G64 P0.01\nT1 M6\nS12000 M3\nG0 X0 Y0 Z5\nG1 Z0.3 F3000\n");
+    for row in 0..5 {
+        for step in 0..1000 {
+            let x = 0.1 * f64::from(if row % 2 == 0 { step } else { 999 - step });
+            let z = 0.6 * (0.3 * x).sin() + 0.3 * (0.11 * x + 0.05 * f64::from(row)).cos();
+            let y = if step == 0 { format!("Y{:.3}", 0.1 * f64::from(row)) } else { String::new() };
+            text += &format!("X{x:.3}{y}Z{z:.4}\n");
+        }
+    }
+    text += "G0 Z5\nM30\n";
+    let source = job(text.clone().into_bytes(), "linuxcnc-mill");
+    let done = transform(&source, &[Step::Fit(0.01)]).unwrap();
+    assert!(done.certificate.holds(), "{:?}", done.certificate.comparison.differences);
+    assert!(done.certificate.comparison.max_distance_mm <= 0.01);
+    let new = String::from_utf8(done.text).unwrap();
+    let arcs = new.lines().filter(|line| line.contains('I') && line.contains('K')).count();
+    let lines = new.lines().count() - 8 - arcs;
+    println!("{} lines are {arcs} arcs and {lines} lines", text.lines().count());
+    // 97.4 is the asymptotic minimum of the five rows.
+    assert!((90..=110).contains(&arcs), "{arcs}\n{new}");
+    assert!(lines < 20, "{new}");
+}
+
 /// A path of which no place is known is not proved, whatever its text.
 #[test]
 fn nothing_held_against_nothing_is_no_proof() {

@@ -102,6 +102,7 @@ impl core::error::Error for FitError {}
 ///
 /// Chords too long for an arc within the tolerance stay lines with their ends. Where `tangent` is
 /// asked and cannot be had within the tolerance, two pieces meet at an angle; [`breaks`] tells where.
+/// A path that ends where it begins, without a corner there, is tangent there, too.
 /// Points that repeat the one before count for nothing; fewer than two others give no piece.
 ///
 /// ```

@@ -11,13 +11,10 @@ use super::band::{Band, Terms};
 use super::flat::Flat;
 use super::row::{Along, EACH, Row};
 
-/// Steps at most; a row that gets nearer by less than `GAIN` of what is left in several of them is given up.
-const STEPS: usize = 40;
-const GAIN: f64 = 0.05;
-const PATIENCE: usize = 4;
-/// After so many steps a row is given up that is so far outside, of the strip's width.
-const EARLY: usize = 10;
-const FAR: f64 = 1.5;
+/// Steps at most; a row is given up that keeps more than this part of what is outside over several of them.
+const STEPS: usize = 48;
+const LEFT: f64 = 0.5;
+const PATIENCE: usize = 8;
 /// Steps in which every point pulls, of a row that is not near the path yet.
 const FIRST_STEPS: usize = 3;
 /// Chords of a piece after which its path is looked at; longer ones at as many points.
@@ -63,23 +60,24 @@ impl Strip<'_> {
         row.settle(self.flat)?;
         let probes = self.probes(&row);
         let mut outside = self.outside(&row, &probes);
-        let (mut damping, mut waited) = (1e-3, 0);
+        let (mut damping, mut before) = (1e-3, f64::INFINITY);
         for step in 0..STEPS {
-            let is_far = step >= EARLY && outside.largest > FAR * self.width;
-            if outside.largest <= 0.0 || waited > PATIENCE || is_far {
+            if step % PATIENCE == 0 {
+                if outside.sum > LEFT * before {
+                    break;
+                }
+                before = outside.sum;
+            }
+            if outside.largest <= 0.0 {
                 break;
             }
             let change = self.step(&row, &probes, self.width, damping)?;
             match self.tried(&row, &probes, &change) {
                 Some((new, left)) if left.sum < outside.sum => {
-                    waited = if left.sum > (1.0 - GAIN) * outside.sum { waited + 1 } else { 0 };
                     (row, outside) = (new, left);
                     damping = (damping * 0.3).max(1e-7);
                 }
-                _ => {
-                    damping *= 10.0;
-                    waited += 1;
-                }
+                _ => damping *= 10.0,
             }
         }
         Some((row, outside.largest))

@@ -13,8 +13,9 @@ use super::relax::Strip;
 use super::row::{Density, Joint, Row, Spread};
 use super::{FitOptions, Measure};
 
-/// Halvings of the tolerance when a row is made even.
+/// Halvings of the tolerance when a row is made even; that is for rows of no more pieces.
 const HALVINGS: usize = 5;
+const MANY: usize = 100;
 /// The strip that points are relaxed into, of the tolerance: some lie between those looked at. Where these turn
 /// out to be further off, it is made so often narrower.
 const STRIP: f64 = 0.985;
@@ -134,6 +135,9 @@ impl Fit<'_> {
     /// there is room for the joints to move.
     fn even(&self, longest: &[Piece], range: [usize; 2]) -> Vec<Piece> {
         let mut best = longest.to_vec();
+        if longest.len() > MANY {
+            return best;
+        }
         let (mut low, mut high) = (0.0, self.options.tolerance);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
