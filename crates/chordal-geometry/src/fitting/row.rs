@@ -245,7 +245,8 @@ impl Row {
             let along = self.along();
             let equations: Vec<_> =
                 (0..=self.len()).map(|joint| self.equation(joint, &along)).collect();
-            let off = |equation: &Option<(Terms, f64)>| equation.map_or(0.0, |(_, off)| off.abs());
+            let off =
+                |equation: &Option<(Terms, f64)>| equation.as_ref().map_or(0.0, |it| it.1.abs());
             let largest = equations.iter().map(off).fold(0.0, f64::max);
             if largest <= TANGENT {
                 return Some(());
@@ -264,8 +265,9 @@ impl Row {
     fn least_change(&self, equations: &[Option<(Terms, f64)>]) -> Option<Vec<f64>> {
         let weight = |unknown: usize| if unknown % EACH == 1 { SLIDE } else { 1.0 };
         // The equation that closes a row stands beside the band.
-        let closing = equations[0].filter(|_| self.is_closed);
-        let inner = |joint: usize| equations[joint].filter(|_| joint > 0 || closing.is_none());
+        let closing = equations[0].as_ref().filter(|_| self.is_closed);
+        let inner =
+            |joint: usize| equations[joint].as_ref().filter(|_| joint > 0 || closing.is_none());
         let count = equations.len();
         let mut band = Band::<3>::new(count);
         for (joint, row) in band.rows.iter_mut().enumerate() {
@@ -275,7 +277,7 @@ impl Row {
             };
             for (shift, entry) in row.iter_mut().enumerate().take(count - joint) {
                 if let Some((other, _)) = inner(joint + shift) {
-                    *entry = terms.product(&other, weight);
+                    *entry = terms.product(other, weight);
                 }
             }
         }
@@ -284,11 +286,11 @@ impl Row {
         let mut factors = factored.solve(right);
         if let Some((terms, off)) = closing {
             let beside: Vec<f64> = (0..count)
-                .map(|joint| inner(joint).map_or(0.0, |(other, _)| terms.product(&other, weight)))
+                .map(|joint| inner(joint).map_or(0.0, |(other, _)| terms.product(other, weight)))
                 .collect();
             let solved = factored.solve(beside.clone());
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let pivot = terms.product(&terms, weight) - dot(&beside, &solved);
+            let pivot = terms.product(terms, weight) - dot(&beside, &solved);
             let factor = (-off - dot(&beside, &factors)) / pivot;
             for (entry, by) in factors.iter_mut().zip(&solved) {
                 *entry -= factor * by;
