@@ -166,7 +166,13 @@ fn together(walkers: &[Walker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> 
     let least = apart_a.min(apart_b);
     // Where it makes no difference that counts, whole curves go with whole curves.
     let rounding = 1e-12 * (1.0 + a.end().length().max(b.end().length()));
-    if both <= least + rounding || both <= tolerance_mm {
+    if both <= least + rounding {
+        return ends;
+    }
+    // Nor where ends belong together that are within the tolerance: unless one walker, who lags behind on the
+    // way there, is beyond it then.
+    let whole = || bound(a.stretch(ends[0]), b.stretch(ends[1]), precision_mm);
+    if both <= tolerance_mm && whole() <= tolerance_mm {
         return ends;
     }
     let ways = [[ends[0], of_b], [of_a, ends[1]]];
@@ -244,6 +250,22 @@ mod tests {
         let found = most(&[quarter([10.0, 0.0], [10.0, 0.0])], &chain(&points));
         let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 64.0).cos());
         assert!(found >= sagitta - 1e-9 && found < sagitta * 1.02, "{found} against {sagitta}");
+    }
+
+    /// An arc that ends a little behind a point of the chords, by less than the tolerance, and is nearly as far
+    /// from them in its middle: who waits for its end would be too far from it there.
+    #[test]
+    fn a_joint_beside_a_point() {
+        let (length, sagitta, tolerance) = (2.0019, 0.0018, 0.002);
+        let radius = (length * length / 4.0 + sagitta * sagitta) / (2.0 * sagitta);
+        let center = (length / 2.0, sagitta - radius);
+        let end = Vec3::new(length, 0.0, 0.0);
+        let arc = arc_from_center(Plane::Xy, Vec3::ZERO, end, center, Direction::Cw, 0, 0.1).curve;
+        let b = [arc, line([length, 0.0], [4.0, 0.0])];
+        let a = chain(&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]]);
+        let (a, b): (Vec<&Curve>, Vec<&Curve>) = (a.iter().collect(), b.iter().collect());
+        let found = super::most(&couple(&a, &b, [Vec3::ZERO; 2], 1e-7, tolerance));
+        assert!(found >= sagitta - 1e-9 && found <= sagitta * 1.01, "{found}");
     }
 
     #[test]
