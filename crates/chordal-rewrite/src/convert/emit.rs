@@ -11,6 +11,7 @@ use chordal::{Command, CommandKind};
 use super::codes;
 use super::numbers;
 use super::spiral;
+use super::tap::{self, Tap};
 use super::trace::Modes;
 use crate::source::Style;
 
@@ -63,12 +64,16 @@ impl<'a> Emitter<'a> {
 
     /// Writes the commands of a block.
     pub fn block(&mut self, commands: &[Command]) -> Result<(), Refused> {
-        for command in commands {
-            let is_tap = command.origin.cycle && matches!(command.kind, CommandKind::Overrides(_));
-            if is_tap {
-                return Err("the spindle would not follow the moves of a tap".into());
+        let mut at = 0;
+        while let Some(command) = commands.get(at) {
+            let tap = tap::length(&commands[at..]);
+            if tap > 0 {
+                self.tap(&Tap::of(&commands[at..at + tap])?)?;
+                at += tap;
+            } else {
+                self.command(&command.kind)?;
+                at += 1;
             }
-            self.command(&command.kind)?;
         }
         self.flush();
         Ok(())
@@ -359,6 +364,26 @@ impl<'a> Emitter<'a> {
         line.extend(words);
         self.feed(&mut line, feed, scale, false);
         self.line(&line);
+        Ok(())
+    }
+
+    /// A tap at the level where the tool stands, and the end of the cycle.
+    fn tap(&mut self, tap: &Tap) -> Result<(), Refused> {
+        if self.plane != Plane::Xy {
+            return Err("a tap outside the XY plane".into());
+        }
+        self.flush();
+        let words = tap.words(self.to, self.units, self.style, |mm| self.length(mm));
+        let words =
+            words.ok_or("a tap without a speed of the spindle, which its feed depends on")?;
+        let mut line = self.head(tap.action())?;
+        line.extend(words);
+        self.line(&line);
+        let end = self.due(Action::CancelCycle)?;
+        self.line(&[end]);
+        self.motion = None;
+        // What F is now depends on the control.
+        self.feed = Some(String::new());
         Ok(())
     }
 

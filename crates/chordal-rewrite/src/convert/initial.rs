@@ -15,10 +15,10 @@ const LENGTHS: Letters = Letters::of("XYZIJKRFQ");
 const AXES: Letters = Letters::of("XYZABC");
 
 /// Puts a line before the first block of each main program, where the new control would begin
-/// otherwise.
-pub(crate) fn begin(context: &Context, rendered: &mut Rendered) {
+/// otherwise. Programs that are written out as they run say only what they change.
+pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
     let parameters = context.controls().map(|control| control.parameters);
-    for main in &context.source.mains {
+    for (main, is_flat) in context.source.mains.iter().zip(flat) {
         let runs: Vec<&Exec> = context
             .trace
             .execs
@@ -37,18 +37,19 @@ pub(crate) fn begin(context: &Context, rendered: &mut Rendered) {
         let mut words = Vec::new();
         let start = runs.first().map(|exec| exec.before.units);
         if parameters[0].units != parameters[1].units
-            && is_silent(context, &runs, Group::Units, LENGTHS)
+            && (*is_flat || is_silent(context, &runs, Group::Units, LENGTHS))
             && start == Some(parameters[0].units)
         {
             let inch = parameters[0].units == chordal::control::Units::Inch;
             words.push(if inch { Action::Inch } else { Action::Millimetre });
         }
         if parameters[0].starts_incremental != parameters[1].starts_incremental
-            && is_silent(context, &runs, Group::Distance, AXES)
+            && (*is_flat || is_silent(context, &runs, Group::Distance, AXES))
         {
             words.push(distance_action(parameters[0].starts_incremental));
         }
         if parameters[0].starts_linear != parameters[1].starts_linear
+            && !is_flat
             && is_silent(context, &runs, Group::Motion, AXES)
         {
             words.push(if parameters[0].starts_linear { Action::Linear } else { Action::Rapid });

@@ -8,7 +8,7 @@ use chordal::syntax::{BlockKind, Semicolon};
 
 use super::codes;
 use super::structure::{Structure, program_name};
-use crate::source::{Form, Source};
+use crate::source::{Form, Source, Sub};
 
 /// The new lines of each block; nothing for blocks that are left out.
 pub(crate) type Lines = Vec<Option<Vec<String>>>;
@@ -37,6 +37,14 @@ pub(crate) fn lay_out(
     mut lines: Lines,
     controls: [&Control; 2],
 ) -> Layout {
+    // Behind the last section the control ends; without sections, so would the program.
+    let letters = || source.subs.iter().filter(|sub| sub.form == Form::Letter);
+    let mut kept = letters().flat_map(|sub| &lines[sub.blocks.clone()]);
+    if let Some(end) = source.section_end
+        && !kept.any(Option::is_some)
+    {
+        lines[end] = None;
+    }
     loop {
         let layout = lay_out_all(source, structure, &lines, controls);
         let called = referenced_programs(layout.text.as_bytes(), &controls[1].table.lexicon);
@@ -62,6 +70,7 @@ fn lay_out_all(
 ) -> Layout {
     let mut layout = Layout::default();
     let writer = Writer { source, lines, to };
+    let is_there = |sub: &Sub| lines[sub.blocks.clone()].iter().any(Option::is_some);
     let all = 0..source.blocks.len();
     let needs_head = structure
         .mains
@@ -98,18 +107,16 @@ fn lay_out_all(
         let place = |form: Form, layout: &mut Layout| {
             for (sub, target) in source.subs.iter().zip(&structure.targets) {
                 let moved = sub.form != Form::Program && target.0 == form;
-                if moved && main.contains(&sub.blocks.start) {
+                if moved && main.contains(&sub.blocks.start) && is_there(sub) {
                     writer.blocks(sub.blocks.clone(), layout);
                     writer.close(sub.blocks.clone(), form, from, layout);
                 }
             }
         };
         place(Form::Letter, &mut layout);
-        let has_sections = source
-            .subs
-            .iter()
-            .zip(&structure.targets)
-            .any(|(sub, target)| target.0 == Form::Letter && main.contains(&sub.blocks.start));
+        let has_sections = source.subs.iter().zip(&structure.targets).any(|(sub, target)| {
+            target.0 == Form::Letter && main.contains(&sub.blocks.start) && is_there(sub)
+        });
         if has_sections {
             let end = codes::name(Action::ProgramEnd { rewind: true }, to, source.style);
             layout.push(&end.unwrap_or_default(), "\n", source.section_end);

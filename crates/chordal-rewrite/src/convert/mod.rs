@@ -17,6 +17,7 @@ pub(crate) mod numbers;
 mod plan;
 mod spiral;
 mod structure;
+mod tap;
 mod trace;
 mod translate;
 

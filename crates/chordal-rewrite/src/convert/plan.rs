@@ -132,7 +132,8 @@ impl<'c, 'a> Plan<'c, 'a> {
             }
             self.kept(&covered, &mut rendered);
             self.flattened(&mut rendered);
-            initial::begin(self.context, &mut rendered);
+            let flat: Vec<bool> = self.flat.iter().map(Option::is_some).collect();
+            initial::begin(self.context, &flat, &mut rendered);
             rendered.changes.sort_by_key(|change| change.line);
             return rendered;
         }

@@ -54,6 +54,27 @@ enum Piece {
         to: i32,
         ccw: bool,
     },
+    /// A line on which A turns to so many tenths of a degree.
+    Turn([i32; 3], i16),
+    /// A line in so many seconds.
+    Inverse([i32; 3], u8),
+    /// Places from variables: a value, and twice a value plus a half.
+    Variables(i32, i32),
+    /// Lines in a loop by a variable.
+    Loop([i32; 3], u8),
+    /// A jump over a line, if a variable is above a value.
+    Jump(i32, i32),
+    Peck {
+        depth: i32,
+        step: i32,
+        broken: bool,
+        hole: [i32; 2],
+    },
+    Tap {
+        depth: i32,
+        back: bool,
+        holes: Vec<[i32; 2]>,
+    },
 }
 
 fn place() -> impl Strategy<Value = [i32; 3]> {
@@ -63,6 +84,7 @@ fn place() -> impl Strategy<Value = [i32; 3]> {
 fn piece() -> impl Strategy<Value = Piece> {
     let arc = (1..=4u8, 500..30_000i32, any::<bool>(), -5_000..5_000i32, any::<bool>(), 0..4u8);
     let holes = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..4);
+    let taps = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..3);
     prop_oneof![
         3 => (place(), 1..8u8).prop_map(|(to, axes)| Piece::Rapid(to, axes)),
         6 => (place(), 1..8u8, prop::option::of(1..400u16))
@@ -89,6 +111,15 @@ fn piece() -> impl Strategy<Value = Piece> {
         1 => (-5..5i8).prop_map(Piece::Bare),
         1 => (1..4u8, 2_000..9_000i32, 12_000..20_000i32, any::<bool>())
             .prop_map(|(turns, from, to, ccw)| Piece::Spiral { turns, from, to, ccw }),
+        1 => (place(), -1800..1800i16).prop_map(|(to, angle)| Piece::Turn(to, angle)),
+        1 => (place(), 1..60u8).prop_map(|(to, seconds)| Piece::Inverse(to, seconds)),
+        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| Piece::Variables(a, b)),
+        1 => (place(), 1..4u8).prop_map(|(way, times)| Piece::Loop(way, times)),
+        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| Piece::Jump(a, b)),
+        1 => (3_000..20_000i32, 500..9_000i32, any::<bool>(), prop::array::uniform2(-20_000..20_000i32))
+            .prop_map(|(depth, step, broken, hole)| Piece::Peck { depth, step, broken, hole }),
+        1 => (1_000..9_000i32, any::<bool>(), taps)
+            .prop_map(|(depth, back, holes)| Piece::Tap { depth, back, holes }),
     ]
 }
 
@@ -98,6 +129,8 @@ struct Writer {
     at: [i32; 3],
     plane: u8,
     incremental: bool,
+    /// Labels of loops and jumps, each used once.
+    labels: u32,
     lines: Vec<String>,
 }
 
@@ -220,6 +253,28 @@ impl Writer {
                     _ => format!("G1 X{x}"),
                 }
             }
+            Piece::Turn(to, angle) => {
+                let words = self.words(*to, 7);
+                format!("G1{words} A{:.1}", f64::from(*angle) / 10.0)
+            }
+            Piece::Inverse(to, seconds) => {
+                let words = self.words(*to, 7);
+                self.lines.push("G93".into());
+                self.lines.push(format!("G1{words} F{:.4}", 60.0 / f64::from(*seconds)));
+                "G94 F20.".into()
+            }
+            Piece::Variables(..) | Piece::Loop(..) | Piece::Jump(..) if in_sub => return,
+            Piece::Variables(..) | Piece::Jump(..) if self.incremental => return,
+            Piece::Variables(one, two) => return self.variables(*one, *two),
+            Piece::Loop(..) if !self.incremental => return,
+            Piece::Loop(way, times) => return self.repeated(*way, *times),
+            Piece::Jump(one, two) => return self.jump(*one, *two),
+            Piece::Peck { .. } | Piece::Tap { .. } if self.incremental || self.plane != 0 => return,
+            Piece::Peck { depth, step, broken, hole } => {
+                return self.peck(*depth, *step, *broken, *hole);
+            }
+            Piece::Tap { .. } if in_sub => return,
+            Piece::Tap { depth, back, holes } => return self.tap(*depth, *back, holes),
             Piece::Exact(on) => match (self.control, on) {
                 ("fadal-4020", true) => "G9".into(),
                 ("fadal-4020", false) => "G8".into(),
@@ -297,6 +352,131 @@ impl Writer {
         self.at = [x - 2 * size, y - sign * size, self.at[2]];
     }
 
+    fn label(&mut self) -> u32 {
+        self.labels += 1;
+        self.labels
+    }
+
+    fn variables(&mut self, one: i32, two: i32) {
+        let (a, b) = (number(one), number(two));
+        self.lines.extend(match self.control {
+            "fadal-4020" => {
+                vec![
+                    format!("# V1={a}"),
+                    format!("# R1=V1"),
+                    format!("# R2={b}*2+.5"),
+                    "G1 X+R1 Y+R2".into(),
+                ]
+            }
+            _ => vec![format!("#101={a}"), format!("G1 X#101 Y[{b}*2+.5]")],
+        });
+        (self.at[0], self.at[1]) = (one, 2 * two + 5000);
+    }
+
+    /// Lines in a loop.
+    fn repeated(&mut self, way: [i32; 3], times: u8) {
+        let words = [0, 1, 2]
+            .map(|axis: usize| format!(" {}{}", ['X', 'Y', 'Z'][axis], number(way[axis] / 10)));
+        let line = format!("G1{}", words.concat());
+        let label = self.label();
+        let [head, foot] = match self.control {
+            "fadal-4020" => [
+                vec![format!("#:LOOP{label}")],
+                vec!["# V2=V2+1".into(), format!("# IF V2<{times} THEN GOTO :LOOP{label}")],
+            ],
+            "linuxcnc-mill" => [
+                vec![format!("o{label} while [#102 LT {times}]")],
+                vec!["#102=[#102+1]".into(), format!("o{label} endwhile")],
+            ],
+            _ => [
+                vec![format!("WHILE [#102 LT {times}] DO1")],
+                vec!["#102=#102+1".into(), "END1".into()],
+            ],
+        };
+        self.lines.push(if self.control == "fadal-4020" { "# V2=0" } else { "#102=0" }.into());
+        self.lines.extend(head);
+        self.lines.push(line);
+        self.lines.extend(foot);
+        for (at, way) in self.at.iter_mut().zip(way) {
+            *at += way / 10 * i32::from(times);
+        }
+    }
+
+    fn jump(&mut self, one: i32, two: i32) {
+        let (a, b) = (number(one), number(two));
+        let label = 500 + self.label();
+        let line = format!("G1 X{a} Y{b}");
+        self.lines.extend(match self.control {
+            "fadal-4020" => vec![
+                format!("# V3={a}"),
+                format!("# IF V3>{b} THEN GOTO :SKIP{label}"),
+                line,
+                format!("#:SKIP{label}"),
+            ],
+            "linuxcnc-mill" => vec![
+                format!("#103={a}"),
+                format!("o{label} if [#103 LE {b}]"),
+                line,
+                format!("o{label} endif"),
+            ],
+            _ => vec![
+                format!("#103={a}"),
+                format!("IF [#103 GT {b}] GOTO{label}"),
+                line,
+                format!("N{label}"),
+            ],
+        });
+        if one <= two {
+            (self.at[0], self.at[1]) = (one, two);
+        }
+    }
+
+    fn peck(&mut self, depth: i32, step: i32, broken: bool, hole: [i32; 2]) {
+        let level = 20_000;
+        let r = if self.control == "fadal-4020" { "R0+" } else { "R" };
+        let code = if broken { "G73" } else { "G83" };
+        self.lines.push(format!("G0 Z{}", number(level + 5_000)));
+        self.lines.push(format!(
+            "{code} G98 X{} Y{} Z{} {r}{} Q{} F9.",
+            number(hole[0]),
+            number(hole[1]),
+            number(level - depth),
+            number(level),
+            number(step)
+        ));
+        self.lines.push("G80".into());
+        self.lines.push(format!("G0 Z{}", number(level + 5_000)));
+        self.at = [hole[0], hole[1], level + 5_000];
+    }
+
+    /// Holes of a lead of a twentieth of an inch.
+    fn tap(&mut self, depth: i32, back: bool, holes: &[[i32; 2]]) {
+        let level = 20_000;
+        let (r, lead) = match self.control {
+            "fadal-4020" => ("R0+", "F200. Q.05"),
+            _ => ("R", "F10."),
+        };
+        self.lines.push(format!("G0 Z{}", number(level + 5_000)));
+        self.lines.push("S200 M3".into());
+        // LinuxCNC feeds out as far as it returns: to R is what all can do.
+        let code = if back && self.control != "linuxcnc-mill" { "G98" } else { "G99" };
+        for (index, hole) in holes.iter().enumerate() {
+            let place = format!("X{} Y{}", number(hole[0]), number(hole[1]));
+            self.lines.push(match index {
+                0 => format!(
+                    "G84 {code} {place} Z{} {r}{} {lead}",
+                    number(level - depth),
+                    number(level)
+                ),
+                _ => place,
+            });
+        }
+        self.lines.push("G80".into());
+        self.lines.push(format!("G0 Z{} F20.", number(level + 5_000)));
+        let last = holes[holes.len() - 1];
+        self.at = [last[0], last[1], level + 5_000];
+    }
+
     fn drill(&mut self, depth: i32, holes: &[[i32; 2]], pick: u8) {
         let level = 20_000;
         self.lines.push(format!("G0 Z{}", number(level + 5_000)));
@@ -332,8 +512,14 @@ fn has_repeats(control: &str) -> bool {
 /// A program and its three subprograms in the words of a control.
 fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String {
     let body = |pieces: &[Piece], in_sub: bool| {
-        let mut writer =
-            Writer { control, at: [0; 3], plane: 0, incremental: in_sub, lines: Vec::new() };
+        let mut writer = Writer {
+            control,
+            at: [0; 3],
+            plane: 0,
+            incremental: in_sub,
+            labels: 0,
+            lines: Vec::new(),
+        };
         for piece in pieces {
             writer.piece(piece, in_sub);
         }
@@ -353,16 +539,19 @@ fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String
     let mut lines = Vec::new();
     let begin = ["G20 G17 G90 G40 G80", "T1 M6", "S1000 M3", "G0 X0 Y0 Z0", "G1 F20."];
     let mut main_lines: Vec<String> = begin.map(String::from).to_vec();
+    // Labels of the chain behind begin from one.
+    let mut labels = 100;
     for piece in main {
         let mut writer =
-            Writer { control, at: [0; 3], plane: 0, incremental: false, lines: Vec::new() };
+            Writer { control, at: [0; 3], plane: 0, incremental: false, labels, lines: Vec::new() };
         // Each piece begins where everything is known, so that calls may stand between them.
         writer.lines.push("G17 G90".into());
         writer.lines.push("G1 X0 Y0 Z0".into());
-        if matches!(piece, Piece::Repeat(..)) {
+        if matches!(piece, Piece::Repeat(..) | Piece::Loop(..)) {
             writer.piece(&Piece::Incremental(true), false);
         }
         writer.piece(piece, false);
+        labels = writer.labels;
         main_lines.extend(writer.lines);
     }
     let chain = body(main, false);
