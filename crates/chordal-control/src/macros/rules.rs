@@ -2,6 +2,9 @@
 
 use chordal_syntax::Letters;
 
+/// Longest macro line ([`MacroForm::Lines`]), characters.
+pub const LONGEST_LINE: usize = 63;
+
 /// Numbers of variables.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct VariableRange {

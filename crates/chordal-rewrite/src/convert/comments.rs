@@ -16,6 +16,10 @@ pub(crate) fn translate(draft: &mut Draft, from: &Control, to: &Control) {
         if acts && !to.macros.comments_act {
             draft.note(written.clone(), new.clone(), "a comment that acts is only a comment now");
         }
+        if !acts && new != written.trim_end() {
+            let [before, after] = forms(&written, &new);
+            draft.note(before, after, format!("{} writes comments so", to.table.title));
+        }
         // Where a comment takes the rest of the line, nothing may follow.
         let ends_line = to.table.lexicon.parenthesis == ParenthesisComment::ToEndOfLine;
         if ends_line && (range.start < last_word || !draft.back.is_empty()) {
@@ -31,6 +35,20 @@ pub(crate) fn translate(draft: &mut Draft, from: &Control, to: &Control) {
 fn acts(comment: &str) -> bool {
     let inner = comment.trim_start_matches(['(', ';', ' ']).to_ascii_uppercase();
     ["MSG,", "DEBUG,", "PRINT,", "LOG", "PROBE"].iter().any(|word| inner.starts_with(word))
+}
+
+/// How a comment is written and how it is now, without its text.
+fn forms(written: &str, new: &str) -> [String; 2] {
+    let form = |text: &str| {
+        let mark = text.chars().next().unwrap_or('(');
+        let inner = text.trim_start_matches(mark);
+        let nested = inner.find(['(', '[']).map(|at| &inner[at..=at]).unwrap_or_default();
+        let end = if text.trim_end().ends_with(')') { ")" } else { "" };
+        format!("{mark}…{nested}{end}")
+    };
+    let after = if new.is_empty() { String::new() } else { form(new) };
+    let [before, after] = [form(written), after];
+    if before == after { [written.trim_end().into(), new.into()] } else { [before, after] }
 }
 
 /// One comment in the marks of another control.

@@ -25,6 +25,8 @@ pub(crate) struct Draft<'a> {
     pub after: Vec<String>,
     /// Comments that go to the end of the line.
     pub trailing: Vec<String>,
+    /// Other lines in the place of the block.
+    pub instead: Option<Vec<String>>,
     /// How often the line is written.
     pub times: u32,
     pub changes: Vec<Change>,
@@ -43,6 +45,7 @@ impl<'a> Draft<'a> {
             before: Vec::new(),
             after: Vec::new(),
             trailing: Vec::new(),
+            instead: None,
             times: 1,
             changes: Vec::new(),
             spaced,
@@ -121,6 +124,9 @@ impl<'a> Draft<'a> {
 
     /// The lines as they are now; none where nothing is left.
     pub fn lines(&self) -> Vec<String> {
+        if let Some(lines) = &self.instead {
+            return lines.clone();
+        }
         let mut lines = self.before.clone();
         let line = self.line();
         if !line.trim().is_empty() {

@@ -92,6 +92,10 @@ fn lay_out_all(
     let in_section = |at: usize| {
         sections.iter().any(|range| range.contains(&at)) || source.section_end == Some(at)
     };
+    // What stands before all programs.
+    let subs = source.subs.iter().filter(|sub| sub.form == Form::Program).map(|sub| &sub.blocks);
+    let first = source.mains.iter().chain(subs).map(|program| program.start).min().unwrap_or(0);
+    writer.blocks(0..first, &mut layout);
     for (index, main) in source.mains.iter().enumerate() {
         let main = main.start..main.end.min(tape_end);
         let body = source.first_words(&main);

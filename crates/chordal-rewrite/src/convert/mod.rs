@@ -2,7 +2,7 @@
 //!
 //! `source` finds the parts of the text, `trace` runs it block by block, `structure` decides where
 //! subprograms go, `translate` and what it calls put the words of a block into those of the new
-//! control, `emit` writes blocks from what they do where there are no such words, `plan` decides
+//! control, `macros` its statements, `emit` writes blocks from what they do where there are no such words, `plan` decides
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
@@ -13,6 +13,7 @@ mod draft;
 mod emit;
 mod initial;
 mod layout;
+mod macros;
 pub(crate) mod numbers;
 mod plan;
 mod spiral;
@@ -21,12 +22,15 @@ mod tap;
 mod trace;
 mod translate;
 
+use std::collections::BTreeMap;
+
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
 use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, Difference, Value};
 
 use self::layout::Layout;
+use self::macros::Macros;
 use self::plan::{Plan, Rendered};
 use self::structure::Structure;
 use self::trace::Trace;
@@ -130,13 +134,22 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let trace = Trace::of(old, &source);
     let (from, to) = (old.control(), empty.control());
     let structure = Structure::of(&source, from, to);
-    let context = Context { source: &source, trace: &trace, structure: &structure, from, to };
+    let macros = Macros::of(&source, [from, to]);
+    let context = Context {
+        source: &source,
+        trace: &trace,
+        structure: &structure,
+        from,
+        to,
+        macros: &macros,
+    };
     let compensates = trace.commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
     });
     let mut plan = Plan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
+    let mut tried: BTreeMap<u32, Refusal> = BTreeMap::new();
     for round in 0..MOST_ROUNDS {
         let Rendered { lines, changes, refusals, printed } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
@@ -146,6 +159,9 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let more = !holds
             && round + 1 < MOST_ROUNDS
             && follow(&mut plan, &certificate, &source, &layout, round);
+        for refusal in &refusals {
+            tried.entry(refusal.line).or_insert_with(|| refusal.clone());
+        }
         let faults = refusals.len() + certificate.comparison.differences.len();
         if holds || faults < best {
             best = faults;
@@ -158,7 +174,25 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
             break;
         }
     }
+    explain(&mut conversion, tried);
     conversion
+}
+
+/// Blocks that differ are refused where the attempt to write them out has told why they cannot be carried over.
+fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
+    if conversion.holds() || !conversion.refusals.is_empty() {
+        return;
+    }
+    let Some(certificate) = &conversion.certificate else { return };
+    let differs = |refusal: &Refusal| {
+        certificate.comparison.differences.iter().any(|difference| {
+            difference.blocks[0].is_some_and(|blocks| {
+                let (from, to) = blocks.lines();
+                (from..=to).contains(&refusal.line)
+            })
+        })
+    };
+    conversion.refusals = tried.into_values().filter(differs).collect();
 }
 
 fn proof(old: &Job, new: &Job, options: &Options, compensates: bool, printed: bool) -> Certificate {
@@ -294,7 +328,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
         .work_offsets
         .iter()
         .map(|(name, offset)| (renamed(name, target), *offset))
-        .collect::<std::collections::BTreeMap<String, WorkOffset>>();
+        .collect::<BTreeMap<String, WorkOffset>>();
     machine
 }
 

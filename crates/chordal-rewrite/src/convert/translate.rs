@@ -3,12 +3,13 @@
 use chordal::CommandKind;
 use chordal::control::table::{Action, DataTarget, Group, LineRepeat, MotionModality, Subroutines};
 use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName, subroutine_head};
-use chordal::syntax::{BlockKind, Letters, Value};
+use chordal::syntax::{BlockKind, Letters};
 
 use super::codes;
 use super::comments;
 use super::cycles;
 use super::draft::{Draft, Expand};
+use super::macros::Macros;
 use super::numbers::{self, Kind};
 use super::spiral;
 use super::structure::{Places, Structure};
@@ -22,6 +23,7 @@ pub(crate) struct Context<'a> {
     pub structure: &'a Structure,
     pub from: &'a Control,
     pub to: &'a Control,
+    pub macros: &'a Macros<'a>,
 }
 
 /// Letters of lengths on the axes of the plane and the third one.
@@ -60,15 +62,10 @@ impl<'a> Context<'a> {
             BlockKind::Percent => return Ok(draft),
             BlockKind::Folder => return Ok(draft),
             BlockKind::Macro(_) if self.keeps_macros() => {}
-            BlockKind::Macro(_) => {
-                return Err(Expand(format!(
-                    "{} does not know this statement",
-                    self.to.table.title
-                )));
+            BlockKind::Macro(range) => {
+                self.macros.statement(&mut draft, at, range)?;
+                return Ok(draft);
             }
-        }
-        if block.expressions && !self.keeps_macros() {
-            return Err(Expand(format!("{} does not know expressions", self.to.table.title)));
         }
         if !block.words.is_empty() {
             self.words(&mut draft, at)?;
@@ -88,6 +85,9 @@ impl<'a> Context<'a> {
         places.translate(draft, at)?;
         if self.source.heads.contains(&at) || subroutine_head(draft.block).is_some() {
             return Ok(());
+        }
+        if !self.keeps_macros() {
+            self.macros.values(draft, at)?;
         }
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
@@ -340,9 +340,6 @@ impl<'a> Context<'a> {
         let title = self.to.table.title;
         for word in 0..draft.block.words.len() {
             let own = draft.block.words[word];
-            if matches!(own.value, Value::Register { .. }) {
-                return Err(Expand(format!("{title} has no registers")));
-            }
             if own.letter != b'R' || own.comma || draft.is_gone(word) {
                 continue;
             }

@@ -1,6 +1,8 @@
 //! Every program of the documents on every other control: clean there, the same motion, and a list of
 //! changes that a person can read.
 
+use std::collections::BTreeSet;
+
 use chordal::Severity;
 use chordal_rewrite::convert::{Options, convert};
 
@@ -85,6 +87,11 @@ fn every_program_on_every_control() {
     }
 }
 
+/// Without the mark of the block's end, which begins a comment on some controls.
+fn bare(line: &str) -> String {
+    line.replace(" ;", "").trim_end().to_string()
+}
+
 /// Examples say their machine in their folder, not in their text.
 fn with_folder_machine(path: &str, text: String) -> String {
     if !path.starts_with("examples/") || text.contains("(machine: ") {
@@ -94,4 +101,57 @@ fn with_folder_machine(path: &str, text: String) -> String {
     let file = text_of(&format!("{folder}/chordal.toml"));
     let name = file.split('"').nth(1).expect("a machine");
     format!("(machine: {name})\n{text}")
+}
+
+/// There and back: lines that no change is listed for, on either way, are the lines of the beginning.
+#[test]
+fn unlisted_lines_come_back_as_they_were() {
+    let (mut lines, mut same, mut whole) = (0, 0, 0);
+    for (path, set) in PROGRAMS {
+        let text = with_folder_machine(path, text_of(path));
+        let set: Vec<&str> = set.iter().copied().filter(|set| !set.starts_with("name")).collect();
+        let old = job_of(&text, &set);
+        for to in MACHINES.iter().filter(|to| super::machine(to).control != old.machine().control) {
+            let there = converted(&old, to);
+            let new = there.job("converted").expect("a job");
+            let twice = Options { tolerance_mm: 0.01, ..Options::default() };
+            let back = convert(&new, old.machine(), &twice);
+            let listed = |change: &chordal_rewrite::Change| change.line as usize;
+            let gone: BTreeSet<usize> = there.changes.iter().map(listed).collect();
+            let changed: BTreeSet<usize> = back.changes.iter().map(listed).collect();
+            let kept = |text: &str, listed: &BTreeSet<usize>| -> Vec<String> {
+                let lines = text.lines().enumerate();
+                let lines =
+                    lines.filter(|(at, line)| !line.is_empty() && !listed.contains(&(at + 1)));
+                lines.map(|(_, line)| bare(line)).collect()
+            };
+            // Each text has the unlisted lines of the one before it; so the last has those of the first that are
+            // listed on neither way.
+            for (old, listed, new) in
+                [(&text, &gone, &there.text), (&there.text, &changed, &back.text)]
+            {
+                // Sections change their places, so that only the lines themselves count.
+                let mut new: Vec<String> = new.lines().map(bare).collect();
+                for line in kept(old, listed) {
+                    let at = new.iter().position(|one| *one == line);
+                    let at = at.unwrap_or_else(|| {
+                        panic!("{path} to {to}: `{line}` is not there, and no change is listed")
+                    });
+                    new.swap_remove(at);
+                }
+            }
+            let all: Vec<&str> = text.lines().filter(|line| !line.is_empty()).collect();
+            let mut end: Vec<String> = back.text.lines().map(bare).collect();
+            lines += all.len();
+            for line in &all {
+                if let Some(at) = end.iter().position(|one| *one == bare(line)) {
+                    end.swap_remove(at);
+                    same += 1;
+                }
+            }
+            whole += usize::from(back.text.trim_end() == text.trim_end());
+        }
+    }
+    eprintln!("{same} of {lines} lines, {whole} whole programs");
+    assert!(same * 100 >= lines * 60, "{same} of {lines} lines");
 }

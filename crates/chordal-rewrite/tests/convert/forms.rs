@@ -105,3 +105,37 @@ fn moves_of_unknown_places_are_proved_too() {
     assert_eq!(comparison.max_distance_mm, Some(0.0));
     assert_eq!(comparison.moves, [2, 2]);
 }
+
+/// A loop, a jump and computed places: the same statements in the other language, and back.
+#[test]
+fn statements_go_from_one_language_to_the_other() {
+    let haas = "O100\nG20 G17 G90 G40 G80\nT1 M6\nS1000 M3\nG0 X0 Y0 Z0\n#102=0\n\
+                WHILE [#102 LT 3] DO1 (ROWS)\nG1 X[#102*2.+.5] Y#102 F20.\n#103=-[#102+1]/2\n\
+                IF [#103 LT -1] GOTO 50\nG1 Z#103\nN50 #102=#102+1\nEND1\nG0 Z1.\nM30\n";
+    let there = converted(&job(haas, machine("haas-vf2")), "fadal-4020");
+    assert!(there.holds(), "{}", verdict(&there));
+    assert_eq!(
+        there.text,
+        "O100\nG20 G17 G90 G40 G80\nT1 M6\nS1000 M3\nG0 X0 Y0 Z0\n# V2=0\n(ROWS\n#:LOOP1\n\
+         # IF V2>=3 THEN GOTO :END1\n# R1=V2*2.+.5\n# R2=V2\nG1 X+R1 Y+R2 F20.\n# V3=(-(V2+1))/2\n\
+         # IF V3<(-1) THEN GOTO N50\n# R1=V3\nG1 Z+R1\nN50\n# V2=V2+1\n# GOTO :LOOP1\n#:END1\nG0 Z1.\nM2\n"
+    );
+    let back = converted(&there.job("converted").unwrap(), "fanuc-30i");
+    assert!(back.holds(), "{}", verdict(&back));
+    assert_eq!(
+        back.text,
+        "O0100\nG20 G17 G90 G40 G80\nT1 M6\nS1000 M3\nG0 X0 Y0 Z0\n#102=0\n(ROWS)\nN9001\n\
+         IF [#102 GE 3] GOTO 9000\n#199=#102*2.+.5\n#198=#102\nG1 X#199 Y#198 F20.\n\
+         #103=[-[#102+1]]/2\nIF [#103 LT [-1]] GOTO 50\n#199=#103\nG1 Z#199\nN50\n#102=#102+1\n\
+         GOTO 9001\nN9000\nG0 Z1.\nM2\n"
+    );
+}
+
+/// Statements that the other language does not have: what they do is written out.
+#[test]
+fn other_statements_are_written_out() {
+    let fadal = "O5\nM6 T1\nG0 G90 S1000 M3 X0 Y0 Z0\n# SET RADIANS\n# V1=COS(1)\n# R1=V1*2\nG1 X+R1 F10.\nM2\n";
+    let there = converted(&job(fadal, machine("fadal-4020")), "haas-vf2");
+    assert!(there.holds(), "{}", verdict(&there));
+    assert!(there.text.contains("X1.0806"), "{}", there.text);
+}

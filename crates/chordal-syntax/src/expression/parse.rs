@@ -57,6 +57,11 @@ impl<'a> ExpressionParser<'a> {
         self.deepest = 0;
     }
 
+    /// How the control writes expressions.
+    pub fn grammar(&self) -> &'static MacroGrammar {
+        self.grammar
+    }
+
     /// The file of the text.
     pub fn file(&self) -> FileId {
         self.file

@@ -13,9 +13,7 @@ use super::super::{EndReason, Flow, Interpreter};
 use crate::command::{CallPath, CommandKind};
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;
-
-/// Longest macro line, characters.
-const LONGEST: usize = 63;
+use crate::macros::rules::LONGEST_LINE;
 
 /// Most places of RND.
 const MOST_PLACES: f64 = 5.0;
@@ -89,7 +87,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         let length = range.slice(self.reader.text()).len();
-        if length > LONGEST {
+        if length > LONGEST_LINE {
             self.report_length(range, length);
         }
         let mut parser = self.take_parser();
@@ -123,7 +121,9 @@ impl<'a> Interpreter<'a> {
             Diagnostic::new(
                 Code::MacroLineTooLong,
                 self.span(range),
-                format!("this macro line has {length} characters; the control takes {LONGEST}"),
+                format!(
+                    "this macro line has {length} characters; the control takes {LONGEST_LINE}"
+                ),
             )
             .help("compute a part of it in a line before"),
         );
