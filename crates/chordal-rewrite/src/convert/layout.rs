@@ -152,28 +152,55 @@ struct Writer<'a> {
 impl Writer<'_> {
     /// Writes blocks, each with what stood behind it up to the next.
     fn blocks(&self, blocks: Range<usize>, layout: &mut Layout) {
-        for at in blocks {
+        let mut blocks = blocks.peekable();
+        while let Some(at) = blocks.next() {
             let Some(lines) = &self.lines[at] else { continue };
-            let block = &self.source.blocks[at];
-            let next = self.source.blocks.get(at + 1);
-            let end = next.map_or(self.source.text.len() as u32, |next| next.range.start);
-            let gap = &self.source.text[block.range.end as usize..end as usize];
-            let gap = String::from_utf8_lossy(gap);
-            let (mark, rest) = match gap.find('\n') {
-                Some(end) => gap.split_at(end + 1),
-                None => (gap.as_ref(), ""),
-            };
-            let is_comment = self.to.table.lexicon.semicolon == Semicolon::Comment;
-            let mark = mark.trim_end();
-            let mark = if is_comment { mark.replace(';', "") } else { mark.to_string() };
-            let mark = mark.trim_end();
-            for line in lines {
+            let (mut end, mut empty) = self.behind(at);
+            // A remark on the same line stays there.
+            while empty.is_none()
+                && let Some(remark) = blocks.peek().and_then(|next| self.remark(*next))
+                && let Some(next) = blocks.next()
+            {
+                let (mark, lines) = self.behind(next);
+                end += &format!(" {}{mark}", remark.trim());
+                empty = lines;
+            }
+            for (index, line) in lines.iter().enumerate() {
+                let is_last = index + 1 == lines.len();
+                let mark = if is_last { end.clone() } else { self.behind(at).0 };
                 layout.push(line, &format!("{mark}\n"), Some(at));
             }
-            for _ in rest.matches('\n') {
+            for _ in 0..empty.unwrap_or(0) {
                 layout.push("", "\n", None);
             }
         }
+    }
+
+    /// What stands behind a block on its line, and how many empty lines follow; nothing where the next block
+    /// is on the same line.
+    fn behind(&self, at: usize) -> (String, Option<usize>) {
+        let block = &self.source.blocks[at];
+        let end = self.source.start_of(at + 1);
+        let gap = &self.source.text[block.range.end as usize..end as usize];
+        let gap = String::from_utf8_lossy(gap);
+        let (mark, empty) = match gap.split_once('\n') {
+            Some((mark, rest)) => (mark, Some(rest.matches('\n').count())),
+            None => (gap.as_ref(), (end as usize == self.source.text.len()).then_some(0)),
+        };
+        let is_comment = self.to.table.lexicon.semicolon == Semicolon::Comment;
+        let mark = mark.trim_end();
+        let mark = if is_comment { mark.replace(';', "") } else { mark.to_string() };
+        let blank = block.range.slice(self.source.text).last().is_some_and(|byte| *byte == b' ');
+        let is_spaced = blank && !mark.trim().is_empty();
+        (format!("{}{}", if is_spaced { " " } else { "" }, mark.trim_end()), empty)
+    }
+
+    /// The line of a block that is a remark and nothing else.
+    fn remark(&self, at: usize) -> Option<&str> {
+        let block = &self.source.blocks[at];
+        let is_remark = block.kind == BlockKind::Words && block.words.is_empty();
+        let [line] = self.lines[at].as_deref().filter(|_| is_remark)? else { return None };
+        Some(line)
     }
 
     /// The end of a subprogram that ended where the next began.

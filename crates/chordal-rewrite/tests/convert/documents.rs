@@ -106,7 +106,7 @@ fn with_folder_machine(path: &str, text: String) -> String {
 /// There and back: lines that no change is listed for, on either way, are the lines of the beginning.
 #[test]
 fn unlisted_lines_come_back_as_they_were() {
-    let (mut lines, mut same, mut whole) = (0, 0, 0);
+    let (mut lines, mut same) = (0, 0);
     for (path, set) in PROGRAMS {
         let text = with_folder_machine(path, text_of(path));
         let set: Vec<&str> = set.iter().copied().filter(|set| !set.starts_with("name")).collect();
@@ -149,9 +149,7 @@ fn unlisted_lines_come_back_as_they_were() {
                     same += 1;
                 }
             }
-            whole += usize::from(back.text.trim_end() == text.trim_end());
         }
     }
-    eprintln!("{same} of {lines} lines, {whole} whole programs");
-    assert!(same * 100 >= lines * 60, "{same} of {lines} lines");
+    assert!(same * 100 >= lines * 82, "{same} of {lines} lines");
 }
