@@ -84,17 +84,17 @@ impl Comparing {
         }));
     }
 
-    /// Shows the other program, where it is another than before, and holds a run against it.
-    pub fn compare(&mut self, ran: &Ran, other: &Other, tolerance_mm: f64, wanted: &Wanted) {
+    /// Shows the other program, where it is another than before.
+    pub fn show(&mut self, ran: &Ran, other: &Other, wanted: &Wanted) {
         match self.open(ran, other) {
             Ok(None) => {}
             Ok(Some((origin, program))) => {
-                self.shown = self.show(origin, Arc::new(program), other, wanted);
+                self.shown = self.send(origin, Arc::new(program), other, wanted);
             }
             Err(refusal) => {
                 self.shown = None;
                 self.version += 1;
-                return self.out.json(&json!({
+                self.out.json(&json!({
                     "type": "against_refused",
                     "version": self.version,
                     "other": other,
@@ -103,6 +103,10 @@ impl Comparing {
                 }));
             }
         }
+    }
+
+    /// Holds a run against the other program that is shown.
+    pub fn compare(&self, ran: &Ran, other: &Other, tolerance_mm: f64, wanted: &Wanted) {
         let Some(shown) = self.shown.as_ref().filter(|_| wanted.is_wanted()) else { return };
         let moves = ran.rows + shown.rows;
         if moves > MOST_MOVES {
@@ -159,7 +163,7 @@ impl Comparing {
     }
 
     /// Sends the path; nothing where it is given up.
-    fn show(
+    fn send(
         &mut self,
         origin: Origin,
         program: Arc<Program>,

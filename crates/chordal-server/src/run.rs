@@ -28,15 +28,15 @@ pub struct Ran {
     pub rows: u64,
 }
 
-/// Runs a job and sends everything that it shows, and says how long it takes without acceleration,
-/// s; `None` when nobody wants it any more.
+/// Runs a job and sends its path; gives what else the page is to be told, and how long it takes without
+/// acceleration, s; `None` when nobody wants it any more.
 pub fn run(
     number: u64,
     program: &Arc<Program>,
     job: &Job,
     out: &Outbox,
     wanted: &Wanted,
-) -> Option<(Ran, f64)> {
+) -> Option<(Ran, Value, f64)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
     let header = json!({ "type": "path", "run": number });
     let mut sending = Sending {
@@ -63,9 +63,12 @@ pub fn run(
     told["rows_left_out"] = json!(left_out);
     told["places"] = modal.places();
     told["end"] = end_of(&report.outcomes);
-    out.json(&told);
     let rows = u64::from(sent) + left_out;
-    Some((Ran { program: program.clone(), modal, number, rows }, report.summary.total_time_s()))
+    Some((
+        Ran { program: program.clone(), modal, number, rows },
+        told,
+        report.summary.total_time_s(),
+    ))
 }
 
 /// How the programs of the file ended.

@@ -475,8 +475,10 @@ impl Shared {
             "machine": answer::machine(&job),
             "why": program.setup().why,
         }));
-        let (ran, about_s) = run(number, program, &job, &self.out, wanted)?;
+        let (ran, told, about_s) = run(number, program, &job, &self.out, wanted)?;
+        // Whoever is told of the run may ask about it.
         self.held().ran = Some(Arc::new(ran));
+        self.out.json(&told);
         Some(about_s)
     }
 
@@ -490,13 +492,20 @@ impl Shared {
                 (held.ran.clone(), held.other.clone(), held.tolerance_mm)
             };
             let is_something = other != Other::Nothing;
+            // What the page may ask of a program is there before the page is told of it.
             match ran.filter(|_| wanted.is_wanted()) {
-                Some(ran) if is_something => comparing.compare(&ran, &other, tolerance_mm, &wanted),
-                _ if !is_something && was_something => comparing.nothing(),
+                Some(ran) if is_something => {
+                    comparing.show(&ran, &other, &wanted);
+                    self.held().beside = comparing.program();
+                    comparing.compare(&ran, &other, tolerance_mm, &wanted);
+                }
+                _ if !is_something && was_something => {
+                    self.held().beside = None;
+                    comparing.nothing();
+                }
                 _ => continue,
             }
             was_something = is_something;
-            self.held().beside = comparing.program();
         }
     }
 

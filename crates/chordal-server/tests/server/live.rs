@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_2;
 use std::fs;
 
-use crate::common::{Shown, serve};
+use crate::common::{Shown, Told, serve};
 
 /// A quarter circle about (0, 0) and a line, in millimetres.
 const QUARTER: &str =
@@ -69,9 +69,18 @@ fn a_long_text_comes_in_pieces_that_cut_no_character() {
 #[test]
 fn the_text_is_the_files_and_edits_are_run() {
     let mut live = serve(Shown::text("G21\r\nG1 X10. F100.\r\nG7 X20.\r\n")).live();
-    let text = live.columns("text");
+    // The text and the run come from two threads, in any order.
+    let (mut text, mut report) = (None, None);
+    while text.is_none() || report.is_none() {
+        match live.next() {
+            Told::Columns(columns) if columns.header["type"] == "text" => text = Some(columns),
+            Told::Json(told) if told["type"] == "report" => report = Some(told),
+            Told::Closed => panic!("closed before text and report"),
+            _ => {}
+        }
+    }
+    let (text, report) = (text.unwrap(), report.unwrap());
     assert_eq!(text.u8("text"), b"G21\nG1 X10. F100.\nG7 X20.\n");
-    let report = live.json("report");
     assert!(report["errors"].as_u64().unwrap() >= 1, "{report}");
     let mut problems = report["diagnostics"].as_array().unwrap().iter();
     let problem = problems.find(|problem| problem["severity"] == "error").unwrap();
