@@ -8,6 +8,7 @@ use chordal::control::{
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind};
 
+use super::Refusal;
 use super::codes;
 use super::numbers;
 use super::spiral;
@@ -33,6 +34,8 @@ pub(crate) struct Emitter<'a> {
     pub lines: Vec<String>,
     /// Text that was printed is a remark now.
     pub printed: bool,
+    /// Blocks that keep their words because they could not be written out.
+    pub unwritten: Vec<Refusal>,
 }
 
 /// Why commands cannot be written.
@@ -59,6 +62,7 @@ impl<'a> Emitter<'a> {
             pending: Vec::new(),
             lines: Vec::new(),
             printed: false,
+            unwritten: Vec::new(),
         }
     }
 

@@ -151,7 +151,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     let mut best = usize::MAX;
     let mut tried: BTreeMap<u32, Refusal> = BTreeMap::new();
     for round in 0..MOST_ROUNDS {
-        let Rendered { lines, changes, refusals, printed } = plan.render();
+        let Rendered { lines, changes, refusals, printed, unwritten } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
         let certificate = proof(old, &new, options, compensates, printed);
@@ -159,7 +159,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let more = !holds
             && round + 1 < MOST_ROUNDS
             && follow(&mut plan, &certificate, &source, &layout, round);
-        for refusal in &refusals {
+        for refusal in refusals.iter().chain(&unwritten) {
             tried.entry(refusal.line).or_insert_with(|| refusal.clone());
         }
         let faults = refusals.len() + certificate.comparison.differences.len();

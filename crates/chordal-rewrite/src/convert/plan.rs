@@ -37,6 +37,8 @@ pub(crate) struct Rendered {
     pub refusals: Vec<Refusal>,
     /// Text that the program printed is a remark now.
     pub printed: bool,
+    /// Blocks that keep their words because they could not be written out.
+    pub unwritten: Vec<Refusal>,
 }
 
 impl<'c, 'a> Plan<'c, 'a> {
@@ -222,9 +224,10 @@ impl<'c, 'a> Plan<'c, 'a> {
             let Some(at) = exec.block.filter(|_| !covered[index]) else { continue };
             let Some(reason) = &self.expand[at] else { continue };
             let lines = match self.emit(index) {
-                Ok((lines, printed)) => {
-                    rendered.printed |= printed;
-                    lines
+                Ok(emitter) => {
+                    rendered.printed |= emitter.printed;
+                    rendered.unwritten.extend(emitter.unwritten);
+                    emitter.lines
                 }
                 Err(refusal) => {
                     rendered.refusals.push(refusal);
@@ -274,7 +277,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 
     /// What a run does, and what it calls, as blocks.
-    fn emit(&self, index: usize) -> Result<(Vec<String>, bool), Refusal> {
+    fn emit(&self, index: usize) -> Result<Emitter<'c>, Refusal> {
         let trace = self.context.trace;
         let tree = trace.subtree(index);
         let mut emitter = self.emitter(&trace.execs[index]);
@@ -282,7 +285,7 @@ impl<'c, 'a> Plan<'c, 'a> {
             self.emit_one(exec, &mut emitter)?;
         }
         emitter.restore(&trace.execs[tree.end - 1].after);
-        Ok((emitter.lines, emitter.printed))
+        Ok(emitter)
     }
 
     fn emitter(&self, exec: &Exec) -> Emitter<'c> {
@@ -312,7 +315,9 @@ impl<'c, 'a> Plan<'c, 'a> {
         let source = self.context.source;
         let draft = exec.block.map(|at| (at, self.drafts[at].clone()));
         match draft {
-            Some((_, Ok(mut draft))) => {
+            Some((at, Ok(mut draft))) => {
+                let (line, words) = (source.blocks[at].line, source.words(at));
+                emitter.unwritten.push(Refusal { line, words, reason });
                 for word in 0..draft.block.words.len() {
                     if draft.block.words[word].letter == b'N' {
                         draft.set(word, "");
@@ -426,6 +431,7 @@ impl<'c, 'a> Plan<'c, 'a> {
             }
             emitter.finish();
             rendered.printed |= emitter.printed;
+            rendered.unwritten.append(&mut emitter.unwritten);
             let body = main.clone().find(|at| self.is_flat_body(*at)).unwrap_or(main.start);
             let line = source.blocks[body].line;
             rendered.changes.push(Change {

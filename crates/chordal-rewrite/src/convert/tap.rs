@@ -54,8 +54,11 @@ impl Tap {
             );
         }
         let along_z = down.from[..2] == down.to[..2] && down.from[3..] == down.to[3..];
-        if !along_z || !down.from_known.has(2) || feed.value != out.value {
-            return Err("a tap that is none along Z, in and out alike".into());
+        if feed.value != out.value {
+            return Err("a tap that feeds out at another speed than in".into());
+        }
+        if !along_z || !down.from_known.has(2) {
+            return Err("a tap that is not along Z from a level that is known".into());
         }
         let back = turns.iter().find(|(cut, state)| *cut == 1 && *state != SpindleState::Off);
         let kind = match back {

@@ -139,3 +139,14 @@ fn other_statements_are_written_out() {
     assert!(there.holds(), "{}", verdict(&there));
     assert!(there.text.contains("X1.0806"), "{}", there.text);
 }
+
+/// The spindle of another control would stop at R: that is said, and not how the moves differ.
+#[test]
+fn a_tap_that_no_cycle_does_is_refused() {
+    let text = "G20 G90 G17 G94\nS200 M3\nG0 X0 Y0 Z2.5\nG84 G98 X1. Y0 Z1.9 R2. F10.\nG80\nM2\n";
+    let there = converted(&job(text, machine("linuxcnc-mill")), "haas-vf2");
+    assert!(!there.holds());
+    assert_eq!(there.refusals.len(), 1, "{:?}", there.refusals);
+    assert_eq!(there.refusals[0].line, 4);
+    assert!(there.refusals[0].reason.contains("feeds out beyond"), "{:?}", there.refusals);
+}
