@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use chordal::Job;
+use chordal::{Code, Job};
 use chordal_compare::{Comparison, Difference, Verdict};
 
 use crate::comparison::value_text;
@@ -25,6 +25,14 @@ pub fn comparison_text(
         text += &format!("furthest apart at {a} and {b}\n");
     }
     for (name, report) in names.iter().zip(&found.reports) {
+        let unknown =
+            report.diagnostics.iter().filter(|one| one.code == Code::NotSimulated).count();
+        if unknown > 0 {
+            let words = counted(unknown as u64, "word", "words");
+            text += &format!(
+                "{name}: {words} not carried out, of which nothing is known; `chordal check` tells them\n"
+            );
+        }
         if report.counts.errors > 0 {
             let errors = counted(report.counts.errors, "error", "errors");
             text += &format!("{name}: {errors}; `chordal check` tells them\n");

@@ -167,6 +167,39 @@ fn what_is_not_said_again_is_not_parted() {
     assert!(done.parts[1].lines[0] > 16, "{:?}", done.parts);
 }
 
+/// Codes that are not carried out may be in force: nothing is parted behind them, and M codes are told.
+#[test]
+fn behind_unknown_codes_nothing_is_parted() {
+    let text = THREE_TOOLS.replace("(SLOTS)", "G68 X0 Y0 R30.");
+    let done = proved(&text, "haas-vf2", By::Tool);
+    assert_eq!(done.parts.len(), 1);
+    let text = THREE_TOOLS.replace("(SLOTS)", "M82");
+    let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
+    assert!(done.certificate.holds() && done.parts.len() == 3);
+    assert_eq!(done.notes.len(), 1);
+    assert!(done.notes[0].starts_with("M82 (line 16)"), "{:?}", done.notes);
+}
+
+/// The parts end as the whole does, and a tool that cannot begin a part is told with the reason.
+#[test]
+fn what_holds_tools_together_is_told() {
+    let text = THREE_TOOLS
+        .replace("M30", "M02")
+        .replace("S6000", "S#500")
+        .replace("T1 M06 (FACE)", "#500=6000\nT1 M06");
+    let text = text.replace("X1. Y1. S2000 M03\nG43 H02", "X1. Y1. S#500 M03\nG43 H02");
+    let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
+    assert!(done.certificate.holds());
+    assert_eq!(done.parts.len(), 2);
+    assert_eq!(done.notes, ["not parted before line 17, across #500"]);
+    assert!(texts(&done)[0].contains("\nM02\n"), "{}", texts(&done)[0]);
+}
+
+#[test]
+fn an_empty_file_is_no_program() {
+    assert!(split(&job("", "haas-vf2"), By::Tool).unwrap_err().what.contains("no program"));
+}
+
 /// Every program of the documents and of the examples, in halves.
 #[test]
 fn every_program_in_parts() {

@@ -147,6 +147,8 @@ pub struct Block {
     pub comments: Vec<TextRange>,
     /// A word's value is an expression.
     pub expressions: bool,
+    /// There are words behind a comma (`,R1.`), which are not among its letters.
+    pub commas: bool,
     /// What could not be read.
     pub problems: Vec<Diagnostic>,
     letters: Letters,
@@ -166,6 +168,7 @@ impl Block {
         self.kind = BlockKind::Words;
         self.delete = None;
         self.expressions = false;
+        self.commas = false;
         self.words.clear();
         self.comments.clear();
         self.problems.clear();
@@ -178,6 +181,7 @@ impl Block {
     pub fn push(&mut self, word: Word) {
         if word.comma {
             // `,R1.` and `,C1.` are no R and no C word: only a walk over all words meets them.
+            self.commas = true;
         } else if self.letters.has(word.letter) {
             self.repeated.insert(word.letter);
         } else {
@@ -192,6 +196,7 @@ impl Block {
         let kept: Vec<Word> = self.words.drain(..).take(from).collect();
         self.letters = Letters::NONE;
         self.repeated = Letters::NONE;
+        self.commas = false;
         kept.into_iter().for_each(|word| self.push(word));
     }
 

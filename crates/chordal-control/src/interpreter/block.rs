@@ -43,6 +43,7 @@ impl Interpreter<'_> {
             || self.state.cycle.is_some()
             || self.macros.active > 0
             || block.repeated() != Letters::NONE
+            || block.commas
         {
             return false;
         }

@@ -48,6 +48,9 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     let letters = draft.block.letters();
     first_hole(context, draft, run)?;
     if kind.is_tap() {
+        if draft.block.words.iter().any(|word| word.comma) {
+            return Err(Expand(format!("a word of the tap is another one on {title}")));
+        }
         tap(context, draft, run)?;
     }
     if letters.has(b'P') {

@@ -128,7 +128,10 @@ impl<'a> Draft<'a> {
             return lines.clone();
         }
         let mut lines = self.before.clone();
-        let line = self.line();
+        let mut line = self.line();
+        if !self.slice(self.block.range).starts_with([' ', '\t']) {
+            line = line.trim_start().to_string();
+        }
         if !line.trim().is_empty() {
             lines.extend(std::iter::repeat_n(line, self.times as usize));
         }

@@ -4,7 +4,7 @@ use chordal::control::table::{Action, Group};
 use chordal::syntax::Letters;
 
 use super::codes;
-use super::emit::distance_action;
+use super::emit::{distance_action, plane_action};
 use super::plan::Rendered;
 use super::trace::Exec;
 use super::translate::Context;
@@ -15,7 +15,7 @@ const LENGTHS: Letters = Letters::of("XYZIJKRFQ");
 const AXES: Letters = Letters::of("XYZABC");
 
 /// Puts a line before the first block of each main program, where the new control would begin
-/// otherwise. Programs that are written out as they run say only what they change.
+/// otherwise.
 pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
     let parameters = context.controls().map(|control| control.parameters);
     for (main, is_flat) in context.source.mains.iter().zip(flat) {
@@ -34,22 +34,25 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
         }) else {
             continue;
         };
+        if *is_flat {
+            begin_flat(context, main, &runs, rendered);
+            continue;
+        }
         let mut words = Vec::new();
         let start = runs.first().map(|exec| exec.before.units);
         if parameters[0].units != parameters[1].units
-            && (*is_flat || is_silent(context, &runs, Group::Units, LENGTHS))
+            && is_silent(context, &runs, Group::Units, LENGTHS)
             && start == Some(parameters[0].units)
         {
             let inch = parameters[0].units == chordal::control::Units::Inch;
             words.push(if inch { Action::Inch } else { Action::Millimetre });
         }
         if parameters[0].starts_incremental != parameters[1].starts_incremental
-            && (*is_flat || is_silent(context, &runs, Group::Distance, AXES))
+            && is_silent(context, &runs, Group::Distance, AXES)
         {
             words.push(distance_action(parameters[0].starts_incremental));
         }
         if parameters[0].starts_linear != parameters[1].starts_linear
-            && !is_flat
             && is_silent(context, &runs, Group::Motion, AXES)
         {
             words.push(if parameters[0].starts_linear { Action::Linear } else { Action::Rapid });
@@ -67,10 +70,52 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             after: line.clone(),
             reason: format!("{} does not begin so by itself", context.to.table.title),
         });
-        // The block may be written out elsewhere: the program's first lines are what counts.
-        let at = (first..main.end).find(|at| rendered.lines[*at].is_some()).unwrap_or(first);
-        rendered.lines[at].get_or_insert_default().insert(0, line);
+        rendered.lines[first].get_or_insert_default().insert(0, line);
     }
+}
+
+/// The first line of a program that is written out as it runs, which says only what it changes: what is in
+/// force at its first move, so that it can be begun anywhere and after anything.
+fn begin_flat(
+    context: &Context,
+    main: &std::ops::Range<usize>,
+    runs: &[&Exec],
+    rendered: &mut Rendered,
+) {
+    let trace = context.trace;
+    let moves = |exec: &&&Exec| {
+        trace.commands_of(exec).iter().any(|command| command.kind.motion().is_some())
+    };
+    let Some(first) = runs.iter().find(moves).or(runs.first()) else { return };
+    let is_inch = first.after.units == chordal::control::Units::Inch;
+    let style = context.style();
+    let actions = [
+        if is_inch { Action::Inch } else { Action::Millimetre },
+        plane_action(runs[0].before.plane),
+        Action::Absolute,
+        Action::CompensationOff,
+        Action::CancelCycle,
+    ];
+    let mut words: Vec<String> =
+        actions.into_iter().filter_map(|action| codes::name(action, context.to, style)).collect();
+    let says_work = main.clone().any(|at| {
+        context
+            .source
+            .has_action(at, context.from, |action| matches!(action, Action::WorkOffset(_)))
+            || context.from.table.work_offset_by_e && context.source.blocks[at].letters().has(b'E')
+    });
+    let work = codes::work_offset(first.after.work, context.to, style);
+    words.extend(work.filter(|_| says_work));
+    let line = words.join(if style.spaced { " " } else { "" });
+    let body = main.clone().filter(|at| *at >= context.source.first_words(main));
+    let Some(at) = body.into_iter().find(|at| rendered.lines[*at].is_some()) else { return };
+    rendered.changes.push(Change {
+        line: context.source.blocks[at].line,
+        before: String::new(),
+        after: line.clone(),
+        reason: "what the program begins with, said at once".into(),
+    });
+    rendered.lines[at].get_or_insert_default().insert(0, line);
 }
 
 /// True when words of these letters come before any code of the group.

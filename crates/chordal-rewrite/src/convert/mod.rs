@@ -24,9 +24,11 @@ mod translate;
 
 use std::collections::BTreeMap;
 
+use chordal::control::table::Action;
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
-use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
+use chordal::syntax::{Block, BlockReader};
+use chordal::{Code, CommandKind, Diagnostic, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, Difference, Value};
 
 use self::layout::Layout;
@@ -289,12 +291,16 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
         return Vec::new();
     }
     let report = old.check();
-    let errors = report
-        .diagnostics
-        .iter()
-        .filter(|one| one.severity == Severity::Error && !LIMITS.contains(&one.code));
-    errors
+    let counts = report.diagnostics.iter().filter(|one| {
+        one.severity == Severity::Error && !LIMITS.contains(&one.code)
+            || is_unknown_motion(old, one)
+    });
+    counts
         .map(|one| {
+            let why = match one.severity {
+                Severity::Error => "an error on its own control",
+                _ => "nothing could be proved",
+            };
             let span = one.primary.span;
             let source = old.sources().get(span.file);
             let line = source.map_or(0, |source| source.line_of(span.range.start));
@@ -302,10 +308,29 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
             Refusal {
                 line,
                 words: words.unwrap_or_default().trim().to_string(),
-                reason: format!("an error on its own control: {}", one.message),
+                reason: format!("{why}: {}", one.message),
             }
         })
         .collect()
+}
+
+/// True of codes and words that are not carried out and may move otherwise than the path that is known: G codes
+/// (rotation, scaling, polar coordinates), roundings and chamfers of corners.
+fn is_unknown_motion(job: &Job, one: &Diagnostic) -> bool {
+    let span = one.primary.span;
+    let Some(source) = job.sources().get(span.file).filter(|_| one.code == Code::NotSimulated)
+    else {
+        return false;
+    };
+    let words = span.range.slice(source.text());
+    let mut reader = BlockReader::new(words, span.file, job.control().table.lexicon);
+    let mut block = Block::new();
+    reader.read(&mut block);
+    let is_code = block.words.first().is_some_and(|word| {
+        word.letter == b'G'
+            && job.control().row_of(word).is_some_and(|row| row.action == Action::NotSimulated)
+    });
+    is_code || words.starts_with(b",")
 }
 
 /// The target with what the old machine's tables hold: the cut depends on both.

@@ -296,19 +296,25 @@ impl<'c, 'a> Plan<'c, 'a> {
 
     fn emit_one(&self, exec: &Exec, emitter: &mut Emitter<'c>) -> Result<(), Refusal> {
         let commands = self.context.trace.commands_of(exec);
-        let writes = exec.block.is_some_and(|at| {
-            self.context.source.has_action(at, self.context.from, |a| a == Action::SetData)
-        });
-        if commands.is_empty() && !writes {
+        let has = |action: Action| {
+            exec.block.is_some_and(|at| {
+                self.context.source.has_action(at, self.context.from, |own| own == action)
+            })
+        };
+        // What no command tells would be lost.
+        let writes = has(Action::SetData);
+        let is_hidden = writes || has(Action::NotSimulated);
+        if commands.is_empty() && !is_hidden {
             return Ok(());
         }
         let mut tried = emitter.clone();
         let reason = match tried.block(commands) {
-            Ok(()) if !writes => {
+            Ok(()) if !is_hidden => {
                 *emitter = tried;
                 return Ok(());
             }
-            Ok(()) => "data that the program writes".to_string(),
+            Ok(()) if writes => "data that the program writes".to_string(),
+            Ok(()) => "a code that Chordal does not carry out".to_string(),
             Err(reason) => reason,
         };
         // Words that mean the same on both controls may do what no command tells.
@@ -416,6 +422,16 @@ impl<'c, 'a> Plan<'c, 'a> {
                 })
                 .collect();
             let Some(first) = runs.first() else { continue };
+            for at in main.clone().filter(|at| source.blocks[*at].delete.is_some()) {
+                rendered.refusals.push(Refusal {
+                    line: source.blocks[at].line,
+                    words: source.words(at),
+                    reason: format!(
+                        "{reason}, so that the program must be written out as it runs; and this block runs \
+                         only where block delete is off"
+                    ),
+                });
+            }
             let mut emitter = self.emitter(&trace.execs[*first]);
             let mut seen = BTreeSet::new();
             for index in runs {

@@ -396,7 +396,11 @@ impl<'a> Context<'a> {
                 _ => continue,
             };
             // A word that was changed has its point, but for R.
-            if data || draft.is_gone(word) || (draft.is_changed(word) && own.letter != b'R') {
+            if own.comma
+                || data
+                || draft.is_gone(word)
+                || (draft.is_changed(word) && own.letter != b'R')
+            {
                 continue;
             }
             if let Some(new) = numbers::carried_over(number, kind, units, self.controls()) {

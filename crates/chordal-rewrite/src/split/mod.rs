@@ -70,8 +70,25 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
         ));
     };
     let mut survey = Survey::of(job, &source, main);
+    if source.blocks.iter().all(|block| block.words.is_empty()) {
+        return Err(refusal(1, "there is no program to part".into(), "name a file that holds one"));
+    }
     let open = open::stretches(job, &source, main);
-    survey.points.retain(|point| !open.iter().any(|open| open.holds(source.start_of(point.at))));
+    let mut standing_notes: Vec<String> = survey
+        .unknown
+        .iter()
+        .map(|(code, line)| {
+            format!("{code} (line {line}) is not carried out: where it lasts, say it in each part")
+        })
+        .collect();
+    survey.points.retain(|point| {
+        let held = open.iter().find(|open| open.holds(source.start_of(point.at)));
+        if let (Some(held), By::Tool, Kind::ToolChange) = (held, by, point.kind) {
+            let line = source.blocks[point.at].line;
+            standing_notes.push(format!("not parted before line {line}, across {}", held.what));
+        }
+        held.is_none()
+    });
     let mut given_up = Vec::new();
     loop {
         let made = parts(job, &source, &survey, by);
@@ -92,7 +109,8 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
         let begin = differences.iter().find_map(|difference| begin_before(difference, &parts));
         let Some(begin) = begin.filter(|_| given_up.len() < MOST_TRIES) else {
             let parts = parts.into_iter().map(|(part, _)| part).collect();
-            return Ok(Split { parts, notes: notes(&given_up), certificate });
+            standing_notes.extend(notes(&given_up));
+            return Ok(Split { parts, notes: standing_notes, certificate });
         };
         survey.points.retain(|point| source.blocks[point.at].line != begin);
         given_up.push(begin);

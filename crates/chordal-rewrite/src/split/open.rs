@@ -13,10 +13,12 @@ use crate::source::{Source, program};
 const FIRST_SYSTEM_VARIABLE: u32 = 1000;
 
 /// From a byte to another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Stretch {
     from: u32,
     to: u32,
+    /// What holds it together.
+    pub(super) what: String,
 }
 
 impl Stretch {
@@ -38,23 +40,28 @@ pub(super) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<
         // Every part has the programs that it calls.
         Name::Program(_) => None,
         Name::Variable { name, .. } => variable(name, places),
-        Name::Subroutine(_) => whole(places),
+        Name::Subroutine(name) => whole(places, format!("o{name}")),
         Name::Label { .. } | Name::LineLabel(_) => {
+            let what = match name {
+                Name::Label { number, .. } => format!("N{number}"),
+                Name::LineLabel(name) => format!(":{name}"),
+                _ => String::new(),
+            };
             let is_used = places.iter().any(|place| place.role == Role::Use);
             let is_sub = places.iter().any(|place| {
                 let at = source.first_at(place.range.end).saturating_sub(1);
                 place.role == Role::Definition && source.sub_of(at).is_some()
             });
-            if is_used && !is_sub { whole(places) } else { None }
+            if is_used && !is_sub { whole(places, what) } else { None }
         }
     }));
     stretches
 }
 
-fn whole(places: &[Occurrence]) -> Option<Stretch> {
+fn whole(places: &[Occurrence], what: String) -> Option<Stretch> {
     let from = places.iter().map(|place| place.range.start).min()?;
     let to = places.iter().map(|place| place.range.start).max()?;
-    (from < to).then_some(Stretch { from, to })
+    (from < to).then_some(Stretch { from, to, what })
 }
 
 /// From where a variable gets its first value to where it is used last. The values of the control's own
@@ -67,7 +74,7 @@ fn variable(name: &str, places: &[Occurrence]) -> Option<Stretch> {
     let used = places.iter().filter(|place| place.role == Role::Use);
     let to = used.map(|place| place.range.start).max();
     let to = if is_system { Some(u32::MAX) } else { to };
-    to.map(|to| Stretch { from, to })
+    to.map(|to| Stretch { from, to, what: name.into() })
 }
 
 /// From `DO` to `END`.
@@ -83,7 +90,8 @@ fn loops(source: &Source, main: &Range<usize>) -> Vec<Stretch> {
         } else if begins(b"END")
             && let Some(from) = open.pop()
         {
-            stretches.push(Stretch { from, to: block.range.start });
+            let what = "a loop".into();
+            stretches.push(Stretch { from, to: block.range.start, what });
         }
     }
     stretches

@@ -1,9 +1,9 @@
 //! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use chordal::control::table::{Action, Group};
+use chordal::control::table::Action;
 use chordal::control::{CallPath, Modal, Origin, Side};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
@@ -42,6 +42,8 @@ pub(super) struct Survey {
     pub(super) end: usize,
     /// How many cuts it makes.
     pub(super) cuts: u32,
+    /// M codes that may last and that nothing is known of, with the line of the first.
+    pub(super) unknown: BTreeMap<String, u32>,
     /// By subprogram: the blocks of the main program that carry it out, in order.
     pub(super) users: Vec<Vec<usize>>,
 }
@@ -56,6 +58,7 @@ impl Survey {
                 points: Vec::new(),
                 end: main.start,
                 cuts: 0,
+                unknown: BTreeMap::new(),
                 users: vec![Vec::new(); source.subs.len()],
             },
             ran: 0,
@@ -129,10 +132,9 @@ impl Walk<'_, '_> {
                 Action::ClearPreset { .. } => self.open.shift = false,
                 Action::ModalMacroCall { .. } | Action::ModalSubroutine => self.open.call = true,
                 Action::ModalCallOff => self.open.call = false,
-                Action::NotSimulated | Action::ShopCode
-                    if !matches!(row.group, Group::OneShot | Group::Auxiliary) =>
-                {
-                    self.open.unknown = true;
+                Action::NotSimulated if word.letter == b'G' => self.open.unknown = true,
+                Action::NotSimulated | Action::ShopCode => {
+                    self.survey.unknown.entry(row.name(word.letter)).or_insert(block.line);
                 }
                 _ => {}
             }

@@ -40,8 +40,6 @@ pub(super) struct Said {
     pub(super) coolant: Vec<String>,
     /// Blocks that wrote offsets.
     pub(super) data: Vec<String>,
-    /// The code that ends the program.
-    pub(super) end: Option<String>,
 }
 
 /// What a code decides about, in the order in which programs say it.
@@ -134,7 +132,6 @@ impl Said {
                     let words = &source.text[number as usize..block.range.end as usize];
                     self.data.push(String::from_utf8_lossy(words).trim().to_string());
                 }
-                Action::ProgramEnd { .. } => self.end = Some(text(word)),
                 _ => {}
             }
         }

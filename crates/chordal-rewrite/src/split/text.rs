@@ -3,7 +3,7 @@
 use chordal::control::table::Action;
 use chordal::control::{Modal, SpindleState, Units};
 use chordal::diagnostics::TextRange;
-use chordal::syntax::Block;
+use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
 use super::points::{Kind, Point, Survey};
@@ -218,9 +218,18 @@ impl<'w, 'a> Writer<'w, 'a> {
         if standing.modal.spindle != SpindleState::Off {
             lines.extend(name(Action::SpindleStop));
         }
-        let end = standing.said.end.clone();
-        lines.extend(end.or_else(|| name(Action::ProgramEnd { rewind: true })));
+        lines.extend(self.program_end().or_else(|| name(Action::ProgramEnd { rewind: true })));
         lines
+    }
+
+    /// The code that ends the whole.
+    fn program_end(&self) -> Option<String> {
+        let ends = |word: &&Word| {
+            let row = self.control.row_of(word);
+            row.is_some_and(|row| matches!(row.action, Action::ProgramEnd { .. }))
+        };
+        let word = self.source.blocks.get(self.survey.end)?.words.iter().find(ends)?;
+        Some(String::from_utf8_lossy(word.range.slice(self.source.text)).into_owned())
     }
 
     /// The lines that a part begins with, so that all is as it was.

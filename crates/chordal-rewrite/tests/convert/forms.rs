@@ -150,3 +150,38 @@ fn a_tap_that_no_cycle_does_is_refused() {
     assert_eq!(there.refusals[0].line, 4);
     assert!(there.refusals[0].reason.contains("feeds out beyond"), "{:?}", there.refusals);
 }
+
+/// Nothing is known of what they move, so nothing can be proved.
+#[test]
+fn codes_that_are_not_carried_out_are_refused() {
+    let begin = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1.\n";
+    for line in ["G68 X0 Y0 R30.", "G16", "G1 X1. F10. ,R.25"] {
+        let text = format!("{begin}{line}\nG1 X2. Y1. F10.\nM30\n");
+        let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
+        assert_eq!(there.refusals.len(), 1, "{line}: {:?}", there.refusals);
+        assert_eq!(there.refusals[0].line, 5, "{line}");
+    }
+}
+
+/// What block delete leaves out cannot be said in a program that is written out as it runs.
+#[test]
+fn block_delete_in_a_program_that_is_written_out_is_refused() {
+    let text = "O1\nM6 T1\nG0 G90 S900 M3 X0 Y0 Z0\n# SET RADIANS\n# V1=0\n#:A\n/G1 X5. F10.\n# V1=V1+1\n\
+                # IF V1<3 THEN GOTO :A\nM2\n";
+    let there = converted(&job(text, machine("fadal-4020")), "haas-vf2");
+    assert!(there.refusals.iter().any(|refusal| refusal.line == 7), "{:?}", there.refusals);
+}
+
+/// A program that is written out begins with what is in force at its first move.
+#[test]
+fn a_program_that_is_written_out_begins_safely() {
+    let text = "O1\nM6 T1\nG0 G90 S900 M3 E1 X0 Y0\n# SET RADIANS\n# V1=0\n#:A\nG1 Z-1. F10.\nG0 Z0\n\
+                # V1=V1+1\n# IF V1<2 THEN GOTO :A\nM2\n";
+    let there = converted(&job(text, machine("fadal-4020")), "haas-vf2");
+    assert!(there.holds(), "{}", verdict(&there));
+    assert!(
+        there.text.starts_with("O00001\nG20 G17 G90 G40 G80 G54\nT1 M6\nS900 M3\nG0 X0. Y0.\n"),
+        "{}",
+        there.text
+    );
+}
