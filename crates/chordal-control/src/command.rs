@@ -115,10 +115,19 @@ pub struct Move {
     pub to_known: AxisMask,
 }
 
+impl Move {
+    /// Rotary axes turn and the tool tip stays where it is, so that F per time is an angle per time.
+    /// An arc moves the tip even where it ends at its start.
+    #[inline]
+    pub fn only_turns(&self, shape: Option<&ArcShape>) -> bool {
+        shape.is_none() && self.from[..3] == self.to[..3] && self.from != self.to
+    }
+}
+
 /// What F counts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FeedMode {
-    /// Length per time (G94), mm/s; for moves of rotary axes alone rad/s.
+    /// Length per time (G94), mm/s; where rotary axes move alone ([`Move::only_turns`]) rad/s.
     PerTime,
     /// One over the time of the block (G93), 1/s.
     InverseTime,
@@ -484,6 +493,12 @@ impl CommandKind {
             | CommandKind::Spiral { feed, .. } => Some(feed),
             _ => None,
         }
+    }
+
+    /// See [`Move::only_turns`].
+    #[inline]
+    pub fn only_turns(&self) -> bool {
+        self.motion().is_some_and(|motion| motion.only_turns(self.shape()))
     }
 
     /// The arc, where the command is one.

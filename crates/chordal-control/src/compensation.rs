@@ -126,6 +126,8 @@ pub struct CompensationRules {
     pub new_offset_on_arc: Allowance,
     /// Length of the first move.
     pub lead: LeadLength,
+    /// The first move after G41 or G42 is the lead-in, whatever it moves.
+    pub lead_follows_code: bool,
     /// Where it works.
     pub planes: CompensationPlanes,
     /// The control's own check.
@@ -178,6 +180,7 @@ impl CompensationRules {
         new_offset: Allowance::Allowed,
         new_offset_on_arc: Allowance::Allowed,
         lead: LeadLength::Any,
+        lead_follows_code: false,
         planes: CompensationPlanes::All,
         interference: Interference::Direction,
         checks: true,

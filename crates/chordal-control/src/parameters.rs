@@ -56,6 +56,15 @@ pub enum SpiralForm {
     IncrementCount,
 }
 
+/// How an end on the ray from the centre through the start counts, where L gives the turns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum SpiralOnRay {
+    /// As no turn: L1 is a straight line, L2 one turn.
+    NoTurn,
+    /// As a full turn: L1 is one turn.
+    FullTurn,
+}
+
 /// What an R word does beside I, J or K.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CenterAndRadius {
@@ -162,6 +171,10 @@ pub struct Parameters {
     pub helix_feed: FeedAlong,
     /// Spiral commands.
     pub spiral: SpiralForm,
+    /// Turns of a spiral that ends on the ray of its start.
+    pub spiral_on_ray: SpiralOnRay,
+    /// Rotary axes may turn with an arc.
+    pub rotary_in_arc: bool,
     /// Largest distance of a computed spiral end from the programmed one, mm.
     pub spiral_end_tolerance_mm: f64,
     /// R beside I, J, K.
@@ -257,6 +270,8 @@ impl Parameters {
         coincidence_mm: 1e-6,
         helix_feed: FeedAlong::Path,
         spiral: SpiralForm::None,
+        spiral_on_ray: SpiralOnRay::NoTurn,
+        rotary_in_arc: true,
         spiral_end_tolerance_mm: 0.01,
         center_and_radius: CenterAndRadius::RadiusWins,
         full_circle_by_radius: FullCircleByRadius::Refused,

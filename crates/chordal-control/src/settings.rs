@@ -8,7 +8,8 @@ use crate::compensation_settings::{self, CompensationField};
 use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
-    FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm, UnitCodes,
+    FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm,
+    SpiralOnRay, UnitCodes,
 };
 use crate::path_modes::{self, PathField};
 
@@ -42,6 +43,8 @@ pub enum Field {
     HelixFeed,
     Spiral,
     SpiralEndTolerance,
+    SpiralOnRay,
+    RotaryInArc,
     CenterAndRadius,
     FullCircleByRadius,
     Rapid,
@@ -142,6 +145,16 @@ const GENERAL: &[Setting] = &[
         "spiral",
         Field::Spiral,
         "spiral commands: `none`, `pitches`, `increment-height-count` or `increment-count`",
+    ),
+    common(
+        "spiral_on_ray",
+        Field::SpiralOnRay,
+        "a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+    ),
+    common(
+        "rotary_in_arc",
+        Field::RotaryInArc,
+        "a rotary axis in the block of an arc: `allowed` or `refused`",
     ),
     common(
         "spiral_end_tolerance",
@@ -319,6 +332,8 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         }
         Field::Spiral => p.spiral = choose(word, SPIRALS)?,
         Field::SpiralEndTolerance => p.spiral_end_tolerance_mm = length()?,
+        Field::SpiralOnRay => p.spiral_on_ray = choose(word, SPIRAL_ON_RAY)?,
+        Field::RotaryInArc => p.rotary_in_arc = choose(word, ROTARY_IN_ARC)?,
         Field::CenterAndRadius => {
             p.center_and_radius = choose(
                 word,
@@ -411,6 +426,8 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::HelixFeed => if p.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into(),
         Field::Spiral => name_of(p.spiral, SPIRALS),
         Field::SpiralEndTolerance => mm_text(p.spiral_end_tolerance_mm),
+        Field::SpiralOnRay => name_of(p.spiral_on_ray, SPIRAL_ON_RAY),
+        Field::RotaryInArc => name_of(p.rotary_in_arc, ROTARY_IN_ARC),
         Field::CenterAndRadius => {
             let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
             if wins { "radius-wins" } else { "refused" }.into()
@@ -461,6 +478,11 @@ const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
     ("B", CompensationEntry::B),
     ("contour", CompensationEntry::Contour),
 ];
+
+const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
+    &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
+
+const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 
 const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
 

@@ -1,5 +1,6 @@
 //! The modal state of a control.
 
+use chordal_diagnostics::Span;
 use chordal_geometry::{Direction, Plane};
 use chordal_syntax::Decimal;
 
@@ -158,12 +159,16 @@ pub(crate) struct State {
     pub incremental: bool,
     pub motion: Motion,
     pub armed: Option<Direction>,
+    /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
+    pub arc_over_rapid: bool,
     pub arc_center: ArcCenter,
     pub feed_mode: FeedMode,
     /// F as the mode counts it: mm/s, 1/s, mm per revolution; NaN before any F.
     pub feed: f64,
     /// F of rotary moves alone, rad/s.
     pub feed_angular: f64,
+    /// The F word in force where it is above a limit of the machine that no move has met yet.
+    pub feed_over: Option<Span>,
     pub spindle: SpindleState,
     pub rpm: f64,
     pub coolant: Coolant,
@@ -199,10 +204,12 @@ impl State {
             incremental: parameters.starts_incremental,
             motion: if parameters.starts_linear { Motion::Linear } else { Motion::Rapid },
             armed: None,
+            arc_over_rapid: false,
             arc_center: parameters.arc_center,
             feed_mode: FeedMode::PerTime,
             feed: f64::NAN,
             feed_angular: f64::NAN,
+            feed_over: None,
             spindle: SpindleState::Off,
             rpm: 0.0,
             coolant: Coolant::default(),

@@ -152,7 +152,10 @@ impl SummaryBuilder {
 
     fn segments(&mut self, command: &Command, segments: &[Segment]) {
         let line = self.main_line(command);
-        let per_time = command.kind.feed().filter(|feed| feed.mode == FeedMode::PerTime);
+        let per_time = command
+            .kind
+            .feed()
+            .filter(|feed| feed.mode == FeedMode::PerTime && !command.kind.only_turns());
         let speed = per_time.map(|feed| feed.value).filter(|value| *value > 0.0);
         let known = command.kind.motion().map(|motion| motion.from_known.and(motion.to_known));
         for segment in segments {

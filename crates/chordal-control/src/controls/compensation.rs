@@ -21,7 +21,8 @@ pub const FADAL: CompensationRules = CompensationRules {
 /// Haas Mill NGC Operator's Manual (2017), cutter compensation.
 pub const HAAS: CompensationRules = CompensationRules {
     side_change: SideChange::Along,
-    lead: LeadLength::AtLeastOffset,
+    // The note on thread milling: longer than the amount that is compensated.
+    lead: LeadLength::AboveOffset,
     planes: CompensationPlanes::XyOnly,
     new_offset_on_arc: Allowance::Refused,
     inside_feed_least: 0.5,
@@ -55,6 +56,7 @@ pub const LINUXCNC: CompensationRules = CompensationRules {
     side_change: SideChange::Refused,
     new_offset: Allowance::Refused,
     lead: LeadLength::AboveOffset,
+    lead_follows_code: true,
     planes: CompensationPlanes::NotYz,
     interference: Interference::Strict,
     equal_radius_refused: true,

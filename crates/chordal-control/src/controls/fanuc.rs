@@ -6,7 +6,7 @@ use chordal_syntax::Lexicon;
 use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{CycleField, CycleRules, TapRules};
-use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm};
+use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm, SpiralOnRay};
 use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -51,6 +51,9 @@ const PARAMETERS: Parameters = Parameters {
     helix_feed: FeedAlong::Plane,
     spiral: SpiralForm::IncrementCount,
     spiral_end_tolerance_mm: 0.0127,
+    // L counts turns begun: exactly one is L1.
+    spiral_on_ray: SpiralOnRay::FullTurn,
+    rotary_in_arc: false,
     radius_offsets: OffsetKind::Radius,
     nesting: 10,
     packed_calls: true,
@@ -128,6 +131,22 @@ const SETTINGS: &[Setting] = &[
         "largest distance of a computed spiral end from the programmed one; above it PS5123",
         Certainty::Documented,
         "16i spiral interpolation",
+    ),
+    setting(
+        "spiral on the ray",
+        Field::SpiralOnRay,
+        &[],
+        "a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+        Certainty::Inferred,
+        "16i spiral interpolation: L is rounded up, so that one turn is L1",
+    ),
+    setting(
+        "rotary_in_arc",
+        Field::RotaryInArc,
+        &[],
+        "a rotary axis in the block of an arc: `allowed` or `refused`",
+        Certainty::Inferred,
+        "textbooks of Fanuc-style controls leave it out; with the option of helical interpolation B a machine may do it",
     ),
     setting(
         "No. 1403#5",

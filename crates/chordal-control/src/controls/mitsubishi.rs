@@ -117,6 +117,14 @@ const SETTINGS: &[Setting] = &[
         "M700V manual 6.13",
     ),
     setting(
+        "spiral on the ray",
+        Field::SpiralOnRay,
+        &[],
+        "type 2: a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+        Certainty::Inferred,
+        "M700V manual 6.13: L1 is less than a turn",
+    ),
+    setting(
         "#1235 set07/bit0",
         Field::HelixFeed,
         &[("0", "path"), ("1", "plane")],

@@ -62,16 +62,16 @@ impl Interpreter<'_> {
         let (a_letter, b_letter, normal_letter) = center_letters(self.state.plane);
         let has_center = letters.has(a_letter) || letters.has(b_letter);
         let radius = if letters.has(b'R') { self.radius_word(block) } else { None };
-        if self.is_spiral_of_type_two(block) {
+        self.snap_to_start(&mut target);
+        if self.is_spiral_of_type_two(block, &target) {
             return self.spiral_of_type_two(block, direction, target, named);
         }
         if letters.has(normal_letter) {
-            self.report_center_outside(block, normal_letter);
+            self.check_height_word(block);
         }
         if has_center && radius.is_some() && !self.center_and_radius(block) {
             return self.straight_instead(block, target, named);
         }
-        self.snap_to_start(&mut target);
         let turns = self.extra_turns(block, radius.is_some());
         match radius {
             Some(word) => self.arc_by_radius(block, &word, direction, target, named, turns),
@@ -88,7 +88,7 @@ impl Interpreter<'_> {
 
     /// An end that misses the start by rounding only is the start: a full circle.
     #[inline]
-    fn snap_to_start(&self, target: &mut Position) {
+    pub(super) fn snap_to_start(&self, target: &mut Position) {
         let (a, b, _) = self.state.plane.axes();
         let from = &self.state.position;
         let (da, db) = (target[a] - from[a], target[b] - from[b]);
@@ -209,7 +209,9 @@ impl Interpreter<'_> {
             .severity(severity)
             .help(by),
         );
-        self.straight_instead(block, target, named);
+        if self.control.parameters.full_circle_by_radius == FullCircleByRadius::Refused {
+            self.straight_instead(block, target, named);
+        }
     }
 
     /// P on an arc, as turns beside the arc's own.
@@ -263,8 +265,9 @@ impl Interpreter<'_> {
             arc_end[b] = center.1 + (target[b] - center.1) * scale;
             shape.radius_to = fit.radius_start;
         }
+        self.check_rotary_in_arc(block, named);
         let motion = self.moved_to(arc_end, named);
-        let mut feed = self.feed_for(block, &motion);
+        let mut feed = self.feed_for(block, &motion, Some(&shape));
         feed.along = self.feed_along(&motion, plane);
         self.emit(CommandKind::Arc { motion, shape, feed });
         if rest {
@@ -295,7 +298,7 @@ impl Interpreter<'_> {
             return self.straight(block, target, named);
         }
         let motion = self.moved_to(target, named);
-        let feed = self.feed_for(block, &motion);
+        let feed = self.feed_for(block, &motion, None);
         self.emit(CommandKind::Line { motion, feed });
     }
 
@@ -419,13 +422,17 @@ impl Interpreter<'_> {
         );
     }
 
-    fn report_center_outside(&mut self, block: &Block, letter: u8) {
-        if !self.control.table.strict_center_words
-            && self.control.parameters.spiral != SpiralForm::None
-        {
-            // Controls with cones know a height word; outside a cone it is passed over.
+    /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone
+    /// it is passed over, and a zero, as posts write it, says nothing.
+    pub(super) fn check_height_word(&mut self, block: &Block) {
+        let (_, _, letter) = center_letters(self.state.plane);
+        let Some(word) = block.last(letter) else { return };
+        let passed_over = !self.control.table.strict_center_words
+            && self.control.parameters.spiral != SpiralForm::None;
+        if passed_over && self.is_zero(word) {
             return;
         }
+        let severity = if passed_over { Severity::Warning } else { Severity::Error };
         let plane = self.state.plane;
         let (a, b, _) = center_letters(plane);
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
@@ -435,8 +442,28 @@ impl Interpreter<'_> {
                 span,
                 format!("{} does not belong to {}", letter as char, plane_name(plane)),
             )
+            .severity(severity)
             .label(format!("only {} and {} here", a as char, b as char))
             .help("take the word out, or choose the plane with G17, G18 or G19"),
+        );
+    }
+
+    /// A rotary axis in the block of an arc, on a control that does not turn it there.
+    pub(super) fn check_rotary_in_arc(&mut self, block: &Block, named: AxisMask) {
+        let turned = named.without(AxisMask::LINEAR);
+        if self.control.parameters.rotary_in_arc || turned == AxisMask::NONE {
+            return;
+        }
+        let title = self.control.table.title;
+        let span = self.words_span(block, Letters::of("ABC"));
+        self.report(
+            Diagnostic::new(
+                Code::RotaryInArc,
+                span,
+                format!("a rotary axis in the block of an arc: {title} does not turn it there"),
+            )
+            .label("shown turning along with the arc")
+            .help("turn it in a block before; where this machine does it, set `rotary_in_arc`"),
         );
     }
 
@@ -479,16 +506,47 @@ impl Interpreter<'_> {
     /// Fadal: G2 or G3 in a block without a centre is a line.
     pub(super) fn report_line_for_arc(&mut self, block: &Block) {
         let span = self.words_span(block, Letters::of("G"));
-        let mut diagnostic = Diagnostic::new(
-            Code::NoCenter,
-            span,
-            "G2 or G3 without a centre: this control makes a straight line",
-        )
-        .severity(Severity::Warning)
-        .label("no I, J, K or R0 in this block")
-        .help("give the centre, or leave the G code out");
+        let rapid = self.state.motion == Motion::Rapid;
+        let message = if rapid {
+            "G2 or G3 without a centre, and G0 is in force: this control makes a rapid"
+        } else {
+            "G2 or G3 without a centre: this control makes a straight line"
+        };
+        let mut diagnostic = Diagnostic::new(Code::NoCenter, span, message)
+            .severity(Severity::Warning)
+            .label("no I, J, K or R0 in this block")
+            .help(if rapid {
+                "give the centre; for a straight cut write G1"
+            } else {
+                "give the centre, or leave the G code out"
+            });
         diagnostic.alarm = None;
         self.report(diagnostic);
+    }
+
+    /// Fadal: a block without a code after an arc that was cut while G0 is in force.
+    #[cold]
+    fn report_rapid_after_arc(&mut self, block: &Block) {
+        let span = self.span(block.range);
+        self.report(
+            Diagnostic::new(
+                Code::RapidAfterArc,
+                span,
+                "this block is a rapid: G0 is still in force, for G2 and G3 do not cancel it here",
+            )
+            .label("no motion code, after an arc")
+            .help("write G1 for a cut, G0 for a rapid"),
+        );
+    }
+
+    /// Notes an arc that is cut while G0 is in force, and the block after it that goes at rapid.
+    #[inline]
+    pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, explicit: bool) {
+        let before = self.state.arc_over_rapid;
+        self.state.arc_over_rapid = arc && self.state.motion == Motion::Rapid;
+        if before && !arc && !explicit && self.state.motion == Motion::Rapid {
+            self.report_rapid_after_arc(block);
+        }
     }
 
     /// Fadal: a centre before any G2 or G3.

@@ -53,6 +53,10 @@ impl Interpreter<'_> {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
                 let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
+                // `G2.0`: told with the codes.
+                if word.number().is_some_and(|number| number.scale > 0) {
+                    return false;
+                }
                 (self.words_of(row), Some(row.action))
             }
         };
@@ -81,7 +85,12 @@ impl Interpreter<'_> {
                 _ => self.m_row(block, at, code),
             });
             match row {
-                Some(row) => codes.push((row, at)),
+                Some(row) => {
+                    if number.scale > 0 {
+                        self.check_written_with_zero(word, row);
+                    }
+                    codes.push((row, at));
+                }
                 None => self.unknown_code(word),
             }
         }

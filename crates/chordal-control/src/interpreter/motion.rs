@@ -1,13 +1,13 @@
 //! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
 
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::Direction;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::values::AXIS_OF;
 use crate::command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState, Units,
+    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState, Units,
 };
 use crate::state::Motion;
 use crate::table::{Action, MotionModality};
@@ -167,11 +167,13 @@ impl Interpreter<'_> {
         // R0 in a block of its own only stores the register.
         let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);
         if arc_words && moves {
+            self.watch_rapid_after_arc(block, true, explicit.is_some());
             match self.state.armed {
                 Some(direction) => self.arc_block(block, direction, target, named, arc_code),
                 None => self.unarmed_arc(block, target, named),
             }
         } else if named != AxisMask::NONE {
+            self.watch_rapid_after_arc(block, false, explicit.is_some());
             if arc_code {
                 self.report_line_for_arc(block);
             }
@@ -197,7 +199,7 @@ impl Interpreter<'_> {
             self.emit(CommandKind::Rapid { motion, path });
         } else {
             self.check_rotary(block, &motion);
-            let feed = self.feed_for(block, &motion);
+            let feed = self.feed_for(block, &motion, None);
             self.emit(CommandKind::Line { motion, feed });
         }
     }
@@ -218,14 +220,15 @@ impl Interpreter<'_> {
 
     /// The feed of a cutting move, with its checks.
     #[inline]
-    pub(super) fn feed_for(&mut self, block: &Block, motion: &Move) -> Feed {
+    pub(super) fn feed_for(
+        &mut self,
+        block: &Block,
+        motion: &Move,
+        shape: Option<&ArcShape>,
+    ) -> Feed {
         let state = &self.state;
-        let rotary_only = motion.from[..3] == motion.to[..3] && motion.from != motion.to;
-        let value = if rotary_only && state.feed_mode == FeedMode::PerTime {
-            state.feed_angular
-        } else {
-            state.feed
-        };
+        let angular = state.feed_mode == FeedMode::PerTime && motion.only_turns(shape);
+        let value = if angular { state.feed_angular } else { state.feed };
         let feed = Feed {
             value,
             mode: state.feed_mode,
@@ -240,6 +243,9 @@ impl Interpreter<'_> {
         }
         if self.state.spindle == SpindleState::Off {
             self.report_spindle_stopped(block);
+        }
+        if let Some(word) = self.state.feed_over {
+            self.check_feed_limit(word, &feed, angular);
         }
         feed
     }
@@ -337,12 +343,10 @@ impl Interpreter<'_> {
             self.told.missing_feed = false;
         }
         self.emit(CommandKind::FeedRate { value: feed, mode: self.state.feed_mode });
-        if let (FeedMode::PerTime, Some(max)) =
-            (self.state.feed_mode, self.machine.feed.max_mm_per_s)
-            && feed > max * (1.0 + 1e-9)
-        {
-            self.report_feed_over(&word, feed, max);
-        }
+        let limits = &self.machine.feed;
+        let over = self.state.feed_mode == FeedMode::PerTime
+            && (is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s));
+        self.state.feed_over = over.then(|| self.span(word.range));
         if feed < 0.0 {
             self.report(
                 Diagnostic::new(
@@ -355,22 +359,45 @@ impl Interpreter<'_> {
         }
     }
 
+    /// Holds a feed that is too large for lengths or for angles against the move that is made with it.
     #[cold]
-    pub(super) fn report_feed_over(&mut self, word: &chordal_syntax::Word, feed: f64, max: f64) {
-        let shown = |mm_per_s: f64| match self.state.units {
-            Units::Inch => format!("{} in/min", super::values::trim(mm_per_s * 60.0 / 25.4, 1)),
-            Units::Millimetre => format!("{} mm/min", super::values::trim(mm_per_s * 60.0, 0)),
+    fn check_feed_limit(&mut self, word: Span, feed: &Feed, angular: bool) {
+        let limits = self.machine.feed;
+        let max = if angular { limits.max_rad_per_s } else { limits.max_mm_per_s };
+        if feed.mode == FeedMode::PerTime
+            && let Some(max) = max
+            && is_over(feed.value, Some(max))
+        {
+            self.state.feed_over = None;
+            self.report_feed_over(word, feed.value, max, angular);
+        }
+    }
+
+    #[cold]
+    pub(super) fn report_feed_over(&mut self, word: Span, feed: f64, max: f64, angular: bool) {
+        let shown = |per_s: f64| match self.state.units {
+            _ if angular => format!("{} deg/min", super::values::trim(per_s.to_degrees() * 60.0, 0)),
+            Units::Inch => format!("{} in/min", super::values::trim(per_s * 60.0 / 25.4, 1)),
+            Units::Millimetre => format!("{} mm/min", super::values::trim(per_s * 60.0, 0)),
         };
         let (is, allowed) = (shown(feed), shown(max));
         let name = self.machine.name.clone();
+        let key = if angular { "max_rotary" } else { "max" };
         self.report(
             Diagnostic::new(
                 Code::FeedOverLimit,
-                self.span(word.range),
+                word,
                 format!("a feed of {is} is above the {allowed} that {name} allows"),
             )
             .label(format!("at most {allowed}"))
-            .help(format!("program {allowed} or less, or raise `[feed] max` in the machine file")),
+            .help(format!(
+                "program {allowed} or less, or raise `[feed] {key}` in the machine file"
+            )),
         );
     }
+}
+
+/// Above a limit, which rounding does not make it.
+fn is_over(feed: f64, max: Option<f64>) -> bool {
+    max.is_some_and(|max| feed > max * (1.0 + 1e-9))
 }

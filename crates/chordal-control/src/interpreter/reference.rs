@@ -160,7 +160,7 @@ impl Interpreter<'_> {
             return self.rapid_to_machine_point(place, named);
         }
         let motion = self.machine_move(place, named);
-        let mut feed = self.feed_for(block, &motion);
+        let mut feed = self.feed_for(block, &motion, None);
         feed.along = FeedAlong::Path;
         self.emit(CommandKind::Line { motion, feed });
     }

@@ -1,11 +1,12 @@
 //! Diagnostics that need the state of the run.
 
-use chordal_diagnostics::{Code, Diagnostic, Span, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 use crate::command::Side;
-use crate::table::CodeRow;
+use crate::settings::Field;
+use crate::table::{Action, CodeRow};
 
 impl Interpreter<'_> {
     /// What the control shows, with the block's number put in.
@@ -81,6 +82,9 @@ impl Interpreter<'_> {
 
     pub(super) fn unused_word(&mut self, word: &Word) {
         let letter = word.letter as char;
+        let help = self.spiral_word_help(word.letter).unwrap_or_else(|| {
+            "take it out, or look for the code that it was meant for".to_string()
+        });
         self.report(
             Diagnostic::new(
                 Code::UnusedWord,
@@ -88,7 +92,44 @@ impl Interpreter<'_> {
                 format!("`{letter}` has no effect in this block"),
             )
             .label("nothing here takes it")
-            .help("take it out, or look for the code that it was meant for"),
+            .help(help),
+        );
+    }
+
+    /// For a word that would make a spiral with another setting: how a spiral is written here.
+    fn spiral_word_help(&self, letter: u8) -> Option<String> {
+        let table = self.control.table;
+        let arc = table.g_code(20).filter(|row| row.words.has(letter))?;
+        if self.words_of(arc).has(letter) {
+            return None;
+        }
+        let setting = table.settings.iter().find(|setting| setting.field == Field::Spiral)?;
+        let here = match table.g_code(21).map(|row| row.action) {
+            Some(Action::SpiralCw) => "a spiral is G2.1 or G3.1 with P here; ",
+            _ => "",
+        };
+        let (letter, name) = (letter as char, setting.name);
+        Some(format!("{here}`{letter}` makes a spiral of G2 and G3 where `{name}` chooses type 2"))
+    }
+
+    /// `G2.0` where spirals have a code with a decimal: an arc, and likely meant as a spiral.
+    #[cold]
+    pub(super) fn check_written_with_zero(&mut self, word: &Word, row: &CodeRow) {
+        let spiral = self.control.table.g_code(row.code + 1);
+        let spiral = spiral
+            .filter(|row| matches!(row.action, Action::SpiralCw | Action::SpiralCcw))
+            .filter(|_| matches!(row.action, Action::ArcCw | Action::ArcCcw));
+        let (Some(spiral), Some(number)) = (spiral, self.literal(word)) else { return };
+        let (arc, spiral) = (decimal_code(row.code), decimal_code(spiral.code));
+        self.report(
+            Diagnostic::new(
+                Code::NoSpirals,
+                self.span(word.range),
+                format!("`G{number}` is G{arc}, an arc; a spiral is G{spiral}"),
+            )
+            .severity(Severity::Warning)
+            .label("read as an arc")
+            .help(format!("write G{spiral} for a spiral, G{arc} for an arc")),
         );
     }
 
@@ -113,7 +154,7 @@ impl Interpreter<'_> {
                 "macro statements are not carried out by this version",
             )
             .label("passed over")
-            .severity(chordal_diagnostics::Severity::Warning),
+            .severity(Severity::Warning),
         );
     }
 

@@ -70,6 +70,9 @@ impl Rest {
         let memory = &mut self.memory;
         memory.origin = memory.origin.shifted(shift)?;
         memory.paths.shift(shift)?;
+        if let Some(word) = &mut memory.state.feed_over {
+            *word = shift.span(*word)?;
+        }
         for head in memory.subroutines.values_mut() {
             *head = place(*head, shift)?;
         }

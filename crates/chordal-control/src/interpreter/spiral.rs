@@ -2,18 +2,19 @@
 //!
 //! With r0 and r1 the distances of start and end from the centre and θ the directed angle
 //! from start to end in [0, 2π), the angle of a spiral is θ plus whole turns; the radius
-//! goes linearly with the angle.
+//! goes linearly with the angle. Where the end is the start, G2 and G3 make a full circle, as they
+//! do without Q, K or L; G2.1 and G3.1 count every turn in P.
 
 use std::f64::consts::TAU;
 
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::{Direction, arc_from_center};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::arc::{center_letters, point};
 use crate::command::{ArcShape, AxisMask, CommandKind, Position};
-use crate::parameters::SpiralForm;
+use crate::parameters::{SpiralForm, SpiralOnRay};
 
 /// Most turns of a spiral (the manuals' 0 to 99).
 const MAX_TURNS: u32 = 99;
@@ -25,6 +26,8 @@ struct SpiralEnds {
     radius_to: f64,
     /// Directed angle from start to end in [0, 2π).
     angle: f64,
+    /// The end is the start, on the axes of the plane.
+    closed: bool,
     direction: Direction,
 }
 
@@ -51,20 +54,46 @@ impl Interpreter<'_> {
             );
             return self.straight_instead(block, target, named);
         }
+        let mut target = target;
+        self.snap_to_start(&mut target);
         let Some(ends) = self.spiral_ends(block, direction, &target) else {
             return self.straight_instead(block, target, named);
         };
+        self.check_height_word(block);
         let turns = match block.letters().has(b'P') {
             true => self.count_of(block, b'P').unwrap_or(0),
             false => 0,
         };
         let turns = self.checked_turns(block, b'P', turns);
         let angle = ends.angle + TAU * f64::from(turns);
-        self.emit_spiral(block, &ends, angle, target, named);
+        self.emit_spiral(block, &ends, angle, target, named, b'P');
     }
 
     /// True when a G2 or G3 block is a spiral by its words.
-    pub(super) fn is_spiral_of_type_two(&self, block: &Block) -> bool {
+    pub(super) fn is_spiral_of_type_two(&self, block: &Block, target: &Position) -> bool {
+        self.has_spiral_words(block) && !self.is_plain_circle(block, target)
+    }
+
+    /// A full circle whose further words are zero, as posts write them, or ask for its one turn.
+    fn is_plain_circle(&self, block: &Block, target: &Position) -> bool {
+        let (a, b, _) = self.state.plane.axes();
+        let from = &self.state.position;
+        let closed = target[a] == from[a] && target[b] == from[b];
+        let zero = |letter| block.last(letter).is_none_or(|word| self.is_zero(word));
+        let (a_letter, b_letter, height) = center_letters(self.state.plane);
+        let letters = block.letters();
+        let one_turn = block.last(b'L').is_none_or(|word| {
+            self.literal(word).and_then(|number| number.to_integer()).is_some_and(|n| n == 0 || n == 1)
+        });
+        closed
+            && !letters.has(b'R')
+            && (letters.has(a_letter) || letters.has(b_letter))
+            && one_turn
+            && zero(b'Q')
+            && zero(height)
+    }
+
+    fn has_spiral_words(&self, block: &Block) -> bool {
         let letters = block.letters();
         match self.control.parameters.spiral {
             SpiralForm::None | SpiralForm::Pitches => false,
@@ -88,7 +117,7 @@ impl Interpreter<'_> {
             return self.straight_instead(block, target, named);
         };
         let angle = self.spiral_angle(block, &ends, &target);
-        self.emit_spiral(block, &ends, angle, target, named);
+        self.emit_spiral(block, &ends, angle, target, named, b'L');
     }
 
     fn spiral_ends(
@@ -131,7 +160,13 @@ impl Interpreter<'_> {
             );
             return None;
         }
+        if fit.radius_start <= near || fit.radius_end <= near {
+            self.report_end_on_center(block, fit.radius_start <= near);
+        }
+        let (a, b, _) = self.state.plane.axes();
+        let start = &self.state.position;
         Some(SpiralEnds {
+            closed: target[a] == start[a] && target[b] == start[b],
             center,
             radius_from: fit.radius_start,
             radius_to: fit.radius_end,
@@ -147,6 +182,9 @@ impl Interpreter<'_> {
         let (_, _, normal) = self.state.plane.axes();
         let form = self.control.parameters.spiral;
         let height_counts = form == SpiralForm::IncrementHeightCount && letters.has(height_letter);
+        if !height_counts {
+            self.check_height_word(block);
+        }
         let count = if letters.has(b'L') { self.count_of(block, b'L') } else { None };
         if letters.has(b'Q')
             && let Some(q) = self.length_of(block, b'Q')
@@ -154,6 +192,10 @@ impl Interpreter<'_> {
         {
             let signed = form == SpiralForm::IncrementCount;
             let change = ends.radius_to - ends.radius_from;
+            if ends.closed {
+                self.report_no_increment(block, b'Q', "and start and end are equally far from the centre");
+                return TAU;
+            }
             if signed && change * q < 0.0 {
                 self.report_sign_of_q(block, change);
             }
@@ -171,11 +213,84 @@ impl Interpreter<'_> {
             && k != 0.0
         {
             let rise = target[normal] - self.state.position[normal];
+            if ends.closed && rise == 0.0 {
+                self.report_no_increment(block, height_letter, "and the end is as high as the start");
+                return TAU;
+            }
             let turns = rise.abs() / k.abs();
             return self.congruent(block, height_letter, turns, k.abs(), ends);
         }
+        let full_turn = ends.closed
+            || ends.angle == 0.0 && self.control.parameters.spiral_on_ray == SpiralOnRay::FullTurn;
+        let begun = if full_turn { TAU } else { ends.angle };
+        if begun > 0.0 {
+            self.report_zero_count(block, height_counts, count, ends);
+        }
         let count = self.checked_turns(block, b'L', count.unwrap_or(1).max(1));
-        ends.angle + TAU * f64::from(count - 1)
+        begun + TAU * f64::from(count - 1)
+    }
+
+    /// Q, the height word or L of zero, in a block that they make a spiral.
+    fn report_zero_count(
+        &mut self,
+        block: &Block,
+        height_counts: bool,
+        count: Option<u32>,
+        ends: &SpiralEnds,
+    ) {
+        let (_, _, height) = center_letters(self.state.plane);
+        let zero = match count {
+            _ if ends.closed => None,
+            Some(0) => Some(b'L'),
+            Some(_) => None,
+            None if block.letters().has(b'Q') => Some(b'Q'),
+            None if height_counts => Some(height),
+            None => None,
+        };
+        let Some(letter) = zero else { return };
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        let letter = letter as char;
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("`{letter}` of zero gives no number of turns: it is read as L1"),
+            )
+            .severity(Severity::Warning)
+            .label("the first turn, and no further one")
+            .help("write the count with L, or take the word out"),
+        );
+    }
+
+    /// An increment per turn of something that does not change, on a full circle.
+    fn report_no_increment(&mut self, block: &Block, letter: u8, why: &str) {
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        let letter = letter as char;
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("`{letter}` asks for a change in each turn, {why}"),
+            )
+            .label("shown as one full circle")
+            .help(format!("take {letter} out for a circle, or give the end of the spiral")),
+        );
+    }
+
+    /// A spiral that begins or ends on its centre.
+    fn report_end_on_center(&mut self, block: &Block, start: bool) {
+        let span = self.words_span(block, Letters::of("IJK"));
+        let (end, other) = if start { ("start", "end") } else { ("end", "start") };
+        self.report(
+            Diagnostic::new(
+                Code::ZeroRadius,
+                span,
+                format!("the {end} of this spiral is its centre"),
+            )
+            .severity(Severity::Warning)
+            .label(format!("the angle there is not known; shown as that of the {other}"))
+            .help("whether the control takes it is not known: end the spiral beside the centre"),
+        );
     }
 
     /// Whole turns so that the angle ends exactly at the programmed end, and a problem when
@@ -189,7 +304,8 @@ impl Interpreter<'_> {
         ends: &SpiralEnds,
     ) -> f64 {
         let fraction = ends.angle / TAU;
-        let whole = (turns - fraction).round().clamp(0.0, f64::from(MAX_TURNS));
+        let least = if ends.closed { 1.0 } else { 0.0 };
+        let whole = (turns - fraction).round().clamp(least, f64::from(MAX_TURNS));
         let off = (turns - whole - fraction).abs() * per_turn;
         if off > self.control.parameters.spiral_end_tolerance_mm * (1.0 + 1e-9) {
             let span = self.words_span(block, Letters(1 << (letter - b'A')));
@@ -225,7 +341,7 @@ impl Interpreter<'_> {
                     span,
                     format!("L{count} contradicts Q, which asks for {turns} turns"),
                 )
-                .severity(chordal_diagnostics::Severity::Warning)
+                .severity(Severity::Warning)
                 .label("Q is followed")
                 .help(format!("write L{begun}, or leave L out")),
             );
@@ -262,6 +378,7 @@ impl Interpreter<'_> {
         MAX_TURNS
     }
 
+    /// `letter` is the one that counts turns.
     fn emit_spiral(
         &mut self,
         block: &Block,
@@ -269,9 +386,10 @@ impl Interpreter<'_> {
         angle: f64,
         target: Position,
         named: AxisMask,
+        letter: u8,
     ) {
         if angle == 0.0 {
-            // No turn at all: a straight way along the ray.
+            self.report_no_turn(block, ends, &target, letter);
             return self.straight_instead(block, target, named);
         }
         let plane = self.state.plane;
@@ -282,8 +400,45 @@ impl Interpreter<'_> {
             radius_from: ends.radius_from,
             radius_to: ends.radius_to,
         };
+        self.check_rotary_in_arc(block, named);
         let motion = self.moved_to(target, named);
-        let feed = self.feed_for(block, &motion);
+        let feed = self.feed_for(block, &motion, Some(&shape));
         self.emit(CommandKind::Spiral { motion, shape, feed });
+    }
+
+    /// Start and end on one ray from the centre, and a count that adds no turn.
+    fn report_no_turn(
+        &mut self,
+        block: &Block,
+        ends: &SpiralEnds,
+        target: &Position,
+        letter: u8,
+    ) {
+        let letter = letter as char;
+        let where_to = if ends.closed {
+            "the end of this spiral is its start"
+        } else {
+            "start and end of this spiral lie on one ray from the centre"
+        };
+        let shown = if *target == self.state.position { "nothing moves" } else { "a straight line" };
+        let (count, more) = match (block.last(letter as u8), letter) {
+            (Some(word), _) => (
+                self.literal(word).map_or(String::new(), |number| format!("with {letter}{number}")),
+                if letter == 'P' { "P1" } else { "L2" },
+            ),
+            (None, 'P') => ("without P".to_string(), "P1"),
+            (None, _) => ("without L".to_string(), "L2"),
+        };
+        let span = self.span(block.range);
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("{where_to}, and {count} it makes no turn"),
+            )
+            .severity(Severity::Warning)
+            .label(format!("shown as the words say: {shown}"))
+            .help(format!("write {more} for one turn, or give another end")),
+        );
     }
 }

@@ -43,6 +43,11 @@ impl Interpreter<'_> {
         }
     }
 
+    /// True for a word of the value zero.
+    pub(super) fn is_zero(&self, word: &Word) -> bool {
+        self.literal(word).is_some_and(|number| number.mantissa == 0)
+    }
+
     /// A length word in mm.
     #[inline(always)]
     pub(super) fn length(&mut self, word: &Word) -> Option<f64> {

@@ -90,9 +90,10 @@ pub(super) const LEAD_IN_TOO_SHORT: CodeInfo = CodeInfo {
     id: "CH510",
     name: "lead-in-too-short",
     severity: Severity::Error,
-    summary: "the move that starts compensation is shorter than the offset",
-    explanation: r#"The control wants a straight lead-in at least as long as the offset (LinuxCNC: longer), so that the tool
-can move aside on the way. Start further away."#,
+    summary: "the move that starts compensation is not longer than the offset",
+    explanation: r#"The control wants a straight lead-in in the plane that is longer than the offset, so that the tool can
+move aside on the way. Start further away. On a Haas the block of G41 or G42 must move X or Y; a block that
+moves Z alone is no lead-in."#,
 };
 
 pub(super) const SIDE_CHANGE: CodeInfo = CodeInfo {

@@ -99,6 +99,8 @@ codes! {
     SpindleStopped => motion::SPINDLE_STOPPED,
     NearlyTangent => motion::NEARLY_TANGENT,
     RotaryOverLimit => motion::ROTARY_OVER_LIMIT,
+    RotaryInArc => motion::ROTARY_IN_ARC,
+    RapidAfterArc => motion::RAPID_AFTER_ARC,
     CompensationOnArc => compensation::ON_ARC,
     CompensationWithoutOffset => compensation::WITHOUT_OFFSET,
     PlaneChangeInCompensation => compensation::PLANE_CHANGE,

@@ -163,3 +163,33 @@ pub(super) const ROTARY_OVER_LIMIT: CodeInfo = CodeInfo {
     explanation: r#"Controls limit how far a rotary axis may turn in one block; a Fadal allows 1080 degrees. Divide the
 move."#,
 };
+
+pub(super) const ROTARY_IN_ARC: CodeInfo = CodeInfo {
+    code: Code::RotaryInArc,
+    id: "CH416",
+    name: "rotary-in-arc",
+    severity: Severity::Warning,
+    summary: "a rotary axis in the block of an arc, on a control that does not turn it there",
+    explanation: r#"Circular interpolation moves the two axes of the plane, and on most controls a third linear axis for a
+helix. Some controls do not turn a rotary axis in the same block; others do. What a control does is
+its setting `rotary_in_arc`. Chordal shows the arc with the rotary axis turning along.
+
+    G1 A90. F500.
+    G3 I-1. F10.             the axis turned before the arc"#,
+};
+
+pub(super) const RAPID_AFTER_ARC: CodeInfo = CodeInfo {
+    code: Code::RapidAfterArc,
+    id: "CH417",
+    name: "rapid-after-arc",
+    severity: Severity::Warning,
+    summary: "a block without a motion code, after an arc, moves at rapid speed",
+    explanation: r#"On a Fadal G2 and G3 give a direction and leave G0 or G1 in force. After G0 an arc runs at the feed, and
+the next block without a centre runs at rapid speed again.
+
+    G0 X2. Y0
+    I-.5 G3 F10.
+    X-1.                     a rapid, not a cut
+
+Write G1 where a cut is meant, G0 where a rapid is meant."#,
+};

@@ -66,6 +66,21 @@ impl Compensator {
         self.tell_of(diagnostic, true, origin, out);
     }
 
+    /// An inside arc as large as the offset, on a control that takes it.
+    pub(super) fn inside_arc_vanishes<P: PathSink>(&self, block: &Block, offset: f64, out: &mut P) {
+        let origin = &block.command.origin;
+        let offset = self.length(offset);
+        let diagnostic = Diagnostic::new(
+            Code::InsideArcTooSmall,
+            origin.span,
+            format!("this inside arc is as large as the offset {offset}: the tool centre stands still on it"),
+        )
+        .severity(Severity::Note)
+        .label("the arc shrinks to a point")
+        .help("a larger offset does not fit; a smaller tool cuts the arc without dwelling in it");
+        self.tell_of(diagnostic, true, origin, out);
+    }
+
     pub(super) fn interference_told<P: PathSink>(&self, block: &Block, found: &Found, out: &mut P) {
         let origin = &block.command.origin;
         let offset = self.length(block.radii.1);

@@ -46,6 +46,8 @@ impl Compensator {
         };
         if too_small {
             self.inside_arc_told(block, radius, offset, out);
+        } else if radius <= offset + rules.tangent_mm {
+            self.inside_arc_vanishes(block, offset, out);
         }
         too_small
     }

@@ -99,7 +99,10 @@ impl Compensator {
         let rules = &self.parameters.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
         if self.phase == Phase::Starting && rules.lead == LeadLength::AboveOffset {
-            self.lead_too_short(&command.origin, 0.0, out);
+            // A code alone waits on most controls; only a move of its own block is its lead-in.
+            if self.code.span == command.origin.span || rules.lead_follows_code {
+                self.lead_too_short(&command.origin, 0.0, out);
+            }
         }
         let counts = if zero { rules.zero_move_counts } else { 1 };
         if let Some(last) = self.queue.back_mut() {

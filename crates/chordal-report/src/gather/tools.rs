@@ -104,7 +104,7 @@ impl Tools {
             }
             kind => {
                 if let Some(feed) = kind.feed() {
-                    self.cut(feed);
+                    self.cut(feed, command.kind.only_turns());
                 }
                 return;
             }
@@ -145,7 +145,8 @@ impl Tools {
         Some(entry)
     }
 
-    fn cut(&mut self, feed: &Feed) {
+    /// `turns`: rotary axes alone, so that the feed is no length per time.
+    fn cut(&mut self, feed: &Feed, turns: bool) {
         let Some(tool) = self.at.and_then(|at| self.seen.get_mut(at)) else { return };
         if std::mem::take(&mut self.fresh) {
             if let Some(number) = self.length {
@@ -169,6 +170,7 @@ impl Tools {
             return;
         }
         match feed.mode {
+            FeedMode::PerTime if turns => {}
             FeedMode::PerTime => widen(&mut tool.feeds.mm_per_min, 60.0 * feed.value),
             FeedMode::PerRevolution => widen(&mut tool.feeds.mm_per_rev, feed.value),
             FeedMode::InverseTime => tool.feeds.inverse_time = true,

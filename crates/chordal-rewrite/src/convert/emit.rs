@@ -305,8 +305,7 @@ impl<'a> Emitter<'a> {
         }
         let mut words = self.head(Action::Linear)?;
         words.extend(axes);
-        let rotary_only = motion.from[..3] == motion.to[..3];
-        self.feed(&mut words, feed, 1.0, rotary_only);
+        self.feed(&mut words, feed, 1.0, motion.only_turns(None));
         self.line(&words);
         Ok(())
     }
@@ -391,13 +390,13 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    fn feed(&mut self, words: &mut Vec<String>, feed: &Feed, scale: f64, rotary_only: bool) {
+    fn feed(&mut self, words: &mut Vec<String>, feed: &Feed, scale: f64, only_turns: bool) {
         if !feed.value.is_finite() {
             return;
         }
         let unit = if self.units == Units::Inch { 25.4 } else { 1.0 };
         let value = match feed.mode {
-            FeedMode::PerTime if rotary_only => feed.value.to_degrees() * 60.0,
+            FeedMode::PerTime if only_turns => feed.value.to_degrees() * 60.0,
             FeedMode::PerTime => feed.value * 60.0 / unit * scale,
             FeedMode::InverseTime => feed.value * 60.0,
             FeedMode::PerRevolution => feed.value / unit,

@@ -195,7 +195,7 @@ impl Interpreter<'_> {
             return;
         }
         let motion = self.moved_to(target, named);
-        let feed: Feed = self.feed_for(block, &motion);
+        let feed: Feed = self.feed_for(block, &motion, None);
         self.emit(CommandKind::Line { motion, feed });
     }
 }

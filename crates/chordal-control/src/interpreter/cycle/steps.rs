@@ -115,7 +115,7 @@ impl Interpreter<'_> {
         let mut target = self.state.position;
         target[hole.axis] = level;
         let motion = self.moved_to(target, AxisMask(1 << hole.axis));
-        let mut feed: Feed = self.feed_for(block, &motion);
+        let mut feed: Feed = self.feed_for(block, &motion, None);
         feed.along = FeedAlong::Path;
         self.emit(CommandKind::Line { motion, feed });
     }

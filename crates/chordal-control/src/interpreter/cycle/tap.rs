@@ -118,7 +118,7 @@ impl Interpreter<'_> {
                 spindle_rev_per_s: rev_per_s,
             },
             None => {
-                let mut feed = self.feed_for(block, &motion);
+                let mut feed = self.feed_for(block, &motion, None);
                 if feed.mode == FeedMode::PerTime {
                     feed.value *= factor;
                 }

@@ -103,8 +103,7 @@ impl Interpreter<'_> {
     /// The feed in force; the spindle need not turn.
     fn probe_feed(&self, motion: &crate::command::Move) -> Feed {
         let state = &self.state;
-        let rotary_only = motion.from[..3] == motion.to[..3] && motion.from != motion.to;
-        let angular = rotary_only && state.feed_mode == FeedMode::PerTime;
+        let angular = motion.only_turns(None) && state.feed_mode == FeedMode::PerTime;
         Feed {
             value: if angular { state.feed_angular } else { state.feed },
             mode: state.feed_mode,

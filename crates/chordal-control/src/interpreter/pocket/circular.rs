@@ -58,7 +58,7 @@ impl Interpreter<'_> {
                 from_known: self.state.known,
                 to_known: self.state.known,
             };
-            let feed = self.feed_for(block, &motion);
+            let feed = self.feed_for(block, &motion, None);
             if target != self.state.position {
                 self.routine_line(target, named, feed);
             }

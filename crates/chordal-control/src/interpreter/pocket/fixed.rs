@@ -301,7 +301,7 @@ impl Interpreter<'_> {
         if let Some(max) = self.machine.feed.max_mm_per_s
             && feed > max * (1.0 + 1e-9)
         {
-            self.report_feed_over(&word, feed, max);
+            self.report_feed_over(self.span(word.range), feed, max, false);
         }
         if self.state.spindle == SpindleState::Off {
             self.report_spindle_stopped(block);

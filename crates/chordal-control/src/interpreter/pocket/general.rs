@@ -86,7 +86,7 @@ impl Interpreter<'_> {
             from_known: state.known,
             to_known: state.known,
         };
-        self.feed_for(block, &motion)
+        self.feed_for(block, &motion, None)
     }
 
     /// Reads and judges the words of the block.
