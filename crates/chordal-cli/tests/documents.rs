@@ -130,8 +130,7 @@ fn command_shows(row: &Row, document: &Document, line: &str) -> Result<(), Strin
         .env("NO_COLOR", "1")
         .output()
         .map_err(|error| error.to_string())?;
-    let (out, err) =
-        (String::from_utf8_lossy(&done.stdout), String::from_utf8_lossy(&done.stderr));
+    let (out, err) = (String::from_utf8_lossy(&done.stdout), String::from_utf8_lossy(&done.stderr));
     let said = format!("{out}\n{err}");
     if done.status.code() != Some(row.exit) {
         return Err(format!("{line}: exit {:?}, not {}\n{said}", done.status.code(), row.exit));

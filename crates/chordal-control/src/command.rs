@@ -236,6 +236,15 @@ pub fn number_text(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
+/// A number of some decimals, and of more where it is small, so that two digits of it are seen.
+pub fn telling_number(value: f64, decimals: usize) -> String {
+    let mut decimals = decimals;
+    while decimals < 9 && value != 0.0 && value.abs() < 10f64.powi(1 - decimals as i32) {
+        decimals += 1;
+    }
+    number_text(value, decimals)
+}
+
 /// Cutter radius compensation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Side {

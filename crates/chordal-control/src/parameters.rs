@@ -65,6 +65,19 @@ pub enum SpiralOnRay {
     FullTurn,
 }
 
+/// What is done with decimals beyond the least increment (`X1.23456` in inch).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ExcessDecimals {
+    /// The control computes with all of them.
+    Exact,
+    /// They are cut off.
+    Cut,
+    /// They are rounded.
+    Rounded,
+    /// Not known: Chordal computes with all of them, and says so.
+    Unknown,
+}
+
 /// What an R word does beside I, J or K.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CenterAndRadius {
@@ -147,6 +160,10 @@ pub struct Parameters {
     pub increment_digits_inch: u8,
     /// The same in millimetres (3: 0.001 mm).
     pub increment_digits_mm: u8,
+    /// Decimals of a length beyond the least increment.
+    pub excess_decimals: ExcessDecimals,
+    /// Most digits of a length; 0 for no limit.
+    pub most_digits: u8,
     /// Digits behind the point that an F without one has, in inch.
     pub feed_digits_inch: u8,
     /// What I, J and K say.
@@ -162,8 +179,9 @@ pub struct Parameters {
     pub radius_error_limit_mm: f64,
     /// What happens within the tolerance.
     pub arc_mismatch: ArcMismatch,
-    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
-    pub semicircle_tolerance_mm: f64,
+    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm; `None` for two least
+    /// increments of the units in force.
+    pub semicircle_tolerance_mm: Option<f64>,
     /// Points closer than this are one point, mm: far below any least increment, far above
     /// rounding.
     pub coincidence_mm: f64,
@@ -251,6 +269,20 @@ pub struct Aliases {
 }
 
 impl Parameters {
+    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
+    pub fn semicircle_tolerance(&self, units: Units) -> f64 {
+        self.semicircle_tolerance_mm.unwrap_or(2.0 * self.least_increment(units))
+    }
+
+    /// The smallest length that a word can give, mm.
+    pub fn least_increment(&self, units: Units) -> f64 {
+        let (unit, digits) = match units {
+            Units::Inch => (25.4, self.increment_digits_inch),
+            Units::Millimetre => (1.0, self.increment_digits_mm),
+        };
+        unit / 10f64.powi(i32::from(digits))
+    }
+
     /// What most controls share; a table names only what it has otherwise.
     pub const COMMON: Parameters = Parameters {
         units: Units::Inch,
@@ -259,6 +291,8 @@ impl Parameters {
         decimal_point: DecimalPoint::LeastIncrement,
         increment_digits_inch: 4,
         increment_digits_mm: 3,
+        excess_decimals: ExcessDecimals::Unknown,
+        most_digits: 0,
         feed_digits_inch: 0,
         arc_center: ArcCenter::FromStart,
         plane_codes: PlaneCodes::Standard,
@@ -266,7 +300,7 @@ impl Parameters {
         radius_error_relative: 0.0,
         radius_error_limit_mm: 0.0,
         arc_mismatch: ArcMismatch::Spiral,
-        semicircle_tolerance_mm: 0.002,
+        semicircle_tolerance_mm: None,
         coincidence_mm: 1e-6,
         helix_feed: FeedAlong::Path,
         spiral: SpiralForm::None,

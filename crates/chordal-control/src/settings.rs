@@ -7,9 +7,9 @@ use crate::command::{FeedAlong, RapidPath, Units};
 use crate::compensation_settings::{self, CompensationField};
 use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
-    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, FixedRoutineCount,
-    FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes, SpiralForm,
-    SpiralOnRay, UnitCodes,
+    ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, ExcessDecimals,
+    FixedRoutineCount, FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes,
+    SpiralForm, SpiralOnRay, UnitCodes,
 };
 use crate::path_modes::{self, PathField};
 
@@ -40,6 +40,8 @@ pub enum Field {
     RadiusErrorTolerance,
     ArcMismatch,
     SemicircleTolerance,
+    ExcessDecimals,
+    MostDigits,
     HelixFeed,
     Spiral,
     SpiralEndTolerance,
@@ -122,6 +124,12 @@ const GENERAL: &[Setting] = &[
         Field::DecimalPoint,
         "a number without a point: `least-increment` (X10 is 0.001 in) or `calculator` (X10 is ten)",
     ),
+    common(
+        "excess_decimals",
+        Field::ExcessDecimals,
+        "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
+    ),
+    common("most_digits", Field::MostDigits, "most digits of a length; 0 for no limit"),
     common("feed_digits_inch", Field::FeedDigits, "decimals of an inch F written without a point"),
     common("arc_center", Field::ArcCenter, "I J K: `from-start`, `absolute` or `from-center`"),
     common("plane_codes", Field::PlaneCodes, "`standard`, or `swapped` (G18 is YZ, G19 is ZX)"),
@@ -138,7 +146,7 @@ const GENERAL: &[Setting] = &[
     common(
         "semicircle_tolerance",
         Field::SemicircleTolerance,
-        "|2R - chord| up to here puts the centre in the middle of the chord",
+        "|2R - chord| up to here puts the centre in the middle of the chord: a length, or `two-increments` (0.0002 in, 0.002 mm)",
     ),
     common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
     common(
@@ -326,7 +334,10 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
                 &[("spiral", ArcMismatch::Spiral), ("arc-then-line", ArcMismatch::ArcThenLine)],
             )?;
         }
-        Field::SemicircleTolerance => p.semicircle_tolerance_mm = length()?,
+        Field::SemicircleTolerance if word == "two-increments" => p.semicircle_tolerance_mm = None,
+        Field::SemicircleTolerance => p.semicircle_tolerance_mm = Some(length()?),
+        Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
+        Field::MostDigits => p.most_digits = count()?.min(18) as u8,
         Field::HelixFeed => {
             p.helix_feed = choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
         }
@@ -422,7 +433,12 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::ArcMismatch => {
             if p.arc_mismatch == ArcMismatch::Spiral { "spiral" } else { "arc-then-line" }.into()
         }
-        Field::SemicircleTolerance => mm_text(p.semicircle_tolerance_mm),
+        Field::SemicircleTolerance => match p.semicircle_tolerance_mm {
+            Some(tolerance) => mm_text(tolerance),
+            None => "two-increments".into(),
+        },
+        Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
+        Field::MostDigits => p.most_digits.to_string(),
         Field::HelixFeed => if p.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into(),
         Field::Spiral => name_of(p.spiral, SPIRALS),
         Field::SpiralEndTolerance => mm_text(p.spiral_end_tolerance_mm),
@@ -481,6 +497,13 @@ const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
 
 const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
     &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
+
+const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
+    ("exact", ExcessDecimals::Exact),
+    ("cut", ExcessDecimals::Cut),
+    ("rounded", ExcessDecimals::Rounded),
+    ("unknown", ExcessDecimals::Unknown),
+];
 
 const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
 

@@ -74,6 +74,19 @@ impl Decimal {
         (self.mantissa % power == 0).then(|| self.mantissa / power)
     }
 
+    /// The number with only so many decimals, cut and rounded (half away from zero); `None` where nothing
+    /// but zeros stand behind them.
+    pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
+        let power = 10_i64.checked_pow(u32::from(self.scale.checked_sub(decimals)?))?;
+        let (whole, rest) = (self.mantissa / power, self.mantissa % power);
+        if rest == 0 {
+            return None;
+        }
+        let up = i64::from(rest.abs() >= power / 2) * rest.signum();
+        let with = |mantissa| Decimal { mantissa, scale: decimals, ..self };
+        Some((with(whole), with(whole + up)))
+    }
+
     /// True for `0`, `-0.00` and the like.
     #[inline]
     pub const fn is_zero(self) -> bool {

@@ -1,8 +1,9 @@
 //! Reads blocks; `macros` finds the ends of expressions and statements, `problems` tells what is
-//! no word.
+//! no word, `remark` finds prose.
 
 mod macros;
 mod problems;
+mod remark;
 
 use chordal_diagnostics::{Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange};
 
@@ -458,6 +459,9 @@ impl<'a> BlockReader<'a> {
                 }
             }
             _ => {}
+        }
+        if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.remark(block, start) {
+            return None;
         }
         // `DO1` alone in its block begins a loop.
         let in_words = block.words.iter().any(|word| word.letter != b'N');

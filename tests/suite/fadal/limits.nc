@@ -11,5 +11,8 @@ X5. R0+100. G2 (= arc cw to X5 | ! CH408 "100 in" "99.9999 in" "compensation")
 G40 X6. (= line to X6)
 A1080. (= line to A1080)
 A2161. (= line to A2161 | ! CH415 "1081")
+(F1000. is an angle per minute where rotary axes turn alone: the limit of lengths does not hold.)
+A1441. F1000. (= line to A1441 feed 1000)
 F400.1 (= none | ! CH407 "400.1 in/min" "400 in/min")
+X7. (= line to X7)
 M2

@@ -6,7 +6,9 @@ use chordal_syntax::Lexicon;
 use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{CycleField, CycleRules, TapRules};
-use crate::parameters::{FullCircleByRadius, OffsetKind, Parameters, SpiralForm, SpiralOnRay};
+use crate::parameters::{
+    ExcessDecimals, FullCircleByRadius, OffsetKind, Parameters, SpiralForm, SpiralOnRay,
+};
 use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -54,6 +56,8 @@ const PARAMETERS: Parameters = Parameters {
     // L counts turns begun: exactly one is L1.
     spiral_on_ray: SpiralOnRay::FullTurn,
     rotary_in_arc: false,
+    excess_decimals: ExcessDecimals::Cut,
+    most_digits: 8,
     radius_offsets: OffsetKind::Radius,
     nesting: 10,
     packed_calls: true,
@@ -147,6 +151,22 @@ const SETTINGS: &[Setting] = &[
         "a rotary axis in the block of an arc: `allowed` or `refused`",
         Certainty::Inferred,
         "textbooks of Fanuc-style controls leave it out; with the option of helical interpolation B a machine may do it",
+    ),
+    setting(
+        "excess_decimals",
+        Field::ExcessDecimals,
+        &[],
+        "decimals beyond the least increment: `cut`, `rounded` or `exact`",
+        Certainty::Trade,
+        "B-63534EN, decimal point programming",
+    ),
+    setting(
+        "most_digits",
+        Field::MostDigits,
+        &[],
+        "most digits of a length; above it PS0003",
+        Certainty::Trade,
+        "B-63534EN, decimal point programming",
     ),
     setting(
         "No. 1403#5",
@@ -333,6 +353,7 @@ const ALARMS: &[(Code, &str)] = &[
     (Code::NoOffsetIntersection, "PS0033 NO SOL AT CRC"),
     (Code::RadiusMismatch, "PS0020 OVER TOLERANCE OF RADIUS"),
     (Code::NoCenter, "PS0022 NO CIRCLE RADIUS"),
+    (Code::TooManyDigits, "PS0003 TOO MANY DIGITS"),
     (Code::MissingFeed, "PS0011 NO FEEDRATE COMMANDED"),
     (Code::CenterOutsidePlane, "PS0021 ILLEGAL PLANE AXIS COMMANDED"),
     (Code::CompensationOnArc, "PS0034 NO CIRC ALLOWED IN ST-UP /EXT BLK"),

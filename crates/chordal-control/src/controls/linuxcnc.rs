@@ -13,7 +13,8 @@ use crate::macros::rules::{
     MacroForm, MacroRules, System, SystemRow, VariableRange, common, system,
 };
 use crate::parameters::{
-    CenterAndRadius, CompensationEntry, DecimalPoint, OffsetKind, OutsideCorner, Parameters,
+    CenterAndRadius, CompensationEntry, DecimalPoint, ExcessDecimals, OffsetKind, OutsideCorner,
+    Parameters,
 };
 use crate::path_modes::PathRules;
 use crate::settings::{Certainty, Field, Setting, setting};
@@ -64,6 +65,7 @@ const LEXICON: Lexicon = Lexicon {
 };
 
 const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Exact,
     decimal_point: DecimalPoint::Calculator,
     // Above this difference the radius must agree to one part in a thousand, and above a
     // hundred times this nothing helps.

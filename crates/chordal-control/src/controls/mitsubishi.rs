@@ -6,7 +6,7 @@ use chordal_syntax::{Lexicon, MacroGrammar};
 use super::compensation;
 use crate::command::FeedAlong;
 use crate::cycle_rules::{BoreRules, CycleField, CycleRules, PeckDwell, PeckRules, ShiftWords};
-use crate::parameters::{OffsetKind, Parameters, SpiralForm};
+use crate::parameters::{ExcessDecimals, OffsetKind, Parameters, SpiralForm};
 use crate::path_modes::{CORNER_ROUNDING, PathField, PathRules};
 use crate::settings::{Certainty, Field, Setting, setting};
 use crate::table::{
@@ -49,6 +49,7 @@ const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon
 const PARAMETERS: Parameters = Parameters {
     helix_feed: FeedAlong::Path,
     spiral: SpiralForm::Pitches,
+    excess_decimals: ExcessDecimals::Cut,
     // Section 6.13: RadErr 0.100 in the manual's own examples.
     radius_error_tolerance_mm: 0.1,
     spiral_end_tolerance_mm: 0.1,
@@ -103,8 +104,8 @@ const SETTINGS: &[Setting] = &[
     setting(
         "#11028",
         Field::SemicircleTolerance,
-        &[],
-        "|2R - chord| up to here makes the middle of the chord the centre",
+        &[("0", "two-increments")],
+        "|2R - chord| up to here makes the middle of the chord the centre; 0 of the manual is `two-increments`",
         Certainty::Documented,
         "M700V manual, #11028",
     ),
@@ -123,6 +124,14 @@ const SETTINGS: &[Setting] = &[
         "type 2: a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
         "M700V manual 6.13: L1 is less than a turn",
+    ),
+    setting(
+        "excess_decimals",
+        Field::ExcessDecimals,
+        &[],
+        "decimals beyond the least increment: `cut`, `rounded` or `exact`",
+        Certainty::Trade,
+        "M700V manual 5.3",
     ),
     setting(
         "#1235 set07/bit0",

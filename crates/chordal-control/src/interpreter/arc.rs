@@ -152,7 +152,7 @@ impl Interpreter<'_> {
         let plane = self.state.plane;
         let (start, end) = (point(&self.state.position), point(&target));
         // A difference of rounding must not decide at the tolerance itself.
-        let tolerance = self.control.parameters.semicircle_tolerance_mm + 1e-9;
+        let tolerance = self.control.parameters.semicircle_tolerance(self.state.units) + 1e-9;
         match center_from_radius(plane, start, end, radius, direction, tolerance) {
             Ok(center) => {
                 let fit = arc_from_center(plane, start, end, center, direction, turns, 0.0);

@@ -198,6 +198,7 @@ struct Told {
     offsets: Vec<String>,
     axes: AxisMask,
     points_seen: bool,
+    excess_decimals: bool,
     /// Routines whose path is a choice.
     assumed_paths: Vec<String>,
 }

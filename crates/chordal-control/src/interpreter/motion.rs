@@ -376,7 +376,9 @@ impl Interpreter<'_> {
     #[cold]
     pub(super) fn report_feed_over(&mut self, word: Span, feed: f64, max: f64, angular: bool) {
         let shown = |per_s: f64| match self.state.units {
-            _ if angular => format!("{} deg/min", super::values::trim(per_s.to_degrees() * 60.0, 0)),
+            _ if angular => {
+                format!("{} deg/min", super::values::trim(per_s.to_degrees() * 60.0, 0))
+            }
             Units::Inch => format!("{} in/min", super::values::trim(per_s * 60.0 / 25.4, 1)),
             Units::Millimetre => format!("{} mm/min", super::values::trim(per_s * 60.0, 0)),
         };

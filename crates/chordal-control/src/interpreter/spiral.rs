@@ -83,7 +83,9 @@ impl Interpreter<'_> {
         let (a_letter, b_letter, height) = center_letters(self.state.plane);
         let letters = block.letters();
         let one_turn = block.last(b'L').is_none_or(|word| {
-            self.literal(word).and_then(|number| number.to_integer()).is_some_and(|n| n == 0 || n == 1)
+            self.literal(word)
+                .and_then(|number| number.to_integer())
+                .is_some_and(|n| n == 0 || n == 1)
         });
         closed
             && !letters.has(b'R')
@@ -193,7 +195,11 @@ impl Interpreter<'_> {
             let signed = form == SpiralForm::IncrementCount;
             let change = ends.radius_to - ends.radius_from;
             if ends.closed {
-                self.report_no_increment(block, b'Q', "and start and end are equally far from the centre");
+                self.report_no_increment(
+                    block,
+                    b'Q',
+                    "and start and end are equally far from the centre",
+                );
                 return TAU;
             }
             if signed && change * q < 0.0 {
@@ -214,7 +220,11 @@ impl Interpreter<'_> {
         {
             let rise = target[normal] - self.state.position[normal];
             if ends.closed && rise == 0.0 {
-                self.report_no_increment(block, height_letter, "and the end is as high as the start");
+                self.report_no_increment(
+                    block,
+                    height_letter,
+                    "and the end is as high as the start",
+                );
                 return TAU;
             }
             let turns = rise.abs() / k.abs();
@@ -407,20 +417,15 @@ impl Interpreter<'_> {
     }
 
     /// Start and end on one ray from the centre, and a count that adds no turn.
-    fn report_no_turn(
-        &mut self,
-        block: &Block,
-        ends: &SpiralEnds,
-        target: &Position,
-        letter: u8,
-    ) {
+    fn report_no_turn(&mut self, block: &Block, ends: &SpiralEnds, target: &Position, letter: u8) {
         let letter = letter as char;
         let where_to = if ends.closed {
             "the end of this spiral is its start"
         } else {
             "start and end of this spiral lie on one ray from the centre"
         };
-        let shown = if *target == self.state.position { "nothing moves" } else { "a straight line" };
+        let shown =
+            if *target == self.state.position { "nothing moves" } else { "a straight line" };
         let (count, more) = match (block.last(letter as u8), letter) {
             (Some(word), _) => (
                 self.literal(word).map_or(String::new(), |number| format!("with {letter}{number}")),

@@ -4,8 +4,7 @@ use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_syntax::{Block, Decimal, Value, Word};
 
 use super::Interpreter;
-use crate::command::number_text;
-use crate::parameters::DecimalPoint;
+use crate::parameters::{DecimalPoint, ExcessDecimals};
 
 /// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
 pub(super) const AXIS_OF: [u8; 256] = {
@@ -56,8 +55,68 @@ impl Interpreter<'_> {
             self.check_point(word, number);
         } else {
             self.told.points_seen = true;
+            if number.scale > self.state.scale.decimals {
+                return Some(self.length_beyond_increment(word, number));
+            }
         }
         Some(self.state.scale.length(number))
+    }
+
+    /// A length with more decimals than the least increment has.
+    #[cold]
+    fn length_beyond_increment(&mut self, word: &Word, number: Decimal) -> f64 {
+        let parameters = &self.control.parameters;
+        let (rule, most) = (parameters.excess_decimals, parameters.most_digits);
+        let written = number.mantissa.unsigned_abs().checked_ilog10().map_or(1, |log| log + 1);
+        let digits = written.max(u32::from(number.scale));
+        if most > 0 && digits > u32::from(most) {
+            self.report_too_many_digits(word, digits, most);
+        }
+        let kept = match (rule, number.at_decimals(self.state.scale.decimals)) {
+            (ExcessDecimals::Exact, _) | (_, None) => return self.state.scale.length(number),
+            (ExcessDecimals::Cut, Some((cut, _))) => cut,
+            (ExcessDecimals::Rounded, Some((_, rounded))) => rounded,
+            (ExcessDecimals::Unknown, Some(_)) => number,
+        };
+        if !self.told.excess_decimals {
+            self.told.excess_decimals = true;
+            self.report_excess_decimals(word, number, kept);
+        }
+        self.state.scale.length(kept)
+    }
+
+    fn report_excess_decimals(&mut self, word: &Word, number: Decimal, kept: Decimal) {
+        let letter = word.letter as char;
+        let increment = self.control.parameters.least_increment(self.state.units);
+        let increment = self.length_text(increment);
+        let what = if kept == number {
+            "whether this control rounds or cuts is not known; computed as written".to_string()
+        } else {
+            format!("this control takes {letter}{kept}")
+        };
+        self.report(
+            Diagnostic::new(
+                Code::ExcessDecimals,
+                self.span(word.range),
+                format!(
+                    "`{letter}{number}` has decimals below the least increment {increment}: {what}"
+                ),
+            )
+            .label("the first of them in this program")
+            .help("write no more decimals than the control has; see the setting `excess_decimals`"),
+        );
+    }
+
+    fn report_too_many_digits(&mut self, word: &Word, digits: u32, most: u8) {
+        self.report(
+            Diagnostic::new(
+                Code::TooManyDigits,
+                self.span(word.range),
+                format!("a number of {digits} digits; this control takes {most}"),
+            )
+            .label(format!("at most {most} digits"))
+            .help("write fewer decimals"),
+        );
     }
 
     /// A word of an axis: mm, or rad for rotary axes.
@@ -145,11 +204,4 @@ impl Interpreter<'_> {
     }
 }
 
-/// A number with at least some digits that matter: more decimals when it is small.
-pub(super) fn trim(value: f64, decimals: usize) -> String {
-    let mut decimals = decimals;
-    while decimals < 9 && value != 0.0 && value.abs() < 10f64.powi(1 - decimals as i32) {
-        decimals += 1;
-    }
-    number_text(value, decimals)
-}
+pub(super) use crate::command::telling_number as trim;

@@ -123,3 +123,17 @@ words, or the control refuses the block:
 
 Chordal tells it once and reads on behind the last `)`."#,
 };
+
+pub(super) const LOOKS_LIKE_REMARK: CodeInfo = CodeInfo {
+    code: Code::LooksLikeRemark,
+    id: "CH111",
+    name: "looks-like-remark",
+    severity: Severity::Error,
+    summary: "a sentence stands between the words of the program",
+    explanation: r#"A remark without its parentheses, or one that was wrapped onto the next line, is read as words by the
+control, and most of them are none. Chordal says it once for all the lines of a remark and passes them
+over.
+
+    (ROUGH THE POCKET AND LEAVE
+    STOCK ON THE WALLS)             this line is no comment"#,
+};

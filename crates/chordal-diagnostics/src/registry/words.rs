@@ -94,3 +94,26 @@ pub(super) const NO_SUCH_AXIS: CodeInfo = CodeInfo {
     explanation: r#"The block moves an axis that the machine file does not have. Add the axis to the machine file, or
 choose the machine with `--machine`."#,
 };
+
+pub(super) const EXCESS_DECIMALS: CodeInfo = CodeInfo {
+    code: Code::ExcessDecimals,
+    id: "CH310",
+    name: "excess-decimals",
+    severity: Severity::Note,
+    summary: "a length has more decimals than the control",
+    explanation: r#"A control counts in least increments: 0.0001 in, 0.001 mm. What a number has below that is cut off or
+rounded, so that the axis goes to another place than the text says. In G91 the differences add up. The
+setting `excess_decimals` says what a control does; it is said once in a program."#,
+};
+
+pub(super) const TOO_MANY_DIGITS: CodeInfo = CodeInfo {
+    code: Code::TooManyDigits,
+    id: "CH311",
+    name: "too-many-digits",
+    severity: Severity::Error,
+    summary: "a number has more digits than the control takes",
+    explanation: r#"A Fanuc-style control takes eight digits in a number. With more it alarms, though all of them stand
+behind the point.
+
+    X1.23456789              nine digits: PS0003 on a Fanuc"#,
+};

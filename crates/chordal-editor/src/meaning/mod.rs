@@ -7,7 +7,7 @@ mod letter;
 use chordal::Code;
 use chordal::control::table::ControlTable;
 use chordal::control::{
-    COMMON_SETTINGS, CONTROLS, Control, Field, Parameters, Setting, number_text, value_text,
+    COMMON_SETTINGS, CONTROLS, Control, Field, Parameters, Setting, telling_number, value_text,
 };
 
 pub use chordal::control::table::code_name;
@@ -174,7 +174,7 @@ pub fn own_value(setting: &Setting, parameters: &Parameters) -> String {
 
 /// `12.7 mm (0.5 in)`: one of them is the reader's.
 pub fn both_units(mm: f64) -> String {
-    format!("{} mm ({} in)", number_text(mm, 4), number_text(mm / 25.4, 4))
+    format!("{} mm ({} in)", telling_number(mm, 4), telling_number(mm / 25.4, 4))
 }
 
 /// A list that does not run on for ever.

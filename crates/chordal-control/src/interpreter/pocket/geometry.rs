@@ -201,7 +201,7 @@ impl Interpreter<'_> {
         let tolerance = self.control.parameters.radius_error_tolerance_mm;
         let center = match self.length_of(block, b'R') {
             Some(radius) => {
-                let near = self.control.parameters.semicircle_tolerance_mm + 1e-9;
+                let near = self.control.parameters.semicircle_tolerance(self.state.units) + 1e-9;
                 center_from_radius(Plane::Xy, flat(from), flat(to), radius, direction, near).ok()
             }
             None => Some((
