@@ -55,12 +55,32 @@ pub fn recognize(text: &[u8]) -> Recognition {
 fn find(text: &[u8], evidence: &Evidence, lexicon: &Lexicon) -> Option<u32> {
     let mut reader = BlockReader::new(text, FileId(0), *lexicon);
     let mut block = Block::new();
+    if evidence.sign == Sign::OpenComment && !mostly_open(text, lexicon) {
+        return None;
+    }
     while reader.read(&mut block) {
         if shows(&block, evidence.sign, text, lexicon) {
             return Some(block.line);
         }
     }
     None
+}
+
+/// More comments are left open than are closed: one that was broken over two lines says nothing.
+fn mostly_open(text: &[u8], lexicon: &Lexicon) -> bool {
+    let mut reader = BlockReader::new(text, FileId(0), *lexicon);
+    let mut block = Block::new();
+    let (mut open, mut closed) = (0_u32, 0_u32);
+    while reader.read(&mut block) {
+        for comment in &block.comments {
+            let words = comment.slice(text);
+            if words.first() == Some(&b'(') {
+                let count = if words.contains(&b')') { &mut closed } else { &mut open };
+                *count += 1;
+            }
+        }
+    }
+    open > closed
 }
 
 fn shows(block: &Block, sign: Sign, text: &[u8], lexicon: &Lexicon) -> bool {

@@ -476,6 +476,8 @@ pub struct ControlTable {
     pub set_data: &'static [(u16, DataTarget)],
     /// Time words of G4.
     pub dwell: &'static [DwellWord],
+    /// Of several codes of a group in a block the last one counts, without an alarm.
+    pub last_of_group_counts: bool,
     /// Codes that must be the only G code of their block.
     pub alone: &'static [u16],
     /// M6 stops the spindle by itself.

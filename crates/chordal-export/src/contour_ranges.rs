@@ -25,7 +25,13 @@ fn length(mm: f64, units: Units) -> String {
     if !mm.is_finite() {
         return "any".into();
     }
-    units.length_text(mm)
+    // Rounded down: the control takes the offset that is shown.
+    let (unit, decimals) = match units {
+        Units::Inch => (25.4, 4),
+        Units::Millimetre => (1.0, 3),
+    };
+    let step = unit / 10f64.powi(decimals);
+    units.length_text((mm / step + 1e-6).floor() * step)
 }
 
 fn code(side: Side) -> &'static str {

@@ -183,10 +183,10 @@ fn turns_of_an_arc() {
 
 #[test]
 fn a_spiral_by_turns() {
-    // A count of turns, a repeat of the line, or nothing.
+    // A count of turns begun (two are L2), a repeat of the line, or nothing.
     let unused = "arc -360 deg X5, CH401, CH304";
     let repeated = "arc -360 deg X5, arc -360 deg, CH401";
-    five("", "G2 X5. I10. L2", [repeated, repeated, "spiral -360 deg X5", unused, unused]);
+    five("", "G2 X5. I10. L2", [repeated, repeated, "spiral -720 deg X5", unused, unused]);
 }
 
 #[test]
@@ -263,10 +263,11 @@ fn a_call_of_a_letter_l() {
 
 #[test]
 fn a_centre_outside_the_plane() {
-    // A height word of spirals is passed over where a control knows them.
-    let told = "arc -180 deg X10, CH404";
-    let taken = "arc -180 deg X10";
-    five("", "G2 X10. I5. K1.", [told, told, taken, taken, told]);
+    // A height word of spirals is passed over where a control knows them, and said to be; a zero, as posts
+    // write it, says nothing where the control does not refuse it.
+    five("", "G2 X10. I5. K1.", ["arc -180 deg X10, CH404"; 5]);
+    let (refused, taken) = ("arc -180 deg X10, CH404", "arc -180 deg X10");
+    five("", "G2 X10. I5. K0.", [taken, refused, taken, taken, refused]);
 }
 
 #[test]

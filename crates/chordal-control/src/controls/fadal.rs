@@ -39,6 +39,7 @@ pub static FADAL: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
+    last_of_group_counts: false,
     alone: &[530, 920],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "E",

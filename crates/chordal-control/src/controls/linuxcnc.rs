@@ -44,6 +44,7 @@ pub static LINUXCNC: ControlTable = ControlTable {
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
+    last_of_group_counts: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G59",

@@ -35,6 +35,7 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
+    last_of_group_counts: true,
     alone: &[],
     spindle_stops_at_tool_change: true,
     extended_offset_code: "G54.1",

@@ -66,9 +66,7 @@ impl Interpreter<'_> {
         if self.is_spiral_of_type_two(block, &target) {
             return self.spiral_of_type_two(block, direction, target, named);
         }
-        if letters.has(normal_letter) {
-            self.check_height_word(block);
-        }
+        let outside = letters.has(normal_letter) && self.check_height_word(block);
         if has_center && radius.is_some() && !self.center_and_radius(block) {
             return self.straight_instead(block, target, named);
         }
@@ -80,7 +78,10 @@ impl Interpreter<'_> {
                 self.arc_by_center(block, direction, target, named, center, turns);
             }
             None => {
-                self.report_no_center(block, explicit);
+                // Without that word nothing is left of the centre: one problem, not two.
+                if !outside {
+                    self.report_no_center(block, explicit);
+                }
                 self.straight_instead(block, target, named);
             }
         }
@@ -418,20 +419,25 @@ impl Interpreter<'_> {
         self.report(
             Diagnostic::new(Code::ZeroRadius, span, "the centre of this arc is its start point")
                 .label("these words place it there")
-                .help("give the way from the start to the centre"),
+                .help(match self.state.arc_center {
+                    ArcCenter::FromStart => "give the distance from the start to the centre",
+                    ArcCenter::Absolute => "give the coordinates of the centre",
+                    ArcCenter::FromCenter => "give the distance from the centre to the start",
+                }),
         );
     }
 
     /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone
     /// it is passed over, and a zero, as posts write it, says nothing.
-    pub(super) fn check_height_word(&mut self, block: &Block) {
+    /// True where it was reported.
+    pub(super) fn check_height_word(&mut self, block: &Block) -> bool {
         let (_, _, letter) = center_letters(self.state.plane);
-        let Some(word) = block.last(letter) else { return };
-        let passed_over = !self.control.table.strict_center_words
-            && self.control.parameters.spiral != SpiralForm::None;
-        if passed_over && self.is_zero(word) {
-            return;
+        let Some(word) = block.last(letter) else { return false };
+        let strict = self.control.table.strict_center_words;
+        if !strict && self.is_zero(word) {
+            return false;
         }
+        let passed_over = !strict && self.control.parameters.spiral != SpiralForm::None;
         let severity = if passed_over { Severity::Warning } else { Severity::Error };
         let plane = self.state.plane;
         let (a, b, _) = center_letters(plane);
@@ -446,6 +452,7 @@ impl Interpreter<'_> {
             .label(format!("only {} and {} here", a as char, b as char))
             .help("take the word out, or choose the plane with G17, G18 or G19"),
         );
+        true
     }
 
     /// A rotary axis in the block of an arc, on a control that does not turn it there.

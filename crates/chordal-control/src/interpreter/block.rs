@@ -162,7 +162,7 @@ impl Interpreter<'_> {
         let one_shot = codes.iter().rev().find(|(row, _)| row.action.takes_axes());
         match one_shot {
             Some((row, at)) => {
-                self.modes_beside_one_shot(codes);
+                self.modes_beside_one_shot(block, codes, row);
                 self.one_shot(block, row.action, *at);
             }
             None => {
@@ -224,6 +224,9 @@ impl Interpreter<'_> {
         claims.insert(b'L');
         self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
+        if !codes.iter().any(|(row, _)| row.action == Action::Incremental) {
+            self.check_repeated_height(block, &word, times);
+        }
         self.warn_of_repeated_modal_subroutine(block, times);
         for pass in 0..times {
             if pass > 0 && !self.count_repeated() {

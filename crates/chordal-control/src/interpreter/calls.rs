@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use chordal_diagnostics::{Code, Diagnostic, Span, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
 
 use super::shop::Given;
@@ -28,7 +28,42 @@ impl Interpreter<'_> {
             );
             return 1;
         }
+        if count == 0 {
+            self.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    "L0 carries this block out no times: nothing of it is done",
+                )
+                .severity(Severity::Warning)
+                .label("no times")
+                .help("take L0 out, or the block"),
+            );
+        }
         self.cut_to_limit(word, count)
+    }
+
+    /// A helix that is repeated in G90: from the second time on it is at its height already.
+    pub(super) fn check_repeated_height(&mut self, block: &Block, word: &Word, times: u32) {
+        let (_, _, normal) = self.state.plane.axes();
+        let letter = b"XYZ"[normal];
+        let helix = self.has_arc_words(block) && block.letters().has(letter);
+        if times < 2 || !helix || self.state.incremental {
+            return;
+        }
+        let again = times - 1;
+        let letter = letter as char;
+        self.report(
+            Diagnostic::new(
+                Code::RepeatsStandStill,
+                self.span(word.range),
+                format!(
+                    "in G90 {letter} is reached the first time: the other {again} are flat circles"
+                ),
+            )
+            .label("repeats the block")
+            .help(format!("write G91 with {letter} for one turn")),
+        );
     }
 
     pub(super) fn cut_to_limit(&mut self, word: &Word, count: u32) -> u32 {
@@ -135,7 +170,7 @@ impl Interpreter<'_> {
                     self.span(word.range),
                     format!("the fixed subroutine L{value} is not carried out by this version"),
                 )
-                .severity(chordal_diagnostics::Severity::Warning)
+                .severity(Severity::Warning)
                 .label("its motion is missing from the path"),
             );
             return;
@@ -204,7 +239,7 @@ impl Interpreter<'_> {
                         span,
                         "a subprogram named by its path in a comment is not called",
                     )
-                    .severity(chordal_diagnostics::Severity::Warning)
+                    .severity(Severity::Warning)
                     .help("give the program a number and call it with P"),
                 );
             }
@@ -378,7 +413,7 @@ impl Interpreter<'_> {
                         "M99 in the main program begins it again without end",
                     )
                     .label("shown once through")
-                    .severity(chordal_diagnostics::Severity::Warning)
+                    .severity(Severity::Warning)
                     .help("end the program with M30, unless the repeat is meant"),
                 );
                 Flow::End(EndReason::Repeats)
@@ -473,7 +508,7 @@ impl Interpreter<'_> {
                 span,
                 format!("the called program ends without {code}"),
             )
-            .severity(chordal_diagnostics::Severity::Error)
+            .severity(Severity::Error)
             .label("the last block")
             .help(format!("put {code} at its end")),
         );

@@ -199,9 +199,20 @@ impl Interpreter<'_> {
 
     /// A motion code stays in force, and decides between rapid and feed, when another code
     /// takes the axis words. G90 and G91 hold for words that are not read as a target.
-    pub(super) fn modes_beside_one_shot(&mut self, codes: &[(&'static CodeRow, usize)]) {
-        for (row, _) in codes {
+    pub(super) fn modes_beside_one_shot(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+        taker: &CodeRow,
+    ) {
+        for (row, at) in codes {
             match row.action {
+                Action::ArcCw | Action::ArcCcw | Action::SpiralCw | Action::SpiralCcw
+                    if self.has_arc_words(block) =>
+                {
+                    self.arc_left_out(block, *at, row, taker);
+                    self.take_motion_code(row.action);
+                }
                 Action::Absolute => self.state.incremental = false,
                 Action::Incremental => self.state.incremental = true,
                 action if row.group == Group::Motion => {
@@ -211,6 +222,21 @@ impl Interpreter<'_> {
                 _ => {}
             }
         }
+    }
+
+    /// G2 or G3 with a centre in the block of a code that takes the axis words for itself.
+    fn arc_left_out(&mut self, block: &Block, at: usize, arc: &CodeRow, taker: &CodeRow) {
+        let (arc, taker) = (arc.name(b'G'), taker.name(b'G'));
+        self.report(
+            Diagnostic::new(
+                Code::SameGroup,
+                self.span(block.words[at].range),
+                format!("{arc} makes no arc in the block of {taker}, which takes the axis words"),
+            )
+            .severity(chordal_diagnostics::Severity::Warning)
+            .label("the arc is left out")
+            .help("write the arc into a block of its own"),
+        );
     }
 
     /// Spindle and coolant off, stops, ends, calls and returns.

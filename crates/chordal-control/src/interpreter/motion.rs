@@ -266,7 +266,7 @@ impl Interpreter<'_> {
         let span = self.span(block.range);
         self.report(
             Diagnostic::new(Code::MissingFeed, span, message)
-                .label("no F in this block or before it")
+                .label(if zero { "F is zero" } else { "no F in this block or before it" })
                 .help("put an F word into this block"),
         );
     }

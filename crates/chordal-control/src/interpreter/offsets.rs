@@ -156,12 +156,17 @@ impl Interpreter<'_> {
         self.check_compensation_move(block, side, span);
         let number = self.compensation_number(block);
         if side != Side::Off && number.is_none() {
+            let code = Code::CompensationWithoutOffset;
+            let alarms = self.control.table.alarm(code).is_some();
+            let severity = if alarms { Severity::Error } else { code.info().severity };
             self.report(
                 Diagnostic::new(
-                    Code::CompensationWithoutOffset,
+                    code,
                     span,
                     "compensation is turned on and no offset was chosen before",
                 )
+                .severity(severity)
+                .label("no offset for this")
                 .help("put the D word into this block or before it"),
             );
         }
@@ -189,6 +194,17 @@ impl Interpreter<'_> {
             Some(0) => Some(0.0),
             other => other.and_then(|number| self.state.offsets.radius_mm(number)),
         };
+        if cancelled && side != Side::Off {
+            self.report(
+                Diagnostic::new(
+                    Code::CompensationWithoutOffset,
+                    span,
+                    "D0 is no offset: compensation moves nothing",
+                )
+                .severity(Severity::Note)
+                .help("write the number of the tool's offset"),
+            );
+        }
         self.emit(CommandKind::Compensation { side, number, radius_mm, toward });
         if let (Some(number), None) = (number, radius_mm)
             && side != Side::Off

@@ -68,15 +68,24 @@ impl Interpreter<'_> {
             format!("{}{} ({})", word.letter as char, decimal_code(row.code), row.title)
         };
         let (one, two) = (name(a, first), name(b, second));
+        let title = self.control.table.title;
+        let (message, severity) = match self.control.table.last_of_group_counts {
+            true if first.code == second.code => (
+                format!("{one} stands twice: {title} takes the words of both for the last"),
+                Severity::Warning,
+            ),
+            true => (
+                format!("{one} and {two} exclude each other; {title} follows the last"),
+                Severity::Warning,
+            ),
+            false => (format!("{one} and {two} exclude each other"), Severity::Error),
+        };
         self.report(
-            Diagnostic::new(
-                Code::SameGroup,
-                self.span(b.range),
-                format!("{one} and {two} exclude each other"),
-            )
-            .label("the second of its group")
-            .also(self.span(a.range), "the first")
-            .help("keep one of them, or write two blocks"),
+            Diagnostic::new(Code::SameGroup, self.span(b.range), message)
+                .severity(severity)
+                .label("the second of its group")
+                .also(self.span(a.range), "the first")
+                .help("keep one of them, or write two blocks"),
         );
     }
 

@@ -5,7 +5,7 @@
 //! goes linearly with the angle. Where the end is the start, G2 and G3 make a full circle, as they
 //! do without Q, K or L; G2.1 and G3.1 count every turn in P.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::{Direction, arc_from_center};
@@ -26,9 +26,21 @@ struct SpiralEnds {
     radius_to: f64,
     /// Directed angle from start to end in [0, 2π).
     angle: f64,
+    /// The end is on the ray of the start, but for the rounding of coordinates to the least increment.
+    on_ray: bool,
     /// The end is the start, on the axes of the plane.
     closed: bool,
     direction: Direction,
+}
+
+impl SpiralEnds {
+    /// The angle with so many whole turns. Rounded coordinates that put the end a little before the ray
+    /// of the start do not make a turn more of it.
+    fn with_turns(&self, turns: u32) -> f64 {
+        let before_ray = self.on_ray && self.angle > PI;
+        let beyond = if turns > 0 && before_ray { self.angle - TAU } else { self.angle };
+        beyond + TAU * f64::from(turns)
+    }
 }
 
 impl Interpreter<'_> {
@@ -56,16 +68,16 @@ impl Interpreter<'_> {
         }
         let mut target = target;
         self.snap_to_start(&mut target);
+        self.check_height_word(block);
         let Some(ends) = self.spiral_ends(block, direction, &target) else {
             return self.straight_instead(block, target, named);
         };
-        self.check_height_word(block);
         let turns = match block.letters().has(b'P') {
             true => self.count_of(block, b'P').unwrap_or(0),
             false => 0,
         };
         let turns = self.checked_turns(block, b'P', turns);
-        let angle = ends.angle + TAU * f64::from(turns);
+        let angle = ends.with_turns(turns);
         self.emit_spiral(block, &ends, angle, target, named, b'P');
     }
 
@@ -118,6 +130,9 @@ impl Interpreter<'_> {
         let Some(ends) = self.spiral_ends(block, direction, &target) else {
             return self.straight_instead(block, target, named);
         };
+        if let Some(word) = block.last(b'P').copied() {
+            self.unused_word(&word);
+        }
         let angle = self.spiral_angle(block, &ends, &target);
         self.emit_spiral(block, &ends, angle, target, named, b'L');
     }
@@ -148,7 +163,11 @@ impl Interpreter<'_> {
         let fit = arc_from_center(self.state.plane, from, point(target), center, direction, 0, 0.0);
         // The fit calls an end on the start's ray a full turn; here it is none.
         let full = fit.sweep.abs();
-        let angle = if full >= TAU * (1.0 - 1e-12) { 0.0 } else { full };
+        let radius = fit.radius_start.min(fit.radius_end);
+        let short_of_ray = (TAU - full) * radius;
+        let angle = if short_of_ray <= self.control.parameters.coincidence_mm { 0.0 } else { full };
+        let increment = self.control.parameters.least_increment(self.state.units);
+        let on_ray = short_of_ray <= increment || full * radius <= increment;
         let near = self.control.parameters.coincidence_mm;
         if fit.radius_start <= near && fit.radius_end <= near {
             let span = self.words_span(block, Letters::of("IJK"));
@@ -173,6 +192,7 @@ impl Interpreter<'_> {
             radius_from: fit.radius_start,
             radius_to: fit.radius_end,
             angle,
+            on_ray,
             direction,
         })
     }
@@ -231,13 +251,12 @@ impl Interpreter<'_> {
             return self.congruent(block, height_letter, turns, k.abs(), ends);
         }
         let full_turn = ends.closed
-            || ends.angle == 0.0 && self.control.parameters.spiral_on_ray == SpiralOnRay::FullTurn;
-        let begun = if full_turn { TAU } else { ends.angle };
-        if begun > 0.0 {
+            || ends.on_ray && self.control.parameters.spiral_on_ray == SpiralOnRay::FullTurn;
+        if full_turn || ends.angle > 0.0 {
             self.report_zero_count(block, height_counts, count, ends);
         }
         let count = self.checked_turns(block, b'L', count.unwrap_or(1).max(1));
-        begun + TAU * f64::from(count - 1)
+        ends.with_turns(if full_turn { count } else { count - 1 })
     }
 
     /// Q, the height word or L of zero, in a block that they make a spiral.
@@ -251,6 +270,10 @@ impl Interpreter<'_> {
         let (_, _, height) = center_letters(self.state.plane);
         let zero = match count {
             _ if ends.closed => None,
+            // The control counts turns begun, from one.
+            Some(0) if self.control.parameters.spiral == SpiralForm::IncrementCount => {
+                return self.report_count_of_zero(block);
+            }
             Some(0) => Some(b'L'),
             Some(_) => None,
             None if block.letters().has(b'Q') => Some(b'Q'),
@@ -269,6 +292,15 @@ impl Interpreter<'_> {
             .severity(Severity::Warning)
             .label("the first turn, and no further one")
             .help("write the count with L, or take the word out"),
+        );
+    }
+
+    fn report_count_of_zero(&mut self, block: &Block) {
+        let span = self.words_span(block, Letters::of("L"));
+        self.report(
+            Diagnostic::new(Code::BadWordValue, span, "`L` counts the turns begun, from one")
+                .label("read as L1")
+                .help("write L1 for less than a turn"),
         );
     }
 
@@ -314,6 +346,22 @@ impl Interpreter<'_> {
         ends: &SpiralEnds,
     ) -> f64 {
         let fraction = ends.angle / TAU;
+        if turns > f64::from(MAX_TURNS) + 1.0 {
+            let span = self.words_span(block, Letters(1 << (letter - b'A')));
+            let (letter, turns) = (letter as char, self.turns_text(turns));
+            self.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!(
+                        "{letter} asks for {turns} turns, more than the {MAX_TURNS} of this control"
+                    ),
+                )
+                .label(format!("shown with {MAX_TURNS} turns"))
+                .help("write a larger increment per turn"),
+            );
+            return ends.angle + TAU * f64::from(MAX_TURNS);
+        }
         let least = if ends.closed { 1.0 } else { 0.0 };
         let whole = (turns - fraction).round().clamp(least, f64::from(MAX_TURNS));
         let off = (turns - whole - fraction).abs() * per_turn;
@@ -398,7 +446,7 @@ impl Interpreter<'_> {
         named: AxisMask,
         letter: u8,
     ) {
-        if angle == 0.0 {
+        if angle <= 0.0 {
             self.report_no_turn(block, ends, &target, letter);
             return self.straight_instead(block, target, named);
         }
@@ -413,7 +461,12 @@ impl Interpreter<'_> {
         self.check_rotary_in_arc(block, named);
         let motion = self.moved_to(target, named);
         let feed = self.feed_for(block, &motion, Some(&shape));
-        self.emit(CommandKind::Spiral { motion, shape, feed });
+        // One turn back to the start is a circle or a helix, whatever words say so.
+        let circle = ends.closed && angle == TAU;
+        self.emit(match circle {
+            true => CommandKind::Arc { motion, shape, feed },
+            false => CommandKind::Spiral { motion, shape, feed },
+        });
     }
 
     /// Start and end on one ray from the centre, and a count that adds no turn.
@@ -426,14 +479,15 @@ impl Interpreter<'_> {
         };
         let shown =
             if *target == self.state.position { "nothing moves" } else { "a straight line" };
-        let (count, more) = match (block.last(letter as u8), letter) {
-            (Some(word), _) => (
-                self.literal(word).map_or(String::new(), |number| format!("with {letter}{number}")),
-                if letter == 'P' { "P1" } else { "L2" },
-            ),
-            (None, 'P') => ("without P".to_string(), "P1"),
-            (None, _) => ("without L".to_string(), "L2"),
+        let written = block.last(letter as u8).map(|word| self.literal(word));
+        let whole = |number: &chordal_syntax::Decimal| number.to_integer().is_some_and(|n| n >= 0);
+        let count = match written {
+            Some(Some(number)) if whole(&number) => format!("with {letter}{number}"),
+            // What is wrong with the word was reported.
+            Some(_) => return,
+            None => format!("without {letter}"),
         };
+        let more = if letter == 'P' { "P1" } else { "L2" };
         let span = self.span(block.range);
         self.report(
             Diagnostic::new(

@@ -76,6 +76,7 @@ codes! {
     HeaderOutOfPlace => program::HEADER_OUT_OF_PLACE,
     BudgetReached => program::BUDGET_REACHED,
     ShopCodeRefused => program::SHOP_CODE_REFUSED,
+    RepeatsStandStill => program::REPEATS_STAND_STILL,
     UnknownCode => words::UNKNOWN_CODE,
     SameGroup => words::SAME_GROUP,
     BadWordValue => words::BAD_WORD_VALUE,

@@ -128,3 +128,16 @@ the shop's rule said.
 
 In a machine file `[shop_codes.M120]` gives such an M code its `time` and its `label`; that never refuses."#,
 };
+
+pub(super) const REPEATS_STAND_STILL: CodeInfo = CodeInfo {
+    code: Code::RepeatsStandStill,
+    id: "CH213",
+    name: "repeats-stand-still",
+    severity: Severity::Warning,
+    summary: "a helix is repeated with L in G90",
+    explanation: r#"L repeats a block as it stands. In G90 the third axis is at its end after the first time, so the repeats
+are flat circles at that depth. For one turn after the other write the block in G91:
+
+    G91 I-.5 G3 Z-.1 L3
+    G90"#,
+};

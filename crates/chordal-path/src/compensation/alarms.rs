@@ -141,6 +141,19 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
+    /// G40 in a block that moves nothing in the plane.
+    pub(super) fn no_lead_out<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+        let diagnostic = Diagnostic::new(
+            Code::LeadInTooShort,
+            origin.span,
+            "G40 stands in a block that does not move in the plane: the tool comes off with the next move",
+        )
+        .severity(Severity::Warning)
+        .label("no lead-out")
+        .help("put G40 on a straight move away from the contour");
+        self.tell(diagnostic, origin, out);
+    }
+
     pub(super) fn starts_on_arc<P: PathSink>(&self, origin: &Origin, out: &mut P) {
         self.on_arc("starts", "put G41 or G42 on a straight move to the contour", origin, out);
     }

@@ -104,6 +104,10 @@ impl Compensator {
                 self.lead_too_short(&command.origin, 0.0, out);
             }
         }
+        let own_code = self.code.span == command.origin.span;
+        if self.phase == Phase::Cancelling && own_code && rules.lead != LeadLength::Any && !zero {
+            self.no_lead_out(&command.origin, out);
+        }
         let counts = if zero { rules.zero_move_counts } else { 1 };
         if let Some(last) = self.queue.back_mut() {
             last.idle = last.idle.saturating_add(counts);

@@ -28,6 +28,8 @@ impl Tokens {
     fn of(line: &[u8]) -> Tokens {
         let mut tokens = Tokens::default();
         let line = &line[..line.len().min(LOOKED_AT)];
+        // What follows a parenthesis is a comment.
+        let line = &line[..memchr::memchr(b'(', line).unwrap_or(line.len())];
         for token in line.split(|byte| matches!(byte, b' ' | b'\t')) {
             let word = token.trim_ascii();
             let word = word.strip_suffix(b")").unwrap_or(word);
@@ -36,8 +38,7 @@ impl Tokens {
             if bare.is_empty() {
                 continue;
             }
-            tokens.marks |=
-                bare.iter().any(|byte| matches!(byte, b'#' | b'[' | b']' | b'=' | b'('));
+            tokens.marks |= bare.iter().any(|byte| matches!(byte, b'#' | b'[' | b']' | b'='));
             if tokens.prose + tokens.other == 0 {
                 let value = bare.get(1).is_some_and(|byte| CLASSES[*byte as usize] == Class::Digit);
                 tokens.begins_with_word = bare[0].is_ascii_alphabetic() && value;
@@ -76,19 +77,20 @@ impl TrimEnd for [u8] {
 }
 
 impl BlockReader<'_> {
-    /// Takes prose from `start` to the end of its line, and the lines of prose after it, as one problem.
+    /// Takes prose from `start` to the end of its line or a comment in it, and the lines of prose after it, as one problem.
     /// False, and nothing taken, where the text is none.
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
         if !Tokens::of(self.line_from(start)).is_prose() {
             return false;
         }
-        let first = self.line_from(start).trim_ascii_end().len();
+        let line = self.line_from(start);
+        let opened = memchr::memchr(b'(', line);
+        let first = line[..opened.unwrap_or(line.len())].trim_ascii_end().len();
         let range = TextRange::new(start as u32, (start + first) as u32);
-        self.at = start;
-        self.skip_to_line_end();
+        self.at = start + opened.unwrap_or(line.len());
         let mut more = 0;
-        while more < MOST_LINES {
+        while opened.is_none() && more < MOST_LINES {
             let Some(next) = self.next_line() else { break };
             if !Tokens::of(self.line_from(next)).goes_on() {
                 break;
@@ -116,6 +118,46 @@ impl BlockReader<'_> {
             .help("put the remark into parentheses, each line in its own")
         });
         true
+    }
+
+    /// A comment that was wrapped: lines of prose follow, and one of them closes it. All of it is the comment,
+    /// and one problem.
+    #[cold]
+    pub(super) fn comment_closed_later(&mut self, block: &mut Block, start: usize) -> bool {
+        let (kept_at, kept_line) = (self.at, self.line);
+        for more in 1..=MOST_LINES {
+            let Some(next) = self.next_line() else { break };
+            let line = self.line_from(next);
+            if !Tokens::of(line).goes_on() {
+                break;
+            }
+            let close = memchr::memchr(b')', line);
+            let byte = self.text[self.at];
+            self.skip_line_end(byte);
+            if let Some(close) = close {
+                self.at = next + close + 1;
+                block.comments.push(TextRange::new(start as u32, self.at as u32));
+                let lines = if more == 1 { "the next line" } else { "a later line" };
+                self.problem(block, || {
+                    let open = Span::new(self.file, start as u32, start as u32 + 1);
+                    let close = Span::new(self.file, self.at as u32 - 1, self.at as u32);
+                    Diagnostic::new(
+                        Code::UnclosedComment,
+                        open,
+                        format!(
+                            "this comment is closed on {lines}; a control reads that line as words"
+                        ),
+                    )
+                    .label("opened here")
+                    .also(close, "closed here")
+                    .help("join the lines, or put each line into parentheses of its own")
+                });
+                return true;
+            }
+            self.skip_to_line_end();
+        }
+        (self.at, self.line) = (kept_at, kept_line);
+        false
     }
 
     fn line_from(&self, start: usize) -> &[u8] {
