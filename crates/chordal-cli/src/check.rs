@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
 use crate::options::Common;
+use crate::readings;
 use crate::session::{Loaded, Session};
 use crate::terminal::{BOLD, Terminal, style};
 
@@ -86,12 +87,22 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         let report = job.check();
         totals.add(&report);
         match format {
-            Format::Text if report.worst().is_some() => {
+            Format::Text => {
+                let problems = report.worst().is_some();
+                let asked = readings::asked(loaded, report.worst() >= Some(Severity::Warning));
                 let title = job.control().table.title;
-                session.say(&loaded.chosen.told(loaded.name(), title).unwrap_or_default())?;
-                session.say(&report::text(&report, job.sources(), terminal.out))?;
+                match asked {
+                    Some(asked) => session.say(&asked)?,
+                    None if problems => {
+                        session
+                            .say(&loaded.chosen.told(loaded.name(), title).unwrap_or_default())?;
+                    }
+                    None => {}
+                }
+                if problems {
+                    session.say(&report::text(&report, job.sources(), terminal.out))?;
+                }
             }
-            Format::Text => {}
             Format::Github => session.say(&report::github(&report, job.sources()))?,
             Format::Json => objects.push(report::json(&report, job.sources(), loaded.name())),
             Format::Sarif => sarif.add(&report, job.sources()),

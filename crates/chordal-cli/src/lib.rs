@@ -33,6 +33,7 @@ mod options;
 mod out;
 mod output;
 mod path;
+mod readings;
 mod report;
 mod rows;
 mod run;

@@ -41,10 +41,12 @@ impl Chosen {
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
             Chosen::Given | Chosen::Folder(_) => return None,
-            Chosen::Ending => format!("taken for {title} by the ending of its name"),
+            Chosen::Ending => format!("assumed {title} by the ending of its name"),
             Chosen::Recognized(found) => match found.evidence.first() {
                 Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
-                None => format!("taken for {title}, since nothing in the text tells"),
+                None => {
+                    format!("assumed {title}: nothing in the text says which control it is for")
+                }
             },
         })
     }
@@ -107,14 +109,19 @@ fn folders(input: &Input) -> Vec<PathBuf> {
 
 /// What a program is run on when only its control is known.
 pub(crate) fn builtin_of(control: ControlName) -> Machine {
-    let name = match control {
+    let name = builtin_name(control);
+    Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
+}
+
+/// The name of that machine.
+pub(crate) fn builtin_name(control: ControlName) -> &'static str {
+    match control {
         ControlName::Fadal => "fadal-4020",
         ControlName::Haas => "haas-vf2",
         ControlName::Fanuc => "fanuc-30i",
         ControlName::Mitsubishi => "mitsubishi-m700",
         ControlName::Linuxcnc => "linuxcnc-mill",
-    };
-    Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
+    }
 }
 
 pub(crate) fn from_file(path: &Path) -> Result<Machine, Failure> {

@@ -7,6 +7,7 @@ use chordal_export::{PlotOptions, report};
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::output::{self, Outputs};
+use crate::readings;
 use crate::session::{Loaded, Session};
 use crate::summary;
 use crate::terminal::{BOLD, Terminal, style};
@@ -91,6 +92,10 @@ fn one(
             style(terminal.out, BOLD, "written   "),
             path.display()
         ));
+    }
+    if let Some(asked) = readings::asked(loaded, report.worst() >= Some(Severity::Warning)) {
+        text.push('\n');
+        text.push_str(&asked);
     }
     if report.worst().is_some() {
         text.push('\n');

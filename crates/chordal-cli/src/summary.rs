@@ -123,7 +123,10 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
         Chosen::Recognized(found) if found.evidence.is_empty() => {
-            sheet.row("control", &format!("{}, assumed: nothing in the text tells", table.title));
+            sheet.row(
+                "control",
+                &format!("{}, assumed: nothing in the text says which", table.title),
+            );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
         Chosen::Recognized(found) => {

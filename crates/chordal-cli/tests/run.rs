@@ -41,7 +41,7 @@ fn the_control_is_recognized_with_its_evidence() {
     folder.run(&["run", "fadal.nc"]).says(&["Fadal CNC 88, recognized:", "line 4: ", "fadal-4020"]);
     folder
         .run(&["run", "plain.nc"])
-        .says(&["Fanuc, assumed: nothing in the text tells", "fanuc-30i"]);
+        .says(&["Fanuc, assumed: nothing in the text says which", "fanuc-30i"]);
 }
 
 #[test]

@@ -165,6 +165,10 @@ pub(crate) struct State {
     pub scale: Scale,
     pub plane: Plane,
     pub incremental: bool,
+    /// Where the tool stood when G91 came into force.
+    pub incremental_from: Position,
+    /// Z of the last rapid in G90, mm; 0 before any.
+    pub clearance: f64,
     pub motion: Motion,
     pub armed: Option<Direction>,
     /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
@@ -210,6 +214,8 @@ impl State {
             scale: Scale::new(parameters.units, parameters),
             plane: Plane::Xy,
             incremental: parameters.starts_incremental,
+            incremental_from: [0.0; 6],
+            clearance: 0.0,
             motion: if parameters.starts_linear { Motion::Linear } else { Motion::Rapid },
             armed: None,
             arc_over_rapid: false,

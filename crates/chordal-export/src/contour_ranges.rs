@@ -113,8 +113,8 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
             "           the lead arc of line {} has the radius {}; the line to it passes its centre \
              at {}\n",
             block.line,
-            len(radius),
-            len(beside)
+            range.units.length_text(radius),
+            range.units.length_text(beside)
         );
     }
     if let (number, Some(radius)) = range.offset {

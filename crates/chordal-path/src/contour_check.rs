@@ -7,11 +7,12 @@
 
 use chordal_control::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_geometry::{Plane, Vec2};
+use chordal_geometry::Plane;
 
 use crate::compensation::{ContourPiece, Role};
 use crate::contour_level::ContourLevel;
 use crate::gouge::{self, Gouge, GougeKind, Options};
+use crate::side_check::SideCheck;
 
 /// Gouges told of one contour: the deepest. What follows is only counted.
 const TOLD_PER_CONTOUR: usize = 8;
@@ -22,9 +23,6 @@ const KEPT_BLOCKS: usize = 4_000_000;
 /// Steps of the search per contour: some seconds at most.
 const SEARCH_BUDGET: u64 = 200_000_000;
 
-/// A lead that lies on the far side of a wall by less is in line with it, mm.
-const ACROSS_MM: f64 = 0.01;
-
 /// Rounding of the programmed points below this cuts nothing, mm.
 const LEAST_DEPTH_MM: f64 = 0.002;
 
@@ -34,22 +32,11 @@ pub struct ContourCheck {
     units: Units,
     stretch: u32,
     level: ContourLevel,
-    leads: Leads,
+    sides: SideCheck,
     /// Blocks of this contour at which the control found interference.
     alarms: Vec<Span>,
     /// The first block that was not kept.
     beyond: Option<Origin>,
-}
-
-/// From where the tool comes to a contour.
-#[derive(Debug, Default)]
-struct Leads {
-    /// From the start of the contour back along the lead-in, until the first block is known.
-    back: Option<(Vec2, Origin)>,
-    /// The lead-in, where it came from the far side.
-    across: Option<Origin>,
-    /// Direction at the end of the last block.
-    last: Option<Vec2>,
 }
 
 impl Default for ContourCheck {
@@ -59,7 +46,7 @@ impl Default for ContourCheck {
             units: Units::Millimetre,
             stretch: 0,
             level: ContourLevel::default(),
-            leads: Leads::default(),
+            sides: SideCheck::default(),
             alarms: Vec::new(),
             beyond: None,
         }
@@ -88,7 +75,7 @@ impl ContourCheck {
             return;
         }
         self.level.take(piece);
-        self.side_of_leads(piece, report);
+        self.sides.piece(piece, report);
         if piece.role == Role::Cancel {
             self.finish(report);
         }
@@ -115,7 +102,7 @@ impl ContourCheck {
     pub fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         self.end_level(report);
         self.alarms.clear();
-        self.leads = Leads::default();
+        self.sides = SideCheck::default();
         if let Some(origin) = self.beyond.take() {
             let message =
                 format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");
@@ -197,36 +184,6 @@ impl ContourCheck {
         if itself { diagnostic } else { diagnostic.also(cut.span, "this wall is cut") }
     }
 
-    /// A tool that comes from the far side of the contour and goes off to it has to cross it
-    /// twice: the other side was meant.
-    fn side_of_leads(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
-        let Some(programmed) = &piece.programmed else { return };
-        let Some((first, last)) = programmed.tangents() else { return };
-        let beside = |tangent: Vec2, way: Vec2| tangent.turned_left().dot(way) * piece.sign;
-        match piece.role {
-            Role::StartUp => {
-                let back = programmed.from() - programmed.to();
-                self.leads = Leads { back: Some((back, piece.origin)), ..Leads::default() };
-            }
-            Role::Contour => {
-                if let Some((back, origin)) = self.leads.back.take()
-                    && beside(first, back) < -ACROSS_MM
-                {
-                    self.leads.across = Some(origin);
-                }
-                self.leads.last = Some(last);
-            }
-            Role::Cancel => {
-                let off = programmed.to() - programmed.from();
-                if let (Some(origin), Some(last)) = (self.leads.across.take(), self.leads.last)
-                    && beside(last, off) < -ACROSS_MM
-                {
-                    report(wrong_side(piece, &origin), &origin);
-                }
-            }
-        }
-    }
-
     /// A length in the program's units.
     fn length(&self, mm: f64) -> String {
         self.units.length_text(mm)
@@ -238,18 +195,4 @@ fn false_alarm(origin: &Origin) -> Diagnostic {
     Diagnostic::new(Code::FalseInterferenceAlarm, origin.span, message)
         .label("a false alarm of the control's look-ahead")
         .help("only what the control accepts runs: take a smaller tool, or change this place")
-}
-
-fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
-    let (code, other, side, far) = match lead_out.sign > 0.0 {
-        true => ("G41", "G42", "left", "right"),
-        false => ("G42", "G41", "right", "left"),
-    };
-    let message = format!(
-        "the tool comes from the {far} of the contour and leaves to the {far}, and runs {side} of it"
-    );
-    Diagnostic::new(Code::CompensationSideDoubtful, lead_in.span, message)
-        .label(format!("{code} puts the tool on the other side of the contour than the lead-in"))
-        .also(lead_out.origin.span, format!("the lead-out goes to the {far} again"))
-        .help(format!("write {other}, or a negative offset, if the tool belongs on the {far}"))
 }

@@ -15,6 +15,7 @@ mod frame;
 pub mod gouge;
 mod rapid;
 mod segment;
+mod side_check;
 
 pub use builder::{PathBuilder, duration_s};
 pub use checks::{Checks, ChecksMemory, Seen};
@@ -25,3 +26,4 @@ pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::Frame;
 pub use segment::{Segment, SegmentKind, curve_of};
+pub use side_check::SideCheck;

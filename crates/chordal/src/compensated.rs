@@ -1,10 +1,15 @@
 //! A run with cutter compensation between the control and what follows.
 
 use chordal_control::{CallPath, Command, CommandKind, Origin, Outcome, Sink};
+use chordal_control::{Control, Side};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
-use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink};
+use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink, SideCheck};
 
 use crate::job::Job;
+
+/// The offset with which the side is judged where the machine file gives no diameter, mm: it makes pieces of
+/// the contour and moves nothing.
+const NOMINAL_RADIUS_MM: f64 = 1e-3;
 
 /// Most diagnostics that wait for the end of the run, when the calls are known.
 pub(crate) const MOST_WAITING: usize = 10_000;
@@ -13,6 +18,43 @@ pub(crate) const MOST_WAITING: usize = 10_000;
 pub(crate) struct Compensated<'a, S> {
     pub compensator: Compensator,
     pub told: Told<'a, S>,
+    control: &'a Control,
+    /// Follows a contour whose offset is not known.
+    nominal: Option<Box<Nominal>>,
+}
+
+/// A contour without a diameter: only from where the tool comes to it can be judged.
+struct Nominal {
+    compensator: Compensator,
+    sides: SideCheck,
+}
+
+impl Nominal {
+    fn command(&mut self, command: &Command, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        let Nominal { compensator, sides } = self;
+        compensator.command(command, &mut Sides { sides, report });
+    }
+
+    fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
+        let Nominal { compensator, sides } = self;
+        compensator.finish(&mut Sides { sides, report });
+    }
+}
+
+/// Takes the pieces of a contour and passes everything else over.
+struct Sides<'s> {
+    sides: &'s mut SideCheck,
+    report: &'s mut dyn FnMut(Diagnostic, &Origin),
+}
+
+impl PathSink for Sides<'_> {
+    fn command(&mut self, _: PathCommand<'_>) {}
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        self.sides.piece(piece, self.report);
+    }
 }
 
 /// The sink behind, and the diagnostics of compensation that wait for their calls.
@@ -57,19 +99,49 @@ impl<'a, S: PathSink> Compensated<'a, S> {
     pub fn new(job: &'a Job<'a>, contours: Option<ContourCheck>, sink: S) -> Compensated<'a, S> {
         let compensator = Compensator::new(job.control());
         let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
-        Compensated { compensator, told }
+        Compensated { compensator, told, control: job.control(), nominal: None }
+    }
+
+    /// Lets the nominal contour follow, from a G41 or G42 on whose offset is not known.
+    fn follow_nominal(&mut self, command: &Command) {
+        if self.nominal.is_none() {
+            let unknown = matches!(
+                command.kind,
+                CommandKind::Compensation { side, number: Some(_), radius_mm: None, .. }
+                    if side != Side::Off
+            );
+            if !unknown || self.told.contours.is_none() || !self.compensator.is_settled() {
+                return;
+            }
+            let mut compensator = Compensator::new(self.control).with_radius(NOMINAL_RADIUS_MM);
+            compensator.recall(&self.compensator.memory());
+            self.nominal = Some(Box::new(Nominal { compensator, sides: SideCheck::default() }));
+        }
+        if let Some(mut nominal) = self.nominal.take() {
+            nominal.command(command, &mut |diagnostic, origin| {
+                PathSink::diagnostic(&mut self.told, diagnostic, origin);
+            });
+            self.nominal = (!nominal.compensator.is_settled()).then_some(nominal);
+        }
     }
 
     /// Ends what is open when a program ends.
     pub fn finish(&mut self) {
         self.compensator.finish(&mut self.told);
+        if let Some(mut nominal) = self.nominal.take() {
+            nominal.finish(&mut |diagnostic, origin| {
+                PathSink::diagnostic(&mut self.told, diagnostic, origin);
+            });
+        }
         self.told.judge(|contours, report| contours.finish(report));
     }
 
     /// Whether no compensated contour is open.
     pub fn is_settled(&self) -> bool {
         let contours = &self.told.contours;
-        self.compensator.is_settled() && contours.as_ref().is_none_or(ContourCheck::is_settled)
+        self.compensator.is_settled()
+            && self.nominal.is_none()
+            && contours.as_ref().is_none_or(ContourCheck::is_settled)
     }
 }
 
@@ -78,6 +150,9 @@ impl<S: PathSink> Sink for Compensated<'_, S> {
     fn command(&mut self, command: &Command) {
         if !matches!(command.kind, CommandKind::Idle) {
             self.told.inner.programmed(command);
+        }
+        if self.nominal.is_some() || matches!(command.kind, CommandKind::Compensation { .. }) {
+            self.follow_nominal(command);
         }
         self.compensator.command(command, &mut self.told);
     }

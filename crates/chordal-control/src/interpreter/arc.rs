@@ -429,7 +429,7 @@ impl Interpreter<'_> {
 
     /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone
     /// it is passed over, and a zero, as posts write it, says nothing.
-    /// True where it was reported.
+    /// True where it was reported as an error.
     pub(super) fn check_height_word(&mut self, block: &Block) -> bool {
         let (_, _, letter) = center_letters(self.state.plane);
         let Some(word) = block.last(letter) else { return false };
@@ -452,7 +452,7 @@ impl Interpreter<'_> {
             .label(format!("only {} and {} here", a as char, b as char))
             .help("take the word out, or choose the plane with G17, G18 or G19"),
         );
-        true
+        !passed_over
     }
 
     /// A rotary axis in the block of an arc, on a control that does not turn it there.

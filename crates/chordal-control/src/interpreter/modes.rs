@@ -22,6 +22,7 @@ impl Interpreter<'_> {
                 self.state.incremental = false;
             }
             Action::Incremental if !self.control.table.distance_left_to_right => {
+                self.note_incremental();
                 self.state.incremental = true;
             }
             Action::ArcCenterAbsolute => self.state.arc_center = ArcCenter::Absolute,
@@ -30,6 +31,13 @@ impl Interpreter<'_> {
             Action::FeedInverseTime => self.set_feed_mode(FeedMode::InverseTime),
             Action::FeedPerRevolution => self.set_feed_mode(FeedMode::PerRevolution),
             _ => {}
+        }
+    }
+
+    /// Remembers where the tool stands when G91 comes into force.
+    pub(super) fn note_incremental(&mut self) {
+        if !self.state.incremental {
+            self.state.incremental_from = self.state.position;
         }
     }
 
@@ -253,7 +261,10 @@ impl Interpreter<'_> {
                 // Where they act from left to right the last one stays in force, whether or
                 // not the block had axis words to act on.
                 Action::Absolute => self.state.incremental = false,
-                Action::Incremental => self.state.incremental = true,
+                Action::Incremental => {
+                    self.note_incremental();
+                    self.state.incremental = true;
+                }
                 Action::SpindleStop => self.set_spindle(SpindleState::Off),
                 Action::CoolantOff => self.set_coolant(|c| *c = Default::default()),
                 Action::CoolantThroughToolOff => self.set_coolant(|c| c.through_tool = false),

@@ -46,7 +46,10 @@ impl Interpreter<'_> {
             .and_then(|code| self.control.g_code(code));
         match row.map(|row| row.action) {
             Some(Action::Absolute) => self.state.incremental = false,
-            Some(Action::Incremental) => self.state.incremental = true,
+            Some(Action::Incremental) => {
+                self.note_incremental();
+                self.state.incremental = true;
+            }
             _ => {}
         }
     }
@@ -195,6 +198,9 @@ impl Interpreter<'_> {
     pub(super) fn straight(&mut self, block: &Block, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
         if self.state.motion == Motion::Rapid {
+            if named.has(2) {
+                self.watch_clearance(block, &motion, named);
+            }
             let path = self.control.parameters.rapid;
             self.emit(CommandKind::Rapid { motion, path });
         } else {
@@ -202,6 +208,44 @@ impl Interpreter<'_> {
             let feed = self.feed_for(block, &motion, None);
             self.emit(CommandKind::Line { motion, feed });
         }
+    }
+
+    /// Notes the height that rapids go to in G90, and a rapid by the same number in G91: it lifts by
+    /// that much from where the tool stands, and G90 was likely meant.
+    fn watch_clearance(&mut self, block: &Block, motion: &Move, named: AxisMask) {
+        if !self.state.incremental {
+            self.state.clearance = motion.to[2];
+            return;
+        }
+        let clearance = self.state.clearance;
+        let lift = motion.to[2] - motion.from[2];
+        let same = clearance > 0.0 && (lift - clearance).abs() < 1e-9;
+        // From below it ends where a program in G91 may mean to end.
+        if same && named == AxisMask(4) && motion.to[2] > clearance + 1e-9 {
+            self.report_clearance_in_incremental(block, motion);
+        }
+    }
+
+    #[cold]
+    fn report_clearance_in_incremental(&mut self, block: &Block, motion: &Move) {
+        let lift = self.length_text(motion.to[2] - motion.from[2]);
+        let (end, clearance) =
+            (self.length_text(motion.to[2]), self.length_text(self.state.clearance));
+        let begun = self.state.incremental_from[2];
+        let mut diagnostic = Diagnostic::new(
+            Code::ClearanceInIncremental,
+            self.span(block.range),
+            format!("G91 is in force: Z lifts by {lift} to {end}; in G90 the program goes to {clearance}"),
+        )
+        .label("the same number as in G90")
+        .help("write G90 before it, if the height is meant");
+        if begun.abs() > 1e-9 {
+            let begun = self.length_text(begun);
+            diagnostic = diagnostic.note(format!(
+                "G91 came into force at Z {begun}: what is cut since then is {begun} higher than the numbers of its Z words"
+            ));
+        }
+        self.report(diagnostic);
     }
 
     /// Moves the state to a point of program coordinates.

@@ -318,3 +318,15 @@ wall, and so can rounded coordinates (LinuxCNC allows an arc in inch programs 0.
 The alarm stands: the control does not run the program. This note says that the geometry is sound, so
 that a smaller offset, a larger radius or other coordinates are enough."#,
 };
+
+pub(super) const POCKET_LEFT_OPEN: CodeInfo = CodeInfo {
+    code: Code::PocketLeftOpen,
+    id: "CH537",
+    name: "pocket-left-open",
+    severity: Severity::Note,
+    summary: "the wall of a pocket does not come back to where it began",
+    explanation: r#"The contour turns round the tool only, as the wall of a pocket does. It ends somewhere else than it began,
+and the lead-out goes straight on along the last wall: while compensation comes off, the tool moves over
+that wall by its radius. Blocks are missing, or the lead-out has the wrong direction. A slot that is open
+on one side may be meant so."#,
+};

@@ -193,3 +193,18 @@ the next block without a centre runs at rapid speed again.
 
 Write G1 where a cut is meant, G0 where a rapid is meant."#,
 };
+
+pub(super) const CLEARANCE_IN_INCREMENTAL: CodeInfo = CodeInfo {
+    code: Code::ClearanceInIncremental,
+    id: "CH418",
+    name: "clearance-in-incremental",
+    severity: Severity::Note,
+    summary: "a rapid in G91 repeats the number of a clearance height in G90",
+    explanation: r#"The program goes to a height such as Z0.1 in G90, and later to the same number in G91. There it is a
+distance: the tool lifts by 0.1 from where it stands and ends elsewhere. G90 was probably forgotten; then
+the depths before it were counted from another height, too.
+
+    G43 H01 Z0.1              G90: to 0.1
+    G91 G01 Z-0.5156          to -0.4156
+    G00 Z0.1                  up by 0.1, G91 is still in force"#,
+};
