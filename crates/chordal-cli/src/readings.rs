@@ -76,7 +76,7 @@ fn reading(loaded: &Loaded, name: ControlName) -> Option<Reading> {
     let shown = machine::builtin_name(name);
     let options = RunOptions { max_repeated_blocks: MOST_REPEATED, ..RunOptions::default() };
     let job = loaded.job_on(machine).ok()?.options(options);
-    let report = job.check();
+    let report = job.report();
     let count =
         |severity| report.diagnostics.iter().filter(|d| d.severity == severity).count() as u64;
     let summary = &report.summary;

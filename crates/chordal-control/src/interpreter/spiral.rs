@@ -165,10 +165,10 @@ impl Interpreter<'_> {
         let full = fit.sweep.abs();
         let radius = fit.radius_start.min(fit.radius_end);
         let short_of_ray = (TAU - full) * radius;
-        let angle = if short_of_ray <= self.control.parameters.coincidence_mm { 0.0 } else { full };
+        let near = self.control.parameters.coincidence_mm;
+        let angle = if short_of_ray <= near || full * radius <= near { 0.0 } else { full };
         let increment = self.control.parameters.least_increment(self.state.units);
         let on_ray = short_of_ray <= increment || full * radius <= increment;
-        let near = self.control.parameters.coincidence_mm;
         if fit.radius_start <= near && fit.radius_end <= near {
             let span = self.words_span(block, Letters::of("IJK"));
             self.report(
