@@ -167,8 +167,6 @@ pub(crate) struct State {
     pub incremental: bool,
     /// Where the tool stood when G91 came into force.
     pub incremental_from: Position,
-    /// Z of the last rapid in G90, mm; 0 before any.
-    pub clearance: f64,
     pub motion: Motion,
     pub armed: Option<Direction>,
     /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
@@ -215,7 +213,6 @@ impl State {
             plane: Plane::Xy,
             incremental: parameters.starts_incremental,
             incremental_from: [0.0; 6],
-            clearance: 0.0,
             motion: if parameters.starts_linear { Motion::Linear } else { Motion::Rapid },
             armed: None,
             arc_over_rapid: false,

@@ -240,6 +240,11 @@ impl Asked {
         };
         let rise = self.end[self.axes[2]] - self.start[self.axes[2]];
         let words = count(self.q) != 0.0 || self.l.is_some() || count(self.height) != 0.0;
+        // Words of zero, or of one turn, leave a full circle what it is without them.
+        let circle = self.is_closed()
+            && count(self.q) == 0.0
+            && count(self.height) == 0.0
+            && count(self.l) <= 1.0;
         match form {
             Form::Plain => arc,
             Form::AllTurns => arc + TAU * (count(self.p) - 1.0).max(0.0),
@@ -252,7 +257,7 @@ impl Asked {
                     by_increment(r1 - r0, self.q.unwrap())
                 } else if form == Form::IncrementHeightCount && count(self.height) != 0.0 {
                     by_increment(rise, self.height.unwrap())
-                } else if words {
+                } else if words && !circle {
                     with_turns(begun + f64::from(u8::from(full)))
                 } else if form == Form::IncrementHeightCount {
                     arc + TAU * count(self.p)

@@ -198,8 +198,8 @@ impl Interpreter<'_> {
     pub(super) fn straight(&mut self, block: &Block, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
         if self.state.motion == Motion::Rapid {
-            if named.has(2) {
-                self.watch_clearance(block, &motion, named);
+            if self.state.incremental && named == AxisMask(1 << 2) {
+                self.check_clearance_in_incremental(block, &motion);
             }
             let path = self.control.parameters.rapid;
             self.emit(CommandKind::Rapid { motion, path });
@@ -210,42 +210,29 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Notes the height that rapids go to in G90, and a rapid by the same number in G91: it lifts by
-    /// that much from where the tool stands, and G90 was likely meant.
-    fn watch_clearance(&mut self, block: &Block, motion: &Move, named: AxisMask) {
-        if !self.state.incremental {
-            self.state.clearance = motion.to[2];
+    /// A rapid of Z alone in G91 by as much as Z was when G91 came into force, away from there: the height
+    /// itself, in G90, was likely meant.
+    #[cold]
+    fn check_clearance_in_incremental(&mut self, block: &Block, motion: &Move) {
+        let begun = self.state.incremental_from[2];
+        let lift = motion.to[2] - motion.from[2];
+        // From below it ends where a program in G91 may mean to end.
+        if begun <= 0.0 || (lift - begun).abs() > 1e-9 || motion.to[2] < begun + 1e-9 {
             return;
         }
-        let clearance = self.state.clearance;
-        let lift = motion.to[2] - motion.from[2];
-        let same = clearance > 0.0 && (lift - clearance).abs() < 1e-9;
-        // From below it ends where a program in G91 may mean to end.
-        if same && named == AxisMask(4) && motion.to[2] > clearance + 1e-9 {
-            self.report_clearance_in_incremental(block, motion);
-        }
-    }
-
-    #[cold]
-    fn report_clearance_in_incremental(&mut self, block: &Block, motion: &Move) {
-        let lift = self.length_text(motion.to[2] - motion.from[2]);
-        let (end, clearance) =
-            (self.length_text(motion.to[2]), self.length_text(self.state.clearance));
-        let begun = self.state.incremental_from[2];
-        let mut diagnostic = Diagnostic::new(
-            Code::ClearanceInIncremental,
-            self.span(block.range),
-            format!("G91 is in force: Z lifts by {lift} to {end}; in G90 the program goes to {clearance}"),
-        )
-        .label("the same number as in G90")
-        .help("write G90 before it, if the height is meant");
-        if begun.abs() > 1e-9 {
-            let begun = self.length_text(begun);
-            diagnostic = diagnostic.note(format!(
-                "G91 came into force at Z {begun}: what is cut since then is {begun} higher than the numbers of its Z words"
-            ));
-        }
-        self.report(diagnostic);
+        let (lift, end) = (self.length_text(lift), self.length_text(motion.to[2]));
+        self.report(
+            Diagnostic::new(
+                Code::ClearanceInIncremental,
+                self.span(block.range),
+                format!("G91 is in force: Z lifts by {lift} to {end}"),
+            )
+            .label("a distance, not a height")
+            .note(format!(
+                "G91 came into force at Z {lift}: what is cut since then is {lift} higher than the numbers of its Z words"
+            ))
+            .help("write G90 before it, if the height is meant"),
+        );
     }
 
     /// Moves the state to a point of program coordinates.
