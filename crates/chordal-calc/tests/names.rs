@@ -141,6 +141,16 @@ fn classes_are_read_or_refused() {
     refused("#11.5-24", &["11.5", "0 to 12"]);
 }
 
+/// The case of a metric class says where the thread is; a name in one case may have lost it.
+#[test]
+fn a_lost_case_is_said() {
+    assert!(read("M10X1.5-6G").notes[0].contains("6G is inside; outside is 6g"));
+    assert!(read("m10x1.5-6h").notes[0].contains("6h is outside; inside is 6H"));
+    for clear in ["M10x1.5-6g", "M10X1.5-6H", "M10x1.5-6G", "M10x1.5-6h", "m10x1.5-6g"] {
+        assert!(read(clear).notes.is_empty(), "{clear}");
+    }
+}
+
 #[test]
 fn hands() {
     assert_eq!(read("0.5-13 UNC 2A LH").hand, Some(Hand::Left));

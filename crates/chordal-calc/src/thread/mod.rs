@@ -138,6 +138,10 @@ fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcEr
             Class::Pipe { .. } => {}
         }
     }
+    if units != name.units {
+        let unit = name.units.name();
+        worked.note(format!("The formulas of the limits are filled with numbers in {unit}."));
+    }
     if starts > 1 {
         worked.note("The limits are those of a thread with one start.");
     }

@@ -199,9 +199,25 @@ fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
             let class = class::metric(part)
                 .ok_or_else(|| unknown(part, "metric", class::METRIC, "a hand is LH or RH"))?;
             class::add(&mut name.classes, class)?;
+            name.notes.extend(doubtful_case(text, part));
         }
     }
     Ok(name)
+}
+
+/// A name in one case may have lost the difference of 6g and 6G, or of 6h and 6H.
+fn doubtful_case(text: &str, class: &str) -> Option<String> {
+    let small = |text: &str| text.chars().any(|c| c.is_ascii_lowercase());
+    let capital = text.chars().any(|c| c.is_ascii_uppercase());
+    if class.contains('G') && !small(text) {
+        let other = class.to_ascii_lowercase();
+        return Some(format!("{class} is inside; outside is {other}, with a small letter."));
+    }
+    if class.contains('h') && !capital {
+        let other = class.to_ascii_uppercase();
+        return Some(format!("{class} is outside; inside is {other}, with a capital letter."));
+    }
+    None
 }
 
 fn inch(text: &str, words: &[String]) -> Result<Designation, CalcError> {
