@@ -126,7 +126,7 @@ fn classes_are_read_or_refused() {
     for name in ["M10-6g", "M10-6H", "M10-4h", "M10-5H", "M10-7H", "M10-6e", "M10-8g", "M10-4g6g"] {
         assert_eq!(read(name).classes[0].to_string(), name[4..], "{name}");
     }
-    let all = ["1A 2A 3A", "1B 2B 3B"];
+    let all = ["1A 2A 3A", "1B 2B 3B", "6g 6H"];
     refused("1 1/16-28 9Q", &[&["`9Q` is no class of a unified thread"], &all[..]].concat());
     refused("1/4-20 4A", &all);
     refused("1/4-20 UNC-6g", &all);
