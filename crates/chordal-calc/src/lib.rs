@@ -48,5 +48,5 @@ pub use line_arc::{LineArc, line_with_arc};
 pub use mill::{Cut, Cutter, Hand, MillProgram, Ramp, ThreadMill, thread_mill};
 pub use numbers::Units;
 pub use tangent::{Tangent, tangent_point};
-pub use thread::{Designation, Thread, Where, thread_data};
+pub use thread::{Class, Designation, Form, Thread, Where, Zone, named_thread, thread_data};
 pub use worked::{Kind, Quantity, Step, Worked};

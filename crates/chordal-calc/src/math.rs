@@ -28,6 +28,14 @@ pub(crate) fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
 }
 
+pub(crate) fn cbrt(x: f64) -> f64 {
+    libm::cbrt(x)
+}
+
+pub(crate) fn sqrt(x: f64) -> f64 {
+    libm::sqrt(x)
+}
+
 /// The unit vector in a direction.
 pub(crate) fn unit(angle: f64) -> Vec2 {
     let (sin, cos) = libm::sincos(angle);

@@ -58,9 +58,14 @@ pub(crate) fn degrees(angle: f64) -> String {
     format!("{}°", trimmed(angle.to_degrees(), 4))
 }
 
-/// With at most so many decimals and no zeros at the end.
+/// With at most so many decimals and no zeros at the end. What lies half way goes away from zero, as
+/// on paper: 0.015625 is 0.01563.
 pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
+    let last = 10f64.powi(-(decimals as i32));
+    let steps = (value / last).abs();
+    let half_way = (steps.fract() - 0.5).abs() < 1e-6;
+    let shown = if half_way { value + (0.25 * last).copysign(value) } else { value };
+    let text = format!("{shown:.decimals$}");
     let text = if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.')
     } else {
@@ -85,5 +90,9 @@ mod tests {
         assert_eq!(Units::Millimetre.length(-0.00001), "0 mm");
         assert_eq!(degrees(std::f64::consts::FRAC_PI_6), "30°");
         assert_eq!(trimmed(100.0, 0), "100");
+        // An eighth of an eighth of an inch is 0.015625.
+        assert_eq!(Units::Inch.number(25.4 / 64.0), "0.01563");
+        assert_eq!(trimmed(-0.015625, 5), "-0.01563");
+        assert_eq!(trimmed(2.5, 0), "3");
     }
 }

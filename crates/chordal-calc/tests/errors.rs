@@ -85,7 +85,7 @@ fn arcs() {
 
 #[test]
 fn threads() {
-    for name in ["", "M30", "M30x", "x2", "1.5", "1.5-0", "1/0-8", "M-3x2", "1.5-e", "MxX"] {
+    for name in ["", "M", "M30x", "x2", "1.5", "1.5-0", "1/0-8", "M-3x2", "1.5-e", "MxX"] {
         refused(Designation::read(name), &["is no thread"]);
     }
     let coarse = Thread { major: 6.0, pitch: 8.0, starts: 1 };
@@ -184,9 +184,12 @@ proptest! {
 
     /// Any text is a thread or is refused.
     #[test]
-    fn any_name(name in "[M0-9 ./x\\-]{0,12}") {
+    fn any_name(name in "[MGNPTUCRx0-9 ./#\"×agABHL\\-]{0,14}") {
         if let Ok(thread) = Designation::read(&name) {
             prop_assert!(thread.major > 0.0 && thread.pitch > 0.0 && thread.pitch.is_finite());
+            if let Ok(worked) = named_thread(&thread, 1, thread.units) {
+                prop_assert!(worked.steps.iter().all(|step| step.quantity.value.is_finite()));
+            }
         }
     }
 }

@@ -99,7 +99,7 @@ fn a_tangent_point() {
 #[test]
 fn threads() {
     let data = |name: &str, starts| {
-        let Designation { major, pitch, units } = Designation::read(name).unwrap();
+        let Designation { major, pitch, units, .. } = Designation::read(name).unwrap();
         thread_data(&Thread { major, pitch, starts }, units).unwrap()
     };
     let fadal = data("1 1/16-28", 1);

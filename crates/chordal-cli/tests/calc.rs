@@ -66,7 +66,7 @@ fn what_cannot_be_is_told_with_its_numbers() {
         &["12 mm", "10 mm", "calc tangent"],
     );
     refuses("calc thread", &["which thread", "M30x2"]);
-    refuses("calc thread M30", &["`M30` is no thread"]);
+    refuses("calc thread M31", &["`M31` has no pitch", "ISO 261"]);
     let mill =
         "calc thread-mill M12x1.75 --depth 10mm --feed 200mm/min --spindle 3000 --control haas";
     refuses(&format!("{mill} --tool 11mm"), &["11 mm", "10.1056 mm", "smaller tool"]);
@@ -77,6 +77,58 @@ fn what_cannot_be_is_told_with_its_numbers() {
         "calc corner --angle 45deg --tool 10mm -o corner.dxf",
         &["corner.dxf", ".svg and .png"],
     );
+}
+
+/// A name with a class shows its limits (ASME B1.1, ISO 965-2); without one it does not.
+#[test]
+fn a_class_gives_its_limits() {
+    says(
+        "calc thread 1/4-20-UNC-2A",
+        &["dmax", "= 0.2489 in", "= 0.2408 in", "= 0.2164 in", "= 0.2127 in", "ASME B1.1"],
+    );
+    says("calc thread M10x1.5-6H", &["= 8.376 mm", "= 8.676 mm", "= 9.026 mm", "= 9.206 mm"]);
+    says("calc thread 1/4-20", &["Basic sizes without allowance or tolerance"]);
+    says("calc thread 1.5-8-UNC", &["UNC of 1.5 in has 6 threads per inch; 1.5-8 is 8-UN."]);
+    says("calc thread 1/2-NPT", &["ASME B1.20.1", "0.75843 in", "A program for it is not written"]);
+    says("calc thread G1/2", &["ISO 228-1", "18.631 mm"]);
+    let arguments = ["calc", "thread", "1 1/16-28 9Q"];
+    Folder::new().run(&arguments).ends(2).complains(&["`9Q`", "1A 2A 3A", "1B 2B 3B"]);
+    let arguments = ["calc", "thread", "1/2 NPT", "-o", "npt.svg"];
+    let folder = Folder::new();
+    folder.run(&arguments).ends(0);
+    assert!(folder.read("npt.svg").contains("60°"));
+}
+
+/// What a mill cannot do well, or a program cannot have, is said.
+#[test]
+fn thread_mill_says_its_limits() {
+    let rest = "--depth 0.5in --feed 10in/min --spindle 5000 --control haas --units inch";
+    let small = format!("calc thread-mill 5/16-18 --tool 0.2in {rest}");
+    let doubt = "HOLES BELOW 3/8 IN MAY NOT BE POSSIBLE OR PRACTICAL TO THREAD MILL";
+    says(&small, &[&format!("({doubt})")]);
+    says(&format!("{small} -o thread.nc"), &[&doubt.to_lowercase()]);
+    let json = Folder::new()
+        .run(&format!("{small} --format json").split(' ').collect::<Vec<_>>())
+        .ends(0)
+        .out;
+    let whole: Value = serde_json::from_str(&json).unwrap();
+    let notes = whole["notes"].as_array().unwrap();
+    assert!(notes.iter().any(|note| note.as_str().unwrap().contains("below 3/8 in")), "{notes:?}");
+    // 7/16-14 has a hole of 0.3602, 1/2-13 one of 0.4167; outside there is no hole.
+    says(&format!("calc thread-mill 7/16-14 --tool 0.25in {rest}"), &[doubt]);
+    for name in ["1/2-13 --tool 0.25in", "5/16-18 --tool 0.2in --outside"] {
+        let command = format!("calc thread-mill {name} {rest}");
+        let out = Folder::new().run(&command.split(' ').collect::<Vec<_>>()).ends(0).out;
+        assert!(!out.contains("HOLES BELOW"), "{out}");
+    }
+    // An eighth of an eighth of an inch, rounded as on paper.
+    let eighth = format!("calc thread-mill 1.5-8 --tool 0.5in --ramp 1/8 {rest} -o thread.nc");
+    says(&eighth, &["1/8·0.125", "= 0.01563 in"]);
+    let left = format!("calc thread-mill 1/2-13-UNC-2B-LH --tool 0.25in {rest}");
+    says(&left, &["LEFT HAND"]);
+    refuses(&format!("{left} --hand right"), &["different hands"]);
+    refuses(&format!("calc thread-mill 1/2-NPT --tool 0.25in {rest}"), &["taper of 1:16"]);
+    refuses(&format!("calc thread-mill G1/2 --tool 0.25in {rest}"), &["55°"]);
 }
 
 #[test]

@@ -212,6 +212,9 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
         format!("{share}·{pitch}"),
     );
     worked.note(program::direction(ask, plan));
+    if let Some(note) = program::small_hole(ask) {
+        worked.note(note);
+    }
     worked.figure = figure(ask, plan);
     worked
 }

@@ -37,6 +37,18 @@ pub(super) fn direction(ask: &ThreadMill, plan: &Plan) -> String {
     format!("{hand} hand, {place}, {cut} cut with M3: {code}, Z {way}")
 }
 
+/// The hole below which the Haas manual (thread milling) has doubts, mm: 3/8 in.
+const SMALL_HOLE: f64 = 9.525;
+
+/// What to know about a small hole.
+pub(super) fn small_hole(ask: &ThreadMill) -> Option<&'static str> {
+    let small = ask.place == Where::Inside && ask.thread.minor_inside() < SMALL_HOLE - 1e-9;
+    small.then_some(match ask.units {
+        Units::Inch => "holes below 3/8 in may not be possible or practical to thread mill",
+        Units::Millimetre => "holes below 9.525 mm may not be possible or practical to thread mill",
+    })
+}
+
 /// The whole program.
 pub(super) fn write(ask: &ThreadMill, plan: &Plan) -> String {
     let post = Post::of(ask.control);
@@ -138,6 +150,7 @@ impl Words<'_> {
         ];
         if ask.place == Where::Inside {
             remarks.push(format!("the hole before: {}", number(ask.thread.minor_inside())));
+            remarks.extend(small_hole(ask).map(String::from));
         } else {
             remarks.push(format!("the boss before: {}", number(ask.thread.major)));
         }

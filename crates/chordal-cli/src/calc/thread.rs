@@ -1,6 +1,6 @@
 //! Threads by name or by size.
 
-use chordal_calc::{Designation, Thread, Units, thread_data};
+use chordal_calc::{Designation, Thread, Units, named_thread, thread_data};
 
 use super::answer::{Answer, give, refused};
 use super::quantity::{Numbers, UnitsName, Written, length};
@@ -11,9 +11,13 @@ Examples:
   chordal calc thread M30x2
   chordal calc thread 1.5-8
   chordal calc thread \"1 1/16-28\" --starts 2
+  chordal calc thread 1/4-20-2A/2B
+  chordal calc thread M10x1.5-6g
+  chordal calc thread 1/2-NPT
+  chordal calc thread G1/2
   chordal calc thread --diameter 1.5in --tpi 8 -o thread.svg";
 
-/// Diameters, depth, lead and helix angle of a 60° thread (UN, ISO metric)
+/// Diameters, depth, lead, helix angle and limits of a thread (UN, ISO metric, NPT, G, R)
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -31,7 +35,7 @@ pub struct Args {
 /// Which thread.
 #[derive(clap::Args)]
 pub struct Size {
-    /// Its name: M30x2, 1.5-8, "1 1/16-28"
+    /// Its name: M30x2, 1.5-8, "1 1/16-28 UN-2A", #10-24, "1/2 NPT"; a class gives its limits
     #[arg(value_name = "THREAD")]
     name: Option<String>,
 
@@ -48,50 +52,78 @@ pub struct Size {
     tpi: Option<f64>,
 }
 
+/// A thread as it was asked for.
+pub struct Asked {
+    /// What the name says, where it has one.
+    pub name: Option<Designation>,
+    size: Option<(f64, f64)>,
+    /// Its numbers in its own unit unless another is asked for.
+    pub numbers: Numbers,
+}
+
+impl Asked {
+    /// The thread with so many starts, for what needs the 60° profile.
+    pub fn thread(&self, starts: u32) -> Result<Thread, Failure> {
+        match (&self.name, self.size) {
+            (Some(name), _) => name.thread(starts).map_err(refused),
+            (None, Some((major, pitch))) => Ok(Thread { major, pitch, starts }),
+            (None, None) => Err(not_said()),
+        }
+    }
+}
+
+fn not_said() -> Failure {
+    Failure::wrong(
+        "which thread is not said",
+        "name it, as M30x2 or 1.5-8, or give --diameter with --pitch or --tpi",
+    )
+}
+
 impl Size {
-    /// The thread, and the numbers in its own unit unless another is asked for.
-    pub fn thread(
-        &self,
-        starts: u32,
-        asked: Option<UnitsName>,
-    ) -> Result<(Thread, Numbers), Failure> {
+    /// The thread, by its name or by its sizes.
+    pub fn read(&self, asked: Option<UnitsName>) -> Result<Asked, Failure> {
         if let Some(name) = &self.name {
-            let Designation { major, pitch, units } = Designation::read(name).map_err(refused)?;
+            let name = Designation::read(name).map_err(refused)?;
             let mut numbers = Numbers::new(asked, []);
             if asked.is_none() {
-                numbers.units = units;
+                numbers.units = name.units;
             }
-            return Ok((Thread { major, pitch, starts }, numbers));
+            return Ok(Asked { name: Some(name), size: None, numbers });
         }
         let written = [self.diameter.as_ref(), self.pitch.as_ref()];
         let mut numbers = Numbers::new(asked, written);
         if asked.is_none() && self.tpi.is_some() {
             numbers.units = Units::Inch;
         }
-        let pitch = match (&self.pitch, self.tpi) {
-            (Some(pitch), _) => Some(numbers.of(pitch)?),
-            (None, Some(tpi)) if tpi > 0.0 && tpi.is_finite() => Some(25.4 / tpi),
-            (None, Some(tpi)) => {
-                return Err(Failure::wrong(
-                    format!("{tpi} threads per inch cannot be"),
-                    "give a number above zero",
-                ));
-            }
-            (None, None) => None,
-        };
+        let pitch = self.pitch(&numbers)?;
         match (&self.diameter, pitch) {
             (Some(diameter), Some(pitch)) => {
-                Ok((Thread { major: numbers.of(diameter)?, pitch, starts }, numbers))
+                Ok(Asked { name: None, size: Some((numbers.of(diameter)?, pitch)), numbers })
             }
-            _ => Err(Failure::wrong(
-                "which thread is not said",
-                "name it, as M30x2 or 1.5-8, or give --diameter with --pitch or --tpi",
+            _ => Err(not_said()),
+        }
+    }
+
+    /// --pitch, or that of --tpi, mm.
+    fn pitch(&self, numbers: &Numbers) -> Result<Option<f64>, Failure> {
+        match (&self.pitch, self.tpi) {
+            (Some(pitch), _) => Ok(Some(numbers.of(pitch)?)),
+            (None, Some(tpi)) if tpi > 0.0 && tpi.is_finite() => Ok(Some(25.4 / tpi)),
+            (None, Some(tpi)) => Err(Failure::wrong(
+                format!("{tpi} threads per inch cannot be"),
+                "give a number above zero",
             )),
+            (None, None) => Ok(None),
         }
     }
 }
 
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let (thread, numbers) = args.size.thread(args.starts, args.answer.units)?;
-    give(thread_data(&thread, numbers.units), &args.answer)
+    let asked = args.size.read(args.answer.units)?;
+    let units = asked.numbers.units;
+    let worked = match &asked.name {
+        Some(name) => named_thread(name, args.starts, units),
+        None => thread_data(&asked.thread(args.starts)?, units),
+    };
+    give(worked, &args.answer)
 }

@@ -9,7 +9,7 @@ use clap::ValueEnum;
 
 use super::answer::{Format, draw, picture, refused};
 use super::quantity::{UnitsName, Written, feed, length, spindle};
-use super::thread::Size;
+use super::thread::{Asked, Size};
 use crate::failure::Failure;
 use crate::output::write_whole;
 use crate::terminal::say;
@@ -44,9 +44,9 @@ pub struct Args {
     #[arg(long)]
     inside: bool,
 
-    /// Hand of the thread
-    #[arg(long, value_enum, default_value = "right")]
-    hand: HandName,
+    /// Hand of the thread; right when neither this nor LH in its name says it
+    #[arg(long, value_enum)]
+    hand: Option<HandName>,
 
     /// The tool: a hob cuts all in one turn, a single point takes a turn for each pitch
     #[arg(long, value_enum, default_value = "hob")]
@@ -145,7 +145,11 @@ fn ramp(text: &str) -> Result<Ramp, String> {
 }
 
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let program = thread_mill(&ask(args)?).map_err(refused)?;
+    let asked = args.size.read(args.units)?;
+    let mut program = thread_mill(&ask(args, &asked)?).map_err(refused)?;
+    if let Some(name) = &asked.name {
+        program.worked.notes.extend(name.notes.iter().cloned());
+    }
     let mut written = Vec::new();
     let mut program_written = false;
     for path in &args.outputs {
@@ -172,15 +176,31 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-fn ask(args: &Args) -> Result<ThreadMill, Failure> {
-    let (thread, numbers) = args.size.thread(1, args.units)?;
+/// The hand of `--hand` or of the name, which have to agree.
+fn hand(args: &Args, asked: &Asked) -> Result<Hand, Failure> {
+    let said = args.hand.map(|hand| match hand {
+        HandName::Right => Hand::Right,
+        HandName::Left => Hand::Left,
+    });
+    let named = asked.name.as_ref().and_then(|name| name.hand);
+    match (said, named) {
+        (Some(said), Some(named)) if said != named => Err(Failure::wrong(
+            "the thread's name and --hand say different hands",
+            "leave --hand out, or LH and RH",
+        )),
+        _ => Ok(said.or(named).unwrap_or(Hand::Right)),
+    }
+}
+
+fn ask(args: &Args, asked: &Asked) -> Result<ThreadMill, Failure> {
+    let numbers = &asked.numbers;
     let inch = numbers.units == Units::Inch;
     let usual = |inches: f64, mm: f64| if inch { inches * 25.4 } else { mm };
     let wear = numbers.maybe(args.wear.as_ref())?.unwrap_or(usual(0.01, 0.25));
     Ok(ThreadMill {
-        thread,
+        thread: asked.thread(1)?,
         place: if args.outside { Where::Outside } else { Where::Inside },
-        hand: if args.hand == HandName::Right { Hand::Right } else { Hand::Left },
+        hand: hand(args, asked)?,
         cutter: if args.cutter == CutterName::Hob { Cutter::Hob } else { Cutter::Single },
         cut: if args.conventional { Cut::Conventional } else { Cut::Climb },
         ramp: args.ramp,

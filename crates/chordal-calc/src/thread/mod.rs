@@ -1,0 +1,203 @@
+//! Threads by name and by size: the basic 60° profile of unified and ISO metric threads here, what
+//! a name says in `name`, limits of the classes in `unified` and `metric`, pipe threads in `pipe`.
+
+mod class;
+mod figure;
+mod metric;
+mod name;
+mod pipe;
+mod series;
+mod unified;
+
+pub use class::{Class, Zone};
+pub use name::{Designation, Form};
+
+use crate::error::{CalcError, bounded};
+use crate::math::{PI, atan};
+use crate::numbers::Units;
+use crate::worked::{Kind, Worked};
+
+/// Height of the sharp profile over the pitch: √3/2.
+pub(crate) const H: f64 = 0.866_025_403_784_438_6;
+/// Minor diameter of an inside thread: 2·5/8·H below the major (ISO 68-1, ASME B1.1).
+pub(crate) const INSIDE: f64 = 1.25 * H;
+/// Pitch diameter: 2·3/8·H below the major.
+pub(crate) const MIDDLE: f64 = 0.75 * H;
+/// Root of an outside thread: 2·17/24·H below the major, the rounded root of the design profile.
+pub(crate) const OUTSIDE: f64 = 17.0 / 12.0 * H;
+
+/// Where a thread is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Where {
+    /// In a hole.
+    Inside,
+    /// On a boss.
+    Outside,
+}
+
+/// A thread of the 60° profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thread {
+    /// Nominal diameter, mm.
+    pub major: f64,
+    /// Distance of neighbouring crests, mm.
+    pub pitch: f64,
+    /// Number of starts.
+    pub starts: u32,
+}
+
+impl Thread {
+    /// Checks that there is something between the crests.
+    ///
+    /// # Errors
+    /// When a size is none, or the profile is deeper than the thread is thick.
+    pub fn check(&self, units: Units) -> Result<(), CalcError> {
+        let Thread { major, pitch, starts } = *self;
+        bounded(&[major, pitch], &[], units)?;
+        let good = |value: f64| value > 0.0 && value.is_finite();
+        if !good(major) || !good(pitch) || starts == 0 {
+            return Err(CalcError::new(
+                format!(
+                    "a thread of diameter {} with a pitch of {} and {starts} starts cannot be",
+                    units.length(major),
+                    units.length(pitch)
+                ),
+                "diameter, pitch and starts are above zero",
+            ));
+        }
+        if OUTSIDE * pitch >= major {
+            return Err(CalcError::new(
+                format!(
+                    "a pitch of {} cuts {} off a diameter of {}: nothing is left",
+                    units.length(pitch),
+                    units.length(OUTSIDE * pitch),
+                    units.length(major)
+                ),
+                "check the pitch; threads per inch go to --tpi, a distance to --pitch",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Minor diameter of an inside thread: the hole before it is cut, mm.
+    pub fn minor_inside(&self) -> f64 {
+        self.major - INSIDE * self.pitch
+    }
+
+    /// Where a profile without a rounded or flat root comes to a point, mm.
+    pub(crate) fn sharp_root(&self) -> f64 {
+        self.major - 2.0 * H * self.pitch
+    }
+
+    /// Root diameter of an outside thread, mm.
+    pub fn minor_outside(&self) -> f64 {
+        self.major - OUTSIDE * self.pitch
+    }
+}
+
+/// Diameters, depths, lead and helix angle of a thread.
+///
+/// # Errors
+/// When the thread cannot be.
+pub fn thread_data(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
+    let mut worked = basic(thread, units)?;
+    worked.note("Basic sizes without allowance or tolerance: the class of fit comes on top.");
+    Ok(worked)
+}
+
+/// What a thread's name says: its basic sizes, and the limits of the classes in it.
+///
+/// # Errors
+/// When the thread cannot be, or the standard has no limits for its class.
+pub fn named_thread(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+    let mut worked = match name.form {
+        Form::Metric | Form::Unified => sixty(name, starts, units)?,
+        Form::Npt | Form::Nptf | Form::G | Form::R => pipe::worked(name, starts, units)?,
+    };
+    worked.notes.extend(name.notes.iter().cloned());
+    Ok(worked)
+}
+
+/// A thread of the 60° profile by its name.
+fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+    let thread = name.thread(starts)?;
+    if name.classes.is_empty() {
+        return thread_data(&thread, units);
+    }
+    let mut worked = basic(&thread, units)?;
+    for class in &name.classes {
+        worked.title.push_str(&format!(", {class}"));
+    }
+    worked.note("D, D2, D1 and d3 are basic sizes; the limits of the class follow them.");
+    for class in &name.classes {
+        match class {
+            Class::Unified { grade, place } => {
+                unified::limits(&mut worked, &thread, *grade, *place)
+            }
+            Class::Metric { pitch, crest } => metric::limits(&mut worked, &thread, *pitch, *crest)?,
+            Class::Pipe { .. } => {}
+        }
+    }
+    if units != name.units {
+        let unit = name.units.name();
+        worked.note(format!("The formulas of the limits are filled with numbers in {unit}."));
+    }
+    if starts > 1 {
+        worked.note("The limits are those of a thread with one start.");
+    }
+    Ok(worked)
+}
+
+fn basic(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
+    thread.check(units)?;
+    let Thread { major, pitch, starts } = *thread;
+    let mut worked = Worked::new("Thread, 60° profile (UN and ISO metric)", units);
+    worked.given("D", "major (nominal) diameter", Kind::Length, major);
+    worked.given("P", "pitch", Kind::Length, pitch);
+    worked.given("n", "starts", Kind::Number, f64::from(starts));
+    let (d, p) = (units.number(major), units.number(pitch));
+    let length = Kind::Length;
+    if units == Units::Inch {
+        let tpi = 25.4 / pitch;
+        let filled = format!("1/{p}");
+        worked.way("TPI", "threads per inch", Kind::Number, tpi, "1/P", filled);
+    }
+    let lead = pitch * f64::from(starts);
+    worked.result("L", "lead: Z in one turn", length, lead, "n·P", format!("{starts}·{p}"));
+    worked.way(
+        "H",
+        "height of the sharp profile",
+        length,
+        H * pitch,
+        "0.866025·P",
+        format!("0.866025·{p}"),
+    );
+    let diameters = [
+        ("D2", "pitch diameter", MIDDLE, "D − 0.649519·P", "0.649519"),
+        ("D1", "minor diameter inside: the hole", INSIDE, "D − 1.082532·P", "1.082532"),
+        ("d3", "minor (root) diameter outside", OUTSIDE, "D − 1.226869·P", "1.226869"),
+    ];
+    for (symbol, meaning, share, formula, number) in diameters {
+        let value = major - share * pitch;
+        worked.result(symbol, meaning, length, value, formula, format!("{d} − {number}·{p}"));
+    }
+    let depths = [
+        ("t1", "single depth inside, 5/8·H", INSIDE, "0.541266·P", "0.541266"),
+        ("t3", "single depth outside, 17/24·H", OUTSIDE, "0.613435·P", "0.613435"),
+    ];
+    for (symbol, meaning, share, formula, number) in depths {
+        let value = share * pitch / 2.0;
+        worked.result(symbol, meaning, length, value, formula, format!("{number}·{p}"));
+    }
+    let middle = major - MIDDLE * pitch;
+    worked.result(
+        "φ",
+        "helix angle at the pitch diameter",
+        Kind::Angle,
+        atan(lead / (PI * middle)),
+        "atan(L/(π·D2))",
+        format!("atan({}/(π·{}))", units.number(lead), units.number(middle)),
+    );
+    worked.figure = figure::profile(thread, units);
+    Ok(worked)
+}

@@ -1,0 +1,374 @@
+//! Pipe threads: NPT and NPTF (ASME B1.20.1, B1.20.3), G (ISO 228-1) and R (ISO 7-1).
+
+use super::class::{self, Class};
+use super::name::{Designation, Form, diameter, hand, no_thread};
+use crate::error::CalcError;
+use crate::figure::{Figure, Style};
+use crate::math::{atan, tan};
+use crate::numbers::{Units, trimmed};
+use crate::worked::{Kind, Worked};
+use chordal_geometry::Vec2;
+
+const INCH: f64 = 25.4;
+/// Height of the rounded 55° thread over the pitch (ISO 228-1).
+const WHITWORTH: f64 = 0.640_327;
+
+/// A size of a pipe thread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PipeSize {
+    /// `1 1/2`.
+    name: &'static str,
+    /// The size as a number.
+    size: f64,
+    tpi: f64,
+    /// Outside diameter of the pipe, in (NPT), or major diameter, mm (G, R).
+    major: f64,
+    /// Hand-tight engagement L1, in (NPT), or gauge length, mm (R); 0 where there is no such taper
+    /// thread.
+    gauge: f64,
+}
+
+const fn size(name: &'static str, size: f64, tpi: f64, major: f64, gauge: f64) -> PipeSize {
+    PipeSize { name, size, tpi, major, gauge }
+}
+
+/// ASME B1.20.1, table 2.
+const NPT: [PipeSize; 19] = [
+    size("1/16", 0.0625, 27.0, 0.3125, 0.160),
+    size("1/8", 0.125, 27.0, 0.405, 0.1615),
+    size("1/4", 0.25, 18.0, 0.540, 0.2278),
+    size("3/8", 0.375, 18.0, 0.675, 0.240),
+    size("1/2", 0.5, 14.0, 0.840, 0.320),
+    size("3/4", 0.75, 14.0, 1.050, 0.339),
+    size("1", 1.0, 11.5, 1.315, 0.400),
+    size("1 1/4", 1.25, 11.5, 1.660, 0.420),
+    size("1 1/2", 1.5, 11.5, 1.900, 0.420),
+    size("2", 2.0, 11.5, 2.375, 0.436),
+    size("2 1/2", 2.5, 8.0, 2.875, 0.682),
+    size("3", 3.0, 8.0, 3.5, 0.766),
+    size("3 1/2", 3.5, 8.0, 4.0, 0.821),
+    size("4", 4.0, 8.0, 4.5, 0.844),
+    size("5", 5.0, 8.0, 5.563, 0.937),
+    size("6", 6.0, 8.0, 6.625, 0.958),
+    size("8", 8.0, 8.0, 8.625, 1.063),
+    size("10", 10.0, 8.0, 10.75, 1.210),
+    size("12", 12.0, 8.0, 12.75, 1.360),
+];
+
+/// ISO 228-1, table 1, with the gauge lengths of ISO 7-1.
+const G: [PipeSize; 22] = [
+    size("1/16", 0.0625, 28.0, 7.723, 4.0),
+    size("1/8", 0.125, 28.0, 9.728, 4.0),
+    size("1/4", 0.25, 19.0, 13.157, 6.0),
+    size("3/8", 0.375, 19.0, 16.662, 6.4),
+    size("1/2", 0.5, 14.0, 20.955, 8.2),
+    size("5/8", 0.625, 14.0, 22.911, 0.0),
+    size("3/4", 0.75, 14.0, 26.441, 9.5),
+    size("7/8", 0.875, 14.0, 30.201, 0.0),
+    size("1", 1.0, 11.0, 33.249, 10.4),
+    size("1 1/8", 1.125, 11.0, 37.897, 0.0),
+    size("1 1/4", 1.25, 11.0, 41.910, 12.7),
+    size("1 1/2", 1.5, 11.0, 47.803, 12.7),
+    size("1 3/4", 1.75, 11.0, 53.746, 0.0),
+    size("2", 2.0, 11.0, 59.614, 15.9),
+    size("2 1/4", 2.25, 11.0, 65.710, 0.0),
+    size("2 1/2", 2.5, 11.0, 75.184, 17.5),
+    size("2 3/4", 2.75, 11.0, 81.534, 0.0),
+    size("3", 3.0, 11.0, 87.884, 20.6),
+    size("3 1/2", 3.5, 11.0, 100.330, 0.0),
+    size("4", 4.0, 11.0, 113.030, 25.4),
+    size("5", 5.0, 11.0, 138.430, 28.6),
+    size("6", 6.0, 11.0, 163.830, 28.6),
+];
+
+/// Tolerances of ISO 228-1, mm: up to this size, Td2 of class A and TD2, Td, TD1.
+const TOLERANCES: [(f64, f64, f64, f64); 5] = [
+    (0.125, 0.107, 0.214, 0.282),
+    (0.375, 0.125, 0.250, 0.445),
+    (0.875, 0.142, 0.284, 0.541),
+    (2.0, 0.180, 0.360, 0.640),
+    (6.0, 0.217, 0.434, 0.640),
+];
+
+/// The form, when one of the words is a pipe thread's.
+pub(super) fn form(words: &[String]) -> Option<Form> {
+    words.iter().find_map(|word| read_form(word))
+}
+
+fn read_form(word: &str) -> Option<Form> {
+    match word.to_ascii_uppercase().as_str() {
+        "NPT" => Some(Form::Npt),
+        "NPTF" => Some(Form::Nptf),
+        "G" | "BSPP" | "BSP" => Some(Form::G),
+        "R" | "RC" | "BSPT" => Some(Form::R),
+        _ => None,
+    }
+}
+
+/// What the form is called, and where its sizes are.
+const fn source(form: Form) -> (&'static str, &'static str) {
+    match form {
+        Form::Npt => ("NPT", "ASME B1.20.1"),
+        Form::Nptf => ("NPTF", "ASME B1.20.3"),
+        Form::R => ("R", "ISO 7-1"),
+        _ => ("G", "ISO 228-1"),
+    }
+}
+
+/// Reads the name of a pipe thread: its size, threads per inch where they are given, class A or B.
+pub(super) fn read(text: &str, words: &[String]) -> Result<Designation, CalcError> {
+    let form = form(words).ok_or_else(|| no_thread(text))?;
+    let rest = without_form(words, form);
+    let (asked, used) = diameter(&rest).ok_or_else(|| no_thread(text))?;
+    let found = find(form, asked)?;
+    let inch = matches!(form, Form::Npt | Form::Nptf);
+    let (unit, units) = if inch { (INCH, Units::Inch) } else { (1.0, Units::Millimetre) };
+    let mut name = Designation::new(found.major * unit, INCH / found.tpi, units, form);
+    name.pipe = Some(found);
+    let mut at = used;
+    if let Some((tpi, words)) = diameter(&rest[used..]) {
+        at += words;
+        if (tpi - found.tpi).abs() > 1e-9 {
+            let (kind, standard) = source(form);
+            return Err(CalcError::new(
+                format!("{} {kind} has {} threads per inch, not {tpi}", found.name, found.tpi),
+                format!("leave them out: {standard} has one pitch for each size"),
+            ));
+        }
+    }
+    for word in &rest[at..] {
+        let upper = word.to_ascii_uppercase();
+        match upper.as_str() {
+            _ if hand(&mut name, &upper)? => {}
+            "TPI" => {}
+            "A" | "B" if form == Form::G => {
+                class::add(&mut name.classes, Class::Pipe { wide: upper == "B" })?;
+            }
+            _ => {
+                return Err(CalcError::new(
+                    format!("`{word}` is nothing that the name of a pipe thread has"),
+                    "the classes of G threads are A and B outside; NPT and R have none; a hand is LH or RH",
+                ));
+            }
+        }
+    }
+    Ok(name)
+}
+
+/// The words without those of the form; `1/2A` of a G thread becomes two.
+fn without_form(words: &[String], form: Form) -> Vec<String> {
+    let mut rest = Vec::new();
+    for word in words.iter().filter(|word| read_form(word).is_none()) {
+        if form != Form::G {
+            rest.push(word.clone());
+            continue;
+        }
+        let end = word.trim_end_matches(['A', 'B', 'a', 'b']).len();
+        let (size, class) = word.split_at(end);
+        rest.extend([size, class].into_iter().filter(|part| !part.is_empty()).map(String::from));
+    }
+    rest
+}
+
+fn find(form: Form, asked: f64) -> Result<&'static PipeSize, CalcError> {
+    let table: &'static [PipeSize] = match form {
+        Form::Npt | Form::Nptf => &NPT,
+        _ => &G,
+    };
+    let has = |own: &&PipeSize| form != Form::R || own.gauge > 0.0;
+    let found = table.iter().filter(has).find(|own| (own.size - asked).abs() < 1e-6);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = table.iter().filter(has).map(|own| own.name).collect();
+        let (kind, standard) = source(form);
+        CalcError::new(
+            format!("there is no {kind} thread of size {}", trimmed(asked, 4)),
+            format!("the sizes of {standard} here are {}", names.join(", ")),
+        )
+    })
+}
+
+/// Sizes of a pipe thread.
+pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
+    let found = name.pipe.ok_or_else(|| no_thread("a pipe thread without its size"))?;
+    if starts != 1 {
+        return Err(CalcError::new(
+            format!("a pipe thread of {starts} starts cannot be"),
+            "leave --starts out",
+        ));
+    }
+    let (kind, standard) = source(name.form);
+    let mut worked = Worked::new(format!("Pipe thread {} {kind} ({standard})", found.name), units);
+    let inch = matches!(name.form, Form::Npt | Form::Nptf);
+    let meaning = match name.form {
+        Form::Npt | Form::Nptf => "outside diameter of the pipe",
+        Form::R => "major diameter at the gauge plane",
+        _ => "major diameter",
+    };
+    worked.given("D", meaning, Kind::Length, name.major);
+    worked.given("TPI", "threads per inch", Kind::Number, found.tpi);
+    let filled = format!("1/{} in", trimmed(found.tpi, 3));
+    worked.result("P", "pitch", Kind::Length, name.pitch, "1/TPI", filled);
+    if name.form != Form::G {
+        taper(&mut worked);
+    }
+    if inch {
+        npt(&mut worked, found);
+    } else {
+        whitworth(&mut worked, name, found);
+    }
+    if name.form == Form::Nptf {
+        worked.note(
+            "NPTF has the diameters, pitch and taper of NPT; its crests and roots are cut to seal (ASME \
+             B1.20.3), so h and the minor diameters differ a little. Gauges decide.",
+        );
+    }
+    worked.note("A program for it is not written: thread-mill writes parallel threads of 60°.");
+    let (height, half) = if inch { (0.8, 30f64) } else { (WHITWORTH, 27.5) };
+    let slope = if name.form == Form::G { 0.0 } else { 1.0 / 32.0 };
+    worked.figure = profile(name.pitch, height, half.to_radians(), slope, units);
+    Ok(worked)
+}
+
+fn taper(worked: &mut Worked) {
+    let value = 1.0 / 16.0;
+    worked.result("k", "taper on the diameter", Kind::Number, value, "1:16", "1/16".into());
+    let angle = atan(1.0 / 32.0);
+    worked.result("α", "angle to the axis", Kind::Angle, angle, "atan(k/2)", "atan(1/32)".into());
+}
+
+/// Sizes of NPT by the formulas of ASME B1.20.1, which are in inches.
+fn npt(worked: &mut Worked, found: &PipeSize) {
+    let PipeSize { major: d, tpi, gauge, .. } = *found;
+    let p = 1.0 / tpi;
+    let n = |value: f64| trimmed(value, 5);
+    let small = d - (0.05 * d + 1.1) * p;
+    let large = small + gauge / 16.0;
+    let height = 0.8 * p;
+    let mut give = |symbol: &str, meaning: &str, inches: f64, formula: &str, filled: String| {
+        worked.result(symbol, meaning, Kind::Length, inches * INCH, formula, filled);
+    };
+    let table = "ASME B1.20.1, table 2";
+    give("L1", "engagement by hand", gauge, table, table.into());
+    let filled = format!("(0.8·{} + 6.8)·{}", n(d), n(p));
+    give("L2", "length of effective thread", (0.8 * d + 6.8) * p, "(0.8·D + 6.8)·P", filled);
+    let filled = format!("{} − (0.05·{} + 1.1)·{}", n(d), n(d), n(p));
+    let formula = "D − (0.05·D + 1.1)·P";
+    give("E0", "pitch diameter at the end of the pipe", small, formula, filled);
+    let filled = format!("{} + {}/16", n(small), n(gauge));
+    give("E1", "pitch diameter at the mouth of the hole", large, "E0 + L1/16", filled);
+    give("h", "height of the thread", height, "0.8·P", format!("0.8·{}", n(p)));
+    let filled = format!("{} − {}", n(small), n(height));
+    give("K0", "minor diameter at the end of the pipe", small - height, "E0 − h", filled);
+    let filled = format!("{} − {}", n(large), n(height));
+    give("K1", "minor diameter at the mouth of the hole", large - height, "E1 − h", filled);
+    worked.note("The formulas are in inches. Basic sizes: the gauge may stand off by one turn.");
+}
+
+/// Sizes of G and R, which have one profile.
+fn whitworth(worked: &mut Worked, name: &Designation, found: &PipeSize) {
+    let (d, p) = (name.major, name.pitch);
+    let units = worked.units;
+    let n = |mm: f64| units.number(mm);
+    // The standards round the depth to a micrometre, and take it off once and twice.
+    let height = (WHITWORTH * p * 1000.0).round() / 1000.0;
+    let (middle, minor) = (d - height, d - 2.0 * height);
+    let mut give = |symbol: &str, meaning: &str, mm: f64, formula: &str, filled: String| {
+        worked.result(symbol, meaning, Kind::Length, mm, formula, filled);
+    };
+    let formula = "0.640327·P, to 0.001 mm";
+    give("h", "depth of the thread", height, formula, format!("0.640327·{}", n(p)));
+    give("D2", "pitch diameter", middle, "D − h", format!("{} − {}", n(d), n(height)));
+    give("D1", "minor diameter", minor, "D − 2·h", format!("{} − 2·{}", n(d), n(height)));
+    if name.form == Form::R {
+        let gauge = found.gauge;
+        give("L", "gauge length", gauge, "ISO 7-1, table 1", "ISO 7-1, table 1".into());
+        for (symbol, meaning, large) in [
+            ("D0", "major diameter at the small end", d),
+            ("D20", "pitch diameter at the small end", middle),
+            ("D10", "minor diameter at the small end", minor),
+        ] {
+            let formula = format!("{} − L/16", symbol.trim_end_matches('0'));
+            let filled = format!("{} − {}/16", n(large), n(gauge));
+            give(symbol, meaning, large - gauge / 16.0, &formula, filled);
+        }
+        return;
+    }
+    parallel_limits(worked, name, found, [middle, minor]);
+}
+
+/// Limits of a G thread: the hole's always, the pipe's of the class that is named.
+fn parallel_limits(
+    worked: &mut Worked,
+    name: &Designation,
+    found: &PipeSize,
+    [middle, minor]: [f64; 2],
+) {
+    let range = TOLERANCES.iter().find(|(most, ..)| found.size <= most + 1e-6);
+    let Some((_, pitch, crest, hole)) = range.copied() else { return };
+    let units = worked.units;
+    let d = name.major;
+    let mut give = |symbol: &str, meaning: &str, base: f64, add: f64, formula: &str| {
+        let sign = if add < 0.0 { '−' } else { '+' };
+        let filled = format!("{} {sign} {}", units.number(base), units.number(add.abs()));
+        worked.result(symbol, meaning, Kind::Length, base + add, formula, filled);
+    };
+    give("D1max", "minor diameter of the hole, most", minor, hole, "D1 + TD1 (ISO 228-1)");
+    give("D2max", "pitch diameter of the hole, most", middle, pitch, "D2 + TD2 (ISO 228-1)");
+    for class in &name.classes {
+        let Class::Pipe { wide } = class else { continue };
+        let tolerance = if *wide { 2.0 * pitch } else { pitch };
+        give("dmin", "major diameter outside, least", d, -crest, "D − Td (ISO 228-1)");
+        let meaning = format!("pitch diameter outside, least, class {class}");
+        give("d2min", &meaning, middle, -tolerance, "D2 − Td2 (ISO 228-1)");
+    }
+}
+
+/// Two pitches of a thread so many pitches high, with its slope to the axis.
+fn profile(pitch: f64, height: f64, half: f64, slope: f64, units: Units) -> Figure {
+    let mut figure = Figure::default();
+    let depth = height * pitch;
+    let flank = depth * tan(half);
+    let crest = (pitch / 2.0 - flank) / 2.0;
+    let at = |x: f64, y: f64| Vec2::new(x, y + slope * x);
+    let mut last: Option<Vec2> = None;
+    for turn in 0..3 {
+        let middle = f64::from(turn) * pitch;
+        let points = [
+            at(middle - crest - flank, -depth),
+            at(middle - crest, 0.0),
+            at(middle + crest, 0.0),
+            at(middle + crest + flank, -depth),
+        ];
+        if let Some(last) = last {
+            figure.line(last, points[0], Style::Part);
+        }
+        for pair in points.windows(2) {
+            figure.line(pair[0], pair[1], Style::Part);
+        }
+        last = Some(points[3]);
+    }
+    let (left, right) = (-0.75 * pitch, 2.75 * pitch);
+    figure.line(at(left, -depth / 2.0), at(right, -depth / 2.0), Style::Path);
+    let up = 0.42 * pitch;
+    figure.width(at(0.0, 0.0), at(pitch, 0.0), up, format!("P {}", units.number(pitch)));
+    let text = format!("h {}", units.number(depth));
+    figure.height(at(0.0, 0.0), at(-crest - flank, -depth), left - 0.22 * pitch, text);
+    let root = at(pitch / 2.0, -height * pitch - crest / tan(half));
+    let start = std::f64::consts::FRAC_PI_2 - half;
+    let opening = trimmed(2.0 * half.to_degrees(), 0);
+    figure.angle(root, 0.75 * pitch, start, 2.0 * half, format!("{opening}°"));
+    figure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_stand_once_and_in_order() {
+        for table in [&NPT[..], &G[..]] {
+            assert!(table.windows(2).all(|pair| pair[0].size < pair[1].size));
+            assert!(table.windows(2).all(|pair| pair[0].major < pair[1].major));
+        }
+    }
+}
