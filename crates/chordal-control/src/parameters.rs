@@ -1,5 +1,7 @@
 //! The numbers and habits of a control that may differ from machine to machine.
 
+use chordal_syntax::Decimal;
+
 use crate::command::{FeedAlong, RapidPath, Units};
 use crate::compensation::CompensationRules;
 use crate::cycle_rules::CycleRules;
@@ -272,6 +274,27 @@ impl Parameters {
     /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
     pub fn semicircle_tolerance(&self, units: Units) -> f64 {
         self.semicircle_tolerance_mm.unwrap_or(2.0 * self.least_increment(units))
+    }
+
+    /// Decimals of a length that the control keeps; the rest is cut, rounded or not known to be either.
+    pub fn kept_decimals(&self, units: Units) -> u8 {
+        match (self.excess_decimals, units) {
+            (ExcessDecimals::Exact, _) => u8::MAX,
+            (_, Units::Inch) => self.increment_digits_inch,
+            (_, Units::Millimetre) => self.increment_digits_mm,
+        }
+    }
+
+    /// The length that the control makes of a number with a decimal point.
+    pub fn kept(&self, number: Decimal, units: Units) -> Decimal {
+        if number.scale <= self.kept_decimals(units) {
+            return number;
+        }
+        match (self.excess_decimals, number.at_decimals(self.kept_decimals(units))) {
+            (ExcessDecimals::Cut, Some((cut, _))) => cut,
+            (ExcessDecimals::Rounded, Some((_, rounded))) => rounded,
+            _ => number,
+        }
     }
 
     /// The smallest length that a word can give, mm.

@@ -6,7 +6,7 @@ use chordal_syntax::Decimal;
 
 use crate::command::{AxisMask, Coolant, FeedMode, Overrides, Position, Side, SpindleState, Units};
 use crate::offsets::Offsets;
-use crate::parameters::{ArcCenter, DecimalPoint, ExcessDecimals, Parameters};
+use crate::parameters::{ArcCenter, DecimalPoint, Parameters};
 use crate::path_modes::PathState;
 use crate::table::CycleKind;
 
@@ -86,24 +86,21 @@ impl Scale {
     pub fn new(units: Units, parameters: &Parameters) -> Scale {
         let whole = parameters.decimal_point == DecimalPoint::Calculator;
         let digits = |digits: u8| if whole { 0 } else { digits };
-        let decimals = |digits: u8| match parameters.excess_decimals {
-            ExcessDecimals::Exact => u8::MAX,
-            _ => digits,
-        };
+        let decimals = parameters.kept_decimals(units);
         match units {
             Units::Inch => Scale {
                 factor: 254,
                 with_point: 1,
                 without_point: 1 + digits(parameters.increment_digits_inch),
                 angle_without_point: digits(3),
-                decimals: decimals(parameters.increment_digits_inch),
+                decimals,
             },
             Units::Millimetre => Scale {
                 factor: 1,
                 with_point: 0,
                 without_point: digits(parameters.increment_digits_mm),
                 angle_without_point: digits(3),
-                decimals: decimals(parameters.increment_digits_mm),
+                decimals,
             },
         }
     }

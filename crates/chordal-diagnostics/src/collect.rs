@@ -52,6 +52,9 @@ impl Collector {
     /// Takes one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let code = diagnostic.code;
+        if self.was_said_once(code, diagnostic.primary.span) {
+            return;
+        }
         let kept = self.kept_per_code.entry(code).or_insert(0);
         if self.told.contains(&(code, diagnostic.primary.span)) {
             return;
@@ -79,13 +82,19 @@ impl Collector {
 
     /// Takes some of one place of which no more than this is known: none of them is kept.
     pub fn push_uncopied(&mut self, code: Code, severity: Severity, span: Span, times: u64) {
-        if self.told.contains(&(code, span)) {
+        if self.told.contains(&(code, span)) || self.was_said_once(code, span) {
             return;
         }
         for _ in 0..times {
             self.counts.add(severity);
         }
         *self.dropped.entry(code).or_insert(0) += times;
+    }
+
+    /// A code that is said once in a file, and was.
+    fn was_said_once(&self, code: Code, span: Span) -> bool {
+        code.is_said_once()
+            && self.kept.iter().any(|kept| kept.code == code && kept.primary.span.file == span.file)
     }
 
     /// What was kept, in the order it came.

@@ -106,6 +106,10 @@ impl Contour {
         machine.set(&format!("tools.1.diameter=\"{} mm\"", 2.0 * self.radius)).expect("a tool");
         let tangent = format!("settings.compensation_tangent_joint=\"{} mm\"", self.tangent);
         machine.set(&tangent).expect("a setting");
+        // The contours have more decimals than the controls.
+        for setting in ["settings.excess_decimals=exact", "settings.most_digits=0"] {
+            machine.set(setting).expect("a setting");
+        }
         let text = self.program();
         let mut sources = SourceMap::new();
         sources.add(Source::new("contour.nc", text.as_bytes()));

@@ -75,9 +75,13 @@ fn program(chain: &[PlaneCurve], side: Side) -> String {
 
 fn run(text: &str, radius: f64) -> Seen {
     let mut machine = Machine::from_builtin("fanuc-30i").unwrap();
-    for assignment in
-        [format!("tools.1.diameter={} mm", 2.0 * radius), "settings.outside_corner=arc".into()]
-    {
+    for assignment in [
+        format!("tools.1.diameter={} mm", 2.0 * radius),
+        "settings.outside_corner=arc".into(),
+        // The contours have more decimals than the control.
+        "settings.excess_decimals=exact".into(),
+        "settings.most_digits=0".into(),
+    ] {
         machine.set(&assignment).unwrap();
     }
     let mut sources = SourceMap::new();

@@ -320,6 +320,7 @@ impl<'a> Interpreter<'a> {
         loop {
             if self.reader.position().offset >= next_rest && self.is_settled() {
                 let rest = self.rest();
+                self.told.excess_decimals = false;
                 if self.sink.rest(rest, self.looked.take()).is_break() {
                     return None;
                 }

@@ -114,7 +114,8 @@ impl Interpreter<'_> {
                 missing: self.missing.clone(),
                 repeated_blocks: self.repeated_blocks,
                 sequence: self.sequence,
-                told: self.told.clone(),
+                // Whoever collects keeps the first of them, so that it does not decide about what follows.
+                told: Told { excess_decimals: false, ..self.told.clone() },
                 preset_kept: self.preset_kept,
                 lost_jump: self.lost_jump,
                 carried_out: self.carried_out,

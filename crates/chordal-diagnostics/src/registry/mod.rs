@@ -44,6 +44,11 @@ macro_rules! codes {
             /// All codes in the order of their numbers.
             pub const ALL: &'static [Code] = &[$(Code::$variant,)*];
 
+            /// Said once in a file: what holds for all its numbers.
+            pub const fn is_said_once(self) -> bool {
+                matches!(self, Code::ExcessDecimals)
+            }
+
             /// What the registry knows of it.
             pub fn info(self) -> &'static CodeInfo {
                 match self { $(Code::$variant => &$family::$entry,)* }

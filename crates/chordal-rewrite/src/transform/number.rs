@@ -1,7 +1,7 @@
 //! Numbers written as the program writes its own.
 
 use chordal::Control;
-use chordal::control::{DecimalPoint, Units};
+use chordal::control::{DecimalPoint, ExcessDecimals, Units};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader};
 
@@ -15,6 +15,8 @@ pub(super) struct Style {
     leading_zero: bool,
     /// The most decimals of a length.
     decimals: u8,
+    /// Decimals that the control keeps, in inch and in millimetres.
+    kept: [u8; 2],
     /// Blanks stand between words.
     pub(super) spaced: bool,
     /// Whole numbers end with a point.
@@ -55,6 +57,7 @@ impl Style {
         Style {
             leading_zero: zeros >= bare,
             decimals,
+            kept: [Units::Inch, Units::Millimetre].map(|units| kept(control, units)),
             spaced: spaced >= tight,
             with_point: points >= none
                 || control.parameters.decimal_point != DecimalPoint::Calculator,
@@ -67,7 +70,12 @@ impl Style {
             Units::Inch => 4,
             Units::Millimetre => 3,
         };
-        self.decimals.clamp(usual, MOST_DECIMALS)
+        self.decimals.clamp(usual, MOST_DECIMALS).min(self.kept(units))
+    }
+
+    /// More decimals than these the control does not take as they are written.
+    pub(super) fn kept(&self, units: Units) -> u8 {
+        self.kept[usize::from(units == Units::Millimetre)]
     }
 
     /// A number with `least` decimals and as many more as it needs; rounded to `digits` where it
@@ -109,6 +117,14 @@ impl Style {
     /// The separator between words.
     pub(super) fn gap(&self) -> &'static str {
         if self.spaced { " " } else { "" }
+    }
+}
+
+/// Where what it does with more is not known, it is taken to compute with all of them.
+fn kept(control: &Control, units: Units) -> u8 {
+    match control.parameters.excess_decimals {
+        ExcessDecimals::Unknown => MOST_DECIMALS,
+        _ => control.parameters.kept_decimals(units),
     }
 }
 

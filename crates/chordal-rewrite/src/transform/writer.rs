@@ -33,12 +33,15 @@ impl<'a> Writer<'a> {
 
     /// The length of a literal, mm.
     pub(super) fn length_mm(&self, units: Units, number: Decimal) -> f64 {
-        number.to_f64() * self.control.length_unit_mm(units, number.has_point)
+        let kept =
+            if number.has_point { self.control.parameters.kept(number, units) } else { number };
+        kept.to_f64() * self.control.length_unit_mm(units, number.has_point)
     }
 
     /// A length as a number of a word that had another one.
     pub(super) fn length(&self, mm: f64, units: Units, old: Option<Decimal>, more: u8) -> String {
-        let digits = self.style.digits(units).max(more);
+        let kept = self.style.kept(units);
+        let digits = self.style.digits(units).max(more).min(kept);
         if let Some(old) = old.filter(|old| !old.has_point) {
             let whole = mm / self.control.length_unit_mm(units, false);
             if (whole - whole.round()).abs() < 1e-9 * whole.abs().max(1.0) && old.scale == 0 {
@@ -48,7 +51,7 @@ impl<'a> Writer<'a> {
         let unit = unit_mm(units);
         // Who writes a zero at the end writes as many decimals everywhere.
         let padded = |old: &Decimal| old.has_point && old.mantissa % 10 == 0;
-        let least = old.filter(padded).map_or(0, |old| old.scale);
+        let least = old.filter(padded).map_or(0, |old| old.scale.min(kept));
         let point = self.style.with_point || old.is_some_and(|old| old.has_point);
         let number = self.style.number(mm / unit, least, digits, point);
         let written: f64 = number.parse().unwrap_or(f64::NAN);

@@ -69,7 +69,9 @@ pub fn machine(name: &str, radius: f64, unit: &str, settings: &[&str]) -> Machin
     let unit = if unit == "inch" { "in" } else { unit };
     let offset = format!("tools.1.diameter=\"{} {unit}\"", 2.0 * radius);
     let calculator = "settings.decimal_point=calculator";
-    for assignment in [offset.as_str(), calculator].iter().chain(settings) {
+    // The contours have more decimals than the controls.
+    let decimals = ["settings.excess_decimals=exact", "settings.most_digits=0"];
+    for assignment in [offset.as_str(), calculator].iter().chain(&decimals).chain(settings) {
         machine.set(assignment).unwrap_or_else(|error| panic!("{assignment}: {error}"));
     }
     machine
