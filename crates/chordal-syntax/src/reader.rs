@@ -238,9 +238,6 @@ impl<'a> BlockReader<'a> {
             }
             other => {
                 self.at += other.unwrap_or(rest.len());
-                if self.comment_closed_later(block, start) {
-                    return;
-                }
                 let line_end = self.at as u32;
                 self.problem(block, || {
                     let open = Span::new(self.file, start as u32, start as u32 + 1);

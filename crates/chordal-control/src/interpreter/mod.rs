@@ -177,6 +177,8 @@ struct Interpreter<'a> {
     preset_kept: [f64; 6],
     lost_jump: bool,
     carried_out: bool,
+    /// The block before was a remark without its marks, or a comment left open.
+    in_remark: bool,
     macros: macros::MacroState<'a>,
     /// Blocks of the main program before this place are repeats after a jump back; 0 when
     /// there are none.
@@ -292,6 +294,7 @@ impl<'a> Interpreter<'a> {
             preset_kept: [0.0; 6],
             lost_jump: false,
             carried_out: false,
+            in_remark: false,
             macros: macros::MacroState::new(control.table, machine),
             repeat_until: 0,
             message: None,
@@ -377,10 +380,9 @@ impl<'a> Interpreter<'a> {
             call: self.path,
             cycle: false,
         };
+        let goes_on = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {
-            for problem in std::mem::take(&mut block.problems) {
-                self.report(problem);
-            }
+            self.report_problems_of_text(block, goes_on);
         }
         if !block.comments.is_empty()
             && self.rules().comments_act
@@ -432,6 +434,18 @@ impl<'a> Interpreter<'a> {
             return self.carry_out_compensated(block);
         }
         self.carry_out(block)
+    }
+
+    /// What the reader found. A remark of several lines is one problem, at its first line.
+    #[cold]
+    fn report_problems_of_text(&mut self, block: &mut Block, goes_on: bool) {
+        for problem in std::mem::take(&mut block.problems) {
+            let remark = problem.code == Code::LooksLikeRemark;
+            self.in_remark |= remark || problem.code == Code::UnclosedComment;
+            if !(remark && goes_on && block.words.is_empty()) {
+                self.report(problem);
+            }
+        }
     }
 
     /// True when block delete takes the macro statement, which is the last of its block.

@@ -96,6 +96,7 @@ impl Interpreter<'_> {
             && self.repeat_until == 0
             && self.state.side == Side::Off
             && self.stopped.is_none()
+            && !self.in_remark
             && self.paths.count() <= MOST_CALL_PATHS
             && self.options.shop_codes.is_none()
             && self.macros.is_settled()

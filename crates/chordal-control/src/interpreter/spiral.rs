@@ -19,6 +19,10 @@ use crate::parameters::{SpiralForm, SpiralOnRay};
 /// Most turns of a spiral (the manuals' 0 to 99).
 const MAX_TURNS: u32 = 99;
 
+/// So many least increments off the ray of the start are rounding: half of one for each of the words of
+/// the end and of the centre.
+const ROUNDED_INCREMENTS: f64 = 1.5;
+
 /// Ends, centre and θ of a spiral block.
 struct SpiralEnds {
     center: (f64, f64),
@@ -167,8 +171,9 @@ impl Interpreter<'_> {
         let short_of_ray = (TAU - full) * radius;
         let near = self.control.parameters.coincidence_mm;
         let angle = if short_of_ray <= near || full * radius <= near { 0.0 } else { full };
-        let increment = self.control.parameters.least_increment(self.state.units);
-        let on_ray = short_of_ray <= increment || full * radius <= increment;
+        let rounding =
+            ROUNDED_INCREMENTS * self.control.parameters.least_increment(self.state.units);
+        let on_ray = short_of_ray <= rounding || full * radius <= rounding;
         if fit.radius_start <= near && fit.radius_end <= near {
             let span = self.words_span(block, Letters::of("IJK"));
             self.report(

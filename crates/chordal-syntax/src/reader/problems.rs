@@ -79,6 +79,9 @@ impl BlockReader<'_> {
     #[cold]
     pub(super) fn lone_number(&mut self, block: &mut Block) {
         let start = self.at;
+        if block.words.is_empty() && self.remark(block, start) {
+            return;
+        }
         let rest = &self.text[start..self.end];
         let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
         self.at += token.max(1);
