@@ -24,7 +24,7 @@ def test_a_file_brings_its_folder_and_its_subprograms(examples: Path) -> None:
 
 def test_a_text_is_recognized_or_told() -> None:
     recognized = chordal.loads(PART).recognized
-    assert recognized is not None and "taken for" in recognized or "recognized" in str(recognized)
+    assert recognized is not None and "assumed" in recognized or "recognized" in str(recognized)
     assert chordal.loads(PART, control="fanuc").machine.name == "fanuc-30i"
     assert chordal.loads(PART.encode(), "haas-vf2").name == "<program>"
     with pytest.raises(chordal.UsageError, match="both a machine and a control"):

@@ -67,6 +67,15 @@ pub enum SpiralOnRay {
     FullTurn,
 }
 
+/// What a centre word left out is, where centre words are coordinates.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum OmittedCenter {
+    /// The coordinate of the start.
+    Start,
+    /// Zero.
+    Zero,
+}
+
 /// What is done with decimals beyond the least increment (`X1.23456` in inch).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ExcessDecimals {
@@ -195,6 +204,12 @@ pub struct Parameters {
     pub spiral_on_ray: SpiralOnRay,
     /// Rotary axes may turn with an arc.
     pub rotary_in_arc: bool,
+    /// A centre word left out, where they are the centre's coordinates.
+    pub omitted_center: OmittedCenter,
+    /// A move in machine coordinates (G53) is a rapid, whatever motion is in force.
+    pub machine_move_is_rapid: bool,
+    /// G0 takes back the direction that G2 or G3 armed.
+    pub rapid_disarms_arc: bool,
     /// Largest distance of a computed spiral end from the programmed one, mm.
     pub spiral_end_tolerance_mm: f64,
     /// R beside I, J, K.
@@ -329,6 +344,9 @@ impl Parameters {
         spiral: SpiralForm::None,
         spiral_on_ray: SpiralOnRay::NoTurn,
         rotary_in_arc: true,
+        omitted_center: OmittedCenter::Start,
+        machine_move_is_rapid: false,
+        rapid_disarms_arc: false,
         spiral_end_tolerance_mm: 0.01,
         center_and_radius: CenterAndRadius::RadiusWins,
         full_circle_by_radius: FullCircleByRadius::Refused,

@@ -8,8 +8,8 @@ use crate::compensation_settings::{self, CompensationField};
 use crate::cycle_rules::{self, CycleField};
 use crate::parameters::{
     ArcCenter, ArcMismatch, CenterAndRadius, CompensationEntry, DecimalPoint, ExcessDecimals,
-    FixedRoutineCount, FullCircleByRadius, OffsetKind, OutsideCorner, Parameters, PlaneCodes,
-    SpiralForm, SpiralOnRay, UnitCodes,
+    FixedRoutineCount, FullCircleByRadius, OffsetKind, OmittedCenter, OutsideCorner, Parameters,
+    PlaneCodes, SpiralForm, SpiralOnRay, UnitCodes,
 };
 use crate::path_modes::{self, PathField};
 
@@ -47,6 +47,9 @@ pub enum Field {
     SpiralEndTolerance,
     SpiralOnRay,
     RotaryInArc,
+    OmittedCenter,
+    MachineMove,
+    RapidDisarmsArc,
     CenterAndRadius,
     FullCircleByRadius,
     Rapid,
@@ -163,6 +166,21 @@ const GENERAL: &[Setting] = &[
         "rotary_in_arc",
         Field::RotaryInArc,
         "a rotary axis in the block of an arc: `allowed` or `refused`",
+    ),
+    common(
+        "omitted_center",
+        Field::OmittedCenter,
+        "a centre word left out, where they are coordinates: that of the `start`, or `zero`",
+    ),
+    common(
+        "machine_move",
+        Field::MachineMove,
+        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+    ),
+    common(
+        "rapid_disarms_arc",
+        Field::RapidDisarmsArc,
+        "G0 takes back the direction that G2 or G3 armed, where they arm one: `on` or `off`",
     ),
     common(
         "spiral_end_tolerance",
@@ -345,6 +363,9 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::SpiralEndTolerance => p.spiral_end_tolerance_mm = length()?,
         Field::SpiralOnRay => p.spiral_on_ray = choose(word, SPIRAL_ON_RAY)?,
         Field::RotaryInArc => p.rotary_in_arc = choose(word, ROTARY_IN_ARC)?,
+        Field::OmittedCenter => p.omitted_center = choose(word, OMITTED_CENTER)?,
+        Field::MachineMove => p.machine_move_is_rapid = choose(word, MACHINE_MOVES)?,
+        Field::RapidDisarmsArc => p.rapid_disarms_arc = flag()?,
         Field::CenterAndRadius => {
             p.center_and_radius = choose(
                 word,
@@ -444,6 +465,9 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::SpiralEndTolerance => mm_text(p.spiral_end_tolerance_mm),
         Field::SpiralOnRay => name_of(p.spiral_on_ray, SPIRAL_ON_RAY),
         Field::RotaryInArc => name_of(p.rotary_in_arc, ROTARY_IN_ARC),
+        Field::OmittedCenter => name_of(p.omitted_center, OMITTED_CENTER),
+        Field::MachineMove => name_of(p.machine_move_is_rapid, MACHINE_MOVES),
+        Field::RapidDisarmsArc => on(p.rapid_disarms_arc),
         Field::CenterAndRadius => {
             let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
             if wins { "radius-wins" } else { "refused" }.into()
@@ -497,6 +521,11 @@ const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
 
 const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
     &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
+
+const OMITTED_CENTER: &[(&str, OmittedCenter)] =
+    &[("start", OmittedCenter::Start), ("zero", OmittedCenter::Zero)];
+
+const MACHINE_MOVES: &[(&str, bool)] = &[("rapid", true), ("in-force", false)];
 
 const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
     ("exact", ExcessDecimals::Exact),

@@ -107,6 +107,14 @@ const CYCLES: CycleRules = CycleRules {
 
 const SETTINGS: &[Setting] = &[
     setting(
+        "rapid_disarms_arc",
+        Field::RapidDisarmsArc,
+        &[],
+        "G0 takes back the direction that G2 or G3 armed: `on` or `off`",
+        Certainty::Unknown,
+        "section 13: G2 and G3 do not cancel G1; whether G0 cancels them is left open",
+    ),
+    setting(
         "feed ramps",
         Field::Path(PathField::Start),
         &[("G9", "exact-stop"), ("G8", "continuous")],

@@ -57,6 +57,7 @@ const PARAMETERS: Parameters = Parameters {
     // L counts turns begun: exactly one is L1.
     spiral_on_ray: SpiralOnRay::FullTurn,
     rotary_in_arc: false,
+    machine_move_is_rapid: true,
     excess_decimals: ExcessDecimals::Cut,
     most_digits: 8,
     radius_offsets: OffsetKind::Radius,
@@ -152,6 +153,14 @@ const SETTINGS: &[Setting] = &[
         "a rotary axis in the block of an arc: `allowed` or `refused`",
         Certainty::Inferred,
         "textbooks of Fanuc-style controls leave it out; with the option of helical interpolation B a machine may do it",
+    ),
+    setting(
+        "machine_move",
+        Field::MachineMove,
+        &[],
+        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+        Certainty::Trade,
+        "B-63534EN, G53",
     ),
     setting(
         "excess_decimals",

@@ -51,6 +51,7 @@ const PARAMETERS: Parameters = Parameters {
     helix_feed: FeedAlong::Path,
     spiral: SpiralForm::Pitches,
     excess_decimals: ExcessDecimals::Cut,
+    machine_move_is_rapid: true,
     // Section 6.13: RadErr 0.100 in the manual's own examples.
     radius_error_tolerance_mm: 0.1,
     spiral_end_tolerance_mm: 0.1,
@@ -125,6 +126,14 @@ const SETTINGS: &[Setting] = &[
         "type 2: a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
         "M700V manual 6.13: L1 is less than a turn",
+    ),
+    setting(
+        "machine_move",
+        Field::MachineMove,
+        &[],
+        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+        Certainty::Trade,
+        "M700V manual, G53",
     ),
     setting(
         "excess_decimals",

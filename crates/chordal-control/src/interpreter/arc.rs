@@ -9,7 +9,9 @@ use chordal_syntax::{Block, Letters, Word};
 use super::Interpreter;
 use super::values::trim;
 use crate::command::{ArcShape, AxisMask, CommandKind, FeedAlong, Position, Side};
-use crate::parameters::{ArcCenter, ArcMismatch, CenterAndRadius, FullCircleByRadius, SpiralForm};
+use crate::parameters::{
+    ArcCenter, ArcMismatch, CenterAndRadius, FullCircleByRadius, OmittedCenter, SpiralForm,
+};
 use crate::state::Motion;
 use crate::table::{ArcTurns, MotionModality};
 
@@ -113,8 +115,14 @@ impl Interpreter<'_> {
             ArcCenter::FromCenter => {
                 (start.0 - given.0.unwrap_or(0.0), start.1 - given.1.unwrap_or(0.0))
             }
-            // A centre word left out is the start's own coordinate, as a zero is elsewhere.
-            ArcCenter::Absolute => (given.0.unwrap_or(start.0), given.1.unwrap_or(start.1)),
+            ArcCenter::Absolute => {
+                // A zero elsewhere is the start's own coordinate; whether it is here is not known.
+                let left_out = match self.control.parameters.omitted_center {
+                    OmittedCenter::Start => start,
+                    OmittedCenter::Zero => (0.0, 0.0),
+                };
+                (given.0.unwrap_or(left_out.0), given.1.unwrap_or(left_out.1))
+            }
         }
     }
 

@@ -121,6 +121,9 @@ impl Interpreter<'_> {
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
             Motion::Arc(direction) if armed => self.state.armed = Some(direction),
+            Motion::Rapid if armed && self.control.parameters.rapid_disarms_arc => {
+                (self.state.motion, self.state.armed) = (Motion::Rapid, None);
+            }
             other => self.state.motion = other,
         }
     }

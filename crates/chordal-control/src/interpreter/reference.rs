@@ -156,7 +156,7 @@ impl Interpreter<'_> {
             return;
         }
         let rapid = self.state.motion == Motion::Rapid;
-        if rapid {
+        if rapid || self.control.parameters.machine_move_is_rapid {
             return self.rapid_to_machine_point(place, named);
         }
         let motion = self.machine_move(place, named);
