@@ -401,7 +401,7 @@ const G_CODES: &[CodeRow] = &[
     ),
     row(760, Group::Cycle, Action::Cycle(CycleKind::FineBore), "RPQLIJK", "fine boring"),
     row(800, Group::Cycle, Action::CancelCycle, "", "cycle off"),
-    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RPQLIJK", "drilling"),
+    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RL", "drilling"),
     row(820, Group::Cycle, Action::Cycle(CycleKind::DrillDwell), "RPQLIJK", "drilling with dwell"),
     row(
         830,

@@ -526,7 +526,7 @@ const G_CODES: &[CodeRow] = &[
     row(740, Group::Cycle, Action::Cycle(CycleKind::LeftTap), "RPQLKIJ", "left-hand tapping"),
     row(760, Group::Cycle, Action::Cycle(CycleKind::FineBore), "RPQLKIJ", "fine boring"),
     row(800, Group::Cycle, Action::CancelCycle, "", "cycle off"),
-    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RPQLKIJ", "drilling"),
+    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RLK", "drilling"),
     row(820, Group::Cycle, Action::Cycle(CycleKind::DrillDwell), "RPQLKIJ", "drilling with dwell"),
     row(
         830,

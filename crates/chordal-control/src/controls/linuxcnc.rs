@@ -353,7 +353,7 @@ const G_CODES: &[CodeRow] = &[
     row(740, Group::Cycle, Action::Cycle(CycleKind::LeftTap), "RPQL", "left-hand tapping"),
     row(760, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "threading"),
     row(800, Group::Cycle, Action::CancelCycle, "", "cycle off"),
-    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RPQL", "drilling"),
+    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RL", "drilling"),
     row(820, Group::Cycle, Action::Cycle(CycleKind::DrillDwell), "RPQL", "drilling with dwell"),
     row(
         830,

@@ -368,7 +368,7 @@ const G_CODES: &[CodeRow] = &[
     row(750, Group::Auxiliary, Action::NotSimulated, "XYZABCIJKPQRLDHE", "cycle G75"),
     row(760, Group::Cycle, Action::Cycle(CycleKind::FineBore), "RPQLKIJ", "fine boring"),
     row(800, Group::Cycle, Action::CancelCycle, "", "cycle off"),
-    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RPQLKIJ", "drilling"),
+    row(810, Group::Cycle, Action::Cycle(CycleKind::Drill), "RLK", "drilling"),
     row(820, Group::Cycle, Action::Cycle(CycleKind::DrillDwell), "RPQLKIJ", "drilling with dwell"),
     row(
         830,
