@@ -4,7 +4,7 @@ use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_syntax::{Block, Decimal, Value, Word};
 
 use super::Interpreter;
-use crate::parameters::DecimalPoint;
+use crate::parameters::{DecimalPoint, ExcessDecimals};
 
 /// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
 pub(super) const AXIS_OF: [u8; 256] = {
@@ -65,12 +65,19 @@ impl Interpreter<'_> {
     /// A length with more decimals than the least increment has.
     #[cold]
     fn length_beyond_increment(&mut self, word: &Word, number: Decimal) -> f64 {
-        let parameters = self.control.parameters;
+        let control = self.control;
+        let parameters = &control.parameters;
         let most = parameters.most_digits;
-        let written = number.mantissa.unsigned_abs().checked_ilog10().map_or(1, |log| log + 1);
-        let digits = written.max(u32::from(number.scale));
-        if most > 0 && digits > u32::from(most) {
-            self.report_too_many_digits(word, digits, most);
+        if most > 0 {
+            let written = number.mantissa.unsigned_abs().checked_ilog10().map_or(1, |log| log + 1);
+            let digits = written.max(u32::from(number.scale));
+            if digits > u32::from(most) {
+                self.report_too_many_digits(word, digits, most);
+            }
+        }
+        let as_written = parameters.excess_decimals == ExcessDecimals::Unknown;
+        if as_written && self.told.excess_decimals {
+            return self.state.scale.length(number);
         }
         // Zeros at the end say nothing.
         if number.at_decimals(self.state.scale.decimals).is_none() {
