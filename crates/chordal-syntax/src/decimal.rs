@@ -22,6 +22,17 @@ const POWERS: [f64; 23] = [
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
+/// The same as whole numbers, as far as they go.
+const WHOLE_POWERS: [i64; 19] = {
+    let mut powers = [1; 19];
+    let mut at = 1;
+    while at < powers.len() {
+        powers[at] = powers[at - 1] * 10;
+        at += 1;
+    }
+    powers
+};
+
 /// Integers up to here have an exact double.
 const EXACT: u64 = 1 << 53;
 
@@ -74,10 +85,18 @@ impl Decimal {
         (self.mantissa % power == 0).then(|| self.mantissa / power)
     }
 
+    /// How many digits it has, those after the point at least.
+    pub fn digits(self) -> u8 {
+        let size = self.mantissa.unsigned_abs();
+        let more = |power: &&i64| size >= power.unsigned_abs();
+        let written = WHOLE_POWERS.iter().take_while(more).count().max(1) as u8;
+        written.max(self.scale)
+    }
+
     /// The number with only so many decimals, cut and rounded (half away from zero); `None` where nothing
     /// but zeros stand behind them.
     pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
-        let power = 10_i64.checked_pow(u32::from(self.scale.checked_sub(decimals)?))?;
+        let power = *WHOLE_POWERS.get(usize::from(self.scale.checked_sub(decimals)?))?;
         let (whole, rest) = (self.mantissa / power, self.mantissa % power);
         if rest == 0 {
             return None;

@@ -67,24 +67,20 @@ impl Interpreter<'_> {
     fn length_beyond_increment(&mut self, word: &Word, number: Decimal) -> f64 {
         let control = self.control;
         let parameters = &control.parameters;
-        let most = parameters.most_digits;
-        if most > 0 {
-            let written = number.mantissa.unsigned_abs().checked_ilog10().map_or(1, |log| log + 1);
-            let digits = written.max(u32::from(number.scale));
-            if digits > u32::from(most) {
-                self.report_too_many_digits(word, digits, most);
-            }
+        if parameters.most_digits > 0 && number.digits() > parameters.most_digits {
+            self.report_too_many_digits(word, number.digits(), parameters.most_digits);
         }
         let as_written = parameters.excess_decimals == ExcessDecimals::Unknown;
         if as_written && self.told.excess_decimals {
             return self.state.scale.length(number);
         }
-        // Zeros at the end say nothing.
-        if number.at_decimals(self.state.scale.decimals).is_none() {
-            return self.state.scale.length(number);
-        }
         let kept = parameters.kept(number, self.state.units);
-        if !self.told.excess_decimals {
+        // Zeros at the end say nothing.
+        let says_more = match as_written {
+            true => number.at_decimals(self.state.scale.decimals).is_some(),
+            false => kept != number,
+        };
+        if says_more && !self.told.excess_decimals {
             self.told.excess_decimals = true;
             self.report_excess_decimals(word, number, kept);
         }
@@ -113,7 +109,7 @@ impl Interpreter<'_> {
         );
     }
 
-    fn report_too_many_digits(&mut self, word: &Word, digits: u32, most: u8) {
+    fn report_too_many_digits(&mut self, word: &Word, digits: u8, most: u8) {
         self.report(
             Diagnostic::new(
                 Code::TooManyDigits,
