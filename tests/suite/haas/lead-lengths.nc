@@ -13,7 +13,7 @@ G41 X.2501 (= line to X.2501)
 Y3.
 G40 X0
 Y0
-G41 Z-.1 (= line to Z-.1 | ! CH510 "0 in")
+G41 Z-.1 (= line to Z-.1 | ! CH510 "moves Z alone")
 X1.
 Y3.
 G40 Z0 (= line to Z0 | ! CH510 "does not move in the plane")
@@ -21,6 +21,6 @@ X0
 (An arc code in the block of a code that takes the axis words.)
 G53 G2 X-10. I1. (= line | ! CH302 "G2 makes no arc")
 G54 G1 X0 Y0
-G3 I-.5 L0 (= none | ! CH303 "no times")
+G3 I-.5 L0 (= none | ! CH303 "not executed")
 G3 I-.5 Z-.1 L2 (= helix ccw to Z-.1 | arc ccw | ! CH213 "1 are flat")
 M30

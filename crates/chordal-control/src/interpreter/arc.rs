@@ -274,7 +274,7 @@ impl Interpreter<'_> {
             arc_end[b] = center.1 + (target[b] - center.1) * scale;
             shape.radius_to = fit.radius_start;
         }
-        self.check_rotary_in_arc(block, named);
+        self.check_rotary_in_arc(block, &target);
         let motion = self.moved_to(arc_end, named);
         let mut feed = self.feed_for(block, &motion, Some(&shape));
         feed.along = self.feed_along(&motion, plane);
@@ -464,9 +464,9 @@ impl Interpreter<'_> {
     }
 
     /// A rotary axis in the block of an arc, on a control that does not turn it there.
-    pub(super) fn check_rotary_in_arc(&mut self, block: &Block, named: AxisMask) {
-        let turned = named.without(AxisMask::LINEAR);
-        if self.control.parameters.rotary_in_arc || turned == AxisMask::NONE {
+    pub(super) fn check_rotary_in_arc(&mut self, block: &Block, target: &Position) {
+        let turns = target[3..] != self.state.position[3..];
+        if self.control.parameters.rotary_in_arc || !turns {
             return;
         }
         let title = self.control.table.title;
@@ -556,10 +556,10 @@ impl Interpreter<'_> {
 
     /// Notes an arc that is cut while G0 is in force, and the block after it that goes at rapid.
     #[inline]
-    pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, explicit: bool) {
+    pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, meant: bool) {
         let before = self.state.arc_over_rapid;
         self.state.arc_over_rapid = arc && self.state.motion == Motion::Rapid;
-        if before && !arc && !explicit && self.state.motion == Motion::Rapid {
+        if before && !meant && self.state.motion == Motion::Rapid {
             self.report_rapid_after_arc(block);
         }
     }

@@ -224,7 +224,10 @@ impl Interpreter<'_> {
         claims.insert(b'L');
         self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
-        if !codes.iter().any(|(row, _)| row.action == Action::Incremental) {
+        let says = |action| codes.iter().any(|(row, _)| row.action == action);
+        let incremental =
+            says(Action::Incremental) || self.state.incremental && !says(Action::Absolute);
+        if !incremental {
             self.check_repeated_height(block, &word, times);
         }
         self.warn_of_repeated_modal_subroutine(block, times);

@@ -33,10 +33,10 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word.range),
-                    "L0 carries this block out no times: nothing of it is done",
+                    "L0: this block is not executed",
                 )
                 .severity(Severity::Warning)
-                .label("no times")
+                .label("executed no times")
                 .help("take L0 out, or the block"),
             );
         }
@@ -45,10 +45,15 @@ impl Interpreter<'_> {
 
     /// A helix that is repeated in G90: from the second time on it is at its height already.
     pub(super) fn check_repeated_height(&mut self, block: &Block, word: &Word, times: u32) {
-        let (_, _, normal) = self.state.plane.axes();
+        let (a, b, normal) = self.state.plane.axes();
         let letter = b"XYZ"[normal];
-        let helix = self.has_arc_words(block) && block.letters().has(letter);
-        if times < 2 || !helix || self.state.incremental {
+        let letters = block.letters();
+        // A full circle: only there the repeats go round the same centre.
+        let circle = letters.meets(Letters::of("IJK"))
+            && !letters.has(b'R')
+            && !letters.has(b"XYZ"[a])
+            && !letters.has(b"XYZ"[b]);
+        if times < 2 || !circle || !letters.has(letter) {
             return;
         }
         let again = times - 1;
@@ -368,8 +373,58 @@ impl Interpreter<'_> {
             own_locals: false,
             by_alias: false,
             of_shop: false,
+            entry: [self.state.position[0], self.state.position[1]],
+            contour: None,
         });
         true
+    }
+
+    /// A contour in G91 that leads in from where the subprogram was called: it should come back there.
+    pub(super) fn note_contour_of_call(&mut self, block: &Block) {
+        let at = [self.state.position[0], self.state.position[1]];
+        // Where G90 and G91 act from left to right, the one of this block has not acted yet.
+        let says = |action| {
+            block.all(b'G').any(|word| {
+                let code = word.number().and_then(crate::table::code_number);
+                code.and_then(|code| self.control.g_code(code))
+                    .is_some_and(|row| row.action == action)
+            })
+        };
+        let incremental =
+            says(Action::Incremental) || self.state.incremental && !says(Action::Absolute);
+        let span = self.origin.span;
+        if let Some(frame) = self.frames.last_mut()
+            && incremental
+            && frame.remaining == 0
+            && frame.entry == at
+        {
+            frame.contour = Some(span);
+        }
+    }
+
+    /// Says where such a subprogram ends, if that is not where it began.
+    fn check_contour_of_call(&mut self) {
+        let Some(frame) = self.frames.last_mut() else { return };
+        let Some(contour) = frame.contour.take() else { return };
+        let [x, y] = frame.entry;
+        let (dx, dy) = (self.state.position[0] - x, self.state.position[1] - y);
+        let near = self.control.parameters.least_increment(self.state.units);
+        if dx.abs() <= 2.0 * near && dy.abs() <= 2.0 * near {
+            return;
+        }
+        let (dx, dy) = (self.length_text(dx), self.length_text(dy));
+        self.report(
+            Diagnostic::new(
+                Code::EndsElsewhere,
+                self.origin.span,
+                format!("this subprogram ends X {dx}, Y {dy} away from where it began"),
+            )
+            .label("returns from here")
+            .also(contour, "its contour in G91 leads in from where it was called")
+            .help(
+                "look for missing blocks, if it is meant to come back; a second call begins here",
+            ),
+        );
     }
 
     /// M17.
@@ -467,6 +522,7 @@ impl Interpreter<'_> {
             self.reader.seek(start);
             return;
         }
+        self.check_contour_of_call();
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;

@@ -146,6 +146,10 @@ struct Frame<'a> {
     by_alias: bool,
     /// The called text is the shop's answer: its end is a return.
     of_shop: bool,
+    /// Where the tool stood at the call, X and Y.
+    entry: [f64; 2],
+    /// G41 or G42 of a contour in G91 that leads in from there, where it is called once.
+    contour: Option<Span>,
 }
 
 struct Interpreter<'a> {

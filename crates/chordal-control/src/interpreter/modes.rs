@@ -222,7 +222,10 @@ impl Interpreter<'_> {
                     self.take_motion_code(row.action);
                 }
                 Action::Absolute => self.state.incremental = false,
-                Action::Incremental => self.state.incremental = true,
+                Action::Incremental => {
+                    self.note_incremental();
+                    self.state.incremental = true;
+                }
                 action if row.group == Group::Motion => {
                     self.end_cycle_if(self.control.parameters.cycles.cancel.by_motion);
                     self.take_motion_code(action);

@@ -173,13 +173,16 @@ impl Interpreter<'_> {
         // R0 in a block of its own only stores the register.
         let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);
         if arc_words && moves {
-            self.watch_rapid_after_arc(block, true, explicit.is_some());
+            self.watch_rapid_after_arc(block, true, true);
             match self.state.armed {
                 Some(direction) => self.arc_block(block, direction, target, named, arc_code),
                 None => self.unarmed_arc(block, target, named),
             }
         } else if named != AxisMask::NONE {
-            self.watch_rapid_after_arc(block, false, explicit.is_some());
+            // A retract along the tool is meant as a rapid.
+            let (_, _, normal) = self.state.plane.axes();
+            let retract = named == AxisMask(1 << normal);
+            self.watch_rapid_after_arc(block, false, explicit.is_some() || retract);
             if arc_code {
                 self.report_line_for_arc(block);
             }

@@ -6,6 +6,7 @@ use chordal_syntax::{Block, Letters, Value};
 use super::Interpreter;
 use super::values::trim;
 use crate::command::{CommandKind, Coolant, Side, SpindleState, WorkName};
+use crate::compensation::LeadLength;
 use crate::offsets::LengthOffset;
 use crate::parameters::OffsetKind;
 use crate::state::Motion;
@@ -170,9 +171,40 @@ impl Interpreter<'_> {
                 .help("put the D word into this block or before it"),
             );
         }
+        if before == Side::Off {
+            self.note_contour_of_call(block);
+        }
         self.state.side = side;
+        if before == Side::Off {
+            self.check_lead_in_words(block, span);
+        }
         let toward = self.compensation_direction(block);
         self.emit_compensation(number, toward, span);
+    }
+
+    /// A block that turns compensation on and moves the third axis alone, on a control that wants a lead-in.
+    fn check_lead_in_words(&mut self, block: &Block, span: chordal_diagnostics::Span) {
+        let rules = &self.control.parameters.compensation;
+        let (a, b, normal) = self.state.plane.axes();
+        let [a, b, normal] = [a, b, normal].map(|axis| b"XYZ"[axis]);
+        let letters = block.letters();
+        let alone = letters.has(normal) && !letters.has(a) && !letters.has(b);
+        let wants = rules.lead == LeadLength::AboveOffset && !rules.lead_follows_code;
+        if !alone || !wants || self.moves_on_arc(block) {
+            return;
+        }
+        let [a, b, normal] = [a, b, normal].map(char::from);
+        self.report(
+            Diagnostic::new(
+                Code::LeadInTooShort,
+                span,
+                format!(
+                    "compensation starts in a block that moves {normal} alone: this is no lead-in"
+                ),
+            )
+            .label(format!("no {a} or {b} in this block"))
+            .help(format!("move {a} or {b} in the block of G41 or G42, by more than the offset")),
+        );
     }
 
     /// D while compensation is on: the offset changes with this block.
@@ -199,7 +231,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::CompensationWithoutOffset,
                     span,
-                    "D0 is no offset: compensation moves nothing",
+                    "with D0 the tool is not offset",
                 )
                 .severity(Severity::Note)
                 .help("write the number of the tool's offset"),
@@ -548,6 +580,7 @@ impl Interpreter<'_> {
 
     /// M6.
     pub(super) fn tool_change(&mut self, block: &Block, at: usize) {
+        self.state.arc_over_rapid = false;
         let Some(number) = self.state.selected_tool else {
             let span = self.span(block.words[at].range);
             let message = "a tool change, and no tool was named".to_string();

@@ -71,7 +71,9 @@ impl Interpreter<'_> {
         let title = self.control.table.title;
         let (message, severity) = match self.control.table.last_of_group_counts {
             true if first.code == second.code => (
-                format!("{one} stands twice: {title} takes the words of both for the last"),
+                format!(
+                    "{one} stands twice: {title} executes only the last one, with the words of both"
+                ),
                 Severity::Warning,
             ),
             true => (

@@ -336,7 +336,9 @@ impl Interpreter<'_> {
             )
             .severity(Severity::Warning)
             .label(format!("the angle there is not known; shown as that of the {other}"))
-            .help("whether the control takes it is not known: end the spiral beside the centre"),
+            .help(
+                "whether the control takes it is not known: end it a little away from the centre",
+            ),
         );
     }
 
@@ -463,7 +465,7 @@ impl Interpreter<'_> {
             radius_from: ends.radius_from,
             radius_to: ends.radius_to,
         };
-        self.check_rotary_in_arc(block, named);
+        self.check_rotary_in_arc(block, &target);
         let motion = self.moved_to(target, named);
         let feed = self.feed_for(block, &motion, Some(&shape));
         // One turn back to the start is a circle or a helix, whatever words say so.
@@ -476,7 +478,14 @@ impl Interpreter<'_> {
 
     /// Start and end on one ray from the centre, and a count that adds no turn.
     fn report_no_turn(&mut self, block: &Block, ends: &SpiralEnds, target: &Position, letter: u8) {
-        let letter = letter as char;
+        let (_, _, height) = center_letters(self.state.plane);
+        let words = block.letters();
+        // Without L the word is named that makes the block a spiral.
+        let letter = match letter {
+            b'L' if !words.has(b'L') && words.has(b'Q') => b'Q',
+            b'L' if !words.has(b'L') && words.has(height) => height,
+            letter => letter,
+        } as char;
         let where_to = if ends.closed {
             "the end of this spiral is its start"
         } else {

@@ -93,7 +93,7 @@ pub(super) const LEAD_IN_TOO_SHORT: CodeInfo = CodeInfo {
     summary: "the move that starts compensation is not longer than the offset",
     explanation: r#"The control wants a straight lead-in in the plane that is longer than the offset, so that the tool can
 move aside on the way. Start further away. On a Haas the block of G41 or G42 must move X or Y; a block that
-moves Z alone is no lead-in."#,
+moves Z alone is no lead-in. The same holds for the lead-out, the move of G40."#,
 };
 
 pub(super) const SIDE_CHANGE: CodeInfo = CodeInfo {
@@ -317,16 +317,4 @@ wall, and so can rounded coordinates (LinuxCNC allows an arc in inch programs 0.
 
 The alarm stands: the control does not run the program. This note says that the geometry is sound, so
 that a smaller offset, a larger radius or other coordinates are enough."#,
-};
-
-pub(super) const POCKET_LEFT_OPEN: CodeInfo = CodeInfo {
-    code: Code::PocketLeftOpen,
-    id: "CH537",
-    name: "pocket-left-open",
-    severity: Severity::Note,
-    summary: "the wall of a pocket does not come back to where it began",
-    explanation: r#"The contour turns round the tool only, as the wall of a pocket does. It ends somewhere else than it began,
-and the lead-out goes straight on along the last wall: while compensation comes off, the tool moves over
-that wall by its radius. Blocks are missing, or the lead-out has the wrong direction. A slot that is open
-on one side may be meant so."#,
 };

@@ -206,5 +206,6 @@ the depths before it were counted from another height, too.
 
     G43 H01 Z0.1              G90: to 0.1
     G91 G01 Z-0.5156          to -0.4156
-    G00 Z0.1                  up by 0.1, G91 is still in force"#,
+    G03 I-0.5 Z0.125 L5       up to 0.2094
+    G00 Z0.1                  up by 0.1 to 0.3094: G91 is still in force"#,
 };

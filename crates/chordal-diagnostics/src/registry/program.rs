@@ -141,3 +141,14 @@ are flat circles at that depth. For one turn after the other write the block in 
     G91 I-.5 G3 Z-.1 L3
     G90"#,
 };
+
+pub(super) const ENDS_ELSEWHERE: CodeInfo = CodeInfo {
+    code: Code::EndsElsewhere,
+    id: "CH214",
+    name: "ends-elsewhere",
+    severity: Severity::Note,
+    summary: "a subprogram with a contour in G91 does not come back to where it began",
+    explanation: r#"A pocket or a boss in G91 leads in from where it is called, and its lead-out comes back there, so that
+the next call finds the tool at the same place. Here the sum of the moves is not zero: blocks are missing,
+or a number is wrong. Where the subprogram steps on purpose, nothing is wrong."#,
+};

@@ -112,8 +112,8 @@ pub(super) const TOO_MANY_DIGITS: CodeInfo = CodeInfo {
     name: "too-many-digits",
     severity: Severity::Error,
     summary: "a number has more digits than the control takes",
-    explanation: r#"A Fanuc-style control takes eight digits in a number. With more it alarms, though all of them stand
-behind the point.
+    explanation: r#"A Fanuc-style control takes eight digits in a number. With more it alarms, even if all of
+them are decimals.
 
     X1.23456789              nine digits: PS0003 on a Fanuc"#,
 };

@@ -146,7 +146,7 @@ impl Compensator {
         let diagnostic = Diagnostic::new(
             Code::LeadInTooShort,
             origin.span,
-            "G40 stands in a block that does not move in the plane: the tool comes off with the next move",
+            "G40 stands in a block that does not move in the plane: compensation is cancelled on the next move",
         )
         .severity(Severity::Warning)
         .label("no lead-out")

@@ -98,11 +98,8 @@ impl Compensator {
     fn still_in_plane<P: PathSink>(&mut self, command: &Command, out: &mut P) {
         let rules = &self.parameters.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
-        if self.phase == Phase::Starting && rules.lead == LeadLength::AboveOffset {
-            // A code alone waits on most controls; only a move of its own block is its lead-in.
-            if self.code.span == command.origin.span || rules.lead_follows_code {
-                self.lead_too_short(&command.origin, 0.0, out);
-            }
+        if self.phase == Phase::Starting && rules.lead_follows_code {
+            self.lead_too_short(&command.origin, 0.0, out);
         }
         let own_code = self.code.span == command.origin.span;
         if self.phase == Phase::Cancelling && own_code && rules.lead != LeadLength::Any && !zero {

@@ -26,9 +26,6 @@ struct Tokens {
 impl Tokens {
     fn of(line: &[u8]) -> Tokens {
         let mut tokens = Tokens::default();
-        let line = &line[..line.len().min(LOOKED_AT)];
-        // What follows a parenthesis is a comment.
-        let line = &line[..memchr::memchr(b'(', line).unwrap_or(line.len())];
         for token in line.split(|byte| matches!(byte, b' ' | b'\t')) {
             let token = token.trim_ascii();
             let bare = without_marks(token);
@@ -59,6 +56,19 @@ impl Tokens {
     }
 }
 
+/// The part of a line before its first comment.
+fn prose_of(line: &[u8]) -> &[u8] {
+    &line[..memchr::memchr(b'(', line).unwrap_or(line.len())]
+}
+
+/// A letter and a number: `X5.`, `G1`.
+fn is_word(token: &[u8]) -> bool {
+    let [letter, number @ ..] = token else { return false };
+    letter.is_ascii_alphabetic()
+        && number.iter().any(u8::is_ascii_digit)
+        && number.iter().all(|byte| CLASSES[*byte as usize] == Class::Digit)
+}
+
 /// A token without the marks of a sentence after it.
 fn without_marks(token: &[u8]) -> &[u8] {
     let mark = |byte: &u8| matches!(byte, b',' | b'.' | b':' | b'!' | b')');
@@ -71,16 +81,25 @@ impl BlockReader<'_> {
     /// nothing taken, where the text is none.
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
-        let line = self.line_from(start);
-        let tokens = Tokens::of(line);
+        let line = prose_of(self.line_from(start));
+        let tokens = Tokens::of(&line[..line.len().min(LOOKED_AT)]);
         // A keyword alone is a statement of a macro language.
         if !tokens.is_prose() || tokens.prose == 1 && self.keyword(start) {
             return false;
         }
-        let end = memchr::memchr(b'(', line).unwrap_or(line.len());
-        let words = line[..end].trim_ascii_end().len();
+        let words = line.trim_ascii_end().len();
         let range = TextRange::new(start as u32, (start + words) as u32);
-        self.at = start + end;
+        let end = start + line.len();
+        let passed: Vec<_> = line[..line.len().min(LOOKED_AT)]
+            .split(|byte| matches!(byte, b' ' | b'\t'))
+            .filter(|token| is_word(token))
+            .map(|token| String::from_utf8_lossy(token).into_owned())
+            .collect();
+        let label = match passed.is_empty() {
+            true => "no words of a program".to_string(),
+            false => format!("{} in it is passed over, too", passed.join(" ")),
+        };
+        self.at = end;
         // What was found on the way to it is a part of it.
         block.problems.retain(|problem| problem.code == Code::UnclosedComment);
         block.comments.push(range);
@@ -90,7 +109,7 @@ impl BlockReader<'_> {
                 range.in_file(self.file),
                 "this looks like a remark: it is passed over",
             )
-            .label("no words of a program")
+            .label(label)
             .help("put the remark into parentheses, each line of it in its own")
         });
         true
