@@ -2,7 +2,7 @@
 //!
 //! One file per concern: `block` gathers the codes of a block and takes them in the order a
 //! control does; `judge` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
-//! tables; `calls` follows subprograms; `shop` asks about codes of a shop's own; `values` turns words into millimetres; `report`
+//! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `values` turns words into millimetres; `report`
 //! builds the diagnostics.
 
 mod arc;
@@ -18,6 +18,7 @@ mod overrides;
 mod path_modes;
 mod pocket;
 mod reference;
+mod repeats;
 mod report;
 mod rest;
 mod shop;
