@@ -81,20 +81,22 @@ impl BlockReader<'_> {
     /// nothing taken, where the text is none.
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
-        let line = prose_of(self.line_from(start));
-        let tokens = Tokens::of(&line[..line.len().min(LOOKED_AT)]);
+        // A megabyte on one line must not be searched for its end again and again.
+        let head = prose_of(self.line_from(start, LOOKED_AT));
+        let tokens = Tokens::of(head);
         // A keyword alone is a statement of a macro language.
         if !tokens.is_prose() || tokens.prose == 1 && self.keyword(start) {
             return false;
         }
-        let words = line.trim_ascii_end().len();
-        let range = TextRange::new(start as u32, (start + words) as u32);
-        let end = start + line.len();
-        let passed: Vec<_> = line[..line.len().min(LOOKED_AT)]
+        let passed: Vec<_> = head
             .split(|byte| matches!(byte, b' ' | b'\t'))
             .filter(|token| is_word(token))
             .map(|token| String::from_utf8_lossy(token).into_owned())
             .collect();
+        let line = prose_of(self.line_from(start, usize::MAX));
+        let words = line.trim_ascii_end().len();
+        let range = TextRange::new(start as u32, (start + words) as u32);
+        let end = start + line.len();
         let label = match passed.is_empty() {
             true => "no words of a program".to_string(),
             false => format!("{} in it is passed over, too", passed.join(" ")),
@@ -115,8 +117,9 @@ impl BlockReader<'_> {
         true
     }
 
-    fn line_from(&self, start: usize) -> &[u8] {
-        let rest = &self.text[start..self.end];
+    /// The text from a place to the end of its line, or so many bytes of it.
+    fn line_from(&self, start: usize, most: usize) -> &[u8] {
+        let rest = &self.text[start..self.end.min(start.saturating_add(most))];
         &rest[..memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())]
     }
 }
