@@ -494,7 +494,10 @@ impl Interpreter<'_> {
         let shown =
             if *target == self.state.position { "nothing moves" } else { "a straight line" };
         let written = block.last(letter as u8).map(|word| self.literal(word));
-        let whole = |number: &chordal_syntax::Decimal| number.to_integer().is_some_and(|n| n >= 0);
+        let counts = matches!(letter, 'P' | 'L');
+        let whole = |number: &chordal_syntax::Decimal| {
+            !counts || number.to_integer().is_some_and(|n| n >= 0)
+        };
         let count = match written {
             Some(Some(number)) if whole(&number) => format!("with {letter}{number}"),
             // What is wrong with the word was reported.
