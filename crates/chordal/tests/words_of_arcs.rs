@@ -228,9 +228,10 @@ impl Asked {
     /// The whole angle by the manuals' rules.
     fn angle(&self, form: Form) -> f64 {
         let (turned, r0, r1) = self.polar();
-        // Rounded coordinates: on the ray of the start.
+        // Rounded coordinates: on the ray of the start, or a little before it.
         let on_ray = turned.min(TAU - turned) * r0.min(r1) <= 1.5e-3;
-        let within = if on_ray { 0.0 } else { turned };
+        let before_ray = on_ray && turned > TAU / 2.0;
+        let within = if before_ray { turned - TAU } else { turned };
         // An end a little before the ray is nearly a turn away, unless whole turns are counted.
         let with_turns = |turns: f64| TAU * turns + if turns > 0.0 { within } else { turned };
         let count = |word: Option<f64>| word.unwrap_or(0.0);
