@@ -30,8 +30,11 @@ struct Reading {
 /// `problems`: the program has some on the control that was assumed.
 pub fn asked(loaded: &Loaded, problems: bool) -> Option<String> {
     let Chosen::Recognized(found) = &loaded.chosen else { return None };
+    if !found.evidence.is_empty() || loaded.size() > LONGEST {
+        return None;
+    }
     let has_units = names_units(loaded.text());
-    if !found.evidence.is_empty() || has_units && !problems || loaded.size() > LONGEST {
+    if has_units && !problems {
         return None;
     }
     let readings: Vec<Reading> =

@@ -53,7 +53,7 @@ impl Interpreter<'_> {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
                 let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
-                // `G2.0`: told with the codes.
+                // `G2.0` is judged with the codes.
                 if word.number().is_some_and(|number| number.scale > 0) {
                     return false;
                 }
@@ -224,10 +224,7 @@ impl Interpreter<'_> {
         claims.insert(b'L');
         self.check_unused(block, claims);
         let times = self.allowed_repeats(&word, count);
-        let says = |action| codes.iter().any(|(row, _)| row.action == action);
-        let incremental =
-            says(Action::Incremental) || self.state.incremental && !says(Action::Absolute);
-        if !incremental {
+        if !self.reads_incremental(block) {
             self.check_repeated_height(block, &word, times);
         }
         self.warn_of_repeated_modal_subroutine(block, times);

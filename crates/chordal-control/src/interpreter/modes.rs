@@ -19,11 +19,10 @@ impl Interpreter<'_> {
             Action::Inch => self.set_units(Units::Inch),
             Action::Millimetre => self.set_units(Units::Millimetre),
             Action::Absolute if !self.control.table.distance_left_to_right => {
-                self.state.incremental = false;
+                self.set_incremental(false);
             }
             Action::Incremental if !self.control.table.distance_left_to_right => {
-                self.note_incremental();
-                self.state.incremental = true;
+                self.set_incremental(true);
             }
             Action::ArcCenterAbsolute => self.state.arc_center = ArcCenter::Absolute,
             Action::ArcCenterIncremental => self.state.arc_center = ArcCenter::FromStart,
@@ -34,11 +33,12 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Remembers where the tool stands when G91 comes into force.
-    pub(super) fn note_incremental(&mut self) {
-        if !self.state.incremental {
+    /// G90 and G91; where the tool stands when G91 comes into force is remembered.
+    pub(super) fn set_incremental(&mut self, incremental: bool) {
+        if incremental && !self.state.incremental {
             self.state.incremental_from = self.state.position;
         }
+        self.state.incremental = incremental;
     }
 
     fn set_units(&mut self, units: Units) {
@@ -221,11 +221,8 @@ impl Interpreter<'_> {
                     self.arc_left_out(block, *at, row, taker);
                     self.take_motion_code(row.action);
                 }
-                Action::Absolute => self.state.incremental = false,
-                Action::Incremental => {
-                    self.note_incremental();
-                    self.state.incremental = true;
-                }
+                Action::Absolute => self.set_incremental(false),
+                Action::Incremental => self.set_incremental(true),
                 action if row.group == Group::Motion => {
                     self.end_cycle_if(self.control.parameters.cycles.cancel.by_motion);
                     self.take_motion_code(action);
@@ -263,11 +260,8 @@ impl Interpreter<'_> {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or
                 // not the block had axis words to act on.
-                Action::Absolute => self.state.incremental = false,
-                Action::Incremental => {
-                    self.note_incremental();
-                    self.state.incremental = true;
-                }
+                Action::Absolute => self.set_incremental(false),
+                Action::Incremental => self.set_incremental(true),
                 Action::SpindleStop => self.set_spindle(SpindleState::Off),
                 Action::CoolantOff => self.set_coolant(|c| *c = Default::default()),
                 Action::CoolantThroughToolOff => self.set_coolant(|c| c.through_tool = false),

@@ -45,11 +45,8 @@ impl Interpreter<'_> {
             .and_then(crate::table::code_number)
             .and_then(|code| self.control.g_code(code));
         match row.map(|row| row.action) {
-            Some(Action::Absolute) => self.state.incremental = false,
-            Some(Action::Incremental) => {
-                self.note_incremental();
-                self.state.incremental = true;
-            }
+            Some(Action::Absolute) => self.set_incremental(false),
+            Some(Action::Incremental) => self.set_incremental(true),
             _ => {}
         }
     }
@@ -437,6 +434,6 @@ impl Interpreter<'_> {
 }
 
 /// Above a limit, which rounding does not make it.
-fn is_over(feed: f64, max: Option<f64>) -> bool {
+pub(super) fn is_over(feed: f64, max: Option<f64>) -> bool {
     max.is_some_and(|max| feed > max * (1.0 + 1e-9))
 }

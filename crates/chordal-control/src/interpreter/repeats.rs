@@ -4,7 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
-use crate::table::{Action, LineRepeat};
+use crate::table::{Action, LineRepeat, code_number};
 
 impl Interpreter<'_> {
     pub(super) fn allowed_repeats(&mut self, word: &Word, count: u32) -> u32 {
@@ -81,19 +81,23 @@ impl Interpreter<'_> {
         1
     }
 
-    /// A contour in G91 that leads in from where the subprogram was called: it should come back there.
-    pub(super) fn note_contour_of_call(&mut self, block: &Block) {
-        let at = [self.state.position[0], self.state.position[1]];
-        // Where G90 and G91 act from left to right, the one of this block has not acted yet.
+    /// Whether the words of a block are increments: by its own G90 or G91, which may not have acted yet, or
+    /// by the one in force. A block with both has increments before its G90.
+    pub(super) fn reads_incremental(&self, block: &Block) -> bool {
         let says = |action| {
             block.all(b'G').any(|word| {
-                let code = word.number().and_then(crate::table::code_number);
+                let code = self.literal(word).and_then(code_number);
                 code.and_then(|code| self.control.g_code(code))
                     .is_some_and(|row| row.action == action)
             })
         };
-        let incremental =
-            says(Action::Incremental) || self.state.incremental && !says(Action::Absolute);
+        says(Action::Incremental) || self.state.incremental && !says(Action::Absolute)
+    }
+
+    /// A contour in G91 that leads in from where the subprogram was called: it should come back there.
+    pub(super) fn note_contour_of_call(&mut self, block: &Block) {
+        let at = [self.state.position[0], self.state.position[1]];
+        let incremental = self.reads_incremental(block);
         let span = self.origin.span;
         if let Some(frame) = self.frames.last_mut()
             && incremental

@@ -92,9 +92,6 @@ impl Interpreter<'_> {
 
     /// A full circle whose further words are zero, as posts write them, or ask for its one turn.
     fn is_plain_circle(&self, block: &Block, target: &Position) -> bool {
-        let (a, b, _) = self.state.plane.axes();
-        let from = &self.state.position;
-        let closed = target[a] == from[a] && target[b] == from[b];
         let zero = |letter| block.last(letter).is_none_or(|word| self.is_zero(word));
         let (a_letter, b_letter, height) = center_letters(self.state.plane);
         let letters = block.letters();
@@ -103,12 +100,19 @@ impl Interpreter<'_> {
                 .and_then(|number| number.to_integer())
                 .is_some_and(|n| n == 0 || n == 1)
         });
-        closed
+        self.ends_at_start(target)
             && !letters.has(b'R')
             && (letters.has(a_letter) || letters.has(b_letter))
             && one_turn
             && zero(b'Q')
             && zero(height)
+    }
+
+    /// The end is the start, on the axes of the plane.
+    fn ends_at_start(&self, target: &Position) -> bool {
+        let (a, b, _) = self.state.plane.axes();
+        let from = &self.state.position;
+        target[a] == from[a] && target[b] == from[b]
     }
 
     fn has_spiral_words(&self, block: &Block) -> bool {
@@ -189,10 +193,8 @@ impl Interpreter<'_> {
         if fit.radius_start <= near || fit.radius_end <= near {
             self.report_end_on_center(block, fit.radius_start <= near);
         }
-        let (a, b, _) = self.state.plane.axes();
-        let start = &self.state.position;
         Some(SpiralEnds {
-            closed: target[a] == start[a] && target[b] == start[b],
+            closed: self.ends_at_start(target),
             center,
             radius_from: fit.radius_start,
             radius_to: fit.radius_end,

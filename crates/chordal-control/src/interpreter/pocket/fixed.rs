@@ -9,6 +9,7 @@ use chordal_syntax::{Block, Word};
 use super::MAX_RINGS;
 use crate::command::{AxisMask, Side, SpindleState};
 use crate::interpreter::Interpreter;
+use crate::interpreter::motion::is_over;
 use crate::parameters::FixedRoutineCount;
 use crate::pocket::{CORNER_STEP, Step, rectangle, rings};
 
@@ -299,7 +300,7 @@ impl Interpreter<'_> {
             return None;
         }
         if let Some(max) = self.machine.feed.max_mm_per_s
-            && feed > max * (1.0 + 1e-9)
+            && is_over(feed, Some(max))
         {
             self.report_feed_over(self.span(word.range), feed, max, false);
         }
