@@ -193,7 +193,7 @@ pub(crate) fn finish(mut machine: Machine, common: &Common) -> Result<Machine, F
         let name = path.to_string_lossy();
         let text = read_text(path).map_err(|error| Failure::read(&*name, &error))?;
         let (control, _) = Control::of(&machine);
-        let millimetres = control.parameters.units == Units::Millimetre;
+        let millimetres = control.parameters.rules.units == Units::Millimetre;
         let tools = read_tool_tbl(&text, millimetres).map_err(|mut errors| {
             errors.iter_mut().for_each(|error| error.file = name.to_string());
             Failure::Machine(errors)

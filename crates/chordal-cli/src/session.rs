@@ -1,6 +1,7 @@
 //! A command over its input files: loads each with its machine, tells what cannot be loaded
 //! and goes on with the rest.
 
+use chordal::RunSink;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -109,6 +110,8 @@ impl Sink for Unheard {
     fn command(&mut self, _: &Command) {}
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
+
+impl RunSink for Unheard {}
 
 /// Loads a program, its machine and its subprograms.
 fn load(

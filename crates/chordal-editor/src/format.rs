@@ -1,5 +1,6 @@
 //! Spaces and block numbers, changed only where the motion stays the same.
 
+use chordal::RunSink;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -323,3 +324,5 @@ impl Sink for Trace<'_> {
         self.push(diagnostic.code.info().id);
     }
 }
+
+impl RunSink for Trace<'_> {}

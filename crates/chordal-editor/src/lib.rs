@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+mod checkpoints;
 mod complete;
 mod elsewhere;
 mod format;
@@ -17,7 +18,6 @@ mod names;
 mod outline;
 mod place;
 mod program;
-mod rests;
 mod scan;
 mod setup;
 mod tokens;

@@ -7,8 +7,8 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon};
 use chordal::{Job, Machine, Source, SourceMap};
 
+use crate::checkpoints::Checkpoints;
 use crate::meaning::View;
-use crate::rests::Rests;
 use crate::setup::{Setup, Sound};
 
 /// A text with its machine and the texts in which its subprograms may be.
@@ -16,7 +16,7 @@ use crate::setup::{Setup, Sound};
 pub struct Program {
     source: Source<'static>,
     sound: Arc<Sound>,
-    pub(crate) rests: Rests,
+    pub(crate) checkpoints: Checkpoints,
 }
 
 impl Program {
@@ -46,13 +46,13 @@ impl Program {
             return Err(errors);
         }
         let sound = Arc::new(Sound { setup, control });
-        Ok(Program { source: Source::new(name, text), sound, rests: Rests::default() })
+        Ok(Program { source: Source::new(name, text), sound, checkpoints: Checkpoints::default() })
     }
 
     /// The same with another text.
     pub fn with_text(&self, text: Vec<u8>) -> Program {
         let source = Source::new(self.name(), text);
-        Program { source, sound: self.sound.clone(), rests: Rests::default() }
+        Program { source, sound: self.sound.clone(), checkpoints: Checkpoints::default() }
     }
 
     /// What it runs with.

@@ -26,7 +26,7 @@ pub struct CommandJsonLines<'a, W> {
     out: W,
     line: Vec<u8>,
     sources: &'a SourceMap<'a>,
-    extended: &'static str,
+    naming: chordal::control::WorkNaming,
     /// X, Y and Z always, and the rotary axes of the machine.
     axes: AxisMask,
 }
@@ -43,7 +43,7 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
             out,
             line: Vec::with_capacity(512),
             sources: job.sources(),
-            extended: job.control().table.extended_offset_code,
+            naming: job.control().table.work_names,
             axes: job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
         };
         let mut header = Object::open(&mut writer.line);
@@ -88,7 +88,7 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
     fn write(&mut self, command: &Command, more: impl FnOnce(&mut Object)) -> io::Result<()> {
         let mut object = Object::open(&mut self.line);
         write_origin(&mut object, &command.origin, self.sources);
-        let context = Context { sources: self.sources, extended: self.extended, axes: self.axes };
+        let context = Context { sources: self.sources, naming: self.naming, axes: self.axes };
         context.write(&mut object, command);
         more(&mut object);
         object.close();
@@ -124,7 +124,7 @@ fn write_origin(object: &mut Object, origin: &Origin, sources: &SourceMap) {
 
 struct Context<'a> {
     sources: &'a SourceMap<'a>,
-    extended: &'static str,
+    naming: chordal::control::WorkNaming,
     axes: AxisMask,
 }
 
@@ -218,7 +218,7 @@ impl Context<'_> {
 
     fn work_offset(&self, object: &mut Object, name: WorkName, offset: &Position, known: AxisMask) {
         object.word("kind", "work_offset");
-        object.text("name", &name.key(self.extended));
+        object.text("name", &name.key(self.naming));
         object.object("offset", |inner| self.position(inner, offset));
         object.letters("known", known.and(self.axes).iter().map(|axis| axis.letter()));
     }

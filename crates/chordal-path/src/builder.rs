@@ -1,4 +1,4 @@
-use chordal_control::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
+use chordal_command::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::Machine;
 
@@ -18,7 +18,7 @@ pub struct PathBuilder<'a> {
 
 impl<'a> PathBuilder<'a> {
     /// A builder for one run; `offset` and `known` as
-    /// [`initial_offset`](chordal_control::initial_offset) gives them.
+    /// [`initial_offset`](chordal_gcode::initial_offset) gives them.
     pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
         PathBuilder { machine, frame: Frame::new(offset, known), base: None, tool: 0 }
     }

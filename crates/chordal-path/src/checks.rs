@@ -1,6 +1,6 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
-use chordal_control::{
+use chordal_command::{
     AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units, number_text,
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};

@@ -5,7 +5,7 @@
 //! geometric truth, and it stands beside the alarm of the control, which may come too often
 //! or not at all.
 
-use chordal_control::{Origin, Units};
+use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::Plane;
 

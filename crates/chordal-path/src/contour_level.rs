@@ -1,6 +1,6 @@
 //! Blocks of a compensated contour, gathered for what looks at it whole.
 
-use chordal_control::Origin;
+use chordal_command::Origin;
 use chordal_geometry::{Plane, Vec2};
 
 use crate::compensation::{ContourPiece, PlaneCurve, Role};

@@ -1,4 +1,4 @@
-use chordal_control::{AxisMask, Command, CommandKind, Position};
+use chordal_command::{AxisMask, Command, CommandKind, Position};
 
 /// What lies between program and machine coordinates while commands go by.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! The way of a rapid: straight, or each axis at its own speed.
 
-use chordal_control::{Position, RapidPath};
+use chordal_command::{Position, RapidPath};
 use chordal_machine::Machine;
 
 /// Time of a rapid without acceleration, s. Axes without a known speed take none.

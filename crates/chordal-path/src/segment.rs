@@ -1,4 +1,4 @@
-use chordal_control::{ArcShape, AxisMask, Move, Origin, Position};
+use chordal_command::{ArcShape, AxisMask, Move, Origin, Position};
 use chordal_geometry::{Curve, Line, Vec3, spiral_from_center};
 
 /// What a piece of path is.

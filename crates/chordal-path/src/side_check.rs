@@ -1,7 +1,7 @@
 //! From where the tool comes to a compensated contour, and where it goes: the side that G41 or G42 puts
 //! it on. It needs no diameter.
 
-use chordal_control::Origin;
+use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Vec2;
 

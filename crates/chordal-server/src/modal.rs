@@ -60,14 +60,14 @@ pub struct ModalTrack {
     base: Option<Frame>,
     /// Names of work offsets that cuts ran under, and where their zero is in the frame of the run.
     zeros: Vec<(WorkName, Vec3)>,
-    extended: &'static str,
+    naming: chordal::control::WorkNaming,
 }
 
 impl ModalTrack {
     /// Before the first command.
     pub fn new(control: &Control, frame: Frame) -> ModalTrack {
         let now = Modal {
-            units: control.parameters.units,
+            units: control.parameters.rules.units,
             plane: Plane::Xy,
             feed_mode: FeedMode::PerTime,
             feed: None,
@@ -86,8 +86,8 @@ impl ModalTrack {
             frame,
         };
         let first = Mark { after: 0, line: 0, main: true, modal: now.clone() };
-        let extended = control.table.extended_offset_code;
-        ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), extended }
+        let naming = control.table.work_names;
+        ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), naming }
     }
 
     /// Follows a command of which the pieces of path begin after so many.
@@ -169,7 +169,7 @@ impl ModalTrack {
         let zeros = self
             .zeros
             .iter()
-            .map(|(name, at)| json!({ "name": name.key(self.extended), "at": [at.x, at.y, at.z] }));
+            .map(|(name, at)| json!({ "name": name.key(self.naming), "at": [at.x, at.y, at.z] }));
         let base = self.base.as_ref().map(|base| {
             let length = [0.0, 0.0, base.length];
             [0, 1, 2].map(|axis| base.known.has(axis).then(|| base.work[axis] + length[axis]))
@@ -222,7 +222,7 @@ impl ModalTrack {
                 Side::Right => "right",
             },
             "cutter": modal.cutter.map(|(number, mm)| json!({ "number": number, "mm": mm })),
-            "work": modal.work.map(|name| name.key(self.extended)),
+            "work": modal.work.map(|name| name.key(self.naming)),
             "path_mode": modal.path.map(path_mode_text),
             "overrides": { "feed": modal.overrides.feed, "rapid": modal.overrides.rapid },
             "shift": [shift.x, shift.y, shift.z],

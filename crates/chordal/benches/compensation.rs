@@ -3,6 +3,7 @@
 
 #![allow(missing_docs, reason = "a benchmark")]
 
+use chordal::RunSink;
 use std::hint::black_box;
 
 use chordal::path::{ContourPiece, PathCommand, PathSink};
@@ -37,6 +38,8 @@ impl Sink for Sum {
         panic!("{}", diagnostic.message);
     }
 }
+
+impl RunSink for Sum {}
 
 impl PathSink for Sum {
     fn command(&mut self, path: PathCommand<'_>) {

@@ -1,8 +1,11 @@
 //! For each compensated contour: the offsets with which it runs, and the block that limits them.
 
+use chordal_command::{Command, CommandKind, Origin, Side, Sink, Units};
+use chordal_dialect::Control;
+use chordal_kernel::RunSink;
+use chordal_kernel::rules::OutsideCorner;
 use std::collections::BTreeMap;
 
-use chordal_control::{Command, CommandKind, Control, Origin, OutsideCorner, Side, Sink, Units};
 use chordal_diagnostics::{Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 use chordal_path::gouge::{self, Corners, Limit, LimitReason, Options};
@@ -146,7 +149,7 @@ impl Recorder {
             open: None,
             cancelling: false,
             plane: Plane::Xy,
-            units: control.parameters.units,
+            units: control.parameters.rules.units,
             left_out: 0,
         }
     }
@@ -201,6 +204,8 @@ impl Sink for Recorder {
     fn diagnostic(&mut self, _: Diagnostic) {}
 }
 
+impl RunSink for Recorder {}
+
 /// What one offset makes of a contour.
 #[derive(Default)]
 struct Tried {
@@ -235,7 +240,8 @@ impl PathSink for Tried {
 impl Recorded {
     /// Runs the contour with another offset.
     fn with(&self, control: &Control, radius_mm: f64, keep: bool) -> Tried {
-        let mut compensator = Compensator::new(control).with_radius(radius_mm);
+        let mut compensator =
+            Compensator::new(&control.parameters.rules, control.alarms()).with_radius(radius_mm);
         let mut tried = Tried { keep, ..Tried::default() };
         let origin = self.commands.first().map(|command| command.origin).unwrap_or_default();
         for kind in [CommandKind::Units(self.units), CommandKind::Plane(self.plane)] {
@@ -250,7 +256,7 @@ impl Recorded {
 
     fn range(self, control: &Control) -> Option<ContourRange> {
         let first = self.with(control, SMALL_MM, true);
-        let corners = match control.parameters.outside_corner {
+        let corners = match control.parameters.rules.outside_corner {
             OutsideCorner::Linear => Corners::Linear,
             OutsideCorner::Arc => Corners::Circular,
         };

@@ -1,8 +1,10 @@
 //! A run with cutter compensation between the control and what follows.
 
-use chordal_control::{CallPath, Command, CommandKind, Origin, Outcome, Sink};
-use chordal_control::{Control, Side};
+use chordal_command::{CallPath, Command, CommandKind, Origin, Side, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
+use chordal_dialect::Control;
+use chordal_gcode::Outcome;
+use chordal_kernel::RunSink;
 use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink, SideCheck};
 
 use crate::job::Job;
@@ -97,7 +99,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
 
     /// What is there before the first command.
     pub fn new(job: &'a Job<'a>, contours: Option<ContourCheck>, sink: S) -> Compensated<'a, S> {
-        let compensator = Compensator::new(job.control());
+        let compensator = Compensator::new(&job.control().parameters.rules, job.control().alarms());
         let told = Told { inner: sink, sources: job.sources(), waiting: Vec::new(), contours };
         Compensated { compensator, told, control: job.control(), nominal: None }
     }
@@ -113,7 +115,9 @@ impl<'a, S: PathSink> Compensated<'a, S> {
             if !unknown || self.told.contours.is_none() || !self.compensator.is_settled() {
                 return;
             }
-            let mut compensator = Compensator::new(self.control).with_radius(NOMINAL_RADIUS_MM);
+            let mut compensator =
+                Compensator::new(&self.control.parameters.rules, self.control.alarms())
+                    .with_radius(NOMINAL_RADIUS_MM);
             compensator.recall(&self.compensator.memory());
             self.nominal = Some(Box::new(Nominal { compensator, sides: SideCheck::default() }));
         }
@@ -161,6 +165,8 @@ impl<S: PathSink> Sink for Compensated<'_, S> {
         self.told.inner.diagnostic(diagnostic, &Origin::default());
     }
 }
+
+impl<S: PathSink> RunSink for Compensated<'_, S> {}
 
 impl<S: PathSink> Told<'_, S> {
     /// Lets the check of contours see something, and tells what it finds.

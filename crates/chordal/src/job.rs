@@ -1,10 +1,12 @@
-use chordal_control::{
-    AxisMask, Command, CommandKind, Control, Interrupt, Library, Origin, Outcome, Rest, RunOptions,
-    SettingError, Sink, initial_offset, run_from,
-};
+use chordal_command::{AxisMask, Command, CommandKind, Origin, Sink};
 use chordal_diagnostics::{
     Code, Collector, Counts, Diagnostic, FileId, Severity, Source, SourceMap, Span,
 };
+use chordal_dialect::Control;
+use chordal_dialect::SettingError;
+use chordal_gcode::{Interrupt, Library, Outcome, RunOptions, initial_offset, run_from};
+use chordal_kernel::Checkpoint;
+use chordal_kernel::RunSink;
 use chordal_machine::Machine;
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use chordal_syntax::ProgramHead;
@@ -163,12 +165,12 @@ impl<'a> Job<'a> {
 
     /// Runs the main programs of the first text, one after the other, and pushes commands
     /// and diagnostics into a sink: the programmed ones, before cutter compensation.
-    pub fn run<S: Sink>(&self, sink: &mut S) -> Vec<Outcome> {
+    pub fn run<S: RunSink>(&self, sink: &mut S) -> Vec<Outcome> {
         self.run_each(sink, |_, _| {})
     }
 
     /// The same, and says when a program has ended.
-    pub(crate) fn run_each<S: Sink>(
+    pub(crate) fn run_each<S: RunSink>(
         &self,
         sink: &mut S,
         mut ended: impl FnMut(&mut S, &Outcome),
@@ -180,7 +182,7 @@ impl<'a> Job<'a> {
         self.duplicates(&library).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
         for program in self.mains(&library) {
-            let outcome = chordal_control::run(
+            let outcome = chordal_gcode::run(
                 &library,
                 program,
                 &self.machine,
@@ -211,7 +213,7 @@ impl<'a> Job<'a> {
             .is_some_and(|program| at >= program.head.start.offset && at < program.head.end)
     }
 
-    fn is_readable<S: Sink>(&self, sink: &mut S) -> bool {
+    fn is_readable<S: RunSink>(&self, sink: &mut S) -> bool {
         if chordal_syntax::decode(self.text()).binary {
             sink.diagnostic(
                 Diagnostic::new(
@@ -310,7 +312,7 @@ impl<'a> Job<'a> {
 
     /// Runs, from a rest on where one is given, and tells the sink of rests. False, and nothing is
     /// run, where there are several programs to run or the shop is asked: then there are none.
-    pub fn run_on(&self, rest: Option<&Rest>, sink: &mut dyn Sink) -> bool {
+    pub fn run_on(&self, rest: Option<&Checkpoint>, sink: &mut dyn RunSink) -> bool {
         let Some((library, main)) = self.single_main() else { return false };
         run_from(&library, main, &self.machine, &self.control, &self.options, sink, rest);
         true
@@ -468,7 +470,7 @@ pub(crate) struct CheckSink<'m, N> {
 impl<'m, N> CheckSink<'m, N> {
     pub fn new(job: &'m Job<'_>, notes: N) -> CheckSink<'m, N> {
         let (offset, known) = job.initial_offset();
-        let checks = Checks::new(&job.machine, offset, known, job.control.parameters.units);
+        let checks = Checks::new(&job.machine, offset, known, job.control.parameters.rules.units);
         CheckSink { checks, notes, output: Vec::new() }
     }
 }
@@ -526,7 +528,7 @@ impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
 impl<'m, 'w, W> ReportSink<'m, 'w, W> {
     pub fn new(job: &'m Job<'_>, watch: &'w mut W) -> ReportSink<'m, 'w, W> {
         let (offset, known) = job.initial_offset();
-        let units = job.control.parameters.units;
+        let units = job.control.parameters.rules.units;
         ReportSink {
             builder: PathBuilder::new(&job.machine, offset, known),
             checks: Checks::new(&job.machine, offset, known, units),

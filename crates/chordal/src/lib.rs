@@ -18,6 +18,16 @@
 
 #![forbid(unsafe_code)]
 
+/// What a control makes of a program: its tables and settings, its rules, its commands, and the
+/// run of a program of blocks.
+pub mod control {
+    pub use chordal_command::*;
+    pub use chordal_dialect::*;
+    pub use chordal_gcode::*;
+    pub use chordal_kernel::rules::*;
+    pub use chordal_kernel::{Alarms, Checkpoint, Modal, MotionMode, RunSink, ToolValue};
+}
+
 mod comp_range;
 mod compensated;
 mod job;
@@ -26,18 +36,19 @@ mod recheck;
 mod summary;
 pub mod time;
 
-pub use chordal_control as control;
 pub use chordal_diagnostics as diagnostics;
 pub use chordal_geometry as geometry;
 pub use chordal_machine as machine;
 pub use chordal_path as path;
 pub use chordal_syntax as syntax;
 
-pub use chordal_control::{
-    Command, CommandKind, Control, Outcome, RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes,
-    ShopRecord, Sink,
-};
+pub use chordal_command::{Command, CommandKind, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
+pub use chordal_dialect::Control;
+pub use chordal_gcode::{
+    Outcome, RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord,
+};
+pub use chordal_kernel::RunSink;
 pub use chordal_machine::Machine;
 pub use chordal_path::{
     ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,

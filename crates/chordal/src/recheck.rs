@@ -1,14 +1,17 @@
-//! Checks a text again after a change: the run is cut into stretches between rests, and those
+//! Checks a text again after a change: the run is cut into stretches between checkpoints, and those
 //! that the change does not touch, nor what it leads to, are kept with what was found in them.
 //!
 //! A stretch is kept when the control, compensation and checks enter it with the same memory to
 //! the bit, and when nothing that it reads has changed: its own blocks, and what it calls or
 //! searches elsewhere in the text. So the answer is always that of a whole run.
 
+use chordal_command::{CallPath, Command, Sink};
+use chordal_gcode::{EndReason, Library, Outcome, run_from};
+use chordal_kernel::Checkpoint;
+use chordal_kernel::RunSink;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use chordal_control::{CallPath, Command, EndReason, Library, Outcome, Rest, Sink, run_from};
 use chordal_diagnostics::{Code, Collector, Diagnostic, FileId, Severity, Shift, Span, TextRange};
 use chordal_path::{ChecksMemory, CompensatorMemory, ContourCheck, Seen};
 
@@ -51,7 +54,7 @@ struct Run {
     carried_out: u64,
 }
 
-/// A part of a run between two rests.
+/// A part of a run between two checkpoints.
 #[derive(Debug)]
 struct Stretch {
     /// Where it begins; the first one at the beginning.
@@ -70,7 +73,7 @@ struct Stretch {
 /// What decides about all that follows.
 #[derive(Clone, Debug)]
 struct Start {
-    rest: Rest,
+    checkpoint: Checkpoint,
     compensator: CompensatorMemory,
     checks: ChecksMemory,
 }
@@ -122,11 +125,11 @@ impl Findings {
 
 impl Start {
     fn offset(&self) -> u32 {
-        self.rest.offset()
+        self.checkpoint.offset()
     }
 
     fn shift(&mut self, shift: &Shift) -> Option<()> {
-        self.rest.shift(shift)?;
+        self.checkpoint.shift(shift)?;
         self.compensator.shift(shift)?;
         self.checks.shift(shift)
     }
@@ -136,8 +139,8 @@ impl Start {
     }
 
     fn leads_on_like(&self, other: &Start) -> bool {
-        let rest = |start: &Start| format!("{:?} {:?}", start.compensator, start.checks);
-        self.rest.leads_on_like(&other.rest) && rest(self) == rest(other)
+        let checkpoint = |start: &Start| format!("{:?} {:?}", start.compensator, start.checks);
+        self.checkpoint.leads_on_like(&other.checkpoint) && checkpoint(self) == checkpoint(other)
     }
 }
 
@@ -248,7 +251,7 @@ impl Run {
         if let Some(first) = &mut first {
             first.shift(&shift)?;
         }
-        let began = first.as_ref().map_or(0, |first| first.rest.blocks());
+        let began = first.as_ref().map_or(0, |first| first.checkpoint.blocks());
         let mut walk = Walk::new(job, bytes, first, &tail, Some(&shift));
         let (outcome, end) = walk.run(job, library, self.main);
         let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
@@ -260,11 +263,11 @@ impl Run {
             Some(outcome) => (self.outcome, self.end) = (outcome, end),
             None => {
                 tail.drain(..met);
-                let was = tail.first()?.start.as_ref()?.rest.blocks();
+                let was = tail.first()?.start.as_ref()?.checkpoint.blocks();
                 for stretch in &mut tail {
                     stretch.shift(&shift)?;
-                    let rest = &mut stretch.start.as_mut()?.rest;
-                    rest.count_blocks(rest.blocks() - was + blocks);
+                    let checkpoint = &mut stretch.start.as_mut()?.checkpoint;
+                    checkpoint.count_blocks(checkpoint.blocks() - was + blocks);
                 }
                 self.outcome.calls.shift(&shift)?;
                 self.outcome.blocks = self.outcome.blocks - was + blocks;
@@ -340,9 +343,9 @@ impl<'a, 'o> Walk<'a, 'o> {
         library: &Library,
         main: usize,
     ) -> (Option<Outcome>, ChecksMemory) {
-        let rest = self.start.as_ref().map(|start| start.rest.clone());
+        let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
         let (machine, control, options) = (job.machine(), job.control(), job.run_options());
-        let ended = run_from(library, main, machine, control, options, self, rest.as_ref());
+        let ended = run_from(library, main, machine, control, options, self, checkpoint.as_ref());
         let outcome = ended.map(|(outcome, looked)| {
             self.run.finish();
             self.blocks = outcome.blocks;
@@ -381,8 +384,10 @@ impl Sink for Walk<'_, '_> {
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
         self.run.diagnostic(diagnostic);
     }
+}
 
-    fn next_rest(&self) -> u32 {
+impl RunSink for Walk<'_, '_> {
+    fn next_checkpoint(&self) -> u32 {
         let from = self.start.as_ref().map_or(0, Start::offset);
         let usual = from.saturating_add(self.bytes);
         match self.known() {
@@ -395,11 +400,11 @@ impl Sink for Walk<'_, '_> {
         self.run.is_settled()
     }
 
-    fn rest(&mut self, rest: Rest, looked: Option<TextRange>) -> ControlFlow<()> {
-        let (here, blocks) = (rest.offset(), rest.blocks());
+    fn checkpoint(&mut self, checkpoint: Checkpoint, looked: Option<TextRange>) -> ControlFlow<()> {
+        let (here, blocks) = (checkpoint.offset(), checkpoint.blocks());
         self.close(here, looked);
         let start = Start {
-            rest,
+            checkpoint,
             compensator: self.run.compensator.memory(),
             checks: self.run.told.inner.checks.memory().clone(),
         };

@@ -1,6 +1,7 @@
+use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Units};
+use chordal_dialect::Control;
 use std::collections::BTreeMap;
 
-use chordal_control::{AxisMask, Command, CommandKind, Control, FeedMode, Units};
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
 use chordal_path::{Segment, SegmentKind};
@@ -107,7 +108,7 @@ impl SummaryBuilder {
             cut_high: f64::NEG_INFINITY,
             way: 0.0,
         };
-        let inch = control.parameters.units == Units::Inch;
+        let inch = control.parameters.rules.units == Units::Inch;
         SummaryBuilder {
             summary: Summary { inch, ..Summary::default() },
             tools: BTreeMap::new(),

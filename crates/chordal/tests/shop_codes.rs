@@ -212,6 +212,8 @@ fn the_shop_sees_where_the_control_stands() {
 
 struct Nothing;
 
+impl chordal::RunSink for Nothing {}
+
 impl chordal::Sink for Nothing {
     fn command(&mut self, _: &chordal::Command) {}
     fn diagnostic(&mut self, _: chordal::Diagnostic) {}

@@ -42,7 +42,7 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
 
 /// The mode and the tolerance where the program says nothing, with the way to change them.
 fn default(job: &Job, units: ProgramUnits) -> String {
-    let rules = &job.control().parameters.path;
+    let rules = &job.control().parameters.rules.path;
     let named = |field| setting(job, field).map_or("", |setting| setting.name);
     match (rules.start, rules.of_level(rules.level)) {
         (StartMode::ExactStop, _) => format!(

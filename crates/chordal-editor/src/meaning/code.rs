@@ -2,9 +2,10 @@
 
 use chordal::control::Field;
 use chordal::control::table::{
-    Action, ArcTurns, CodeRow, ControlTable, CycleKind, DataTarget, DwellWord, Group,
-    MotionModality, code_name,
+    Action, ArcTurns, CodeRow, ControlTable, DataTarget, DwellWord, Group, MotionModality,
+    code_name,
 };
+use chordal::control::{CycleKind, ToolValue};
 use chordal::syntax::Letters;
 
 use crate::meaning::{Facts, View, own_value, sections, settings, some};
@@ -129,10 +130,10 @@ fn target_name(target: DataTarget) -> &'static str {
             "work offset P, so that the position gets these numbers"
         }
         DataTarget::ExtendedWorkOffset => "extended work offset P",
-        DataTarget::Length => "length of tool P",
-        DataTarget::LengthWear => "wear of the length of tool P",
-        DataTarget::Radius => "radius or diameter of tool P",
-        DataTarget::RadiusWear => "wear of the radius or diameter of tool P",
+        DataTarget::Tool(ToolValue::Length) => "length of tool P",
+        DataTarget::Tool(ToolValue::LengthWear) => "wear of the length of tool P",
+        DataTarget::Tool(ToolValue::Radius) => "radius or diameter of tool P",
+        DataTarget::Tool(ToolValue::RadiusWear) => "wear of the radius or diameter of tool P",
         DataTarget::ToolTable => "length and radius of tool P",
         DataTarget::Register => "a register R",
         DataTarget::Other => "not carried out",

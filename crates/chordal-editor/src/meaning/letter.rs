@@ -36,7 +36,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
             add("offset of the tool's length; H alone brings it into force");
         }
         b'H' => add("offset of the tool's length, with G43 or G44"),
-        b'E' if table.work_offset_by_e => add("chooses the work offset: E1, E2, …"),
+        b'E' if table.work_names.by_e => add("chooses the work offset: E1, E2, …"),
         b'X' | b'Y' | b'Z' if table.axis_letters.contains(name) => {
             add("an axis: where to, or how far in incremental mode");
         }
@@ -73,7 +73,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
             add("alone: L100 begins subroutine 1, L203 calls subroutine 2 three times");
         }
     }
-    if letter == parameters.cycles.repeat_letter && letter != b'L' {
+    if letter == parameters.rules.cycles.repeat_letter && letter != b'L' {
         add("repeats a cycle");
     }
     if letter == b'P' {

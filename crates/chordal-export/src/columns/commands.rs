@@ -53,7 +53,7 @@ const SIDES: &[&str] = &["off", "left", "right"];
 pub struct CommandColumns<'a> {
     schema: SchemaRef,
     sources: &'a SourceMap<'a>,
-    extended: &'static str,
+    naming: chordal::control::WorkNaming,
     axes: Vec<usize>,
     of_path: bool,
     rows: usize,
@@ -147,7 +147,7 @@ impl<'a> CommandColumns<'a> {
         CommandColumns {
             schema: schema(job, name, &columns(axes, of_path), &[]),
             sources: job.sources(),
-            extended: job.control().table.extended_offset_code,
+            naming: job.control().table.work_names,
             of_path,
             rows: 0,
             line: Integers::new(),
@@ -279,7 +279,7 @@ impl<'a> CommandColumns<'a> {
                 "spindle"
             }
             CommandKind::WorkOffset { name, .. } => {
-                self.text.put(row, &name.key(self.extended));
+                self.text.put(row, &name.key(self.naming));
                 "work_offset"
             }
             CommandKind::Output { text } => {

@@ -84,7 +84,7 @@ pub struct Plot {
 impl Plot {
     /// An empty drawing for a job, numbered in the units of the job's control.
     pub fn new(job: &Job) -> Plot {
-        let inch = job.control().parameters.units == Units::Inch;
+        let inch = job.control().parameters.rules.units == Units::Inch;
         Plot { store: Store::default(), inch }
     }
 

@@ -1,7 +1,8 @@
 //! What is told about a compensated contour.
 
-use chordal_control::{Origin, SideChange, SpiralCompensation};
+use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_kernel::rules::{SideChange, SpiralCompensation};
 
 use super::interference::Found;
 use super::queue::Block;
@@ -21,7 +22,7 @@ impl Compensator {
         out: &mut P,
     ) {
         if diagnostic.severity == Severity::Error
-            && let Some(text) = self.table.alarm(diagnostic.code)
+            && let Some(text) = self.alarms.text(diagnostic.code)
         {
             let moved = if arc { "Arc move" } else { "Straight feed" };
             // Two texts: for an arc and for a line.
@@ -36,7 +37,7 @@ impl Compensator {
                 None => text,
             };
             let text = text.replace("{move}", moved);
-            diagnostic.alarm = Some(format!("{}: {text}", self.table.title));
+            diagnostic.alarm = Some(format!("{}: {text}", self.alarms.title));
         }
         out.diagnostic(diagnostic, origin);
     }
@@ -176,7 +177,7 @@ impl Compensator {
     }
 
     pub(super) fn side_change_told<P: PathSink>(&self, origin: &Origin, out: &mut P) {
-        if self.parameters.compensation.side_change == SideChange::Refused {
+        if self.rules.compensation.side_change == SideChange::Refused {
             self.side_change_refused(origin, out);
         }
     }
@@ -212,7 +213,7 @@ impl Compensator {
 
     pub(super) fn look_ahead_lost<P: PathSink>(&self, before: &Block, out: &mut P) {
         let origin = &before.command.origin;
-        let limit = self.parameters.compensation.idle_blocks.unwrap_or(0);
+        let limit = self.rules.compensation.idle_blocks.unwrap_or(0);
         let idle = before.idle;
         let blocks = if idle == 1 { "block" } else { "blocks" };
         let said = if idle >= 1000 {
@@ -235,7 +236,7 @@ impl Compensator {
     }
 
     pub(super) fn spiral<P: PathSink>(&self, origin: &Origin, out: &mut P) {
-        let diagnostic = match self.parameters.compensation.spirals {
+        let diagnostic = match self.rules.compensation.spirals {
             SpiralCompensation::Refused => {
                 let message = "a spiral while compensation is on";
                 Diagnostic::new(Code::SpiralInCompensation, origin.span, message)

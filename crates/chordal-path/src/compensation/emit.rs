@@ -1,7 +1,8 @@
 //! Blocks whose corners are known, as commands of the tool centre.
 
-use chordal_control::{ArcShape, Command, CommandKind, Feed, Interference, Move, Side};
+use chordal_command::{ArcShape, Command, CommandKind, Feed, Move, Side};
 use chordal_geometry::Vec2;
+use chordal_kernel::rules::Interference;
 
 use super::corner::Corner;
 use super::plane::{NOTHING_MM, PlaneCurve, offset_between};
@@ -68,7 +69,7 @@ impl Compensator {
     ) -> Vec2 {
         let Some((tangent, _)) = block.tangents else { return at };
         let start = block.curve.from() + tangent.turned_left() * (block.sign * block.radii.0);
-        if start.distance(at) > self.parameters.compensation.tangent_mm {
+        if start.distance(at) > self.rules.compensation.tangent_mm {
             let link = PlaneCurve::Line { from: at, to: start };
             self.put_link(block, &link, block.command.kind.motion().map(|m| m.from), out);
             centre.push(link);
@@ -94,7 +95,7 @@ impl Compensator {
             (&mut curve, block.curve)
         {
             let turn = std::f64::consts::TAU;
-            let strict = self.parameters.compensation.interference == Interference::Strict;
+            let strict = self.rules.compensation.interference == Interference::Strict;
             if strict && *sweep * programmed < 0.0 {
                 // LinuxCNC keeps the direction and goes round.
                 *sweep += turn * programmed.signum();
@@ -156,7 +157,7 @@ impl Compensator {
 
     /// Inside arcs may be fed more slowly, so that the cutting edge keeps the feed.
     fn inside_feed(&self, block: &Block, feed: Feed, radius: f64) -> Feed {
-        let least = self.parameters.compensation.inside_feed_least;
+        let least = self.rules.compensation.inside_feed_least;
         let PlaneCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
         let inside = block.sign * sweep.signum() > 0.0;
         if least >= 1.0 || !inside || radius_to <= NOTHING_MM {

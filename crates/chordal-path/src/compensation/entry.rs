@@ -1,7 +1,7 @@
 //! The first and the last corner of a compensated contour.
 
-use chordal_control::CompensationEntry;
 use chordal_geometry::Vec2;
+use chordal_kernel::rules::CompensationEntry;
 
 use super::corner::{Corner, CornerRules, corner, outside};
 use super::plane::{Edge, meeting};

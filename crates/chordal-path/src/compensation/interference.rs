@@ -1,8 +1,9 @@
 //! The control's own checks of a block between two corners. They look at neighbours only;
 //! the whole contour is another check.
 
-use chordal_control::{Interference, Units};
+use chordal_command::Units;
 use chordal_geometry::Vec2;
+use chordal_kernel::rules::Interference;
 
 use super::plane::{PlaneCurve, offset_between};
 use super::queue::Block;
@@ -31,7 +32,7 @@ impl Compensator {
         let PlaneCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
             return false;
         };
-        let rules = &self.parameters.compensation;
+        let rules = &self.rules.compensation;
         let inside = block.sign * sweep.signum() > 0.0;
         if !inside || !rules.checks {
             return false;
@@ -56,7 +57,7 @@ impl Compensator {
     pub(super) fn interferes(&mut self, block: &mut Block, _new: Option<&Block>) -> Option<Found> {
         loop {
             let found = self.test(block)?;
-            if self.parameters.compensation.interference != Interference::Direction {
+            if self.rules.compensation.interference != Interference::Direction {
                 return Some(found);
             }
             let before = self.queue.back_mut()?.corner.as_mut();
@@ -76,7 +77,7 @@ impl Compensator {
 
     fn test(&self, block: &Block) -> Option<Found> {
         let (start, end) = (block.start, block.corner.as_ref()?.first());
-        let rules = &self.parameters.compensation;
+        let rules = &self.rules.compensation;
         if !rules.checks {
             return None;
         }
@@ -101,7 +102,7 @@ impl Compensator {
                     return None;
                 }
                 let becomes = swept(block, start, end);
-                let limits = self.parameters.compensation.longer_arc_rad;
+                let limits = self.rules.compensation.longer_arc_rad;
                 let limit = limits[usize::from(self.units == Units::Inch)];
                 let longer = becomes * sweep.signum() - sweep.abs();
                 let reversed = becomes * sweep.signum() < -TURNED_RAD;

@@ -17,12 +17,11 @@ mod interference;
 mod plane;
 mod queue;
 
+use chordal_command::{Command, CommandKind, Origin, Side, Units};
+use chordal_kernel::Alarms;
+use chordal_kernel::rules::{Allowance, Repeated, Rules};
 use std::collections::VecDeque;
 
-use chordal_control::{
-    Allowance, Command, CommandKind, Control, Origin, Parameters, Repeated, Side, Units,
-    table::ControlTable,
-};
 use chordal_diagnostics::{Diagnostic, Shift};
 use chordal_geometry::{Plane, Vec2};
 
@@ -124,8 +123,8 @@ impl<S: PathSink> PathSink for &mut S {
 /// Turns programmed moves into moves of the tool centre.
 #[derive(Debug)]
 pub struct Compensator {
-    parameters: Parameters,
-    table: &'static ControlTable,
+    rules: Rules,
+    alarms: Alarms,
     radius_override: Option<f64>,
     plane: Plane,
     units: Units,
@@ -169,13 +168,13 @@ impl CompensatorMemory {
 
 impl Compensator {
     /// A compensator for one run on a control.
-    pub fn new(control: &Control) -> Compensator {
+    pub fn new(rules: &Rules, alarms: Alarms) -> Compensator {
         Compensator {
-            parameters: control.parameters,
-            table: control.table,
+            rules: *rules,
+            alarms,
             radius_override: None,
             plane: Plane::Xy,
-            units: control.parameters.units,
+            units: rules.units,
             phase: Phase::Off,
             side: Side::Off,
             sign: 1.0,
@@ -247,7 +246,7 @@ impl Compensator {
         self.side = Side::Off;
         self.at = None;
         self.plane = Plane::Xy;
-        self.units = self.parameters.units;
+        self.units = self.rules.units;
     }
 
     fn follow<P: PathSink>(&mut self, command: &Command, out: &mut P) {
@@ -274,7 +273,7 @@ impl Compensator {
                 self.pass_on(command, out);
             }
             CommandKind::WorkOffset { position, .. } => self.shift(command, position, out),
-            CommandKind::Stop { .. } if self.parameters.compensation.stops_end_look_ahead => {
+            CommandKind::Stop { .. } if self.rules.compensation.stops_end_look_ahead => {
                 if let Some(last) = self.queue.back_mut() {
                     last.idle = last.idle.saturating_add(1000);
                 }
@@ -314,7 +313,7 @@ impl Compensator {
         let on = side != Side::Off && radius != 0.0 && radius.is_finite();
         let left = if side == Side::Right { -1.0 } else { 1.0 };
         let sign = if radius < 0.0 { -left } else { left };
-        let rules = self.parameters.compensation;
+        let rules = self.rules.compensation;
         self.toward = None;
         match (self.phase, on) {
             (Phase::Off, false) => {}
@@ -378,7 +377,7 @@ impl Compensator {
     fn shift<P: PathSink>(&mut self, command: &Command, position: &[f64; 6], out: &mut P) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
-            if self.parameters.compensation.coordinate_change == Allowance::Refused {
+            if self.rules.compensation.coordinate_change == Allowance::Refused {
                 self.shift_refused(&command.origin, out);
             }
             self.end_square(out);

@@ -1,6 +1,6 @@
 //! Blocks in the two coordinates of the plane, and their offsets.
 
-use chordal_control::{ArcShape, Move};
+use chordal_command::{ArcShape, Move};
 use chordal_geometry::{
     Circle2, Line2, Meeting, Plane, Vec2, circle_circle, line_circle, line_line,
 };

@@ -1,11 +1,12 @@
 //! Blocks that wait for the next move: each corner needs both of its blocks.
 
-use chordal_control::{
-    Allowance, AloneAction, Command, CommandKind, CompensationPlanes, Interference, LeadLength,
-    OutsideCorner, Remedy, SideChange,
-};
+use chordal_command::{Command, CommandKind};
 use chordal_diagnostics::Span;
 use chordal_geometry::{Plane, Vec2};
+use chordal_kernel::rules::{
+    Allowance, AloneAction, CompensationPlanes, Interference, LeadLength, OutsideCorner, Remedy,
+    SideChange,
+};
 
 use super::corner::{Corner, CornerRules, corner, rounded};
 use super::plane::{Edge, PlaneCurve};
@@ -22,7 +23,7 @@ pub(super) struct Block {
     /// Unit tangents at its start and end.
     pub tangents: Option<(Vec2, Vec2)>,
     pub role: Role,
-    pub side: chordal_control::Side,
+    pub side: chordal_command::Side,
     pub sign: f64,
     /// Offset at the start and at the end.
     pub radii: (f64, f64),
@@ -96,7 +97,7 @@ impl Compensator {
 
     /// Only the third axis moves, or nothing.
     fn still_in_plane<P: PathSink>(&mut self, command: &Command, out: &mut P) {
-        let rules = &self.parameters.compensation;
+        let rules = &self.rules.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
         if self.phase == Phase::Starting && rules.lead_follows_code {
             self.lead_too_short(&command.origin, 0.0, out);
@@ -139,7 +140,7 @@ impl Compensator {
     }
 
     fn start_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
-        let rules = self.parameters.compensation;
+        let rules = self.rules.compensation;
         let plane_fits = match rules.planes {
             CompensationPlanes::All => true,
             CompensationPlanes::NotYz => self.plane != Plane::Yz,
@@ -214,7 +215,7 @@ impl Compensator {
     /// Another side or another offset in a block where the control refuses it.
     fn changes_allowed<P: PathSink>(&self, new: &Block, out: &mut P) {
         let Some(before) = self.queue.back() else { return };
-        let rules = &self.parameters.compensation;
+        let rules = &self.rules.compensation;
         let origin = &new.command.origin;
         if before.sign != new.sign {
             let refused = match rules.side_change {
@@ -239,7 +240,7 @@ impl Compensator {
         let mut corner = self.corner_of(&before, &mut new, out);
         let long_arc = matches!(new.curve, PlaneCurve::Arc { sweep, .. }
             if sweep.abs() >= std::f64::consts::PI - 1e-9);
-        let limit = self.parameters.compensation.drop_link_mm;
+        let limit = self.rules.compensation.drop_link_mm;
         if limit > 0.0 && !long_arc && corner.arc.is_none() {
             corner.drop_short_links(limit);
         }
@@ -256,11 +257,11 @@ impl Compensator {
 
     /// The control's check of a block whose corners are both known; then it waits again.
     fn settle<P: PathSink>(&mut self, mut block: Box<Block>, new: Option<&mut Block>, out: &mut P) {
-        let strict = self.parameters.compensation.interference == Interference::Strict;
+        let strict = self.rules.compensation.interference == Interference::Strict;
         let in_contour = block.role == Role::Contour || (strict && !block.made_up);
         let checked = in_contour && !block.told && !block.loose;
         if checked && let Some(found) = self.interferes(&mut block, new.as_deref()) {
-            let avoid = self.parameters.compensation.remedy == Remedy::Avoid;
+            let avoid = self.rules.compensation.remedy == Remedy::Avoid;
             if avoid && let Some(new) = new {
                 match self.avoid(&block, new) {
                     Some(()) => {
@@ -297,17 +298,17 @@ impl Compensator {
     }
 
     pub(super) fn corner_rules(&self) -> CornerRules {
-        let rules = &self.parameters.compensation;
+        let rules = &self.rules.compensation;
         CornerRules {
             tangent_mm: rules.tangent_mm,
             tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
-            round: self.parameters.outside_corner == OutsideCorner::Arc,
+            round: self.rules.outside_corner == OutsideCorner::Arc,
         }
     }
 
     fn corner_of<P: PathSink>(&mut self, before: &Block, new: &mut Block, out: &mut P) -> Corner {
         let at = before.curve.to();
-        let rules = self.parameters.compensation;
+        let rules = self.rules.compensation;
         let Some(first) = new.start_edge(before.radii.1) else { return Corner::at(at) };
         if before.made_up {
             return Corner::at(at + first.normal * first.radius);
@@ -325,7 +326,7 @@ impl Compensator {
         }
         let how = self.corner_rules();
         if before.role == Role::StartUp {
-            return entry::start(self.parameters.compensation_entry, at, &end, &first, &how);
+            return entry::start(self.rules.compensation_entry, at, &end, &first, &how);
         }
         if before.sign != new.sign {
             return match rules.side_change {
@@ -342,7 +343,7 @@ impl Compensator {
     /// The move on which compensation ends: everything that waits can go.
     fn cancel_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
         let alone = self.code.span != command.origin.span;
-        let back = alone && self.parameters.compensation.off_alone == AloneAction::Perpendicular;
+        let back = alone && self.rules.compensation.off_alone == AloneAction::Perpendicular;
         if let Some(mut last) = self.queue.pop_back() {
             let corner = if alone && back { None } else { self.last_corner(&last, curve) };
             last.corner = Some(corner.unwrap_or_else(|| Corner::at(last.square_end())));
@@ -357,7 +358,7 @@ impl Compensator {
         self.emit_cancel(command, curve, out);
         self.at = None;
         self.phase = Phase::Off;
-        self.side = chordal_control::Side::Off;
+        self.side = chordal_command::Side::Off;
     }
 
     fn last_corner(&self, last: &Block, curve: PlaneCurve) -> Option<Corner> {
@@ -368,13 +369,13 @@ impl Compensator {
             return Some(Corner::at(at + end.normal * end.radius));
         }
         if let Some(direction) = self.toward {
-            let found = entry::toward(at, &end, direction, self.parameters.compensation.tangent_mm);
+            let found = entry::toward(at, &end, direction, self.rules.compensation.tangent_mm);
             if found.is_some() {
                 return found;
             }
         }
         let lead = Edge::start(curve, last.sign, last.radii.1)?;
-        Some(entry::cancel(self.parameters.compensation_entry, at, &end, &lead))
+        Some(entry::cancel(self.rules.compensation_entry, at, &end, &lead))
     }
 
     /// Ends what waits square to the last move; the tool stays beside the contour.
@@ -410,7 +411,7 @@ impl Compensator {
 
 /// The move aside of a G41 alone, at the feed of the block behind it.
 fn aside_move(kind: &CommandKind) -> CommandKind {
-    let still = |motion: &chordal_control::Move| {
+    let still = |motion: &chordal_command::Move| {
         let mut motion = *motion;
         motion.to = motion.from;
         motion.to_known = motion.from_known;

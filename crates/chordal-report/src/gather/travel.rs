@@ -1,5 +1,6 @@
 //! Where the tool goes: in each work coordinate system, and against the machine's travel.
 
+use chordal::control::WorkNaming;
 use chordal::control::{
     AxisMask, Command, CommandKind, Move, Position, WorkName, initial_offset, initial_work_offset,
 };
@@ -155,9 +156,9 @@ impl Travels {
 
     /// Where the tool goes in each system.
     pub fn travel(&self, job: &Job) -> Rows<Travel> {
-        let extended = job.control().table.extended_offset_code;
+        let naming = job.control().table.work_names;
         let of_system = |system: &System| {
-            let moved = is_moved(system, job.machine(), extended);
+            let moved = is_moved(system, job.machine(), naming);
             let axes = Axis::ALL.into_iter().filter_map(|axis| {
                 let index = axis as usize;
                 let all = system.all[index].get()?;
@@ -173,7 +174,7 @@ impl Travels {
                 })
             });
             Travel {
-                name: name(system, extended),
+                name: name(system, naming),
                 moved_at: moved.then_some(system.line),
                 axes: axes.collect(),
             }
@@ -187,13 +188,13 @@ impl Travels {
 
     /// The work offsets under which something moves, with the machine's values.
     pub fn work_offsets(&self, job: &Job) -> Vec<WorkOffset> {
-        let extended = job.control().table.extended_offset_code;
+        let naming = job.control().table.work_names;
         let mut offsets: Vec<WorkOffset> = Vec::new();
         for system in self.systems.iter().filter(|system| system.moves) {
             if system.name == WorkName::Machine {
                 continue;
             }
-            let name = name(system, extended);
+            let name = name(system, naming);
             let values = job.machine().work_offsets.get(&name).map(|offset| offset.values);
             let place =
                 offsets.iter().position(|offset| offset.name == name).unwrap_or_else(|| {
@@ -215,7 +216,7 @@ impl Travels {
                     offset.values.push(AxisValue { axis: letter, value });
                 }
             }
-            if is_moved(system, job.machine(), extended) && offset.moved_at.len() < MOST_LINES {
+            if is_moved(system, job.machine(), naming) && offset.moved_at.len() < MOST_LINES {
                 offset.moved_at.push(system.line);
             }
         }
@@ -240,17 +241,17 @@ impl Travels {
     }
 }
 
-fn name(system: &System, extended: &str) -> String {
-    system.name.table_key(extended)
+fn name(system: &System, naming: WorkNaming) -> String {
+    system.name.table_key(naming)
 }
 
 /// The program itself has put the system where it is.
-fn is_moved(system: &System, machine: &Machine, extended: &str) -> bool {
+fn is_moved(system: &System, machine: &Machine, naming: WorkNaming) -> bool {
     if system.name == WorkName::Machine {
         return false;
     }
     let of = |name: &str, axis: usize| machine.work_offsets.get(name).and_then(|o| o.values[axis]);
-    let key = name(system, extended);
+    let key = name(system, naming);
     (0..6).any(|axis| {
         let own = of(&key, axis).unwrap_or(0.0) + of("EXT", axis).unwrap_or(0.0);
         (system.offset[axis] - own).abs() > SAME

@@ -57,7 +57,7 @@ pub(crate) fn what(action: Action) -> String {
 pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Option<String> {
     let number = name.ordinal();
     let table = control.table;
-    if table.work_offset_by_e {
+    if table.work_names.by_e {
         return Some(format!("E{number}"));
     }
     match number {
@@ -227,7 +227,7 @@ fn offset_code(
             let Some(number) = number else {
                 return Err(Expand("the number of the work offset is computed".into()));
             };
-            if from.table.extended_offset_code == to.table.extended_offset_code {
+            if from.table.work_names == to.table.work_names {
                 return Ok(());
             }
             draft.set(p.unwrap_or(at), "");

@@ -1,7 +1,8 @@
 //! Canned cycles: the same words where both controls have the cycle.
 
 use chordal::CommandKind;
-use chordal::control::table::{Action, CycleKind, DwellWord};
+use chordal::control::CycleKind;
+use chordal::control::table::{Action, DwellWord};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
 
 use super::codes;
@@ -41,7 +42,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
         return Err(Expand(own));
     }
     if run.before.incremental
-        && context.to.parameters.cycles.incremental == IncrementalLevels::Refused
+        && context.to.parameters.rules.cycles.incremental == IncrementalLevels::Refused
     {
         return Err(Expand(format!("{title} takes cycles in absolute coordinates only")));
     }
@@ -61,7 +62,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
 
 /// Cycles whose moves do not depend on how a control carries them out.
 fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
-    let [one, other] = [from, to].map(|control| control.parameters.cycles);
+    let [one, other] = [from, to].map(|control| control.parameters.rules.cycles);
     let parameters = [&from.parameters, &to.parameters];
     let approaches = one.axis == other.axis && one.approach == other.approach;
     if codes::row(Action::Cycle(kind), to).is_none() || !(approaches || kind.is_tap()) {
@@ -75,10 +76,12 @@ fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
             one.bore.dwell_out_to_clear == other.bore.dwell_out_to_clear
         }
         CycleKind::ChipBreak => {
-            parameters[0].chip_break_mm == parameters[1].chip_break_mm
+            parameters[0].rules.chip_break_mm == parameters[1].rules.chip_break_mm
                 && one.peck.p_is_lift == other.peck.p_is_lift
         }
-        CycleKind::Peck => parameters[0].peck_clearance_mm == parameters[1].peck_clearance_mm,
+        CycleKind::Peck => {
+            parameters[0].rules.peck_clearance_mm == parameters[1].rules.peck_clearance_mm
+        }
         CycleKind::BoreStop | CycleKind::BoreManual => true,
         _ => false,
     }
@@ -158,7 +161,7 @@ const AXES: [char; 3] = ['X', 'Y', 'Z'];
 
 /// The place of the first hole, where the new control drills only at a place that is named.
 fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
-    let rules = context.controls().map(|control| control.parameters.cycles);
+    let rules = context.controls().map(|control| control.parameters.rules.cycles);
     let (a, b, _) = run.after.plane.axes();
     let letters = draft.block.letters();
     let named = letters.has(b"XYZ"[a]) || letters.has(b"XYZ"[b]);
@@ -189,7 +192,8 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
 
 /// The letter that counts holes.
 fn count(context: &Context, draft: &mut Draft, run: &Exec) {
-    let [one, other] = context.controls().map(|control| control.parameters.cycles.repeat_letter);
+    let [one, other] =
+        context.controls().map(|control| control.parameters.rules.cycles.repeat_letter);
     if one == other || !matches!(run.after.motion, Some(Action::Cycle(_))) {
         return;
     }
@@ -201,7 +205,7 @@ fn count(context: &Context, draft: &mut Draft, run: &Exec) {
 
 /// F and Q of a tap.
 fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
-    let [one, other] = context.controls().map(|control| control.parameters.cycles.tap.feed);
+    let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.tap.feed);
     if one == other {
         return Ok(());
     }
@@ -246,7 +250,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
 
 /// P of a cycle.
 fn dwell(context: &Context, draft: &mut Draft) {
-    let [one, other] = context.controls().map(|control| control.parameters.cycles);
+    let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
     let Some(p) = draft.place(b'P') else { return };
     let Some(number) = draft.block.words[p].number() else { return };
     let [one, other] = [one, other].map(|rules| DwellWord {
@@ -265,7 +269,7 @@ fn dwell(context: &Context, draft: &mut Draft) {
 /// G80 in a block of its own, where it excludes motion codes.
 fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
     let [one, other] =
-        context.controls().map(|control| control.parameters.cycles.one_group_with_motion);
+        context.controls().map(|control| control.parameters.rules.cycles.one_group_with_motion);
     let moves = context.source.has_action(at, context.from, Action::is_plain_motion);
     if one || !other || !moves {
         return;
@@ -286,7 +290,7 @@ fn ending(context: &Context, draft: &mut Draft, at: usize) {
     let was = matches!(run.before.motion, Some(Action::Cycle(_)));
     let is = matches!(run.after.motion, Some(Action::Cycle(_)));
     let own = context.source.has_action(at, context.from, |action| action == Action::CancelCycle);
-    let [one, other] = context.controls().map(|control| control.parameters.cycles.cancel);
+    let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.cancel);
     if !was || is || own || one == other {
         return;
     }

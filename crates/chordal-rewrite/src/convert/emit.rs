@@ -315,9 +315,9 @@ impl<'a> Emitter<'a> {
             return Err("an arc outside the plane in force".into());
         }
         let along = Feed { along: FeedAlong::Path, ..*feed };
-        let most = self.to.parameters.radius_error_tolerance_mm.min(self.tolerance_mm);
+        let most = self.to.parameters.rules.arc.radius_error_tolerance_mm.min(self.tolerance_mm);
         for piece in spiral::as_arcs(motion, shape, most, self.tolerance_mm) {
-            let new = self.to.parameters.helix_feed;
+            let new = self.to.parameters.rules.arc.helix_feed;
             let scale = spiral::feed_scale(&piece.motion, &piece.shape, feed, new);
             self.one_arc(&piece.motion, &piece.shape, &along, scale)?;
         }
@@ -342,8 +342,10 @@ impl<'a> Emitter<'a> {
         if !is_full && !words.iter().any(in_plane) {
             words.push(format!("{}{}", AXES[a], self.length(motion.to[a])));
         }
-        let absolute = self.to.parameters.arc_center == chordal::control::ArcCenter::Absolute;
-        let back = self.to.parameters.arc_center == chordal::control::ArcCenter::FromCenter;
+        let absolute =
+            self.to.parameters.rules.arc.arc_center == chordal::control::ArcCenter::Absolute;
+        let back =
+            self.to.parameters.rules.arc.arc_center == chordal::control::ArcCenter::FromCenter;
         let mut centers = Vec::new();
         for (axis, center) in [a, b].into_iter().zip(shape.center) {
             let way = center - motion.from[axis];

@@ -40,22 +40,26 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
         }
         let mut words = Vec::new();
         let start = runs.first().map(|exec| exec.before.units);
-        if parameters[0].units != parameters[1].units
+        if parameters[0].rules.units != parameters[1].rules.units
             && is_silent(context, &runs, Group::Units, LENGTHS)
-            && start == Some(parameters[0].units)
+            && start == Some(parameters[0].rules.units)
         {
-            let inch = parameters[0].units == chordal::control::Units::Inch;
+            let inch = parameters[0].rules.units == chordal::control::Units::Inch;
             words.push(if inch { Action::Inch } else { Action::Millimetre });
         }
-        if parameters[0].starts_incremental != parameters[1].starts_incremental
+        if parameters[0].rules.starts_incremental != parameters[1].rules.starts_incremental
             && is_silent(context, &runs, Group::Distance, AXES)
         {
-            words.push(distance_action(parameters[0].starts_incremental));
+            words.push(distance_action(parameters[0].rules.starts_incremental));
         }
-        if parameters[0].starts_linear != parameters[1].starts_linear
+        if parameters[0].rules.starts_linear != parameters[1].rules.starts_linear
             && is_silent(context, &runs, Group::Motion, AXES)
         {
-            words.push(if parameters[0].starts_linear { Action::Linear } else { Action::Rapid });
+            words.push(if parameters[0].rules.starts_linear {
+                Action::Linear
+            } else {
+                Action::Rapid
+            });
         }
         let style = context.style();
         let names = words.into_iter().filter_map(|action| codes::name(action, context.to, style));
@@ -102,7 +106,7 @@ fn begin_flat(
         context
             .source
             .has_action(at, context.from, |action| matches!(action, Action::WorkOffset(_)))
-            || context.from.table.work_offset_by_e && context.source.blocks[at].letters().has(b'E')
+            || context.from.table.work_names.by_e && context.source.blocks[at].letters().has(b'E')
     });
     let work = codes::work_offset(first.after.work, context.to, style);
     words.extend(work.filter(|_| says_work));

@@ -338,7 +338,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     let old = job.machine();
     let mut machine = target.clone();
     // The shape of rapids is the machine's; held against each other, both go alike.
-    machine.rapid = Some(match job.control().parameters.rapid {
+    machine.rapid = Some(match job.control().parameters.rules.rapid {
         RapidPath::DogLeg => RapidShape::DogLeg,
         RapidPath::Straight => RapidShape::Straight,
     });
@@ -372,10 +372,10 @@ fn renamed(name: &str, target: &Machine) -> String {
         },
     };
     let Some(ordinal) = ordinal else { return name.into() };
-    let new = match (table.work_offset_by_e, ordinal) {
+    let new = match (table.work_names.by_e, ordinal) {
         (true, _) => format!("E{ordinal}"),
         (false, 1..=6) => format!("G{}", 53 + ordinal),
-        (false, _) => format!("{} P{}", table.extended_offset_code, ordinal.saturating_sub(6)),
+        (false, _) => format!("{} P{}", table.work_names.extended, ordinal.saturating_sub(6)),
     };
     work_offset_name(&new).unwrap_or(new)
 }

@@ -41,8 +41,8 @@ pub(crate) fn feed(value: f64, style: Style) -> String {
 /// Digits that a control keeps of a length.
 pub(crate) fn digits(control: &Control, units: Units) -> usize {
     let digits = match units {
-        Units::Inch => control.parameters.increment_digits_inch,
-        Units::Millimetre => control.parameters.increment_digits_mm,
+        Units::Inch => control.parameters.rules.increment_digits_inch,
+        Units::Millimetre => control.parameters.rules.increment_digits_mm,
     };
     usize::from(digits)
 }
@@ -63,8 +63,8 @@ fn hidden_digits(kind: Kind, control: &Control, units: Units) -> u8 {
         (Kind::Feed, Units::Millimetre) => 0,
         _ if whole => 0,
         (Kind::Angle, _) => 3,
-        (Kind::Length, Units::Inch) => parameters.increment_digits_inch,
-        (Kind::Length, Units::Millimetre) => parameters.increment_digits_mm,
+        (Kind::Length, Units::Inch) => parameters.rules.increment_digits_inch,
+        (Kind::Length, Units::Millimetre) => parameters.rules.increment_digits_mm,
     }
 }
 

@@ -1,7 +1,8 @@
 //! Taps from what they do: a cycle of the new control for each thread, since plain moves would leave the
 //! spindle behind.
 
-use chordal::control::table::{Action, CycleKind};
+use chordal::control::CycleKind;
+use chordal::control::table::Action;
 use chordal::control::{Control, Feed, FeedMode, SpindleState, TapFeed, Units};
 use chordal::{Command, CommandKind};
 
@@ -92,7 +93,7 @@ impl Tap {
             (true, true) => format!("R0{z}"),
             (true, false) => format!("R0+{z}"),
         });
-        let rules = to.parameters.cycles;
+        let rules = to.parameters.rules.cycles;
         if self.dwell_s > 0.0 || rules.tap.keeps_dwell {
             let count = self.dwell_s / rules.dwell_point_s;
             words.push(format!("P{}", numbers::plain(count, 3, style)));

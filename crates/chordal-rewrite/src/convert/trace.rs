@@ -1,5 +1,6 @@
 //! The run of the old text, block by block.
 
+use chordal::RunSink;
 use std::ops::Range;
 
 use chordal::control::table::Action;
@@ -27,7 +28,7 @@ pub(crate) struct Modes {
 impl From<Modal> for Modes {
     fn from(modal: Modal) -> Modes {
         Modes {
-            motion: modal.motion,
+            motion: modal.motion.map(Action::from),
             incremental: modal.incremental,
             plane: modal.plane,
             feed_mode: modal.feed_mode,
@@ -90,7 +91,9 @@ impl Sink for Gather<'_, '_> {
     }
 
     fn diagnostic(&mut self, _: Diagnostic) {}
+}
 
+impl RunSink for Gather<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }

@@ -106,7 +106,7 @@ impl<'a> Context<'a> {
     /// E, H and D where they act by themselves.
     fn offsets(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
         let title = self.to.table.title;
-        if self.from.table.work_offset_by_e && !self.to.table.work_offset_by_e {
+        if self.from.table.work_names.by_e && !self.to.table.work_names.by_e {
             let e = draft.place(b'E');
             if let Some(e) = e {
                 let number = whole(Some(&draft.block.words[e]));
@@ -158,7 +158,7 @@ impl<'a> Context<'a> {
         let title = self.to.table.title;
         let extended = number(p).filter(|_| target == DataTarget::ExtendedWorkOffset);
         let by_e = number(p).filter(|number| {
-            target == DataTarget::WorkOffset && self.from.table.work_offset_by_e && *number > 6
+            target == DataTarget::WorkOffset && self.from.table.work_names.by_e && *number > 6
         });
         if let (Some(number), Some(p)) = (extended, p)
             && there(DataTarget::ExtendedWorkOffset).is_none()
@@ -186,8 +186,15 @@ impl<'a> Context<'a> {
             };
             draft.replace(l, format!("L{new}"), format!("{title} has this under another L"));
         }
-        let radius = matches!(target, DataTarget::Radius | DataTarget::RadiusWear);
-        if radius && self.from.parameters.radius_offsets != self.to.parameters.radius_offsets {
+        let radius = matches!(
+            target,
+            DataTarget::Tool(
+                chordal::control::ToolValue::Radius | chordal::control::ToolValue::RadiusWear
+            )
+        );
+        if radius
+            && self.from.parameters.rules.radius_offsets != self.to.parameters.rules.radius_offsets
+        {
             return Err(Expand(format!("{title} holds radii otherwise (diameter or radius)")));
         }
         Ok(())
@@ -261,7 +268,7 @@ impl<'a> Context<'a> {
         let letters = draft.block.letters();
         let spiral = (shape.radius_to - shape.radius_from).abs();
         let parameters = &self.to.parameters;
-        if spiral > parameters.radius_error_tolerance_mm {
+        if spiral > parameters.rules.arc.radius_error_tolerance_mm {
             return Err(Expand(format!(
                 "the radius changes by {} on the arc",
                 run.after.units.length_text(spiral)
@@ -269,14 +276,14 @@ impl<'a> Context<'a> {
         }
         let turns = Letters::of("PQL");
         let same_turns = self.from.table.arc_turns == self.to.table.arc_turns
-            && self.from.parameters.spiral == parameters.spiral;
+            && self.from.parameters.rules.arc.spiral == parameters.rules.arc.spiral;
         let repeats = self.line_repeat(draft, at).is_some();
         if letters.without(Letters::of(if repeats { "L" } else { "" })).meets(turns) && !same_turns
         {
             return Err(Expand(format!("{} counts turns another way", self.to.table.title)));
         }
         self.helix_feed(draft, at, run)?;
-        if self.from.parameters.arc_center != parameters.arc_center
+        if self.from.parameters.rules.arc.arc_center != parameters.rules.arc.arc_center
             && letters.meets(Letters::of("IJK"))
         {
             return Err(Expand(format!("{} reads centres another way", self.to.table.title)));
@@ -303,7 +310,7 @@ impl<'a> Context<'a> {
             _ => None,
         });
         let Some((motion, shape, feed)) = helix else { return Ok(()) };
-        let new = self.to.parameters.helix_feed;
+        let new = self.to.parameters.rules.arc.helix_feed;
         if feed.mode != FeedMode::PerTime || !feed.value.is_finite() {
             return Ok(());
         }

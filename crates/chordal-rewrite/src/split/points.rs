@@ -1,5 +1,6 @@
 //! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
 
+use chordal::RunSink;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
@@ -197,7 +198,9 @@ impl Sink for Walk<'_, '_> {
     }
 
     fn diagnostic(&mut self, _: Diagnostic) {}
+}
 
+impl RunSink for Walk<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }

@@ -1,5 +1,6 @@
 //! What is in force at a place of a run, and how the program has said it.
 
+use chordal::RunSink;
 use std::collections::BTreeMap;
 
 use chordal::control::table::{Action, Group};
@@ -90,7 +91,7 @@ impl Said {
             });
             words.map(text).collect()
         };
-        self.work |= control.table.work_offset_by_e && block.word(b'E').is_some();
+        self.work |= control.table.work_names.by_e && block.word(b'E').is_some();
         self.speed |= block.word(b'S').is_some();
         self.h = block.word(b'H').map(text).or(self.h.take());
         for word in &block.words {
@@ -159,7 +160,9 @@ impl Sink for Walk<'_, '_> {
     fn command(&mut self, _: &Command) {}
 
     fn diagnostic(&mut self, _: Diagnostic) {}
+}
 
+impl RunSink for Walk<'_, '_> {
     fn wants_blocks(&self) -> bool {
         true
     }

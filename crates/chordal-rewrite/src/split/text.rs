@@ -249,7 +249,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         lines.extend(said.lines.values().cloned());
         lines.extend(said.data.iter().cloned());
         let work = codes::work_offset(modal.work, self.control, style).filter(|_| said.work);
-        let motion = modal.motion.filter(|action| *action == Action::Linear);
+        let motion = modal.motion.map(Action::from).filter(|action| *action == Action::Linear);
         if is_clear {
             lines.extend(self.tool(standing));
             lines.extend(self.approach(standing, work, rounded_mm));

@@ -39,7 +39,7 @@ pub(super) fn fit(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
         let points: Vec<Vec3> =
             std::iter::once(row[0].from()).chain(row.iter().map(Cut::to)).collect();
         let options = FitOptions {
-            max_radius: writer.control.parameters.max_radius_mm.min(10_000.0),
+            max_radius: writer.control.parameters.rules.arc.max_radius_mm.min(10_000.0),
             ..FitOptions::within(left)
         };
         let Ok(fitted) = fit_path(&points, &options) else { return };

@@ -93,7 +93,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
     outcome.note_idle(&idle);
     // From a place that is not known a way is not known, moved or not.
     outcome.expected.push(Category::Unknown);
-    if mapper.map.turns && job.control().parameters.rapid == RapidPath::DogLeg {
+    if mapper.map.turns && job.control().parameters.rules.rapid == RapidPath::DogLeg {
         // A rapid along one axis moves two after a turn, each at its own speed.
         outcome.expected.push(Category::RapidPath);
         outcome

@@ -1,8 +1,9 @@
 //! What every block of the text did each time it ran.
 
+use chordal::RunSink;
 use std::collections::HashMap;
 
-use chordal::control::table::CycleKind;
+use chordal::control::CycleKind;
 use chordal::control::{
     ArcCenter, ArcShape, AxisMask, FeedMode, Modal, Origin, Position, Side, Units,
 };
@@ -130,7 +131,9 @@ impl Sink for Record {
     }
 
     fn diagnostic(&mut self, _: Diagnostic) {}
+}
 
+impl RunSink for Record {
     fn wants_blocks(&self) -> bool {
         true
     }

@@ -1,7 +1,8 @@
 //! What the words of a block stand for, by what it did.
 
 use chordal::Control;
-use chordal::control::table::{Action, CycleKind};
+use chordal::control::CycleKind;
+use chordal::control::table::Action;
 use chordal::control::{FeedMode, TapFeed};
 use chordal::syntax::{Block, Value, Word};
 
@@ -146,7 +147,7 @@ fn move_role(
     match word.letter {
         letter @ b'X'..=b'Z' => place(usize::from(letter - b'X')),
         b'F' if context.cycle.is_some_and(|cycle| cycle.is_tap()) => {
-            match (control.parameters.cycles.tap.feed, context.feed_mode) {
+            match (control.parameters.rules.cycles.tap.feed, context.feed_mode) {
                 (TapFeed::SpeedWithLeadQ, _) => Role::Speed,
                 (TapFeed::Lead, _) | (TapFeed::Programmed, FeedMode::PerRevolution) => Role::Lead,
                 (TapFeed::Programmed, _) => Role::TapFeed,

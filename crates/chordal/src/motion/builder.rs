@@ -1,10 +1,10 @@
 //! From the commands of the tool centre to moves that join on to each other, and waits.
 
-use chordal_control::{
-    Command, CommandKind, Origin, Outcome, Overrides, PathMode, PathRules, SpindleState,
-};
+use chordal_command::{Command, CommandKind, Origin, Overrides, PathMode, SpindleState};
 use chordal_diagnostics::Diagnostic;
+use chordal_gcode::Outcome;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_kernel::rules::PathRules;
 use chordal_machine::{FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{PathBuilder, PathCommand, PathSink, Segment, SegmentKind};
@@ -56,7 +56,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
         let machine: &Machine = job.machine();
         let (offset, known) = job.initial_offset();
-        let rules = job.control().parameters.path;
+        let rules = job.control().parameters.rules.path;
         let report = MotionReport {
             limits,
             moves: 0,

@@ -8,8 +8,9 @@
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
 //! | before a wait | at rest |
 
-use chordal_control::{PathMode, PathRules};
+use chordal_command::PathMode;
 use chordal_geometry::{ParamCurve, Vec3};
+use chordal_kernel::rules::PathRules;
 use chordal_motion::{Corner, Move, MoveKind};
 
 use super::options::InForce;

@@ -1,6 +1,6 @@
 //! Where operations begin.
 
-use chordal_control::{CallPath, Origin};
+use chordal_command::{CallPath, Origin};
 use chordal_diagnostics::{FileId, Span};
 use chordal_syntax::{Block, BlockReader};
 

@@ -1,4 +1,4 @@
-use chordal_control::PathMode;
+use chordal_command::PathMode;
 use chordal_machine::Machine;
 use chordal_motion::Level;
 

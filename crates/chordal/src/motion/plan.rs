@@ -1,6 +1,6 @@
+use chordal_command::Command;
 use std::collections::VecDeque;
 
-use chordal_control::Command;
 use chordal_diagnostics::Diagnostic;
 use chordal_motion::{Limits, MoveError, MoveKind, PathPart, Piece, Planner, PlannerOptions, Step};
 

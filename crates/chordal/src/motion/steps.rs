@@ -1,5 +1,6 @@
-use chordal_control::{Command, Origin, Outcome};
+use chordal_command::{Command, Origin};
 use chordal_diagnostics::Diagnostic;
+use chordal_gcode::Outcome;
 use chordal_motion::{Axes, Move, MoveError};
 use chordal_path::SegmentKind;
 

@@ -1,9 +1,8 @@
 //! The blocks that take the most time, found without keeping every block of a long program.
 
+use chordal_command::Origin;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
-
-use chordal_control::Origin;
 
 use super::report::{BlockTime, Reason};
 

@@ -1,6 +1,6 @@
+use chordal_command::Origin;
 use std::collections::{BTreeMap, VecDeque};
 
-use chordal_control::Origin;
 use chordal_diagnostics::Span;
 use chordal_geometry::{Curve, ParamCurve, Vec3};
 use chordal_motion::{Corner, Move, MoveKind, PathPart, Step, Stretch};

@@ -1,6 +1,6 @@
+use chordal_command::Origin;
 use std::fmt;
 
-use chordal_control::Origin;
 use chordal_diagnostics::Span;
 
 use crate::motion::WaitKind;

@@ -1,6 +1,6 @@
 //! Runs that are timed.
 
-use chordal_control::{Command, Origin};
+use chordal_command::{Command, Origin};
 use chordal_diagnostics::Diagnostic;
 use chordal_path::{PathCommand, PathSink};
 

@@ -1,9 +1,8 @@
 //! The same program with other overrides and path modes.
 
-use chordal_control::PathMode;
-
 use crate::job::Job;
 use crate::motion::{LimitError, MotionOptions};
+use chordal_command::PathMode;
 
 /// What is other than in the program and on the machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +52,7 @@ impl Job<'_> {
     /// The changes that make sense on the control: the usual ones, and its levels of
     /// smoothness where it has any.
     pub fn changes(&self) -> Vec<Change> {
-        let rules = &self.control().parameters.path;
+        let rules = &self.control().parameters.rules.path;
         let has_levels = rules.level_parts.iter().any(|part| *part != rules.level_parts[0]);
         let levels = (1..=3).filter(|_| has_levels).filter_map(|level| {
             let tolerance_mm = rules.of_level(level)?;

@@ -62,13 +62,13 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let mode = job.control().parameters.path.start_mode();
+    let mode = job.control().parameters.rules.path.start_mode();
     let mut seen = Seen::new(program.of_path, mode);
     let report = job.report_watched(&mut seen);
     let Seen { made, events, printed, .. } = seen;
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
-        None => job.control().parameters.units == Units::Inch,
+        None => job.control().parameters.rules.units == Units::Inch,
     };
     let source = job.sources().iter().next().map(|(_, source)| source);
     let line = |d: &Diagnostic| source.map_or(1, |s| s.line_of(d.primary.span.range.start));

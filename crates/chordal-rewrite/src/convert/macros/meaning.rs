@@ -1,7 +1,7 @@
 //! What a statement does, whatever the language that it is written in.
 
 use chordal::control::Control;
-use chordal::control::macros::rules::MacroForm;
+use chordal::control::macros::MacroForm;
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::syntax::{
     Branch, Expression, ExpressionParser, LineStatement, Op, Statement, Target,

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::control::Control;
-use chordal::control::macros::rules::MacroForm;
+use chordal::control::macros::MacroForm;
 use chordal::syntax::{BlockKind, Value};
 
 use super::meaning::{self, Label, Meaning};

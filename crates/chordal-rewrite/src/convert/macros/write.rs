@@ -1,7 +1,7 @@
 //! Statements in the words of a control.
 
 use chordal::control::Control;
-use chordal::control::macros::rules::{LONGEST_LINE, MacroForm};
+use chordal::control::macros::{LONGEST_LINE, MacroForm};
 use chordal::syntax::{Brackets, MacroGrammar};
 
 use super::meaning::{Label, Meaning};

@@ -1,0 +1,62 @@
+//! Positions and sets of axes.
+
+use chordal_machine::Axis;
+
+/// A value for each axis X Y Z A B C, in mm and rad.
+pub type Position = [f64; 6];
+
+/// A set of axes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
+pub struct AxisMask(pub u8);
+
+impl AxisMask {
+    /// No axis.
+    pub const NONE: AxisMask = AxisMask(0);
+    /// All six.
+    pub const ALL: AxisMask = AxisMask(0b11_1111);
+    /// X, Y and Z.
+    pub const LINEAR: AxisMask = AxisMask(0b111);
+    /// A, B and C.
+    pub const ROTARY: AxisMask = AxisMask(0b11_1000);
+
+    /// True when the axis is in the set.
+    #[inline]
+    pub const fn has(self, axis: usize) -> bool {
+        self.0 & (1 << axis) != 0
+    }
+
+    /// Adds an axis.
+    #[inline]
+    pub const fn insert(&mut self, axis: usize) {
+        self.0 |= 1 << axis;
+    }
+
+    /// The axes of both.
+    #[inline]
+    pub const fn and(self, other: AxisMask) -> AxisMask {
+        AxisMask(self.0 & other.0)
+    }
+
+    /// The axes of either.
+    #[inline]
+    pub const fn or(self, other: AxisMask) -> AxisMask {
+        AxisMask(self.0 | other.0)
+    }
+
+    /// The axes of this set that are not in the other.
+    #[inline]
+    pub const fn without(self, other: AxisMask) -> AxisMask {
+        AxisMask(self.0 & !other.0)
+    }
+
+    /// True when every axis of `other` is in this set.
+    #[inline]
+    pub const fn covers(self, other: AxisMask) -> bool {
+        other.0 & !self.0 == 0
+    }
+
+    /// The axes in order.
+    pub fn iter(self) -> impl Iterator<Item = Axis> {
+        Axis::ALL.into_iter().filter(move |axis| self.has(*axis as usize))
+    }
+}

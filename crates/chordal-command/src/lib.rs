@@ -1,0 +1,38 @@
+//! What a program makes a machine do, as plain data, whatever language the program is written in.
+//!
+//! A [`Command`] is one thing the machine does: a move, a dwell, a tool change, a change of mode.
+//! A run pushes commands and problems into a [`Sink`]. Lengths are millimetres, angles radians,
+//! time seconds. Positions are program coordinates: of the active work coordinate system, at the
+//! tool tip.
+//!
+//! ```
+//! use chordal_command::{AxisMask, Move};
+//!
+//! let motion = Move {
+//!     from: [0.0; 6],
+//!     to: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+//!     from_known: AxisMask::ALL,
+//!     to_known: AxisMask::ALL,
+//! };
+//! assert!(motion.only_turns(None), "A turns, and the tool tip stays");
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod axes;
+mod command;
+mod mode;
+mod motion;
+mod origin;
+mod sink;
+mod units;
+mod work_name;
+
+pub use axes::{AxisMask, Position};
+pub use command::{Command, CommandKind};
+pub use mode::{Coolant, Overrides, PathMode, Side, SpindleState};
+pub use motion::{ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath};
+pub use origin::{CallPath, CallPaths, Origin};
+pub use sink::Sink;
+pub use units::{Units, number_text, telling_number};
+pub use work_name::{WorkName, WorkNaming};

@@ -1,0 +1,87 @@
+//! Moves: where they begin and end, their arc, their feed.
+
+use chordal_geometry::Plane;
+
+use crate::axes::{AxisMask, Position};
+
+/// A move of the tool tip in program coordinates.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Move {
+    /// Where it begins.
+    pub from: Position,
+    /// Where it ends.
+    pub to: Position,
+    /// The axes whose `from` is known relative to the part: not before the program has
+    /// placed them, nor after a move in machine coordinates with an unknown work offset.
+    pub from_known: AxisMask,
+    /// The axes whose `to` is known relative to the part.
+    pub to_known: AxisMask,
+}
+
+impl Move {
+    /// Rotary axes turn and the tool tip stays where it is, so that F per time is an angle per time.
+    /// An arc moves the tip even where it ends at its start.
+    #[inline]
+    pub fn only_turns(&self, shape: Option<&ArcShape>) -> bool {
+        shape.is_none() && self.from[..3] == self.to[..3] && self.from != self.to
+    }
+}
+
+/// What F counts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FeedMode {
+    /// Length per time (G94), mm/s; where rotary axes move alone ([`Move::only_turns`]) rad/s.
+    PerTime,
+    /// One over the time of the block (G93), 1/s.
+    InverseTime,
+    /// Length per revolution of the spindle (G95), mm.
+    PerRevolution,
+}
+
+/// Along what F is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FeedAlong {
+    /// Along the whole path.
+    Path,
+    /// Along the arc in its plane; a helix is faster by its slope.
+    Plane,
+}
+
+/// The feed of a cutting move.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Feed {
+    /// In the unit of its mode; NaN before any F.
+    pub value: f64,
+    /// What it counts.
+    pub mode: FeedMode,
+    /// Along what it is measured.
+    pub along: FeedAlong,
+    /// Revolutions of the spindle per second, for [`FeedMode::PerRevolution`].
+    pub spindle_rev_per_s: f64,
+}
+
+/// An arc, a helix, a spiral or a cone: the radius goes linearly with the angle from
+/// `radius_from` to `radius_to`, the third axis and rotary axes likewise.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ArcShape {
+    /// Plane of the arc.
+    pub plane: Plane,
+    /// Centre on the two axes of the plane (a, b), mm.
+    pub center: [f64; 2],
+    /// Directed angle in rad: positive counter-clockwise (a towards b). More than a turn
+    /// where the command says so.
+    pub sweep: f64,
+    /// Distance of the start from the centre, mm.
+    pub radius_from: f64,
+    /// Distance of the end from the centre, mm.
+    pub radius_to: f64,
+}
+
+/// How a rapid goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum RapidPath {
+    /// All axes arrive together.
+    Straight,
+    /// Each axis at its own speed.
+    DogLeg,
+}

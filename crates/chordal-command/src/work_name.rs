@@ -1,0 +1,57 @@
+//! Names of work coordinate systems.
+
+/// How a control names its work coordinate systems in tables and machine files.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WorkNaming {
+    /// The code of the extended systems: `G54.1`, `G154`.
+    pub extended: &'static str,
+    /// A word E chooses the system, and G54 to G59 are other names of E1 to E6: one table.
+    pub by_e: bool,
+}
+
+/// The active work coordinate system.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+pub enum WorkName {
+    /// G54 to G59.
+    G(u16),
+    /// G54.1 P or G154 P.
+    Extended(u16),
+    /// LinuxCNC G59.1 to G59.3.
+    G59(u16),
+    /// Fadal E.
+    E(u16),
+    /// Machine coordinates (Fadal E0).
+    Machine,
+}
+
+impl WorkName {
+    /// Its number, counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1; 0 are
+    /// machine coordinates.
+    pub fn ordinal(self) -> u32 {
+        match self {
+            WorkName::Machine => 0,
+            WorkName::G(number) => u32::from(number).saturating_sub(53),
+            WorkName::Extended(number) | WorkName::G59(number) => u32::from(number) + 6,
+            WorkName::E(number) => u32::from(number),
+        }
+    }
+
+    /// The name in a machine file; extended systems by the control's own code.
+    pub fn key(self, naming: WorkNaming) -> String {
+        match self {
+            WorkName::G(number) => format!("G{number}"),
+            WorkName::Extended(number) => format!("{} P{number}", naming.extended),
+            WorkName::G59(number) => format!("G59.{number}"),
+            WorkName::E(number) => format!("E{number}"),
+            WorkName::Machine => "machine".into(),
+        }
+    }
+
+    /// The name under which the control's table of work offsets has it.
+    pub fn table_key(self, naming: WorkNaming) -> String {
+        match self {
+            WorkName::G(number) if naming.by_e => format!("E{}", number.saturating_sub(53)),
+            other => other.key(naming),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! A control as one machine has it.
+
+use chordal_command::{AxisMask, Units};
+use chordal_kernel::Alarms;
+use chordal_machine::{AxisLimits, ControlName, Machine};
+use chordal_syntax::{Decimal, Word};
+
+use crate::controls;
+use crate::macros::MacroRules;
+use crate::parameters::Parameters;
+use crate::scale::Scale;
+use crate::settings::{self, SettingError};
+use crate::table::{Action, CodeRow, ControlTable, code_number};
+
+/// The table of a control.
+pub fn table(name: ControlName) -> &'static ControlTable {
+    let found = controls::ALL.into_iter().find(|table| table.name == name.as_str());
+    found.unwrap_or(controls::ALL[0])
+}
+
+/// A control as one machine has it: its table, and the parameters after the machine file's
+/// settings.
+#[derive(Clone, Debug)]
+pub struct Control {
+    /// The table.
+    pub table: &'static ControlTable,
+    /// The parameters.
+    pub parameters: Parameters,
+    /// The macro rules after the machine file's settings.
+    pub macros: MacroRules,
+    /// Row of each G code by ten times its number.
+    g_rows: Vec<Option<&'static CodeRow>>,
+    m_rows: Vec<Option<&'static CodeRow>>,
+    axes: AxisMask,
+}
+
+impl Control {
+    /// The control of a machine, with the settings that could not be taken.
+    pub fn of(machine: &Machine) -> (Control, Vec<SettingError>) {
+        let table = table(machine.control);
+        let (parameters, mut errors) =
+            settings::resolve(table.settings, &table.parameters, machine);
+        errors.extend(codes_of_both(table, machine));
+        let mut axes = AxisMask::NONE;
+        for (index, limits) in machine.axes.iter().enumerate() {
+            let present: Option<&AxisLimits> = limits.as_ref();
+            if present.is_some() {
+                axes.insert(index);
+            }
+        }
+        let mut macros = *table.macros;
+        macros.atan_full_circle = parameters.macro_angles_full_circle;
+        macros.asin_full_circle = parameters.macro_angles_full_circle;
+        let control = Control {
+            table,
+            parameters,
+            macros,
+            g_rows: by_number(table.g_codes),
+            m_rows: by_number(table.m_codes),
+            axes,
+        };
+        (control, errors)
+    }
+
+    /// The row of a G code (ten times its number).
+    #[inline]
+    pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
+        self.g_rows.get(code as usize).copied().flatten()
+    }
+
+    /// The row of an M code (ten times its number).
+    #[inline]
+    pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
+        self.m_rows.get(code as usize).copied().flatten()
+    }
+
+    /// The row of a G or M word.
+    pub fn row_of(&self, word: &Word) -> Option<&'static CodeRow> {
+        let code = code_number(word.number()?)?;
+        match word.letter {
+            b'G' => self.g_code(code),
+            b'M' => self.m_code(code),
+            _ => None,
+        }
+    }
+
+    /// Programs that codes call by settings of the machine: nothing in the text names them.
+    pub fn alias_programs(&self) -> Vec<u32> {
+        let aliases = &self.parameters.aliases;
+        let rules = &self.macros;
+        let of = |codes: &[u16], first: u32| -> Vec<u32> {
+            (first..).zip(codes).filter(|(_, code)| **code > 0).map(|(number, _)| number).collect()
+        };
+        let mut programs = of(&aliases.g, rules.g_alias_programs);
+        programs.extend(of(&aliases.m, rules.m_alias_programs));
+        programs.extend(of(&aliases.m_subprogram, FIRST_ALIAS_SUBPROGRAM));
+        programs
+    }
+
+    /// What the number 1 is in a word of length, mm: written with a point (`1.`) or without.
+    pub fn length_unit_mm(&self, units: Units, has_point: bool) -> f64 {
+        let one = Decimal { mantissa: 1, scale: 0, has_point, negative: false };
+        Scale::new(units, &self.parameters).length(one)
+    }
+
+    /// What the control shows for problems.
+    pub fn alarms(&self) -> Alarms {
+        Alarms { title: self.table.title, texts: self.table.alarms }
+    }
+
+    /// The axes of the machine.
+    pub fn axes(&self) -> AxisMask {
+        self.axes
+    }
+}
+
+/// Codes that the machine file calls the shop's own, and the control carries out itself.
+fn codes_of_both(
+    table: &'static ControlTable,
+    machine: &Machine,
+) -> impl Iterator<Item = SettingError> {
+    machine.shop_codes.keys().filter_map(move |number| {
+        let row = table.m_code(number * 10).filter(|row| row.action != Action::NotSimulated)?;
+        let (title, what) = (table.title, row.title);
+        Some(SettingError {
+            name: format!("shop_codes.M{number}"),
+            message: format!("M{number} is no code of the shop's own: {title} has it ({what})"),
+            help: Some("take it out of the machine's `shop_codes`".to_string()),
+        })
+    })
+}
+
+/// The program of the first M code that calls a subprogram (Fanuc No. 6071).
+pub const FIRST_ALIAS_SUBPROGRAM: u32 = 9001;
+
+fn by_number(codes: &'static [CodeRow]) -> Vec<Option<&'static CodeRow>> {
+    let size = codes.iter().map(|row| row.code as usize + 1).max().unwrap_or(0);
+    let mut rows = vec![None; size];
+    for row in codes {
+        rows[row.code as usize] = Some(row);
+    }
+    rows
+}

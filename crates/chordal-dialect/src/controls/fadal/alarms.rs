@@ -1,0 +1,43 @@
+//! What Fadal CNC 88 shows for a problem.
+
+use crate::vocabulary::*;
+
+pub(super) const ALARMS: &[(Code, &str)] = &[
+    (Code::InsideArcTooSmall, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::CompensationInterference, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::NoOffsetIntersection, "TOOL DIAMETER TOO LARGE AT N={n}"),
+    (Code::SideChangeRefused, "ATTEMPT TO CHANGE CRC SIDE WITHOUT G40"),
+    (Code::ReferenceInCompensation, "CANCEL CRC BEFORE N={n}"),
+    (Code::ToolChangeInCompensation, "CANCEL CRC BEFORE N={n}"),
+    (Code::ShiftInCompensation, "CANCEL CRC BEFORE N={n}"),
+    (Code::TooManyIdleBlocks, "FILE OVERFLOW"),
+    (
+        Code::RadiusMismatch,
+        "BAD CIRCLE OR MISSING G AT N={n} (SUM mode: CALCULATED RADIUS ERROR OF {delta})",
+    ),
+    (Code::RadiusTooShort, "BAD CIRCLE OR MISSING G AT N={n}"),
+    (Code::ZeroRadius, "BAD CIRCLE OR MISSING G AT N={n}"),
+    (Code::CenterOutsidePlane, "BAD CIRCLE OR MISSING G AT N={n}"),
+    (Code::NoCenter, "I, J, OR K MUST BE SPECIFIED"),
+    (Code::CompensationOnArc, "CANCEL CRC BEFORE N={n}"),
+    (Code::PlaneChangeInCompensation, "ATTEMPT TO SWITCH PLANE DURING CRC"),
+    (Code::CompensationWithoutOffset, "CRC CALLED WITH NO TOOL ASSIGNED"),
+    (Code::NestingTooDeep, "TOO MANY SUBR. CALLS (7)"),
+    (Code::ImproperFixedRoutine, "IMPROPER USE OF CANNED SUBR."),
+    (Code::CycleWithoutR, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutDepth, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutPeck, "Z, Q, OR F MISSING"),
+    (Code::CycleWithoutLead, "THREAD LEAD NOT SPECIFIED"),
+    (Code::CycleLevels, "BAD Z OR R0"),
+    (Code::CycleDepthIncremental, "BAD Z OR R0"),
+    (Code::DivisionByZero, "ATTEMPTED DIVISION BY ZERO"),
+    (Code::OutsideDomain, "ATTEMPTED SQR OF A NEGATIVE NUMBER"),
+    (Code::NumberOverflow, "NUMBER OUT OF RANGE"),
+    (Code::NumberOutOfRange, "NUMBER OUT OF RANGE"),
+    (Code::BadVariable, "NUMBER OUT OF RANGE"),
+    (Code::MixedBlock, "ONLY BLOCK SKIP ALLOWED WITH MACRO"),
+    (Code::BadStatement, "UNDEFINED MACRO ERROR"),
+    (Code::BadExpression, "UNDEFINED MACRO ERROR"),
+    (Code::UnbalancedBrackets, "UNDEFINED MACRO ERROR"),
+    (Code::UnsupportedMacro, "UNDEFINED MACRO ERROR"),
+];

@@ -1,0 +1,72 @@
+//! Fadal CNC 88, Format 1 and 2.
+
+mod alarms;
+mod codes;
+mod macros;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// Fadal CNC 88, Format 1 and 2.
+pub static TABLE: ControlTable = ControlTable {
+    name: "fadal",
+    title: "Fadal CNC 88",
+    source: "Fadal User Manual (April 2003) sections 10, 13, 15, 18; Fadal code card",
+    lexicon: LEXICON,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    motion: MotionModality::Armed,
+    distance_left_to_right: true,
+    line_repeat: LineRepeat::MainProgram,
+    subroutines: Subroutines::LetterL,
+    axis_letters: "XYZABC",
+    arc_turns: ArcTurns::None,
+    strict_center_words: false,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    last_of_group_counts: false,
+    alone: &[530, 920],
+    spindle_stops_at_tool_change: true,
+    work_names: WorkNaming { extended: "E", by_e: true },
+    program_numbers: ProgramNumbers { largest: 9999, digits: 1, required: false },
+    call_start_label: None,
+    macros: &macros::MACROS,
+    evidence: recognition::EVIDENCE,
+};
+
+const LEXICON: Lexicon = Lexicon {
+    parenthesis: ParenthesisComment::ToEndOfLine,
+    semicolon: Semicolon::EndOfBlock,
+    star_comment: true,
+    registers: true,
+    macro_lines: true,
+    blanks_in_numbers: false,
+    o_words: false,
+    grammar: &MacroGrammar::FADAL,
+};
+
+const SET_DATA: &[(u16, DataTarget)] = &[
+    (2, DataTarget::WorkOffset),
+    (10, DataTarget::Tool(ToolValue::Length)),
+    (12, DataTarget::Tool(ToolValue::Radius)),
+    (13, DataTarget::Other),
+    (14, DataTarget::Other),
+    (15, DataTarget::Other),
+    (100, DataTarget::Register),
+    (101, DataTarget::Register),
+    (102, DataTarget::Register),
+    (103, DataTarget::Register),
+    (104, DataTarget::Register),
+    (105, DataTarget::Register),
+    (106, DataTarget::Register),
+    (107, DataTarget::Register),
+    (108, DataTarget::Register),
+    (109, DataTarget::Register),
+];
+
+const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 }];

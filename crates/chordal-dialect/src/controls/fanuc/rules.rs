@@ -1,0 +1,48 @@
+//! How Fanuc 0i moves, cuts, drills and compensates.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Cut,
+    most_digits: 8,
+    nesting: 10,
+    packed_calls: true,
+    macro_angles_full_circle: true,
+    rules: Rules {
+        machine_move_is_rapid: true,
+        radius_offsets: OffsetKind::Radius,
+        chip_break_mm: 1.0,
+        peck_clearance_mm: 1.0,
+        cycles: CYCLES,
+        compensation: COMPENSATION,
+        path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
+        arc: ArcRules {
+            full_circle_by_radius: FullCircleByRadius::NoMotion,
+            helix_feed: FeedAlong::Plane,
+            spiral: SpiralForm::IncrementCount,
+            spiral_end_tolerance_mm: 0.0127,
+            // L counts turns begun: exactly one is L1.
+            spiral_on_ray: SpiralOnRay::FullTurn,
+            rotary_in_arc: false,
+            ..ArcRules::COMMON
+        },
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    repeat_letter: b'K',
+    tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
+    ..CycleRules::COMMON
+};
+
+/// Fanuc 16i and 30i: three blocks are read ahead, so one without motion may stand between.
+const COMPENSATION: CompensationRules = CompensationRules {
+    idle_blocks: Some(1),
+    zero_move_counts: 2,
+    off_toward: true,
+    repeated: Repeated::Perpendicular,
+    spirals: SpiralCompensation::ByCircles,
+    ..CompensationRules::COMMON
+};

@@ -1,0 +1,54 @@
+//! Haas mill, NGC.
+
+mod alarms;
+mod codes;
+mod macros;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// Haas mill, NGC.
+pub static TABLE: ControlTable = ControlTable {
+    name: "haas",
+    title: "Haas NGC mill",
+    source: "Haas Mill NGC Operator's Manual (2017)",
+    lexicon: LEXICON,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    motion: MotionModality::Exclusive,
+    distance_left_to_right: false,
+    line_repeat: LineRepeat::Anywhere,
+    subroutines: Subroutines::None,
+    axis_letters: "XYZABC",
+    arc_turns: ArcTurns::None,
+    strict_center_words: true,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    last_of_group_counts: false,
+    alone: &[],
+    spindle_stops_at_tool_change: true,
+    work_names: WorkNaming { extended: "G154", by_e: false },
+    program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
+    call_start_label: None,
+    macros: &macros::MACROS,
+    evidence: recognition::EVIDENCE,
+};
+
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, ..Lexicon::FANUC_STYLE };
+
+const SET_DATA: &[(u16, DataTarget)] = &[
+    (2, DataTarget::WorkOffset),
+    (10, DataTarget::Tool(ToolValue::Length)),
+    (11, DataTarget::Tool(ToolValue::LengthWear)),
+    (12, DataTarget::Tool(ToolValue::Radius)),
+    (13, DataTarget::Tool(ToolValue::RadiusWear)),
+    (20, DataTarget::ExtendedWorkOffset),
+];
+
+// With a point P is seconds, without one milliseconds.
+const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 1.0 }];

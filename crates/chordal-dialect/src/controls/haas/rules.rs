@@ -1,0 +1,62 @@
+//! How Haas mill moves, cuts, drills and compensates.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    decimal_point: DecimalPoint::LeastIncrement,
+    center_and_radius: CenterAndRadius::RadiusWins,
+    nesting: 9,
+    max_repeats: 99,
+    length_must_match_tool: true,
+    return_label_in_callee: true,
+    rules: Rules {
+        rapid: RapidPath::DogLeg,
+        radius_offsets: OffsetKind::Diameter,
+        chip_break_mm: 0.508,
+        peck_clearance_mm: 0.508,
+        bare_home_moves_all: true,
+        preset_clears_shift: true,
+        cycles: CYCLES,
+        compensation: COMPENSATION,
+        path: PATH,
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    fires_on: FiringWords::Place,
+    // Setting 28 on.
+    definition: DefinitionFires::Always,
+    missing_r: MissingLevel::Current,
+    zero_repeats: ZeroRepeats::PlaceOnly,
+    dwell_point_s: 1.0,
+    peck: PeckRules {
+        decreasing: true,
+        return_after_k: true,
+        dwell: PeckDwell::Bottom,
+        ..CycleRules::COMMON.peck
+    },
+    tap: TapRules { out_factor_by_j: true, ..CycleRules::COMMON.tap },
+    bore: BoreRules { shift: ShiftWords::QOrVector, ..CycleRules::COMMON.bore },
+    ..CycleRules::COMMON
+};
+
+// Setting 85 is 0.025 in; what the levels of smoothness make of it is a choice.
+const PATH: PathRules = PathRules {
+    rounding_mm: Some(0.635),
+    level_parts: [1.0, 0.5, 0.2],
+    level: 2,
+    ..PathRules::COMMON
+};
+
+/// Haas Mill NGC Operator's Manual (2017), cutter compensation.
+const COMPENSATION: CompensationRules = CompensationRules {
+    side_change: SideChange::Along,
+    // The note on thread milling: longer than the amount that is compensated.
+    lead: LeadLength::AboveOffset,
+    planes: CompensationPlanes::XyOnly,
+    new_offset_on_arc: Allowance::Refused,
+    inside_feed_least: 0.5,
+    ..CompensationRules::COMMON
+};

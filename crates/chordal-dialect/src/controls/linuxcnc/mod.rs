@@ -1,0 +1,61 @@
+//! LinuxCNC (RS274/NGC), version 2.9.
+
+mod alarms;
+mod codes;
+mod macros;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// LinuxCNC (RS274/NGC), version 2.9.
+pub static TABLE: ControlTable = ControlTable {
+    name: "linuxcnc",
+    title: "LinuxCNC",
+    source: "LinuxCNC G-code reference, version 2.9",
+    lexicon: LEXICON,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    motion: MotionModality::Exclusive,
+    distance_left_to_right: false,
+    line_repeat: LineRepeat::None,
+    subroutines: Subroutines::None,
+    axis_letters: "XYZABC",
+    arc_turns: ArcTurns::Total,
+    strict_center_words: true,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    last_of_group_counts: false,
+    alone: &[],
+    spindle_stops_at_tool_change: true,
+    work_names: WorkNaming { extended: "G59", by_e: false },
+    program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
+    call_start_label: None,
+    macros: &macros::MACROS,
+    evidence: recognition::EVIDENCE,
+};
+
+const LEXICON: Lexicon = Lexicon {
+    parenthesis: ParenthesisComment::Closed,
+    semicolon: Semicolon::Comment,
+    star_comment: false,
+    registers: false,
+    macro_lines: false,
+    blanks_in_numbers: true,
+    o_words: true,
+    grammar: &MacroGrammar::LINUXCNC,
+};
+
+const SET_DATA: &[(u16, DataTarget)] = &[
+    (1, DataTarget::ToolTable),
+    (2, DataTarget::WorkOffset),
+    (10, DataTarget::ToolTable),
+    (11, DataTarget::ToolTable),
+    (20, DataTarget::WorkOffsetFromPosition),
+];
+
+const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0 }];

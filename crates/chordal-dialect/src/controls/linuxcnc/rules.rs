@@ -1,0 +1,87 @@
+//! How LinuxCNC (RS274/NGC) moves, cuts, drills and compensates.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Exact,
+    decimal_point: DecimalPoint::Calculator,
+    center_and_radius: CenterAndRadius::Refused,
+    nesting: 10,
+    rules: Rules {
+        rapid: RapidPath::Straight,
+        radius_offsets: OffsetKind::Diameter,
+        bare_home_moves_all: true,
+        cycles: CYCLES,
+        compensation: COMPENSATION,
+        // Rapids are blended like cuts.
+        path: PathRules {
+            stop_before_cut: false,
+            stop_between_rapids: false,
+            stop_after_cut: false,
+            ..PathRules::COMMON
+        },
+        compensation_entry: CompensationEntry::Contour,
+        outside_corner: OutsideCorner::Arc,
+        arc: ArcRules {
+            // Above this difference the radius must agree to one part in a thousand, and above a
+            // hundred times this nothing helps.
+            radius_error_tolerance_mm: 0.0283,
+            radius_error_relative: 0.001,
+            radius_error_limit_mm: 2.83,
+            ..ArcRules::COMMON
+        },
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    axis: DrillingAxis::PlaneNormal,
+    fires_on: FiringWords::AnyAxis,
+    incremental: IncrementalLevels::ReadAgain,
+    order: LevelOrder::DepthBelowR,
+    keeps_words: false,
+    zero_repeats: ZeroRepeats::Refused,
+    approach: Approach::ByClearLevel,
+    dwell_integer_s: 1.0,
+    dwell_point_s: 1.0,
+    needs_p: true,
+    strict: true,
+    one_group_with_motion: true,
+    peck: PeckRules { positive_only: true, ..CycleRules::COMMON.peck },
+    tap: TapRules {
+        starts_spindle: false,
+        spindle_must_turn: true,
+        out_to_clear: true,
+        dwell_after_reverse: true,
+        keeps_dwell: true,
+        ..CycleRules::COMMON.tap
+    },
+    bore: BoreRules {
+        dwell_out_to_clear: true,
+        dwell_before_stop: true,
+        spindle_must_turn: true,
+        shift: ShiftWords::Vector,
+        back: BackBore::UpAndDown,
+        ..CycleRules::COMMON.bore
+    },
+    ..CycleRules::COMMON
+};
+
+/// LinuxCNC 2.9, as its interpreter does it.
+const COMPENSATION: CompensationRules = CompensationRules {
+    tangent_rad: 0.05,
+    start_on_arc: true,
+    repeated: Repeated::Refused,
+    side_change: SideChange::Refused,
+    new_offset: Allowance::Refused,
+    lead: LeadLength::AboveOffset,
+    lead_follows_code: true,
+    planes: CompensationPlanes::NotYz,
+    interference: Interference::Strict,
+    equal_radius_refused: true,
+    longer_arc_rad: [0.0254, 0.001],
+    coordinate_change: Allowance::Refused,
+    offset_of_tool: true,
+    ..CompensationRules::COMMON
+};

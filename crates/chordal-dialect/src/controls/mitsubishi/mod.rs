@@ -1,0 +1,59 @@
+//! Mitsubishi M700 and M800.
+
+mod alarms;
+mod codes;
+mod macros;
+mod recognition;
+mod rules;
+mod settings;
+
+use crate::vocabulary::*;
+
+/// Mitsubishi M700 and M800.
+pub static TABLE: ControlTable = ControlTable {
+    name: "mitsubishi",
+    title: "Mitsubishi M700/M800",
+    source: "M700V/M70V Series Programming Manual",
+    lexicon: LEXICON,
+    g_codes: codes::G_CODES,
+    m_codes: codes::M_CODES,
+    parameters: rules::PARAMETERS,
+    settings: settings::SETTINGS,
+    alarms: alarms::ALARMS,
+    motion: MotionModality::Exclusive,
+    distance_left_to_right: false,
+    line_repeat: LineRepeat::None,
+    subroutines: Subroutines::None,
+    axis_letters: "XYZABC",
+    arc_turns: ArcTurns::Extra,
+    strict_center_words: false,
+    set_data: SET_DATA,
+    dwell: DWELL,
+    last_of_group_counts: true,
+    alone: &[],
+    spindle_stops_at_tool_change: true,
+    work_names: WorkNaming { extended: "G54.1", by_e: false },
+    program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
+    call_start_label: Some(b'H'),
+    macros: &macros::MACROS,
+    evidence: recognition::EVIDENCE,
+};
+
+const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
+
+const SET_DATA: &[(u16, DataTarget)] = &[
+    (2, DataTarget::WorkOffset),
+    (10, DataTarget::Tool(ToolValue::Length)),
+    (11, DataTarget::Tool(ToolValue::LengthWear)),
+    (12, DataTarget::Tool(ToolValue::Radius)),
+    (13, DataTarget::Tool(ToolValue::RadiusWear)),
+    (20, DataTarget::ExtendedWorkOffset),
+    (50, DataTarget::Other),
+    (70, DataTarget::Other),
+];
+
+const DWELL: &[DwellWord] = &[
+    DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 },
+    DwellWord { letter: b'X', integer_s: 0.001, point_s: 1.0 },
+    DwellWord { letter: b'U', integer_s: 0.001, point_s: 1.0 },
+];

@@ -1,0 +1,48 @@
+//! How Mitsubishi M700 and M800 moves, cuts, drills and compensates.
+
+use crate::vocabulary::*;
+
+pub(super) const PARAMETERS: Parameters = Parameters {
+    excess_decimals: ExcessDecimals::Cut,
+    nesting: 8,
+    macro_angles_full_circle: true,
+    rules: Rules {
+        machine_move_is_rapid: true,
+        radius_offsets: OffsetKind::Radius,
+        chip_break_mm: 1.0,
+        peck_clearance_mm: 1.0,
+        cycles: CYCLES,
+        compensation: COMPENSATION,
+        path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
+        arc: ArcRules {
+            helix_feed: FeedAlong::Path,
+            spiral: SpiralForm::Pitches,
+            // Section 6.13: RadErr 0.100 in the manual's own examples.
+            radius_error_tolerance_mm: 0.1,
+            spiral_end_tolerance_mm: 0.1,
+            ..ArcRules::COMMON
+        },
+        ..Rules::COMMON
+    },
+    ..Parameters::COMMON
+};
+
+const CYCLES: CycleRules = CycleRules {
+    peck: PeckRules { dwell: PeckDwell::EachPeck, ..CycleRules::COMMON.peck },
+    bore: BoreRules {
+        dwell_before_stop: true,
+        shift: ShiftWords::Vector,
+        shift_at_feed: true,
+        ..CycleRules::COMMON.bore
+    },
+    ..CycleRules::COMMON
+};
+
+/// Mitsubishi M700V manual: fewer than four blocks without motion, and no M0, M1, M2, M30.
+const COMPENSATION: CompensationRules = CompensationRules {
+    idle_blocks: Some(3),
+    stops_end_look_ahead: true,
+    off_toward: true,
+    interference: Interference::Vectors,
+    ..CompensationRules::COMMON
+};

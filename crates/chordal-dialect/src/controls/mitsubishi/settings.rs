@@ -1,0 +1,157 @@
+//! The settings of Mitsubishi M700 and M800, by the names of its manuals.
+
+use crate::vocabulary::*;
+
+pub(super) const SETTINGS: &[Setting] = &[
+    setting(
+        "high-accuracy tolerance",
+        Field::Path(PathField::LookAhead),
+        &[],
+        "how far from a corner the tool may pass with G61.1, G08 P1, G05.1 Q1 and G05 P10000: the control has a coefficient of corner accuracy instead, so this is a choice",
+        Certainty::Unknown,
+        "high-accuracy control",
+    ),
+    CORNER_ROUNDING,
+    TYPE,
+    AVOIDANCE,
+    NO_CHECK,
+    setting(
+        "#1084 RadErr",
+        Field::RadiusErrorTolerance,
+        &[],
+        "largest difference of an arc's radii at start and end; above it P70",
+        Certainty::Documented,
+        "M700V manual, #1084",
+    ),
+    setting(
+        "#11028",
+        Field::SemicircleTolerance,
+        &[("0", "two-increments")],
+        "|2R - chord| up to here makes the middle of the chord the centre; 0 of the manual is `two-increments`",
+        Certainty::Documented,
+        "M700V manual, #11028",
+    ),
+    setting(
+        "#1272 ex08/bit2",
+        Field::Spiral,
+        &[("0", "pitches"), ("1", "increment-height-count")],
+        "spiral commands: type 1 (G2.1, G3.1 with P) or type 2 (G2, G3 with Q, K, L)",
+        Certainty::Documented,
+        "M700V manual 6.13",
+    ),
+    setting(
+        "spiral on the ray",
+        Field::SpiralOnRay,
+        &[],
+        "type 2: a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+        Certainty::Inferred,
+        "M700V manual 6.13: L1 is less than a turn",
+    ),
+    setting(
+        "machine_move",
+        Field::MachineMove,
+        &[],
+        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+        Certainty::Trade,
+        "M700V manual, G53",
+    ),
+    setting(
+        "excess_decimals",
+        Field::ExcessDecimals,
+        &[],
+        "decimals beyond the least increment: `cut`, `rounded` or `exact`",
+        Certainty::Trade,
+        "M700V manual 5.3",
+    ),
+    setting(
+        "#1235 set07/bit0",
+        Field::HelixFeed,
+        &[("0", "path"), ("1", "plane")],
+        "F of a helix: composite of the three axes, or of the arc plane",
+        Certainty::Documented,
+        "M700V manual, helical interpolation",
+    ),
+    setting(
+        "#1078 Decpt2",
+        Field::DecimalPoint,
+        &[("0", "least-increment"), ("1", "calculator")],
+        "a number without a decimal point",
+        Certainty::Trade,
+        "",
+    ),
+    setting("#8012", Field::ChipBreak, &[], "lift of G73", Certainty::Trade, ""),
+    setting("#8013", Field::PeckClearance, &[], "clearance of G83", Certainty::Trade, ""),
+    setting(
+        "#1080 Dril_Z",
+        Field::Cycle(CycleField::Axis),
+        &[("1", "z"), ("0", "plane-normal")],
+        "cycles drill along Z, or along the normal of the plane",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "G73 dwell",
+        Field::Cycle(CycleField::PeckDwell),
+        &[],
+        "P of pecks: `each-peck` of G73, at the `bottom` of G73 and G83, or `none`",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "tapping F",
+        Field::Cycle(CycleField::TapFeed),
+        &[("asynchronous", "programmed"), ("synchronous", "lead")],
+        "F of a tap without ,R: feed per minute, or the pitch",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
+        "cycle fires on",
+        Field::Cycle(CycleField::FiresOn),
+        &[],
+        "what sets off a hole of a cycle in force: `place`, `any-axis` or `axis-or-level`",
+        Certainty::Trade,
+        "",
+    ),
+];
+
+/// Type A or B.
+const TYPE: Setting = setting(
+    "#1229 set01/bit2",
+    Field::CompensationEntry,
+    &[("0", "A"), ("1", "B")],
+    "start-up and cancel of compensation by type A or B",
+    Certainty::Documented,
+    "M700V, tool radius compensation",
+);
+
+/// Avoidance.
+const AVOIDANCE: Setting = rule(
+    "#8102",
+    C::Remedy,
+    &[("0", "alarm"), ("1", "avoid")],
+    "COLL. ALM OFF: where a block interferes, P153 or leave the block out",
+    Certainty::Documented,
+    "M700V, interference check",
+);
+
+/// No check.
+const NO_CHECK: Setting = rule(
+    "#8103",
+    C::Check,
+    &[("0", "on"), ("1", "off")],
+    "COLL. CHK OFF: interference is looked for (0) or not (1)",
+    Certainty::Documented,
+    "M700V, interference check",
+);
+
+const fn rule(
+    name: &'static str,
+    field: C,
+    values: &'static [(&'static str, &'static str)],
+    text: &'static str,
+    certainty: Certainty,
+    source: &'static str,
+) -> Setting {
+    setting(name, Field::Compensation(field), values, text, certainty, source)
+}

@@ -1,0 +1,26 @@
+//! The controls as data: one folder each, listed in [`CONTROLS`].
+//!
+//! [`ControlTable`] says what a control has: its codes and the words they take, its rules, settings,
+//! macro language, alarms and the signs by which its programs are recognized. [`Control`] is one of
+//! them as a machine has it, after the machine file's settings.
+
+#![forbid(unsafe_code)]
+
+mod control;
+mod controls;
+pub mod macros;
+mod parameters;
+mod scale;
+mod settings;
+pub mod table;
+mod vocabulary;
+
+pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
+pub use controls::ALL as CONTROLS;
+pub use parameters::*;
+pub use scale::Scale;
+pub use settings::{
+    COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,
+    SettingError, value_text,
+};
+pub use table::{Action, CodeRow, ControlTable, Group, code_name, code_number};

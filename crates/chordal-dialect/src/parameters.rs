@@ -1,0 +1,170 @@
+//! The numbers and habits of a control that may differ from machine to machine.
+
+use chordal_command::Units;
+use chordal_kernel::rules::Rules;
+use chordal_syntax::Decimal;
+
+/// How a number without a decimal point is read.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum DecimalPoint {
+    /// `X10` is ten units, as on a pocket calculator.
+    Calculator,
+    /// `X10` is ten least increments (0.001 mm, 0.0001 in, 0.001°).
+    LeastIncrement,
+}
+
+/// Which plane G18 and G19 choose.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum PlaneCodes {
+    /// G18 is ZX and G19 is YZ, as every control has it.
+    Standard,
+    /// G18 is YZ and G19 is ZX, as one textbook prints it.
+    Swapped,
+}
+
+/// What is done with decimals beyond the least increment (`X1.23456` in inch).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ExcessDecimals {
+    /// The control computes with all of them.
+    Exact,
+    /// They are cut off.
+    Cut,
+    /// They are rounded.
+    Rounded,
+    /// Not known: Chordal computes with all of them, and says so.
+    Unknown,
+}
+
+/// What an R word does beside I, J or K.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum CenterAndRadius {
+    /// R is followed.
+    RadiusWins,
+    /// The control refuses the block.
+    Refused,
+}
+
+/// The codes that choose inch and millimetres.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum UnitCodes {
+    /// G20 and G21.
+    G20,
+    /// G70 and G71.
+    G70,
+    /// Either pair.
+    Both,
+}
+
+/// What the last two digits of a fixed pocket routine (Fadal L96NN to L99NN) do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FixedRoutineCount {
+    /// The routine runs as often, as subroutines do.
+    Repeat,
+    /// It runs once.
+    Once,
+}
+
+/// The parameters of a control, as the tables set them and a machine file may change them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Parameters {
+    /// How axis words without a point are read.
+    pub decimal_point: DecimalPoint,
+    /// Decimals of a length beyond the least increment.
+    pub excess_decimals: ExcessDecimals,
+    /// Most digits of a length; 0 for no limit.
+    pub most_digits: u8,
+    /// Digits behind the point that an F without one has, in inch.
+    pub feed_digits_inch: u8,
+    /// Which plane G18 and G19 choose.
+    pub plane_codes: PlaneCodes,
+    /// G0 takes back the direction that G2 or G3 armed.
+    pub rapid_disarms_arc: bool,
+    /// R beside I, J, K.
+    pub center_and_radius: CenterAndRadius,
+    /// H brings the length offset into force by itself (Fadal Format 1).
+    pub length_by_h_alone: bool,
+    /// How deep calls may be nested.
+    pub nesting: u32,
+    /// Largest count of a repeat or a call.
+    pub max_repeats: u32,
+    /// Repeats and program number share one P (`P100013`: 10 × O0013).
+    pub packed_calls: bool,
+    /// H differing from the tool number is an alarm (Haas Setting 15).
+    pub length_must_match_tool: bool,
+    /// The codes that choose inch and millimetres.
+    pub unit_codes: UnitCodes,
+    /// `M98 P` looks only for a program of the file, not in the folder.
+    pub calls_within_file: bool,
+    /// `M99 P` jumps in the running program instead of the calling one.
+    pub return_label_in_callee: bool,
+    /// The count of fixed pocket routines.
+    pub fixed_routine_count: FixedRoutineCount,
+    /// The register word that gives fixed bore milling its diameter.
+    pub bore_diameter_register: u8,
+    /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
+    pub macro_angles_full_circle: bool,
+    /// Codes that call macros.
+    pub aliases: Aliases,
+    /// What the machine does, whatever the language.
+    pub rules: Rules,
+}
+
+/// Codes that call macros, by their numbers; 0 where there is none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Aliases {
+    /// There is any.
+    pub any: bool,
+    /// G codes.
+    pub g: [u16; 10],
+    /// M codes that call a macro.
+    pub m: [u16; 10],
+    /// M codes that call a subprogram.
+    pub m_subprogram: [u16; 9],
+}
+
+impl Parameters {
+    /// Decimals of a length that the control keeps; the rest is cut, rounded or not known to be either.
+    pub fn kept_decimals(&self, units: Units) -> u8 {
+        match (self.excess_decimals, units) {
+            (ExcessDecimals::Exact, _) => u8::MAX,
+            (_, Units::Inch) => self.rules.increment_digits_inch,
+            (_, Units::Millimetre) => self.rules.increment_digits_mm,
+        }
+    }
+
+    /// The length that the control makes of a number with a decimal point.
+    pub fn kept(&self, number: Decimal, units: Units) -> Decimal {
+        if number.scale <= self.kept_decimals(units) {
+            return number;
+        }
+        match (self.excess_decimals, number.at_decimals(self.kept_decimals(units))) {
+            (ExcessDecimals::Cut, Some((cut, _))) => cut,
+            (ExcessDecimals::Rounded, Some((_, rounded))) => rounded,
+            _ => number,
+        }
+    }
+
+    /// What most controls share; a table names only what it has otherwise.
+    pub const COMMON: Parameters = Parameters {
+        decimal_point: DecimalPoint::LeastIncrement,
+        excess_decimals: ExcessDecimals::Unknown,
+        most_digits: 0,
+        feed_digits_inch: 0,
+        plane_codes: PlaneCodes::Standard,
+        rapid_disarms_arc: false,
+        center_and_radius: CenterAndRadius::RadiusWins,
+        length_by_h_alone: false,
+        nesting: 4,
+        max_repeats: 9999,
+        packed_calls: false,
+        length_must_match_tool: false,
+        unit_codes: UnitCodes::G20,
+        calls_within_file: false,
+        return_label_in_callee: false,
+        fixed_routine_count: FixedRoutineCount::Repeat,
+        bore_diameter_register: 1,
+        macro_angles_full_circle: false,
+        aliases: Aliases { any: false, g: [0; 10], m: [0; 10], m_subprogram: [0; 9] },
+        rules: Rules::COMMON,
+    };
+}

@@ -1,0 +1,56 @@
+//! Numbers of a program into millimetres and radians, with a single rounding.
+
+use chordal_command::Units;
+use chordal_syntax::Decimal;
+
+use crate::parameters::{DecimalPoint, Parameters};
+
+/// How literals become millimetres: `mantissa · factor / 10^(scale + extra)`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Scale {
+    factor: i64,
+    with_point: u8,
+    without_point: u8,
+    angle_without_point: u8,
+    /// Decimals of a length that the control keeps as they are.
+    pub decimals: u8,
+}
+
+impl Scale {
+    /// For the units in force.
+    pub fn new(units: Units, parameters: &Parameters) -> Scale {
+        let whole = parameters.decimal_point == DecimalPoint::Calculator;
+        let digits = |digits: u8| if whole { 0 } else { digits };
+        let decimals = parameters.kept_decimals(units);
+        match units {
+            Units::Inch => Scale {
+                factor: 254,
+                with_point: 1,
+                without_point: 1 + digits(parameters.rules.increment_digits_inch),
+                angle_without_point: digits(3),
+                decimals,
+            },
+            Units::Millimetre => Scale {
+                factor: 1,
+                with_point: 0,
+                without_point: digits(parameters.rules.increment_digits_mm),
+                angle_without_point: digits(3),
+                decimals,
+            },
+        }
+    }
+
+    /// A length in mm.
+    #[inline]
+    pub fn length(&self, number: Decimal) -> f64 {
+        let extra = if number.has_point { self.with_point } else { self.without_point };
+        number.times(self.factor, extra)
+    }
+
+    /// An angle in rad.
+    #[inline]
+    pub fn angle(&self, number: Decimal) -> f64 {
+        let extra = if number.has_point { 0 } else { self.angle_without_point };
+        number.times(1, extra).to_radians()
+    }
+}

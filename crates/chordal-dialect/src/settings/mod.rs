@@ -1,0 +1,573 @@
+//! Settings of a machine file: the control's own parameters under their own names.
+
+mod choices;
+mod compensation;
+mod cycle;
+mod path_mode;
+
+use chordal_command::{FeedAlong, RapidPath, Units};
+use chordal_kernel::rules::*;
+use chordal_machine::{Machine, Setting as Given, SettingValue};
+
+use self::choices::{choose, mm_text, name_of};
+pub use self::compensation::CompensationField;
+pub use self::cycle::CycleField;
+pub(crate) use self::path_mode::CORNER_ROUNDING;
+pub use self::path_mode::PathField;
+use crate::parameters::*;
+
+/// How sure a default is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum Certainty {
+    /// A manual says so.
+    Documented,
+    /// Inferred from examples or computed.
+    Inferred,
+    /// Known in the trade, no text found.
+    Trade,
+    /// Not known: the value is a choice.
+    Unknown,
+}
+
+/// The parameter that a setting changes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+#[allow(missing_docs, reason = "each names a field of `Parameters`")]
+pub enum Field {
+    Units,
+    StartMotion,
+    StartDistance,
+    DecimalPoint,
+    FeedDigits,
+    ArcCenter,
+    PlaneCodes,
+    RadiusErrorTolerance,
+    ArcMismatch,
+    SemicircleTolerance,
+    ExcessDecimals,
+    MostDigits,
+    HelixFeed,
+    Spiral,
+    SpiralEndTolerance,
+    SpiralOnRay,
+    RotaryInArc,
+    OmittedCenter,
+    MachineMove,
+    RapidDisarmsArc,
+    CenterAndRadius,
+    FullCircleByRadius,
+    Rapid,
+    MaxRadius,
+    MaxRadiusCompensated,
+    RadiusOffsets,
+    OutsideCorner,
+    CompensationEntry,
+    LengthByHAlone,
+    Nesting,
+    PackedCalls,
+    ChipBreak,
+    PeckClearance,
+    LengthMustMatchTool,
+    UnitCodes,
+    ReturnLabelInCallee,
+    PocketStepover,
+    FixedRoutineCount,
+    BoreDiameterRegister,
+    Cycle(CycleField),
+    Compensation(CompensationField),
+    Path(PathField),
+    MacroAngles,
+    /// A G code that calls a macro, by its place.
+    AliasG(u8),
+    /// An M code that does.
+    AliasM(u8),
+    /// An M code that calls a subprogram.
+    AliasSubprogram(u8),
+}
+
+/// A setting of a control's table.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The name in the manual, or a plain one that all controls share.
+    pub name: &'static str,
+    /// What it changes.
+    pub field: Field,
+    /// Each value's own word and the common word it stands for (`"1"` → `"plane"`); empty
+    /// where the common words or a quantity are written.
+    pub values: &'static [(&'static str, &'static str)],
+    /// What it does.
+    pub text: &'static str,
+    /// How sure the default is.
+    pub certainty: Certainty,
+    /// Manual and section.
+    pub source: &'static str,
+}
+
+/// The settings that every control has, under plain names.
+pub const COMMON: &[Setting] = &{
+    const COMPENSATION: usize = GENERAL.len();
+    const PATH: usize = COMPENSATION + compensation::COMMON.len();
+    let mut all = [GENERAL[0]; PATH + path_mode::COMMON.len()];
+    let mut at = 0;
+    while at < all.len() {
+        all[at] = if at < COMPENSATION {
+            GENERAL[at]
+        } else if at < PATH {
+            compensation::COMMON[at - COMPENSATION]
+        } else {
+            path_mode::COMMON[at - PATH]
+        };
+        at += 1;
+    }
+    all
+};
+
+const GENERAL: &[Setting] = &[
+    common("units", Field::Units, "units at power-on: `inch` or `mm`"),
+    common("start_motion", Field::StartMotion, "motion at power-on: `rapid` or `linear`"),
+    common("start_distance", Field::StartDistance, "`absolute` or `incremental` at power-on"),
+    common(
+        "decimal_point",
+        Field::DecimalPoint,
+        "a number without a point: `least-increment` (X10 is 0.001 in) or `calculator` (X10 is ten)",
+    ),
+    common(
+        "excess_decimals",
+        Field::ExcessDecimals,
+        "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
+    ),
+    common("most_digits", Field::MostDigits, "most digits of a length; 0 for no limit"),
+    common("feed_digits_inch", Field::FeedDigits, "decimals of an inch F written without a point"),
+    common("arc_center", Field::ArcCenter, "I J K: `from-start`, `absolute` or `from-center`"),
+    common("plane_codes", Field::PlaneCodes, "`standard`, or `swapped` (G18 is YZ, G19 is ZX)"),
+    common(
+        "radius_error_tolerance",
+        Field::RadiusErrorTolerance,
+        "largest difference of an arc's radii at start and end",
+    ),
+    common(
+        "arc_mismatch",
+        Field::ArcMismatch,
+        "within the tolerance: `spiral` to the end, or `arc-then-line`",
+    ),
+    common(
+        "semicircle_tolerance",
+        Field::SemicircleTolerance,
+        "|2R - chord| up to here puts the centre in the middle of the chord: a length, or `two-increments` (0.0002 in, 0.002 mm)",
+    ),
+    common("helix_feed", Field::HelixFeed, "F of a helix along the `path` or in the `plane`"),
+    common(
+        "spiral",
+        Field::Spiral,
+        "spiral commands: `none`, `pitches`, `increment-height-count` or `increment-count`",
+    ),
+    common(
+        "spiral_on_ray",
+        Field::SpiralOnRay,
+        "a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+    ),
+    common(
+        "rotary_in_arc",
+        Field::RotaryInArc,
+        "a rotary axis in the block of an arc: `allowed` or `refused`",
+    ),
+    common(
+        "omitted_center",
+        Field::OmittedCenter,
+        "a centre word left out, where they are coordinates: that of the `start`, or `zero`",
+    ),
+    common(
+        "machine_move",
+        Field::MachineMove,
+        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+    ),
+    common(
+        "rapid_disarms_arc",
+        Field::RapidDisarmsArc,
+        "G0 takes back the direction that G2 or G3 armed, where they arm one: `on` or `off`",
+    ),
+    common(
+        "spiral_end_tolerance",
+        Field::SpiralEndTolerance,
+        "largest distance of a computed spiral end from the programmed one",
+    ),
+    common(
+        "center_and_radius",
+        Field::CenterAndRadius,
+        "both in a block: `radius-wins` or `refused`",
+    ),
+    common("full_circle_by_radius", Field::FullCircleByRadius, "`refused` or `no-motion`"),
+    common("rapid", Field::Rapid, "rapids: `dog-leg` or `straight`"),
+    common("max_radius", Field::MaxRadius, "largest radius of an arc"),
+    common(
+        "max_radius_compensated",
+        Field::MaxRadiusCompensated,
+        "largest radius of an arc with cutter compensation",
+    ),
+    common("radius_offsets", Field::RadiusOffsets, "the offset table holds `diameter` or `radius`"),
+    common(
+        "outside_corner",
+        Field::OutsideCorner,
+        "outside corners with compensation: `linear` or `arc`",
+    ),
+    common(
+        "compensation_entry",
+        Field::CompensationEntry,
+        "start and end of compensation: `A`, `B` or `contour`",
+    ),
+    common("nesting", Field::Nesting, "how deep calls may be nested"),
+    common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
+    common("peck_clearance", Field::PeckClearance, "clearance of a full-retract peck (G83)"),
+];
+
+const fn common(name: &'static str, field: Field, text: &'static str) -> Setting {
+    Setting { name, field, values: &[], text, certainty: Certainty::Documented, source: "" }
+}
+
+/// Writes a row of a control's own settings.
+pub const fn setting(
+    name: &'static str,
+    field: Field,
+    values: &'static [(&'static str, &'static str)],
+    text: &'static str,
+    certainty: Certainty,
+    source: &'static str,
+) -> Setting {
+    Setting { name, field, values, text, certainty, source }
+}
+
+/// Why a setting was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SettingError {
+    /// Its name in the machine file.
+    pub name: String,
+    /// What is wrong.
+    pub message: String,
+    /// What to write.
+    pub help: Option<String>,
+}
+
+/// The setting of a table by name, without regard to case.
+pub fn find<'t>(own: &'t [Setting], name: &str) -> Option<&'t Setting> {
+    own.iter().chain(COMMON).find(|setting| setting.name.eq_ignore_ascii_case(name))
+}
+
+/// The parameters of a machine: the table's, changed by the machine file's settings.
+pub fn resolve(
+    own: &[Setting],
+    table: &Parameters,
+    machine: &Machine,
+) -> (Parameters, Vec<SettingError>) {
+    let mut parameters = *table;
+    if let Some(shape) = machine.rapid {
+        parameters.rules.rapid = match shape {
+            chordal_machine::RapidShape::DogLeg => RapidPath::DogLeg,
+            chordal_machine::RapidShape::Straight => RapidPath::Straight,
+        };
+    }
+    let mut errors = Vec::new();
+    for (name, given) in &machine.settings {
+        if let Err(error) = apply(own, &mut parameters, name, given) {
+            errors.push(error);
+        }
+    }
+    (parameters, errors)
+}
+
+fn apply(
+    own: &[Setting],
+    parameters: &mut Parameters,
+    name: &str,
+    given: &Given,
+) -> Result<(), SettingError> {
+    let refuse = |message: String, help: Option<String>| SettingError {
+        name: name.to_string(),
+        message,
+        help,
+    };
+    let Some(setting) = find(own, name) else {
+        let near = own
+            .iter()
+            .chain(COMMON)
+            .map(|setting| (strsim::jaro_winkler(setting.name, name), setting.name))
+            .filter(|(likeness, _)| *likeness > 0.8)
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        return Err(refuse(
+            format!("this control has no setting `{name}`"),
+            near.map(|(_, near)| format!("did you mean `{near}`?")),
+        ));
+    };
+    let written = shown(&given.value);
+    let word = setting
+        .values
+        .iter()
+        .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
+        .map_or(written.as_str(), |(_, word)| word);
+    set(parameters, setting.field, word, &given.value).map_err(|wanted| {
+        refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}")))
+    })
+}
+
+fn shown(value: &SettingValue) -> String {
+    match value {
+        SettingValue::Text(text) => text.clone(),
+        SettingValue::Integer(number) => number.to_string(),
+        SettingValue::Float(number) => number.to_string(),
+        SettingValue::Bool(flag) => if *flag { "on" } else { "off" }.to_string(),
+    }
+}
+
+/// Sets one parameter; the error says what it takes.
+fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Result<(), String> {
+    let length =
+        || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.0005 in\"".to_string());
+    let count = || match value {
+        SettingValue::Integer(number) if (0..=100_000).contains(number) => Ok(*number as u32),
+        _ => Err("a whole number".to_string()),
+    };
+    let flag = || match word {
+        "on" | "1" | "true" => Ok(true),
+        "off" | "0" | "false" => Ok(false),
+        _ => Err("`on` or `off`".to_string()),
+    };
+    match field {
+        Field::Units => {
+            p.rules.units = choose(word, &[("inch", Units::Inch), ("mm", Units::Millimetre)])?
+        }
+        Field::StartMotion => {
+            p.rules.starts_linear = choose(word, &[("rapid", false), ("linear", true)])?
+        }
+        Field::StartDistance => {
+            p.rules.starts_incremental =
+                choose(word, &[("absolute", false), ("incremental", true)])?;
+        }
+        Field::DecimalPoint => p.decimal_point = choose(word, DECIMAL_POINTS)?,
+        Field::FeedDigits => p.feed_digits_inch = count()?.min(6) as u8,
+        Field::ArcCenter => p.rules.arc.arc_center = choose(word, ARC_CENTERS)?,
+        Field::PlaneCodes => {
+            p.plane_codes = choose(
+                word,
+                &[("standard", PlaneCodes::Standard), ("swapped", PlaneCodes::Swapped)],
+            )?;
+        }
+        Field::RadiusErrorTolerance => p.rules.arc.radius_error_tolerance_mm = length()?,
+        Field::ArcMismatch => {
+            p.rules.arc.arc_mismatch = choose(
+                word,
+                &[("spiral", ArcMismatch::Spiral), ("arc-then-line", ArcMismatch::ArcThenLine)],
+            )?;
+        }
+        Field::SemicircleTolerance if word == "two-increments" => {
+            p.rules.arc.semicircle_tolerance_mm = None
+        }
+        Field::SemicircleTolerance => p.rules.arc.semicircle_tolerance_mm = Some(length()?),
+        Field::ExcessDecimals => p.excess_decimals = choose(word, EXCESS_DECIMALS)?,
+        Field::MostDigits => p.most_digits = count()?.min(18) as u8,
+        Field::HelixFeed => {
+            p.rules.arc.helix_feed =
+                choose(word, &[("path", FeedAlong::Path), ("plane", FeedAlong::Plane)])?;
+        }
+        Field::Spiral => p.rules.arc.spiral = choose(word, SPIRALS)?,
+        Field::SpiralEndTolerance => p.rules.arc.spiral_end_tolerance_mm = length()?,
+        Field::SpiralOnRay => p.rules.arc.spiral_on_ray = choose(word, SPIRAL_ON_RAY)?,
+        Field::RotaryInArc => p.rules.arc.rotary_in_arc = choose(word, ROTARY_IN_ARC)?,
+        Field::OmittedCenter => p.rules.arc.omitted_center = choose(word, OMITTED_CENTER)?,
+        Field::MachineMove => p.rules.machine_move_is_rapid = choose(word, MACHINE_MOVES)?,
+        Field::RapidDisarmsArc => p.rapid_disarms_arc = flag()?,
+        Field::CenterAndRadius => {
+            p.center_and_radius = choose(
+                word,
+                &[
+                    ("radius-wins", CenterAndRadius::RadiusWins),
+                    ("refused", CenterAndRadius::Refused),
+                ],
+            )?;
+        }
+        Field::FullCircleByRadius => {
+            p.rules.arc.full_circle_by_radius = choose(
+                word,
+                &[
+                    ("refused", FullCircleByRadius::Refused),
+                    ("no-motion", FullCircleByRadius::NoMotion),
+                ],
+            )?;
+        }
+        Field::Rapid => {
+            p.rules.rapid =
+                choose(word, &[("dog-leg", RapidPath::DogLeg), ("straight", RapidPath::Straight)])?;
+        }
+        Field::MaxRadius => p.rules.arc.max_radius_mm = length()?,
+        Field::MaxRadiusCompensated => p.rules.arc.max_radius_compensated_mm = length()?,
+        Field::RadiusOffsets => {
+            p.rules.radius_offsets = choose(
+                word,
+                &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)],
+            )?;
+        }
+        Field::OutsideCorner => p.rules.outside_corner = choose(word, OUTSIDE_CORNERS)?,
+        Field::CompensationEntry => {
+            p.rules.compensation_entry = choose(word, COMPENSATION_ENTRIES)?
+        }
+        Field::LengthByHAlone => p.length_by_h_alone = flag()?,
+        Field::Nesting => p.nesting = count()?.clamp(1, 100),
+        Field::PackedCalls => p.packed_calls = flag()?,
+        Field::ChipBreak => p.rules.chip_break_mm = length()?,
+        Field::PeckClearance => p.rules.peck_clearance_mm = length()?,
+        Field::LengthMustMatchTool => p.length_must_match_tool = flag()?,
+        Field::UnitCodes => p.unit_codes = choose(word, UNIT_CODES)?,
+        Field::ReturnLabelInCallee => p.return_label_in_callee = flag()?,
+        Field::PocketStepover if word == "no limit" => p.rules.pocket_stepover_mm = f64::INFINITY,
+        Field::PocketStepover => {
+            p.rules.pocket_stepover_mm = length().and_then(|step| match step > 0.0 {
+                true => Ok(step),
+                false => Err("a length above zero, or `no limit`".to_string()),
+            })?;
+        }
+        Field::FixedRoutineCount => p.fixed_routine_count = choose(word, ROUTINE_COUNTS)?,
+        Field::BoreDiameterRegister => p.bore_diameter_register = choose(word, REGISTERS)?,
+        Field::Cycle(rule) => cycle::set(p, rule, word, value)?,
+        Field::Compensation(rule) => compensation::set(p, rule, word, value)?,
+        Field::Path(rule) => path_mode::set(p, rule, word, value)?,
+        Field::MacroAngles => {
+            p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
+        }
+        Field::AliasG(_) | Field::AliasM(_) | Field::AliasSubprogram(_) => {
+            let code = count()?.min(6000) as u16;
+            p.aliases.any |= code > 0;
+            match field {
+                Field::AliasG(at) => p.aliases.g[at as usize] = code,
+                Field::AliasM(at) => p.aliases.m[at as usize] = code,
+                Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize] = code,
+                _ => {}
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The present value of a parameter, as a machine file writes it.
+pub fn value_text(p: &Parameters, field: Field) -> String {
+    let on = |flag: bool| if flag { "on" } else { "off" }.to_string();
+    match field {
+        Field::Units => if p.rules.units == Units::Inch { "inch" } else { "mm" }.into(),
+        Field::StartMotion => if p.rules.starts_linear { "linear" } else { "rapid" }.into(),
+        Field::StartDistance => {
+            if p.rules.starts_incremental { "incremental" } else { "absolute" }.into()
+        }
+        Field::DecimalPoint => name_of(p.decimal_point, DECIMAL_POINTS),
+        Field::FeedDigits => p.feed_digits_inch.to_string(),
+        Field::ArcCenter => name_of(p.rules.arc.arc_center, ARC_CENTERS),
+        Field::PlaneCodes => {
+            if p.plane_codes == PlaneCodes::Standard { "standard" } else { "swapped" }.into()
+        }
+        Field::RadiusErrorTolerance => mm_text(p.rules.arc.radius_error_tolerance_mm),
+        Field::ArcMismatch => {
+            if p.rules.arc.arc_mismatch == ArcMismatch::Spiral { "spiral" } else { "arc-then-line" }
+                .into()
+        }
+        Field::SemicircleTolerance => match p.rules.arc.semicircle_tolerance_mm {
+            Some(tolerance) => mm_text(tolerance),
+            None => "two-increments".into(),
+        },
+        Field::ExcessDecimals => name_of(p.excess_decimals, EXCESS_DECIMALS),
+        Field::MostDigits => p.most_digits.to_string(),
+        Field::HelixFeed => {
+            if p.rules.arc.helix_feed == FeedAlong::Path { "path" } else { "plane" }.into()
+        }
+        Field::Spiral => name_of(p.rules.arc.spiral, SPIRALS),
+        Field::SpiralEndTolerance => mm_text(p.rules.arc.spiral_end_tolerance_mm),
+        Field::SpiralOnRay => name_of(p.rules.arc.spiral_on_ray, SPIRAL_ON_RAY),
+        Field::RotaryInArc => name_of(p.rules.arc.rotary_in_arc, ROTARY_IN_ARC),
+        Field::OmittedCenter => name_of(p.rules.arc.omitted_center, OMITTED_CENTER),
+        Field::MachineMove => name_of(p.rules.machine_move_is_rapid, MACHINE_MOVES),
+        Field::RapidDisarmsArc => on(p.rapid_disarms_arc),
+        Field::CenterAndRadius => {
+            let wins = p.center_and_radius == CenterAndRadius::RadiusWins;
+            if wins { "radius-wins" } else { "refused" }.into()
+        }
+        Field::FullCircleByRadius => {
+            let refused = p.rules.arc.full_circle_by_radius == FullCircleByRadius::Refused;
+            if refused { "refused" } else { "no-motion" }.into()
+        }
+        Field::Rapid => {
+            if p.rules.rapid == RapidPath::DogLeg { "dog-leg" } else { "straight" }.into()
+        }
+        Field::MaxRadius => mm_text(p.rules.arc.max_radius_mm),
+        Field::MaxRadiusCompensated => mm_text(p.rules.arc.max_radius_compensated_mm),
+        Field::RadiusOffsets => {
+            if p.rules.radius_offsets == OffsetKind::Diameter { "diameter" } else { "radius" }
+                .into()
+        }
+        Field::OutsideCorner => name_of(p.rules.outside_corner, OUTSIDE_CORNERS),
+        Field::CompensationEntry => name_of(p.rules.compensation_entry, COMPENSATION_ENTRIES),
+        Field::LengthByHAlone => on(p.length_by_h_alone),
+        Field::Nesting => p.nesting.to_string(),
+        Field::PackedCalls => on(p.packed_calls),
+        Field::ChipBreak => mm_text(p.rules.chip_break_mm),
+        Field::PeckClearance => mm_text(p.rules.peck_clearance_mm),
+        Field::LengthMustMatchTool => on(p.length_must_match_tool),
+        Field::UnitCodes => name_of(p.unit_codes, UNIT_CODES),
+        Field::ReturnLabelInCallee => on(p.return_label_in_callee),
+        Field::PocketStepover => mm_text(p.rules.pocket_stepover_mm),
+        Field::FixedRoutineCount => name_of(p.fixed_routine_count, ROUTINE_COUNTS),
+        Field::BoreDiameterRegister => name_of(p.bore_diameter_register, REGISTERS),
+        Field::Cycle(rule) => cycle::value_text(p, rule),
+        Field::Compensation(rule) => compensation::value_text(p, rule),
+        Field::Path(rule) => path_mode::value_text(p, rule),
+        Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
+        Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
+        Field::AliasM(at) => p.aliases.m[at as usize].to_string(),
+        Field::AliasSubprogram(at) => p.aliases.m_subprogram[at as usize].to_string(),
+    }
+}
+
+const ROUTINE_COUNTS: &[(&str, FixedRoutineCount)] =
+    &[("repeat", FixedRoutineCount::Repeat), ("once", FixedRoutineCount::Once)];
+
+const REGISTERS: &[(&str, u8)] = &[("R1", 1), ("R2", 2), ("R3", 3), ("R4", 4)];
+
+const OUTSIDE_CORNERS: &[(&str, OutsideCorner)] =
+    &[("linear", OutsideCorner::Linear), ("arc", OutsideCorner::Arc)];
+
+const COMPENSATION_ENTRIES: &[(&str, CompensationEntry)] = &[
+    ("A", CompensationEntry::A),
+    ("B", CompensationEntry::B),
+    ("contour", CompensationEntry::Contour),
+];
+
+const SPIRAL_ON_RAY: &[(&str, SpiralOnRay)] =
+    &[("no-turn", SpiralOnRay::NoTurn), ("full-turn", SpiralOnRay::FullTurn)];
+
+const OMITTED_CENTER: &[(&str, OmittedCenter)] =
+    &[("start", OmittedCenter::Start), ("zero", OmittedCenter::Zero)];
+
+const MACHINE_MOVES: &[(&str, bool)] = &[("rapid", true), ("in-force", false)];
+
+const EXCESS_DECIMALS: &[(&str, ExcessDecimals)] = &[
+    ("exact", ExcessDecimals::Exact),
+    ("cut", ExcessDecimals::Cut),
+    ("rounded", ExcessDecimals::Rounded),
+    ("unknown", ExcessDecimals::Unknown),
+];
+
+const ROTARY_IN_ARC: &[(&str, bool)] = &[("allowed", true), ("refused", false)];
+
+const MACRO_ANGLES: &[(&str, bool)] = &[("0-to-360", true), ("180", false)];
+
+const UNIT_CODES: &[(&str, UnitCodes)] =
+    &[("G20/G21", UnitCodes::G20), ("G70/G71", UnitCodes::G70), ("both", UnitCodes::Both)];
+
+const DECIMAL_POINTS: &[(&str, DecimalPoint)] =
+    &[("least-increment", DecimalPoint::LeastIncrement), ("calculator", DecimalPoint::Calculator)];
+
+const ARC_CENTERS: &[(&str, ArcCenter)] = &[
+    ("from-start", ArcCenter::FromStart),
+    ("absolute", ArcCenter::Absolute),
+    ("from-center", ArcCenter::FromCenter),
+];
+
+const SPIRALS: &[(&str, SpiralForm)] = &[
+    ("none", SpiralForm::None),
+    ("pitches", SpiralForm::Pitches),
+    ("increment-height-count", SpiralForm::IncrementHeightCount),
+    ("increment-count", SpiralForm::IncrementCount),
+];

@@ -1,0 +1,133 @@
+//! The rules of path modes as settings of a machine file.
+
+use chordal_kernel::rules::*;
+use chordal_machine::SettingValue;
+
+use super::choices::{Choices, SWITCH, choose, mm_text, name_of};
+use super::{Certainty, Field, Setting, setting};
+use crate::parameters::Parameters;
+
+/// The rule that a setting changes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+#[allow(missing_docs, reason = "each names a field of `PathRules`")]
+pub enum PathField {
+    Start,
+    StopBeforeCut,
+    StopBetweenRapids,
+    StopAfterCut,
+    Rounding,
+    /// The part of a level, 1 to 3.
+    LevelPart(u8),
+    Level,
+    LookAhead,
+}
+
+const STARTS: Choices<StartMode> = &[
+    ("continuous", StartMode::Continuous),
+    ("exact-path", StartMode::ExactPath),
+    ("exact-stop", StartMode::ExactStop),
+];
+
+const LEVELS: Choices<u8> =
+    &[("rough", 1), ("medium", 2), ("finish", 3), ("1", 1), ("2", 2), ("3", 3)];
+
+/// The settings that every control has, under plain names.
+pub const COMMON: &[Setting] = &[
+    plain(
+        "start_path_mode",
+        PathField::Start,
+        "path mode at power-on: `continuous`, `exact-path` or `exact-stop`",
+        Certainty::Trade,
+    ),
+    plain(
+        "stop_before_cut",
+        PathField::StopBeforeCut,
+        "a rapid ends at rest before a cut: `on` or `off`",
+        Certainty::Trade,
+    ),
+    plain(
+        "stop_between_rapids",
+        PathField::StopBetweenRapids,
+        "a rapid ends at rest before another rapid: `on` or `off`",
+        Certainty::Unknown,
+    ),
+    plain(
+        "stop_after_cut",
+        PathField::StopAfterCut,
+        "a cut ends at rest before a rapid: `on` or `off`",
+        Certainty::Unknown,
+    ),
+];
+
+/// The distance in G64, of controls that name none.
+pub const CORNER_ROUNDING: Setting = setting(
+    "corner rounding",
+    Field::Path(PathField::Rounding),
+    &[],
+    "how far from a corner the tool passes in G64; `none`: `[motion] corner_tolerance`",
+    Certainty::Unknown,
+    "G64",
+);
+
+const fn plain(
+    name: &'static str,
+    field: PathField,
+    text: &'static str,
+    certainty: Certainty,
+) -> Setting {
+    Setting { name, field: Field::Path(field), values: &[], text, certainty, source: "" }
+}
+
+/// Sets one rule; the error says what it takes.
+pub(crate) fn set(
+    p: &mut Parameters,
+    field: PathField,
+    word: &str,
+    value: &SettingValue,
+) -> Result<(), String> {
+    let length = || match value.as_length_mm() {
+        Ok(mm) if mm >= 0.0 => Ok(mm),
+        _ => Err("a length with its unit, as \"0.05 mm\", or `none`".to_string()),
+    };
+    let optional = || if word.eq_ignore_ascii_case("none") { Ok(None) } else { length().map(Some) };
+    let rules = &mut p.rules.path;
+    match field {
+        PathField::Start => rules.start = choose(word, STARTS)?,
+        PathField::StopBeforeCut => rules.stop_before_cut = choose(word, SWITCH)?,
+        PathField::StopBetweenRapids => rules.stop_between_rapids = choose(word, SWITCH)?,
+        PathField::StopAfterCut => rules.stop_after_cut = choose(word, SWITCH)?,
+        PathField::Rounding => rules.rounding_mm = optional()?,
+        PathField::LevelPart(level) => {
+            let part = match value {
+                SettingValue::Integer(number) => *number as f64,
+                SettingValue::Float(number) => *number,
+                _ => f64::NAN,
+            };
+            if !(part > 0.0 && part <= 10.0) {
+                return Err("a number above 0, at most 10".to_string());
+            }
+            rules.level_parts[usize::from(level.clamp(1, 3)) - 1] = part;
+        }
+        PathField::Level => rules.level = choose(word, LEVELS)?,
+        PathField::LookAhead => rules.look_ahead_mm = optional()?,
+    }
+    Ok(())
+}
+
+/// The present value of a rule, as a machine file writes it.
+pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
+    let rules = &p.rules.path;
+    let optional = |mm: Option<f64>| mm.map_or("none".to_string(), mm_text);
+    match field {
+        PathField::Start => name_of(rules.start, STARTS),
+        PathField::StopBeforeCut => name_of(rules.stop_before_cut, SWITCH),
+        PathField::StopBetweenRapids => name_of(rules.stop_between_rapids, SWITCH),
+        PathField::StopAfterCut => name_of(rules.stop_after_cut, SWITCH),
+        PathField::Rounding => optional(rules.rounding_mm),
+        PathField::LevelPart(level) => {
+            rules.level_parts[usize::from(level.clamp(1, 3)) - 1].to_string()
+        }
+        PathField::Level => name_of(rules.level, LEVELS),
+        PathField::LookAhead => optional(rules.look_ahead_mm),
+    }
+}

@@ -1,0 +1,472 @@
+//! A control as data: its codes, its words, its alarms, its settings.
+use crate::macros::MacroRules;
+use crate::parameters::Parameters;
+use crate::settings::Setting;
+use chordal_command::WorkNaming;
+use chordal_diagnostics::Code;
+use chordal_geometry::Direction;
+use chordal_kernel::rules::{CycleKind, Pattern};
+use chordal_kernel::{MotionMode, ToolValue};
+use chordal_syntax::{Decimal, Letters, Lexicon};
+
+/// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum Group {
+    OneShot,
+    Motion,
+    Plane,
+    Distance,
+    ArcDistance,
+    FeedMode,
+    Units,
+    Compensation,
+    ToolLength,
+    Cycle,
+    ReturnLevel,
+    Scaling,
+    WorkOffset,
+    PathMode,
+    Rotation,
+    Mirror,
+    ModalCall,
+    FeedRamp,
+    /// M codes.
+    Stopping,
+    Spindle,
+    Coolant,
+    ToolChange,
+    Calling,
+    Auxiliary,
+}
+
+/// Stopping, turning, calling: what a code does. Closed, so that the interpreter answers
+/// for every one.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum Action {
+    Rapid,
+    Linear,
+    ArcCw,
+    ArcCcw,
+    SpiralCw,
+    SpiralCcw,
+    Dwell,
+    /// A stop at the end of this block.
+    ExactStopOnce,
+    SetData,
+    /// Over a point to reference point 1 (G28) or the one that P names (G30).
+    ReturnToReference {
+        second: bool,
+    },
+    ReturnFromReference,
+    MachineCoordinates,
+    LocalShift,
+    PresetPosition,
+    ClearPreset {
+        keep: bool,
+    },
+    RestorePreset,
+    PlaneXy,
+    PlaneZx,
+    PlaneYz,
+    Inch,
+    Millimetre,
+    Absolute,
+    Incremental,
+    ArcCenterAbsolute,
+    ArcCenterIncremental,
+    FeedPerTime,
+    FeedInverseTime,
+    FeedPerRevolution,
+    CompensationOff,
+    CompensationLeft,
+    CompensationRight,
+    /// An arc round an outside corner (G39), in a block of its own or beside a move.
+    CornerArc {
+        own_block: bool,
+    },
+    LengthPlus,
+    LengthMinus,
+    LengthCancel,
+    WorkOffset(u16),
+    WorkOffsetPoint(u16),
+    WorkOffsetExtended,
+    /// An extended work offset by a code of its own (Haas G110 is G154 P1).
+    WorkOffsetNumbered(u16),
+    ReturnInitial,
+    ReturnToR,
+    CancelCycle,
+    Cycle(CycleKind),
+    /// Holes of the cycle in force on a circle, an arc or a line.
+    Pattern(Pattern),
+    PathExact,
+    PathExactStop,
+    PathContinuous,
+    /// Corners rounded within the distance of high-accuracy control (Mitsubishi G61.1).
+    PathHighAccuracy,
+    /// Look-ahead control: on with this value of the letter, off with 0.
+    LookAhead {
+        letter: u8,
+        on: u32,
+    },
+    /// How far corners are rounded, by level P or distance E (Haas G187).
+    Smoothness,
+    /// Corners as in `PathContinuous`, and the feed override has no effect (G63).
+    PathTapping,
+    /// The panel's feed override acts or not (M48, M49), and with it that of rapids.
+    Overrides {
+        on: bool,
+        rapid: bool,
+    },
+    /// The same for feed and rapids by P: off with 0 (LinuxCNC M50).
+    OverridesByP,
+    ProgramStop,
+    OptionalStop,
+    ProgramEnd {
+        rewind: bool,
+    },
+    SpindleCw,
+    SpindleCcw,
+    SpindleStop,
+    SpindleOrient,
+    ToolChange,
+    CoolantMist,
+    CoolantFlood,
+    CoolantThroughTool,
+    CoolantThroughToolOff,
+    CoolantOff,
+    CallProgram,
+    CallLabel,
+    Return,
+    SubroutineEnd,
+    RunCycleHere,
+    /// G65: calls a program with its words as arguments.
+    MacroCall,
+    /// G66: the same after every move; G66.1: for every block.
+    ModalMacroCall {
+        every_block: bool,
+    },
+    /// Fadal G66: calls a subroutine after every move.
+    ModalSubroutine,
+    ModalCallOff,
+    /// A round pocket by one block, clockwise.
+    CircularPocketCw,
+    CircularPocketCcw,
+    /// A pocket of any outline by one block.
+    GeneralPocket,
+    /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
+    Probe {
+        must_hit: bool,
+    },
+    /// A code that the table does not have and the shop does.
+    ShopCode,
+    /// Carried out without effect on path or time.
+    NoEffect,
+    /// The control carries it out and Chordal does not.
+    NotSimulated,
+}
+
+impl Action {
+    /// The code takes the axis words of its block for itself.
+    pub const fn takes_axes(self) -> bool {
+        matches!(
+            self,
+            Action::Dwell
+                | Action::SetData
+                | Action::ReturnToReference { .. }
+                | Action::ReturnFromReference
+                | Action::MachineCoordinates
+                | Action::LocalShift
+                | Action::PresetPosition
+                | Action::ClearPreset { .. }
+                | Action::RestorePreset
+                | Action::CircularPocketCw
+                | Action::CircularPocketCcw
+                | Action::GeneralPocket
+                | Action::Pattern(_)
+                | Action::Probe { .. }
+                | Action::CornerArc { own_block: true }
+                | Action::NotSimulated
+        )
+    }
+
+    /// A motion code that every control has: G0 to G3.
+    pub const fn is_plain_motion(self) -> bool {
+        matches!(self, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
+    }
+}
+
+impl From<MotionMode> for Action {
+    /// What the code of a motion in force does.
+    fn from(motion: MotionMode) -> Action {
+        match motion {
+            MotionMode::Rapid => Action::Rapid,
+            MotionMode::Linear => Action::Linear,
+            MotionMode::Arc(Direction::Cw) => Action::ArcCw,
+            MotionMode::Arc(Direction::Ccw) => Action::ArcCcw,
+            MotionMode::Spiral(Direction::Cw) => Action::SpiralCw,
+            MotionMode::Spiral(Direction::Ccw) => Action::SpiralCcw,
+            MotionMode::Cycle(kind) => Action::Cycle(kind),
+        }
+    }
+}
+
+/// One G or M code of a control.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeRow {
+    /// Ten times the number: G54.1 is 541.
+    pub code: u16,
+    /// Codes of one group exclude each other.
+    pub group: Group,
+    /// What it does.
+    pub action: Action,
+    /// Letters beside the axes and F that it takes.
+    pub words: Letters,
+    /// One line for people.
+    pub title: &'static str,
+}
+
+impl CodeRow {
+    /// Its name under its letter: `G54.1`.
+    pub fn name(&self, letter: u8) -> String {
+        code_name(letter, self.code)
+    }
+}
+
+/// A code by ten times its number: `G54.1`.
+pub fn code_name(letter: u8, code: u16) -> String {
+    let (letter, whole) = (char::from(letter), code / 10);
+    if code.is_multiple_of(10) {
+        format!("{letter}{whole}")
+    } else {
+        format!("{letter}{whole}.{}", code % 10)
+    }
+}
+
+/// Ten times a code's number, as the tables count it: 541 of `54.1`. Nothing for numbers that no code has.
+pub fn code_number(number: Decimal) -> Option<u16> {
+    let tenths = match number.scale {
+        0 => number.mantissa.checked_mul(10)?,
+        1 => number.mantissa,
+        scale => {
+            let power = 10_i64.checked_pow(u32::from(scale) - 1)?;
+            if number.mantissa % power != 0 {
+                return None;
+            }
+            number.mantissa / power
+        }
+    };
+    u16::try_from(tenths).ok()
+}
+
+/// Writes a row of a code table.
+pub const fn row(
+    code: u16,
+    group: Group,
+    action: Action,
+    words: &'static str,
+    title: &'static str,
+) -> CodeRow {
+    CodeRow { code, group, action, words: Letters::of(words), title }
+}
+
+/// Where an L word repeats its block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LineRepeat {
+    /// Nowhere.
+    None,
+    /// In the main program only.
+    MainProgram,
+    /// Everywhere.
+    Anywhere,
+}
+
+/// How subroutines are written beside M98.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Subroutines {
+    /// There are none.
+    None,
+    /// Sections `L100`, `L200`, … before the main program, ended by M17, the whole by M30;
+    /// called by `L201` (subroutine, two digits of repeats).
+    LetterL,
+}
+
+/// How motion codes are modal.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MotionModality {
+    /// Each cancels the others.
+    Exclusive,
+    /// G0 and G1 cancel each other; G2 and G3 arm a direction, which a block takes when it
+    /// has a centre or a radius.
+    Armed,
+}
+
+/// What `G10 L…` writes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DataTarget {
+    /// Work offset P (0 the external one).
+    WorkOffset,
+    /// Work offset P, so that the present position gets the given coordinates.
+    WorkOffsetFromPosition,
+    /// Extended work offset P.
+    ExtendedWorkOffset,
+    /// A value of tool P.
+    Tool(ToolValue),
+    /// Length and radius by the letters Z and R (LinuxCNC).
+    ToolTable,
+    /// A register R0 … R9 (Fadal L100–L109).
+    Register,
+    /// Something that is not simulated.
+    Other,
+}
+
+/// Time words of a dwell.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct DwellWord {
+    /// The letter.
+    pub letter: u8,
+    /// Seconds in one unit without a decimal point.
+    pub integer_s: f64,
+    /// Seconds in one unit with a decimal point.
+    pub point_s: f64,
+}
+
+/// A sign in the text that speaks for a control.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Sign {
+    /// A G code (ten times the number).
+    G(u16),
+    /// An M code (ten times the number).
+    M(u16),
+    /// A block with all these letters and no G or M word.
+    Letters(&'static str),
+    /// A block with these letters.
+    With(&'static str),
+    /// `R0+1.`: a register word.
+    Register,
+    /// A comment left open.
+    OpenComment,
+    /// A comment behind a semicolon.
+    SemicolonComment,
+    /// A program number of five digits.
+    FiveDigitProgram,
+    /// `o100 sub`.
+    OWord,
+    /// `L100` alone in its block.
+    SubroutineHead,
+    /// A macro statement with `#` or brackets.
+    MacroStatement,
+    /// G53 beside another G code in one block.
+    MachineCoordinatesWithOthers,
+}
+
+/// A sign and how strongly it speaks.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence {
+    /// What to look for.
+    pub sign: Sign,
+    /// How much it says.
+    pub weight: u32,
+    /// For people: `G154 chooses an extended work offset`.
+    pub reason: &'static str,
+}
+
+/// Everything that makes a control.
+#[derive(Debug)]
+pub struct ControlTable {
+    /// Name in machine files.
+    pub name: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// Where its facts come from.
+    pub source: &'static str,
+    /// How its text is written.
+    pub lexicon: Lexicon,
+    /// Its G codes in order.
+    pub g_codes: &'static [CodeRow],
+    /// Its M codes in order.
+    pub m_codes: &'static [CodeRow],
+    /// Its numbers and habits.
+    pub parameters: Parameters,
+    /// The settings that a machine file may name.
+    pub settings: &'static [Setting],
+    /// What it shows for a diagnostic; `{n}` is the block's N number, `{move}` the kind of
+    /// move; of two texts with ` / ` between the first is for arcs.
+    pub alarms: &'static [(Code, &'static str)],
+    /// How motion codes are modal.
+    pub motion: MotionModality,
+    /// G90 and G91 act from left to right within the block.
+    pub distance_left_to_right: bool,
+    /// G90 and G91 may stand in one block.
+    pub line_repeat: LineRepeat,
+    /// Subroutines beside M98.
+    pub subroutines: Subroutines,
+    /// Letters of axes that words may name.
+    pub axis_letters: &'static str,
+    /// P on an arc: further full turns (`extra`) or all turns.
+    pub arc_turns: ArcTurns,
+    /// Centre words outside the plane are an alarm, not passed over.
+    pub strict_center_words: bool,
+    /// G10's targets by L.
+    pub set_data: &'static [(u16, DataTarget)],
+    /// Time words of G4.
+    pub dwell: &'static [DwellWord],
+    /// Of several codes of a group in a block the last one counts, without an alarm.
+    pub last_of_group_counts: bool,
+    /// Codes that must be the only G code of their block.
+    pub alone: &'static [u16],
+    /// M6 stops the spindle by itself.
+    pub spindle_stops_at_tool_change: bool,
+    /// How its work offsets are named; with `by_e` a word E chooses one.
+    pub work_names: WorkNaming,
+    /// How its programs are numbered.
+    pub program_numbers: ProgramNumbers,
+    /// Start label word of M98 (Mitsubishi H).
+    pub call_start_label: Option<u8>,
+    /// Its macro language.
+    pub macros: &'static MacroRules,
+    /// Signs by which its programs are recognized.
+    pub evidence: &'static [Evidence],
+}
+
+/// How programs are numbered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ProgramNumbers {
+    /// The largest number behind O.
+    pub largest: u32,
+    /// Digits of the number as the control lists it, with zeros in front.
+    pub digits: usize,
+    /// A program has a number; without, it may be a text alone.
+    pub required: bool,
+}
+
+/// What P means on an arc.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ArcTurns {
+    /// Nothing.
+    None,
+    /// Further full turns beside the arc's own.
+    Extra,
+    /// All turns, the arc's own counted as one.
+    Total,
+}
+
+impl ControlTable {
+    /// The row of a G code (ten times its number).
+    pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
+        let index = self.g_codes.binary_search_by_key(&code, |row| row.code).ok()?;
+        Some(&self.g_codes[index])
+    }
+
+    /// The row of an M code (ten times its number).
+    pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
+        let index = self.m_codes.binary_search_by_key(&code, |row| row.code).ok()?;
+        Some(&self.m_codes[index])
+    }
+
+    /// What the control shows for a diagnostic.
+    pub fn alarm(&self, code: Code) -> Option<&'static str> {
+        self.alarms.iter().find(|(condition, _)| *condition == code).map(|(_, text)| *text)
+    }
+}

@@ -1,0 +1,246 @@
+//! Arcs and helices: the centre in all its forms, R, full circles, turns, mismatch.
+
+use chordal_command::{AxisMask, Position};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::CenterAndRadius;
+use chordal_dialect::table::ArcTurns;
+use chordal_geometry::{Direction, Plane, Vec3};
+use chordal_kernel::ArcWords;
+use chordal_kernel::Motion;
+use chordal_kernel::rules::SpiralForm;
+use chordal_syntax::{Block, Letters, Word};
+
+use super::Interpreter;
+
+const CENTER: Letters = Letters::of("IJK");
+
+/// Centre letters by axis.
+const CENTER_LETTERS: [u8; 3] = *b"IJK";
+
+/// The letters of the plane's centre words.
+pub(super) fn center_letters(plane: Plane) -> (u8, u8, u8) {
+    let (a, b, normal) = plane.axes();
+    (CENTER_LETTERS[a], CENTER_LETTERS[b], CENTER_LETTERS[normal])
+}
+
+/// Name of a plane for people, with its code.
+pub(super) fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Xy => "G17, the XY plane",
+        Plane::Zx => "G18, the ZX plane",
+        Plane::Yz => "G19, the YZ plane",
+    }
+}
+
+impl Interpreter<'_> {
+    /// The word that gives the radius: R, or R0 where R names registers.
+    pub(super) fn radius_word(&self, block: &Block) -> Option<Word> {
+        if self.control.table.lexicon.registers {
+            block.all(b'R').find(|word| word.register == Some(0)).copied()
+        } else {
+            block.last(b'R').copied()
+        }
+    }
+
+    /// A block whose motion is an arc: by centre, by radius, or a spiral of the control.
+    pub(super) fn arc_block(
+        &mut self,
+        block: &Block,
+        direction: Direction,
+        mut target: Position,
+        named: AxisMask,
+        explicit: bool,
+    ) {
+        let at = self.at(block);
+        let letters = block.letters();
+        let (a_letter, b_letter, normal_letter) = center_letters(self.kernel.state.plane);
+        let has_center = letters.has(a_letter) || letters.has(b_letter);
+        let radius = if letters.has(b'R') { self.radius_word(block) } else { None };
+        self.kernel.snap_to_start(&mut target);
+        if self.is_spiral_of_type_two(block, &target) {
+            return self.spiral_of_type_two(block, direction, target, named);
+        }
+        let outside = letters.has(normal_letter) && self.check_height_word(block);
+        if has_center && radius.is_some() && !self.center_and_radius(block) {
+            return self.kernel.straight_instead(&self.at(block), target, named);
+        }
+        let turns = self.extra_turns(block, radius.is_some());
+        let center = match radius {
+            None if has_center => {
+                [self.length_of(block, a_letter), self.length_of(block, b_letter)]
+            }
+            _ => [None; 2],
+        };
+        let arc = ArcWords { direction, center, turns };
+        match radius {
+            Some(word) => {
+                let Some(value) = self.length(&word) else { return };
+                let radius = (self.span(word.range), value);
+                self.kernel.arc_by_radius(&at, radius, &arc, target, named);
+            }
+            None if has_center => self.kernel.arc_by_center(&at, &arc, target, named),
+            None => {
+                // Without that word nothing is left of the centre: one problem, not two.
+                if !outside {
+                    self.report_no_center(block, explicit);
+                }
+                self.kernel.straight_instead(&self.at(block), target, named);
+            }
+        }
+    }
+
+    /// P on an arc, as turns beside the arc's own.
+    fn extra_turns(&mut self, block: &Block, by_radius: bool) -> u32 {
+        let rule = self.control.table.arc_turns;
+        if rule == ArcTurns::None || !block.letters().has(b'P') {
+            return 0;
+        }
+        if rule == ArcTurns::Extra && by_radius {
+            // A radius fixes an arc of less than a turn.
+            if let Some(word) = block.word(b'P').copied() {
+                self.unused_word(&word);
+            }
+            return 0;
+        }
+        let turns = self.count_of(block, b'P').unwrap_or(0).min(9999);
+        match rule {
+            ArcTurns::Total => turns.saturating_sub(1),
+            _ => turns,
+        }
+    }
+
+    /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone
+    /// it is passed over, and a zero, as posts write it, says nothing.
+    /// True where it was reported as an error.
+    pub(super) fn check_height_word(&mut self, block: &Block) -> bool {
+        let (_, _, letter) = center_letters(self.kernel.state.plane);
+        let Some(word) = block.last(letter) else { return false };
+        let strict = self.control.table.strict_center_words;
+        if !strict && self.is_zero(word) {
+            return false;
+        }
+        let passed_over = !strict && self.control.parameters.rules.arc.spiral != SpiralForm::None;
+        let severity = if passed_over { Severity::Warning } else { Severity::Error };
+        let plane = self.kernel.state.plane;
+        let (a, b, _) = center_letters(plane);
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CenterOutsidePlane,
+                span,
+                format!("{} does not belong to {}", letter as char, plane_name(plane)),
+            )
+            .severity(severity)
+            .label(format!("only {} and {} here", a as char, b as char))
+            .help("take the word out, or choose the plane with G17, G18 or G19"),
+        );
+        !passed_over
+    }
+
+    /// Both a centre and a radius: true when R is followed.
+    fn center_and_radius(&mut self, block: &Block) -> bool {
+        let wins = self.control.parameters.center_and_radius == CenterAndRadius::RadiusWins;
+        let span = self.words_span(block, Letters::of("IJKR"));
+        let (what, severity) = if wins {
+            ("R is followed", Severity::Warning)
+        } else {
+            ("the control refuses the block", Severity::Error)
+        };
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CenterAndRadius,
+                span,
+                format!("this arc has both a centre and a radius; {what}"),
+            )
+            .severity(severity)
+            .help("keep one of them"),
+        );
+        wins
+    }
+
+    fn report_no_center(&mut self, block: &Block, explicit: bool) {
+        let span = self.span(block.range);
+        let (a, b, _) = center_letters(self.kernel.state.plane);
+        let message = if explicit {
+            "this arc has neither a centre nor a radius"
+        } else {
+            "an arc is in force from a block before, and this block has neither centre nor radius"
+        };
+        self.kernel.report(
+            Diagnostic::new(Code::NoCenter, span, message)
+                .label("shown as a straight line")
+                .help(format!("give {} and {} or R, or write G1 for a line", a as char, b as char)),
+        );
+    }
+
+    /// Fadal: G2 or G3 in a block without a centre is a line.
+    pub(super) fn report_line_for_arc(&mut self, block: &Block) {
+        let span = self.words_span(block, Letters::of("G"));
+        let rapid = self.kernel.state.motion == Motion::Rapid;
+        let message = if rapid {
+            "G2 or G3 without a centre, and G0 is in force: this control makes a rapid"
+        } else {
+            "G2 or G3 without a centre: this control makes a straight line"
+        };
+        let mut diagnostic = Diagnostic::new(Code::NoCenter, span, message)
+            .severity(Severity::Warning)
+            .label("no I, J, K or R0 in this block")
+            .help(if rapid {
+                "give the centre; for a straight cut write G1"
+            } else {
+                "give the centre, or leave the G code out"
+            });
+        diagnostic.alarm = None;
+        self.kernel.report(diagnostic);
+    }
+
+    /// Fadal: a block without a code after an arc that was cut while G0 is in force.
+    #[cold]
+    fn report_rapid_after_arc(&mut self, block: &Block) {
+        let span = self.span(block.range);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::RapidAfterArc,
+                span,
+                "this block is a rapid: G0 is still in force, for G2 and G3 do not cancel it here",
+            )
+            .label("no motion code, after an arc")
+            .help("write G1 for a cut, G0 for a rapid"),
+        );
+    }
+
+    /// Notes an arc that is cut while G0 is in force, and the block after it that goes at rapid.
+    #[inline]
+    pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, meant: bool) {
+        let before = self.kernel.state.arc_over_rapid;
+        self.kernel.state.arc_over_rapid = arc && self.kernel.state.motion == Motion::Rapid;
+        if before && !meant && self.kernel.state.motion == Motion::Rapid {
+            self.report_rapid_after_arc(block);
+        }
+    }
+
+    /// Fadal: a centre before any G2 or G3.
+    pub(super) fn unarmed_arc(&mut self, block: &Block, target: Position, named: AxisMask) {
+        let by_radius = !block.letters().meets(CENTER);
+        let span = self.words_span(block, Letters::of("IJKR"));
+        let title = self.control.table.title;
+        let message = if by_radius {
+            "R0 stands in a move, and no G2 or G3 came before".to_string()
+        } else {
+            "a centre is given, and no G2 or G3 came before".to_string()
+        };
+        let mut diagnostic = Diagnostic::new(Code::NoCenter, span, message)
+            .label("which direction?")
+            .help("write G2 or G3 into this block");
+        diagnostic.alarm = Some(if by_radius {
+            format!("{title}: I, J, OR K MUST BE SPECIFIED")
+        } else {
+            let n = self.sequence.map_or("?".to_string(), |number| number.to_string());
+            format!("{title}: BAD CIRCLE OR MISSING G AT N={n}")
+        });
+        self.kernel.report(diagnostic);
+        if named != AxisMask::NONE {
+            self.kernel.straight_instead(&self.at(block), target, named);
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! One block: its codes are gathered, judged, and taken in the order a control takes them.
+
+use chordal_command::AxisMask;
+use chordal_dialect::table::{LineRepeat, Subroutines};
+use chordal_dialect::{Action, CodeRow, Group, UnitCodes, code_number};
+use chordal_syntax::{Block, Letters};
+
+use super::judge::ALWAYS;
+use super::{EndReason, Flow, Interpreter};
+
+/// Letters of a block that only moves: no mode, no table, no call.
+const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
+
+/// The fixed subroutine that drills a bolt circle (Fadal L93NN).
+const BOLT_CIRCLE: u32 = 93;
+
+impl Interpreter<'_> {
+    /// Carries out the words of a block.
+    pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
+        if self.plain_motion(block) {
+            return Flow::Next;
+        }
+        if let Some(flow) = self.macro_call(block) {
+            return flow;
+        }
+        let active = self.macros.active;
+        let mut codes = std::mem::take(&mut self.codes);
+        self.gather(block, &mut codes);
+        let flow = self.carry_out_codes(block, &codes);
+        codes.clear();
+        self.codes = codes;
+        // The block that begins it does not call.
+        if active > 0 && self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
+    }
+
+    /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
+    /// when there is more in the block than that.
+    #[inline]
+    fn plain_motion(&mut self, block: &Block) -> bool {
+        let letters = block.letters();
+        if !letters.within(PLAIN)
+            || self.kernel.state.cycle.is_some()
+            || self.macros.active > 0
+            || block.repeated() != Letters::NONE
+            || block.commas
+        {
+            return false;
+        }
+        let (words, explicit) = match block.word(b'G') {
+            None => (self.modal_arc_words().unwrap_or(Letters::NONE), None),
+            Some(word) => {
+                let code = word.number().and_then(code_number);
+                let row = code.and_then(|code| self.control.g_code(code));
+                let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
+                // `G2.0` is judged with the codes.
+                if word.number().is_some_and(|number| number.scale > 0) {
+                    return false;
+                }
+                (self.words_of(row), Some(row.action))
+            }
+        };
+        if !letters.within(ALWAYS.union(words)) {
+            return false;
+        }
+        if letters.has(b'F') {
+            self.take_feed(block);
+        }
+        self.motion_block(block, explicit);
+        true
+    }
+
+    /// Finds the rows of all G and M words and judges how they go together.
+    fn gather(&mut self, block: &Block, codes: &mut Vec<(&'static CodeRow, usize)>) {
+        codes.clear();
+        self.shop.begin_block();
+        self.check_repeated_words(block);
+        for (at, word) in block.words.iter().enumerate() {
+            if !matches!(word.letter, b'G' | b'M') {
+                continue;
+            }
+            let Some(number) = self.literal(word) else { continue };
+            let row = code_number(number).and_then(|code| match word.letter {
+                b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
+                _ => self.m_row(block, at, code),
+            });
+            match row {
+                Some(row) => {
+                    if number.scale > 0 {
+                        self.check_written_with_zero(word, row);
+                    }
+                    codes.push((row, at));
+                }
+                None => self.unknown_code(word),
+            }
+        }
+        self.check_groups(block, codes);
+    }
+
+    /// The row of an M code. What the table lacks or leaves out may be the shop's own.
+    fn m_row(&mut self, block: &Block, at: usize, code: u16) -> Option<&'static CodeRow> {
+        let row = self.control.m_code(code);
+        match row {
+            Some(row) if row.action != Action::NotSimulated => Some(row),
+            _ => self.shop_row(block, at, code).or(row),
+        }
+    }
+
+    /// Inch and millimetres may be chosen by G20 and G21, by G70 and G71, or by either.
+    fn has_unit_code(&self, row: &CodeRow) -> bool {
+        let by_g70 = row.code >= 700;
+        match self.control.parameters.unit_codes {
+            _ if row.group != Group::Units => true,
+            UnitCodes::Both => true,
+            UnitCodes::G20 => !by_g70,
+            UnitCodes::G70 => by_g70,
+        }
+    }
+
+    fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Flow {
+        // What an unknown code would have done with the words is not known; the tool still
+        // goes to the end point that they name.
+        let code_words = block.all(b'G').count() + block.all(b'M').count();
+        if codes.len() < code_words {
+            for (row, _) in codes {
+                self.take_reading_mode(row.action);
+            }
+            self.take_letters(block, codes);
+            let (target, named) = self.target(block);
+            if named != AxisMask::NONE {
+                self.kernel.straight(&self.at(block), target, named);
+            }
+            return self.take_after_motion(block, codes);
+        }
+        let claims = self.claims(codes);
+        if let Some(flow) = self.repeat_or_call_by_l(block, codes, claims) {
+            return flow;
+        }
+        self.check_unused(block, claims);
+        self.block_without_repeats(block, codes)
+    }
+
+    /// What a block does once; a line repeat does it again and again.
+    pub(super) fn block_without_repeats(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) -> Flow {
+        for (row, _) in codes {
+            self.take_reading_mode(row.action);
+        }
+        self.take_registers(block);
+        self.take_letters(block, codes);
+        // G41 beside a pocket names its side; the cycle offsets by itself.
+        let own_side = codes.iter().any(|(row, _)| row.action == Action::GeneralPocket);
+        for (row, at) in codes {
+            if !(own_side && row.group == Group::Compensation) {
+                self.take_mode(block, row, *at);
+            }
+        }
+        self.take_length(block, codes);
+        let one_shot = codes.iter().rev().find(|(row, _)| row.action.takes_axes());
+        match one_shot {
+            Some((row, at)) => {
+                self.modes_beside_one_shot(block, codes, row);
+                self.one_shot(block, row.action, *at);
+            }
+            None => {
+                let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
+                let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
+                self.motion_or_cycle(block, motion.map(|c| c.0.action), cycle.map(|c| c.0.action));
+            }
+        }
+        self.take_after_motion(block, codes)
+    }
+
+    /// L without a code that takes it: a line repeat, or on a Fadal a call.
+    fn repeat_or_call_by_l(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+        claims: Letters,
+    ) -> Option<Flow> {
+        let table = self.control.table;
+        let calls = table.subroutines == Subroutines::LetterL;
+        let taken = claims.has(b'L') && !(calls && self.cycle_counts_in_l(block, codes));
+        if taken || !block.letters().has(b'L') {
+            return None;
+        }
+        let word = *block.last(b'L')?;
+        let count = self.count(&word)?;
+        // Below a hundred L repeats the hole of the cycle in force.
+        if claims.has(b'L') && count < 100 {
+            return None;
+        }
+        if table.subroutines == Subroutines::LetterL && count >= 100 {
+            let mut claims = claims;
+            claims.insert(b'L');
+            self.check_unused(block, claims);
+            self.take_registers(block);
+            self.take_letters(block, codes);
+            if self.fixed_routine(block, &word, count) {
+                return Some(Flow::Next);
+            }
+            if count / 100 == BOLT_CIRCLE {
+                self.bolt_circle(block, &word, count % 100);
+                return Some(Flow::Next);
+            }
+            if self.kernel.state.cycle.is_some() {
+                self.next_hole_beside_call(block);
+            } else {
+                let (target, named) = self.target(block);
+                if named != AxisMask::NONE {
+                    self.kernel.straight(&self.at(block), target, named);
+                }
+            }
+            self.call_subroutine(&word, count);
+            return Some(Flow::Next);
+        }
+        if table.line_repeat == LineRepeat::None {
+            return None;
+        }
+        let mut claims = claims;
+        claims.insert(b'L');
+        self.check_unused(block, claims);
+        let times = self.allowed_repeats(&word, count);
+        if !self.reads_incremental(block) {
+            self.check_repeated_height(block, &word, times);
+        }
+        self.warn_of_repeated_modal_subroutine(block, times);
+        for pass in 0..times {
+            if pass > 0 && !self.kernel.count_repeated() {
+                return Some(Flow::End(EndReason::Budget));
+            }
+            if let end @ Flow::End(_) = self.block_without_repeats(block, codes) {
+                return Some(end);
+            }
+        }
+        Some(Flow::Next)
+    }
+}

@@ -1,0 +1,513 @@
+//! Subprograms, subroutines, local calls, returns and their limits.
+
+use chordal_dialect::Action;
+use chordal_dialect::table::Subroutines;
+use std::collections::HashMap;
+
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
+use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
+
+use super::shop::Given;
+use super::{EndReason, Flow, Frame, Interpreter};
+
+/// Fixed subroutines of the L form: L91… to L99….
+const FIXED: std::ops::RangeInclusive<u32> = 91..=99;
+
+impl Interpreter<'_> {
+    /// The count of a repeat, cut to what the control allows.
+    /// Reads the L100, L200 … sections that stand before the main program.
+    pub(super) fn read_subroutine_section(&mut self) {
+        if self.control.table.subroutines == Subroutines::None {
+            return;
+        }
+        let begin = self.reader.position();
+        let mut block = Block::new();
+        let mut in_section = false;
+        loop {
+            let more = self.reader.read(&mut block);
+            let read = self.reader.position().offset;
+            self.look_at_range(TextRange::new(begin.offset, read));
+            if !more {
+                break;
+            }
+            if block.words.is_empty() || block.letters().has(b'O') {
+                continue;
+            }
+            match subroutine_head(&block) {
+                Some(number) => {
+                    in_section = true;
+                    let after = self.reader.position();
+                    if self.subroutines.insert(number, after).is_some() {
+                        self.report_second_head(&block, number);
+                    }
+                }
+                None if !in_section => {
+                    // The first block is not a head: there is no section.
+                    self.reader.seek(begin);
+                    return;
+                }
+                None if self.ends_section(&block) => return,
+                None => {}
+            }
+        }
+        // No M30 after the subroutines: there is no main program.
+        self.reader.seek(begin);
+        if in_section {
+            self.subroutines_without_end(begin);
+        }
+    }
+
+    fn ends_section(&self, block: &Block) -> bool {
+        block.all(b'M').any(|word| {
+            let code = word.number().and_then(chordal_dialect::code_number);
+            code.and_then(|code| self.control.m_code(code))
+                .is_some_and(|row| matches!(row.action, Action::ProgramEnd { rewind: true }))
+        })
+    }
+
+    fn report_second_head(&mut self, block: &Block, number: u32) {
+        let span = self.words_span(block, Letters::of("L"));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::DuplicateProgram,
+                span,
+                format!("subroutine L{number}00 is there twice"),
+            )
+            .label("this one counts")
+            .help("give one of them another number"),
+        );
+    }
+
+    fn subroutines_without_end(&mut self, begin: TextPosition) {
+        let span = Span::new(self.file, begin.offset, begin.offset);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::HeaderOutOfPlace,
+                span,
+                "the subroutine section is not closed by M30, so there is no main program",
+            )
+            .help("put M30 behind the last subroutine, and the main program behind it"),
+        );
+        let end = self.reader.text().len() as u32;
+        self.reader.seek(TextPosition { offset: end, line: begin.line });
+    }
+
+    /// `L201`: subroutine 2, once.
+    pub(super) fn call_subroutine(&mut self, word: &Word, value: u32) {
+        let (number, repeats) = (value / 100, value % 100);
+        if FIXED.contains(&number) {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NotSimulated,
+                    self.span(word.range),
+                    format!("the fixed subroutine L{value} is not carried out by this version"),
+                )
+                .severity(Severity::Warning)
+                .label("its motion is missing from the path"),
+            );
+            return;
+        }
+        if repeats == 0 {
+            let alone = self.subroutines.contains_key(&number);
+            let (code, message) = if alone {
+                (Code::BadWordValue, format!("L{value} calls subroutine {number} zero times"))
+            } else {
+                (
+                    Code::HeaderOutOfPlace,
+                    format!("the subroutine head L{value} stands outside the subroutine section"),
+                )
+            };
+            let help = if alone {
+                format!("write L{} to call it once", number * 100 + 1)
+            } else {
+                "put it before the M30 that closes the subroutines".to_string()
+            };
+            self.kernel.report(Diagnostic::new(code, self.span(word.range), message).help(help));
+            return;
+        }
+        let in_subprogram = self.frames.iter().any(|frame| !frame.subroutine);
+        if in_subprogram {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::CallNotAllowed,
+                    self.span(word.range),
+                    "a subprogram (O, M98) may not call a subroutine (L)",
+                )
+                .help("call another subprogram with M98, or move the call to the main program"),
+            );
+            return;
+        }
+        let Some(start) = self.subroutines.get(&number).copied() else {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::MissingSubprogram,
+                    self.span(word.range),
+                    format!("there is no subroutine L{number}00"),
+                )
+                .label(format!("calls subroutine {number}, {repeats} times"))
+                .help(format!(
+                    "write the subroutine under the head L{number}00 before the main program"
+                )),
+            );
+            return;
+        };
+        let main = self.program;
+        self.enter(word, main, start, repeats, true);
+    }
+
+    /// M98.
+    pub(super) fn call_program(&mut self, block: &Block, at: usize) {
+        let Some(word) = block.last(b'P').copied() else {
+            let span = self.span(block.words[at].range);
+            let text = self.reader.text();
+            let by_path = block.comments.iter().any(|c| c.slice(text).contains(&b'/'));
+            if !by_path {
+                let message = "M98 without a program number".to_string();
+                self.kernel.missing_word(span, message, "write P and the program's number");
+            } else {
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::NotSimulated,
+                        span,
+                        "a subprogram named by its path in a comment is not called",
+                    )
+                    .severity(Severity::Warning)
+                    .help("give the program a number and call it with P"),
+                );
+            }
+            return;
+        };
+        let Some(number) = self.count(&word) else { return };
+        let table = self.control.table;
+        let mut repeats = match block.letters().has(b'L') {
+            true => self.count_of(block, b'L').unwrap_or(1),
+            false => 1,
+        };
+        let mut number = number;
+        let found = self.library.find(number, self.file).or_else(|| {
+            let packed = self.control.parameters.packed_calls && number > 9999;
+            let plain = number % 10_000;
+            let program = if packed { self.library.find(plain, self.file) } else { None };
+            if program.is_some() {
+                repeats = number / 10_000;
+                number = plain;
+            }
+            program
+        });
+        let Some(program) = found else {
+            let given = Given { block: Some(block), arguments: &[] };
+            let packed = self.control.parameters.packed_calls && number > 9999;
+            let (asked, times) =
+                if packed { (number % 10_000, number / 10_000) } else { (number, repeats) };
+            if self.shop_program(&word, asked, times, given).is_none() {
+                self.report_missing_program(&word, number);
+            }
+            return;
+        };
+        let start_label = table.call_start_label.filter(|letter| block.letters().has(*letter));
+        let mut start = self.library.programs()[program].head.start;
+        if let Some(letter) = start_label {
+            let label_word = block.last(letter).copied();
+            let Some(label) = label_word.and_then(|word| self.literal(&word)) else { return };
+            match self.label(program, label.to_integer().unwrap_or(-1)) {
+                Some(position) => start = position,
+                None => return self.report_missing_label(block, letter, &label.to_string()),
+            }
+        }
+        let repeats = self.cut_to_limit(&word, repeats);
+        if repeats > 0 {
+            self.enter(&word, program, start, repeats, false);
+        }
+    }
+
+    pub(super) fn report_missing_program(&mut self, word: &Word, number: u32) {
+        if !self.missing.contains(&number) {
+            self.missing.push(number);
+        }
+        self.kernel.report(
+            Diagnostic::new(
+                Code::MissingSubprogram,
+                self.span(word.range),
+                format!("there is no program O{number} in this file or beside it"),
+            )
+            .label("the call is passed over")
+            .help(format!("put O{number} into the file, or a file O{number} into its folder")),
+        );
+    }
+
+    /// M97.
+    pub(super) fn call_label(&mut self, block: &Block, at: usize) {
+        let Some(word) = block.last(b'P').copied() else {
+            let span = self.span(block.words[at].range);
+            let message = "M97 without an N number".to_string();
+            return self.kernel.missing_word(span, message, "write P and the N number");
+        };
+        let Some(label) = self.count(&word) else { return };
+        let repeats = match block.letters().has(b'L') {
+            true => self.count_of(block, b'L').unwrap_or(1),
+            false => 1,
+        };
+        let repeats = self.cut_to_limit(&word, repeats);
+        match self.label(self.program, i64::from(label)) {
+            Some(start) if repeats > 0 => {
+                let program = self.program;
+                self.enter(&word, program, start, repeats, false);
+            }
+            Some(_) => {}
+            None => self.report_missing_label(block, b'P', &label.to_string()),
+        }
+    }
+
+    /// Goes into a program; false when it would be too deep, which is told.
+    pub(super) fn enter(
+        &mut self,
+        word: &Word,
+        program: usize,
+        start: TextPosition,
+        repeats: u32,
+        subroutine: bool,
+    ) -> bool {
+        let depth = self.frames.len() as u32 + 1;
+        let limit = self.control.parameters.nesting;
+        if depth > limit {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NestingTooDeep,
+                    self.span(word.range),
+                    format!("this call would be {depth} deep; the control allows {limit}"),
+                )
+                .label("not called")
+                .help("a program that calls itself never returns; look at the calls above"),
+            );
+            return false;
+        }
+        let mut callee = self.reader_of(program);
+        callee.seek(start);
+        let entered = self.kernel.calls.enter(self.kernel.call, self.kernel.origin.span);
+        let path = std::mem::replace(&mut self.kernel.call, entered);
+        let reader = std::mem::replace(&mut self.reader, callee);
+        let caller = std::mem::replace(&mut self.program, program);
+        self.file = self.program_at(program).file;
+        self.frames.push(Frame {
+            reader,
+            program: caller,
+            path,
+            start,
+            remaining: repeats - 1,
+            subroutine,
+            loops: std::mem::take(&mut self.macros.loops),
+            modal_calls: self.macros.active,
+            own_locals: false,
+            by_alias: false,
+            of_shop: false,
+            entry: [self.kernel.state.position[0], self.kernel.state.position[1]],
+            contour: None,
+        });
+        true
+    }
+
+    /// M17.
+    pub(super) fn return_from_subroutine(&mut self, block: &Block, at: usize) {
+        match self.frames.last() {
+            Some(frame) if frame.subroutine => self.leave(None),
+            _ => self.report_return_without_call(block, at),
+        }
+    }
+
+    fn report_return_without_call(&mut self, block: &Block, at: usize) {
+        let span = self.span(block.words[at].range);
+        self.kernel.report(
+            Diagnostic::new(Code::ReturnWithoutCall, span, "a return, and nothing was called")
+                .help("take it out, or end the program with M30"),
+        );
+    }
+
+    /// M99.
+    pub(super) fn return_from_program(&mut self, block: &Block, at: usize) -> Flow {
+        let label = match block.letters().has(b'P') {
+            true => self.count_of(block, b'P').map(i64::from),
+            false => None,
+        };
+        let in_call = self.frames.last().is_some_and(|frame| !frame.subroutine);
+        if in_call && !(label.is_some() && self.control.parameters.return_label_in_callee) {
+            self.leave(label.map(|label| (block, label)));
+            if self.lost_jump {
+                return Flow::End(EndReason::LostJump);
+            }
+            return Flow::Next;
+        }
+        match label {
+            Some(label) => self.jump(block, at, label),
+            None => {
+                let span = self.span(block.words[at].range);
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::EndlessLoop,
+                        span,
+                        "M99 in the main program begins it again without end",
+                    )
+                    .label("shown once through")
+                    .severity(Severity::Warning)
+                    .help("end the program with M30, unless the repeat is meant"),
+                );
+                Flow::End(EndReason::Repeats)
+            }
+        }
+    }
+
+    /// A jump within the running program.
+    fn jump(&mut self, block: &Block, at: usize, label: i64) -> Flow {
+        let taken = self.jumps.entry(block.range.start).or_insert(0);
+        *taken += 1;
+        // Nothing but positions changes between two passes, so the second one through the
+        // same jump will be followed by a third.
+        if *taken > 1 && self.frames.is_empty() && !self.macros.used {
+            let span = self.span(block.words[at].range);
+            self.kernel.report(
+                Diagnostic::new(Code::EndlessLoop, span, "this jump is taken again and again")
+                    .label("stopped here")
+                    .help("nothing ends the loop: look at the N number it jumps to"),
+            );
+            return Flow::End(EndReason::Repeats);
+        }
+        match self.label(self.program, label) {
+            Some(position) => {
+                self.go_to(position);
+                Flow::Next
+            }
+            None => {
+                self.report_missing_label(block, b'P', &label.to_string());
+                Flow::End(EndReason::LostJump)
+            }
+        }
+    }
+
+    /// Goes on at a place of this program. Blocks that are then met again are counted.
+    pub(super) fn go_to(&mut self, target: TextPosition) {
+        let here = self.kernel.origin.span.range;
+        if target.offset <= here.start && self.frames.is_empty() {
+            self.repeat_until = self.repeat_until.max(here.end.max(1));
+        }
+        self.reader.seek(target);
+    }
+
+    /// Back to the caller, or once more through the called text.
+    pub(super) fn leave(&mut self, label: Option<(&Block, i64)>) {
+        let Some(frame) = self.frames.last_mut() else { return };
+        if frame.remaining > 0 && label.is_none() {
+            frame.remaining -= 1;
+            let start = frame.start;
+            self.macros.loops.clear();
+            self.reader.seek(start);
+            return;
+        }
+        self.check_contour_of_call();
+        let Some(frame) = self.frames.pop() else { return };
+        self.reader = frame.reader;
+        self.macros.loops = frame.loops;
+        // What the called program has cancelled stays cancelled.
+        self.macros.active = frame.modal_calls.min(self.macros.modal_calls());
+        self.macros.in_alias -= u32::from(frame.by_alias);
+        if frame.own_locals {
+            self.macros.store.leave();
+            self.macros.names.leave();
+        }
+        self.program = frame.program;
+        self.kernel.call = frame.path;
+        let callee_file = self.file;
+        self.file = self.program_at(self.program).file;
+        if let Some((block, label)) = label {
+            match self.label(self.program, label) {
+                Some(position) => self.reader.seek(position),
+                None => {
+                    let here = std::mem::replace(&mut self.file, callee_file);
+                    self.report_missing_label(block, b'P', &label.to_string());
+                    self.file = here;
+                    self.lost_jump = true;
+                }
+            }
+        }
+    }
+
+    /// The text of a called program ended without a return.
+    pub(super) fn text_ended_in_call(&mut self) {
+        if self.frames.last().is_some_and(|frame| frame.of_shop) {
+            return self.leave(None);
+        }
+        let subroutine = self.frames.last().is_some_and(|frame| frame.subroutine);
+        let code = if subroutine { "M17" } else { "M99" };
+        let span = self.kernel.origin.span;
+        self.kernel.report(
+            Diagnostic::new(
+                Code::ProgramWithoutEnd,
+                span,
+                format!("the called program ends without {code}"),
+            )
+            .severity(Severity::Error)
+            .label("the last block")
+            .help(format!("put {code} at its end")),
+        );
+        self.leave(None);
+    }
+
+    /// True when a block is the head of the next subroutine, which ends the running one.
+    pub(super) fn is_next_subroutine_head(&self, block: &Block) -> bool {
+        self.frames.last().is_some_and(|frame| frame.subroutine)
+            && subroutine_head(block).is_some_and(|n| self.subroutines.contains_key(&n))
+    }
+
+    fn report_missing_label(&mut self, block: &Block, letter: u8, label: &str) {
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        self.kernel.report(
+            Diagnostic::new(Code::MissingLabel, span, format!("no block has the number N{label}"))
+                .help(format!("put N{label} before the block that is meant")),
+        );
+    }
+
+    /// Where the block with an N number begins. The numbers of a program are read once.
+    pub(super) fn label(&mut self, program: usize, label: i64) -> Option<TextPosition> {
+        self.labels(program, label).first().copied()
+    }
+
+    /// The block with an N number that comes next below a place, else the first.
+    pub(super) fn label_below(
+        &mut self,
+        program: usize,
+        label: i64,
+        below: u32,
+    ) -> Option<TextPosition> {
+        let places = self.labels(program, label);
+        let next = places.partition_point(|place| place.offset <= below);
+        places.get(next).or(places.first()).copied()
+    }
+
+    fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
+        let mut reader = self.reader_of(program);
+        let labels = self.labels.entry(program).or_insert_with(|| {
+            let mut labels: HashMap<i64, Vec<TextPosition>> = HashMap::new();
+            let mut block = Block::new();
+            loop {
+                if !reader.read(&mut block) {
+                    return labels;
+                }
+                let number = block.word(b'N').and_then(|word| word.number());
+                if let Some(number) = number.and_then(|n| n.to_integer()) {
+                    let line = block.line;
+                    let start = TextPosition { offset: block.range.start, line };
+                    labels.entry(number).or_default().push(start);
+                }
+            }
+        });
+        labels.get(&label).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The number of a subroutine whose head this block is: `L100` alone is subroutine 1.
+pub fn subroutine_head(block: &Block) -> Option<u32> {
+    if !block.letters().within(Letters::of("LN")) {
+        return None;
+    }
+    let value = block.word(b'L')?.number()?.to_integer()?;
+    let head = value >= 100 && value % 100 == 0;
+    if head { u32::try_from(value / 100).ok() } else { None }
+}

@@ -1,0 +1,128 @@
+//! What the interpreter remembers at a checkpoint, and how a run goes on from one.
+
+use std::any::Any;
+use std::collections::BTreeMap;
+
+use chordal_command::{CallPath, Side};
+use chordal_diagnostics::{FileId, Shift, TextRange};
+use chordal_dialect::Scale;
+use chordal_kernel::{Checkpoint, KernelMemory, Memory};
+use chordal_syntax::{Decimal, Position as TextPosition};
+
+use super::macros::MacroMemory;
+use super::{Interpreter, Reported};
+
+/// With more chains of calls a checkpoint would cost more than it saves.
+const MOST_CALL_PATHS: usize = 1000;
+
+/// What decides about all that follows.
+#[derive(Clone, Debug, PartialEq)]
+struct BlockMemory {
+    kernel: KernelMemory,
+    scale: Scale,
+    registers: [Decimal; 10],
+    subroutines: BTreeMap<u32, TextPosition>,
+    missing: Vec<u32>,
+    sequence: Option<Decimal>,
+    reported: Reported,
+    lost_jump: bool,
+    carried_out: bool,
+    macros: MacroMemory,
+}
+
+impl Memory for BlockMemory {
+    fn is_like(&self, other: &dyn Memory) -> bool {
+        let Some(other) = other.as_any().downcast_ref::<BlockMemory>() else { return false };
+        self.kernel.is_like(&other.kernel) && self == other
+    }
+
+    fn shift(&mut self, shift: &Shift) -> Option<()> {
+        self.kernel.shift(shift)?;
+        for head in self.subroutines.values_mut() {
+            (head.offset, head.line) = shift.place(head.offset, head.line)?;
+        }
+        self.macros.shift(shift)
+    }
+
+    fn copy(&self) -> Box<dyn Memory> {
+        Box::new(self.clone())
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
+impl Interpreter<'_> {
+    /// Whether nothing is open that a checkpoint does not hold: calls, loops, jumps back, cutter
+    /// compensation, texts of the shop.
+    pub(super) fn is_settled(&self) -> bool {
+        self.blocks > 0
+            && self.frames.is_empty()
+            && self.kernel.call == CallPath::default()
+            && self.jumps.is_empty()
+            && self.repeat_until == 0
+            && self.kernel.state.side == Side::Off
+            && self.stopped.is_none()
+            && !self.in_remark
+            && self.kernel.calls.count() <= MOST_CALL_PATHS
+            && self.options.shop_codes.is_none()
+            && self.macros.is_settled()
+            && self.kernel.sink.is_settled()
+    }
+
+    pub(super) fn checkpoint(&self) -> Checkpoint {
+        let place = self.reader.position();
+        let memory = BlockMemory {
+            kernel: self.kernel.memory(),
+            scale: self.scale,
+            registers: self.registers,
+            subroutines: self.subroutines.clone(),
+            missing: self.missing.clone(),
+            sequence: self.sequence,
+            // Whoever collects keeps the first of them, so that it does not decide about what follows.
+            reported: Reported { excess_decimals: false, ..self.reported.clone() },
+            lost_jump: self.lost_jump,
+            carried_out: self.carried_out,
+            macros: self.macros.memory(),
+        };
+        Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
+    }
+
+    /// Goes on from a checkpoint of this language.
+    pub(super) fn take_up(&mut self, checkpoint: &Checkpoint) {
+        let Some(memory) = checkpoint.memory::<BlockMemory>().cloned() else { return };
+        let (offset, line) = (checkpoint.offset(), checkpoint.line());
+        self.reader.seek(TextPosition { offset, line });
+        self.blocks = checkpoint.blocks();
+        self.kernel.recall(memory.kernel);
+        self.scale = memory.scale;
+        self.registers = memory.registers;
+        self.subroutines = memory.subroutines;
+        self.missing = memory.missing;
+        self.sequence = memory.sequence;
+        self.reported = memory.reported;
+        self.lost_jump = memory.lost_jump;
+        self.carried_out = memory.carried_out;
+        self.macros.recall(memory.macros);
+    }
+
+    /// Notes that a program was read, searched, or asked for a place in it.
+    pub(super) fn look_at(&self, program: usize) {
+        let program = self.program_at(program);
+        if program.file == FileId(0) {
+            self.look_at_range(TextRange::new(program.head.start.offset, program.head.end));
+        }
+    }
+
+    /// Notes that something depends on the text as a whole.
+    pub(super) fn look_at_all(&self) {
+        self.look_at_range(TextRange::new(0, u32::MAX));
+    }
+
+    /// Notes that a part of the first text was read; its main program stands in it.
+    pub(super) fn look_at_range(&self, range: TextRange) {
+        let looked = self.looked.get();
+        self.looked.set(Some(looked.map_or(range, |looked| looked.cover(range))));
+    }
+}

@@ -1,0 +1,133 @@
+//! The words of a cycle, and the levels they give.
+
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_kernel::CycleState;
+use chordal_kernel::rules::{CycleKind, IncrementalLevels, TapFeed};
+use chordal_syntax::{Block, Letters};
+
+use super::super::Interpreter;
+use chordal_dialect::Action;
+
+impl Interpreter<'_> {
+    /// Whether a word of this block is read in G91; where G90 and G91 act from left to right
+    /// that is a matter of its place.
+    fn incremental_at(&self, block: &Block, letter: u8) -> bool {
+        if !self.control.table.distance_left_to_right {
+            return self.kernel.state.incremental;
+        }
+        let mut incremental = self.kernel.state.incremental;
+        for word in &block.words {
+            if word.letter == letter {
+                break;
+            }
+            let code = (word.letter == b'G')
+                .then(|| self.literal(word).and_then(chordal_dialect::code_number))
+                .flatten();
+            match code.and_then(|code| self.control.g_code(code)).map(|row| row.action) {
+                Some(Action::Absolute) => incremental = false,
+                Some(Action::Incremental) => incremental = true,
+                _ => {}
+            }
+        }
+        incremental
+    }
+
+    /// Takes the words of a block into the cycle in force.
+    pub(super) fn take_cycle_words(&mut self, block: &Block, cycle: &mut CycleState) {
+        let rules = self.control.parameters.rules.cycles;
+        let letters = block.letters();
+        let reads_again = rules.incremental == IncrementalLevels::ReadAgain;
+        let from = |relative: bool, base: f64| if relative && !reads_again { base } else { 0.0 };
+        if letters.has(b'R')
+            && let Some(value) = self.radius_word(block).and_then(|word| self.length(&word))
+        {
+            let relative = rules.incremental == IncrementalLevels::WhenGiven
+                && self.incremental_at(block, b'R');
+            cycle.r = Some(value + from(relative, cycle.initial));
+        }
+        let axis = self.kernel.drilling_axis();
+        let letter = b"XYZ"[axis];
+        if letters.has(letter)
+            && let Some(value) = self.length_of(block, letter)
+        {
+            let relative = self.incremental_at(block, letter);
+            if relative && rules.incremental == IncrementalLevels::Refused {
+                self.report_incremental_depth(block, letter);
+            }
+            let level = self.kernel.state.position[axis];
+            let base = cycle.r.unwrap_or(level);
+            let adds = relative && rules.incremental == IncrementalLevels::WhenGiven;
+            cycle.z = Some(value + from(adds, base));
+        }
+        if letters.has(b'Q') {
+            cycle.q = self.length_of(block, b'Q').or(cycle.q);
+        }
+        self.take_vector(block, cycle);
+        if letters.has(b'P') {
+            self.take_cycle_p(block, cycle);
+        }
+        if let Some(number) = block.last(b'E').and_then(|word| self.literal(word)) {
+            cycle.after_rpm = Some(number.to_f64());
+        }
+        let is_speed = rules.tap.feed == TapFeed::SpeedWithLeadQ && cycle.kind.is_tap();
+        if let Some(number) = block.last(b'F').and_then(|word| self.literal(word))
+            && is_speed
+        {
+            cycle.tap_rpm = Some(number.to_f64());
+        }
+        for word in block.words.iter().filter(|word| word.comma && word.letter == b'R') {
+            cycle.synchronous = self.literal(word).map(|number| number.mantissa != 0);
+        }
+    }
+
+    /// I, J and K: a shift, the steps of pecks, the top of a bore, or how fast a tap leaves.
+    fn take_vector(&mut self, block: &Block, cycle: &mut CycleState) {
+        let rules = &self.control.parameters.rules.cycles;
+        let repeat_letter = rules.repeat_letter;
+        let is_factor = rules.tap.out_factor_by_j && cycle.kind.is_tap();
+        for (index, letter) in [b'I', b'J', b'K'].into_iter().enumerate() {
+            if !block.letters().has(letter) || letter == repeat_letter {
+                continue;
+            }
+            if is_factor {
+                let number = block.last(letter).and_then(|word| self.literal(word));
+                if letter == b'J' {
+                    cycle.out_factor = number.map(|number| number.to_f64());
+                }
+                continue;
+            }
+            cycle.vector[index] = self.length_of(block, letter);
+        }
+    }
+
+    /// P: a time, or on some controls a distance.
+    fn take_cycle_p(&mut self, block: &Block, cycle: &mut CycleState) {
+        let rules = &self.control.parameters.rules.cycles;
+        let is_distance = match cycle.kind {
+            CycleKind::ChipBreak => rules.peck.p_is_lift,
+            CycleKind::Peck => rules.peck.p_is_clearance,
+            _ => false,
+        };
+        let (integer_s, point_s) = (rules.dwell_integer_s, rules.dwell_point_s);
+        if is_distance {
+            cycle.lift = self.length_of(block, b'P').map(f64::abs);
+        } else if let Some(number) = block.last(b'P').and_then(|word| self.literal(word)) {
+            let unit = if number.has_point { point_s } else { integer_s };
+            cycle.dwell_s = Some((number.to_f64() * unit).max(0.0));
+            self.kernel.state.cycle_dwell_s = cycle.dwell_s;
+        }
+    }
+
+    fn report_incremental_depth(&mut self, block: &Block, letter: u8) {
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CycleDepthIncremental,
+                span,
+                "the depth of a cycle must be given in G90 on this control",
+            )
+            .label("read as an absolute level")
+            .help("define the cycle in G90; G91 may follow for the places"),
+        );
+    }
+}

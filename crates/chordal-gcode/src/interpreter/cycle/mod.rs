@@ -1,0 +1,6 @@
+//! Canned cycles: their words are read here, the kernel drills.
+
+mod firing;
+mod levels;
+mod modal;
+mod pattern;

@@ -1,0 +1,122 @@
+//! What a Fadal's L and F words mean beside a cycle: calls, bolt circles, speeds of taps, and
+//! the subroutine that G66 runs at every position.
+
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::{Action, CodeRow, Group};
+use chordal_kernel::rules::TapFeed;
+use chordal_syntax::{Block, Letters, Word};
+
+use super::super::Interpreter;
+
+const AXES: Letters = Letters::of("XYZABC");
+
+impl Interpreter<'_> {
+    /// Codes of two groups that this control holds for one.
+    pub(in super::super) fn one_group(&self, first: Group, second: Group) -> bool {
+        let motion = |group| matches!(group, Group::Motion | Group::Cycle);
+        let joined = self.control.parameters.rules.cycles.one_group_with_motion;
+        first == second || joined && motion(first) && motion(second)
+    }
+
+    /// The cycle that this block is about: its own, or the one in force.
+    fn is_about_tap(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
+        let own = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
+        match own.map(|(row, _)| row.action) {
+            Some(Action::Cycle(kind)) => kind.is_tap(),
+            Some(_) => false,
+            None => self.kernel.state.cycle.is_some_and(|cycle| cycle.kind.is_tap()),
+        }
+    }
+
+    /// F of this block is the speed of a tap (Fadal Format 1), not a feed.
+    pub(in super::super) fn feed_is_tap_speed(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
+        let by_lead = self.control.parameters.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
+        by_lead && self.is_about_tap(codes)
+    }
+
+    /// `,R` of this block says whether a tap is synchronous.
+    pub(in super::super) fn tap_stands_in(&self, block: &Block) -> bool {
+        let own = block.all(b'G').find_map(|word| {
+            let code = word.number().and_then(chordal_dialect::code_number)?;
+            match self.control.g_code(code)?.action {
+                Action::Cycle(kind) => Some(kind.is_tap()),
+                _ => None,
+            }
+        });
+        own.unwrap_or_else(|| self.kernel.state.cycle.is_some_and(|cycle| cycle.kind.is_tap()))
+    }
+
+    /// L in a block with a cycle repeats holes; it may still be a call.
+    pub(in super::super) fn cycle_counts_in_l(
+        &self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+    ) -> bool {
+        let takes = |row: &CodeRow| row.words.has(b'L') && row.group != Group::Cycle;
+        block.letters().has(b'L') && !codes.iter().any(|(row, _)| takes(row))
+    }
+
+    /// The hole of a block that also calls a subroutine: L is not its repeat.
+    pub(in super::super) fn next_hole_beside_call(&mut self, block: &Block) {
+        if block.letters().meets(AXES) {
+            let (target, _) = self.target(block);
+            self.kernel.fire_hole_at(&self.at(block), target);
+        }
+    }
+
+    /// L93NN: the cycle in force at NN places on a circle about the present one.
+    pub(in super::super) fn bolt_circle(&mut self, block: &Block, word: &Word, count: u32) {
+        let span = self.span(word.range);
+        if self.kernel.state.cycle.is_none() {
+            return self
+                .kernel
+                .report_no_cycle(span, "a bolt circle (L93), and no cycle is in force");
+        }
+        let [radius, angle] = self.control.parameters.rules.cycles.bolt_circle;
+        let radius_mm = self.scale.length(self.registers[radius as usize]);
+        let first = self.registers[angle as usize].to_f64();
+        let text = self.kernel.length_text(radius_mm);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CycleNotDocumented,
+                span,
+                format!("the words of L93 are not documented: shown with R{radius} as radius"),
+            )
+            .severity(Severity::Warning)
+            .label(format!("{count} holes, radius {text}, first angle R{angle} = {first}°"))
+            .help("set `L93 radius` and `L93 angle` in the machine file to the registers meant"),
+        );
+        if radius_mm <= 0.0 || count == 0 {
+            return self.report_pattern_words(block, "a radius and a number of holes");
+        }
+        let (target, named) = self.target(block);
+        if named != chordal_command::AxisMask::NONE {
+            self.kernel.go_to_place(target, named, self.kernel.drilling_axis());
+        }
+        let step = 360.0 / f64::from(count);
+        self.kernel.holes_about_here(&self.at(block), count, |index| {
+            (radius_mm, first + f64::from(index) * step)
+        });
+    }
+
+    /// A repeated line under G66 would run the routine between its passes.
+    pub(in super::super) fn warn_of_repeated_modal_subroutine(
+        &mut self,
+        block: &Block,
+        times: u32,
+    ) {
+        if times < 2 || self.macros.active == 0 || !block.letters().meets(AXES) {
+            return;
+        }
+        let span = self.words_span(block, Letters::of("L"));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                span,
+                "the subroutine of G66 runs once for this repeated line, not after each pass",
+            )
+            .severity(Severity::Warning)
+            .help("write the positions out, one in a block"),
+        );
+    }
+}

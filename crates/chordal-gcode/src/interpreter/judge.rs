@@ -1,0 +1,168 @@
+//! Whether the words of a block go together: what may stand twice, what excludes each other, and
+//! which letters the codes and modes in force take.
+
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::table::MotionModality;
+use chordal_dialect::{Action, CodeRow, Group};
+use chordal_kernel::Motion;
+use chordal_kernel::rules::SpiralForm;
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+
+/// Letters that every block may have.
+pub(super) const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
+
+impl Interpreter<'_> {
+    pub(super) fn check_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        for (index, second) in codes.iter().enumerate() {
+            let letter = block.words[second.1].letter;
+            let clash = codes[..index].iter().find(|first| {
+                block.words[first.1].letter == letter
+                    && self.one_group(first.0.group, second.0.group)
+                    && excludes(first.0, second.0, self.control.table.distance_left_to_right)
+            });
+            if let Some(first) = clash {
+                self.same_group(block, *first, *second);
+            }
+        }
+        let g_words = block.all(b'G').count();
+        for (row, at) in codes {
+            let word = &block.words[*at];
+            if g_words > 1 && word.letter == b'G' && self.control.table.alone.contains(&row.code) {
+                let title = self.control.table.title;
+                let name = super::report::decimal_code(row.code);
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::NotAlone,
+                        self.span(word.range),
+                        format!("on a {title} G{name} must be the only G code of its block"),
+                    )
+                    .help("put the other G codes into the block before"),
+                );
+            }
+        }
+    }
+
+    #[inline]
+    pub(super) fn check_repeated_words(&mut self, block: &Block) {
+        const MAY_REPEAT: Letters = Letters::of("GM");
+        if !block.repeated().within(MAY_REPEAT) {
+            self.report_repeated_words(block);
+        }
+    }
+
+    #[cold]
+    fn report_repeated_words(&mut self, block: &Block) {
+        let mut seen = Letters::NONE;
+        for word in &block.words {
+            // R words name registers; two of them may differ.
+            let again = seen.has(word.letter)
+                && !matches!(word.letter, b'G' | b'M')
+                && !word.comma
+                && word.register.is_none();
+            // The words of a second return (`G28 Z0 G28 X0 Y0`) are told with the codes.
+            if again {
+                let letter = word.letter as char;
+                let first = block.word(word.letter).map_or(word.range, |w| w.range);
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::RepeatedWord,
+                        self.span(word.range),
+                        format!("`{letter}` stands more than once in this block"),
+                    )
+                    .label("the last one counts")
+                    .also(self.span(first), "the first")
+                    .help("keep one of them"),
+                );
+            }
+            seen.insert(word.letter);
+        }
+    }
+
+    /// Letters that the block's codes and modes take.
+    pub(super) fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
+        let mut claims = ALWAYS;
+        for (row, _) in codes {
+            claims = claims.union(self.words_of(row));
+        }
+        let table = self.control.table;
+        if table.work_names.by_e {
+            claims.insert(b'E');
+        }
+        if table.lexicon.registers {
+            claims.insert(b'R');
+        }
+        if let Some(cycle) = self.kernel.state.cycle
+            && let Some(row) = table.g_codes.iter().find(|r| r.action == Action::Cycle(cycle.kind))
+        {
+            claims = claims.union(row.words);
+        }
+        if let Some(words) = self.modal_arc_words() {
+            claims = claims.union(words);
+        }
+        claims
+    }
+
+    /// What a block without a motion code may have because of the motion in force.
+    pub(super) fn modal_arc_words(&self) -> Option<Letters> {
+        let code = match self.kernel.state.motion {
+            Motion::Arc(_) => 20,
+            Motion::Spiral(_) => 21,
+            _ if self.control.table.motion == MotionModality::Armed => 20,
+            _ => return None,
+        };
+        self.control.g_code(code).map(|row| self.words_of(row))
+    }
+
+    /// The letters a code takes with the parameters in force: Q and L on an arc only where
+    /// they make it a spiral.
+    pub(super) fn words_of(&self, row: &CodeRow) -> Letters {
+        let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
+        let spirals = matches!(
+            self.control.parameters.rules.arc.spiral,
+            SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount
+        );
+        if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words }
+    }
+
+    pub(super) fn check_unused(&mut self, block: &Block, claims: Letters) {
+        if block.letters().within(claims) {
+            return self.check_comma_words(block);
+        }
+        for index in 0..block.words.len() {
+            let word = block.words[index];
+            if !word.comma && !claims.has(word.letter) {
+                self.unused_word(&word);
+            }
+        }
+        self.check_comma_words(block);
+    }
+
+    fn check_comma_words(&mut self, block: &Block) {
+        for word in block.words.iter().filter(|word| word.comma) {
+            if word.letter == b'R' && self.tap_stands_in(block) {
+                continue;
+            }
+            let letter = word.letter as char;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NotSimulated,
+                    self.span(word.range),
+                    format!("`,{letter}` (corner rounding or chamfer) is not carried out"),
+                )
+                .severity(Severity::Warning),
+            );
+        }
+    }
+}
+
+/// Codes of one group that stand in one block against the rules.
+fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
+    match second.group {
+        Group::Distance => !distance_left_to_right && first.code != second.code,
+        Group::OneShot => first.action.takes_axes() && second.action.takes_axes(),
+        Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
+        _ => first.code != second.code,
+    }
+}

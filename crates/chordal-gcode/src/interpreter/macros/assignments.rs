@@ -1,0 +1,144 @@
+//! Lines of LinuxCNC with assignments in them. All values of a line are computed with what the
+//! variables held before it, the assignments are made, and then its words are carried out
+//! ("Numbered Parameters": `#3=6 G1 X#3` uses the old #3).
+
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_syntax::{
+    Block, BlockKind, BlockReader, Position as TextPosition, Statement, Target, Word,
+    parse_statement,
+};
+
+use super::super::{Flow, Interpreter};
+use crate::macros::evaluate::Purpose;
+use crate::macros::value::Value;
+
+/// Most assignments of a line; the control's lines are 255 characters long.
+const MOST_ASSIGNMENTS: usize = 200;
+
+/// An assignment that is still to be made.
+struct Pending {
+    target: Target,
+    index: f64,
+    value: Value,
+}
+
+impl Interpreter<'_> {
+    /// A line with a statement in it: assignments and words in any order, or an O word.
+    pub(in super::super) fn parameter_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
+        self.carried_out = true;
+        self.macros.used = true;
+        let line = block.line;
+        let first = range.slice(self.reader.text()).first().copied().unwrap_or(b' ');
+        if first.eq_ignore_ascii_case(&b'O') {
+            return self.flow_line(range);
+        }
+        let mut pending = Vec::new();
+        let mut words: Vec<Word> = Vec::new();
+        let mut comments: Vec<TextRange> = Vec::new();
+        loop {
+            if block.expressions {
+                self.resolve_words(block);
+            }
+            words.extend_from_slice(&block.words);
+            comments.extend_from_slice(&block.comments);
+            let BlockKind::Macro(range) = block.kind else { break };
+            if pending.len() >= MOST_ASSIGNMENTS {
+                self.report_too_many(range);
+                break;
+            }
+            let Some(rest) = self.assignment(range, &mut pending) else { break };
+            // The rest is read as a block of its own. It is shorter every time.
+            let lexicon = self.control.table.lexicon;
+            let mut reader = BlockReader::new(self.reader.text(), self.file, lexicon);
+            reader.seek(TextPosition { offset: rest.start, line });
+            reader.limit(rest.end);
+            if !reader.read(block) {
+                break;
+            }
+            for problem in std::mem::take(&mut block.problems) {
+                self.report_once(problem);
+            }
+        }
+        for made in pending {
+            self.make(&made);
+        }
+        if !comments.is_empty()
+            && let Some(flow) = self.acting_comment(&comments)
+        {
+            return flow;
+        }
+        if words.is_empty() {
+            return Flow::Next;
+        }
+        block.truncate(0);
+        block.kind = BlockKind::Words;
+        block.range = self.kernel.origin.span.range;
+        words.into_iter().for_each(|word| block.push(word));
+        if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
+            self.sequence = Some(number);
+        }
+        self.carry_out(block)
+    }
+
+    fn report_too_many(&mut self, range: TextRange) {
+        self.report_once(
+            Diagnostic::new(
+                Code::BadStatement,
+                self.span(range),
+                format!("this line has more than {MOST_ASSIGNMENTS} assignments"),
+            )
+            .label("the rest of the line is not read")
+            .help("write them in several lines"),
+        );
+    }
+
+    /// Reads an assignment and computes it; what is left of the line comes back.
+    fn assignment(&mut self, range: TextRange, pending: &mut Vec<Pending>) -> Option<TextRange> {
+        let mut parser = self.take_parser();
+        parser.start(self.reader.text(), self.file, range);
+        let statement = parse_statement(&mut parser);
+        let sound = parser.problems.is_empty();
+        self.report_problems(&mut parser);
+        let mut rest = Some(parser.rest());
+        match statement {
+            Statement::Assign { target, value, text } if sound => {
+                let index = match target.index.is_empty() {
+                    true => Some(None),
+                    false => self.value_of(&parser, target.index, Purpose::VALUE),
+                };
+                let value = self.value_of(&parser, value, Purpose::VALUE);
+                if let (Some(index), Some(value)) = (index, value) {
+                    pending.push(Pending { target, index: index.unwrap_or(0.0), value });
+                }
+                // The comment behind it is one of the line's.
+                if let Some(text) = text {
+                    rest = rest.map(|rest| TextRange::new(text.start - 1, rest.end));
+                }
+            }
+            Statement::Assign { .. } | Statement::Unknown(_) => rest = None,
+            Statement::Empty => rest = None,
+            _ => {
+                self.report_once(
+                    Diagnostic::new(
+                        Code::BadStatement,
+                        self.span(range),
+                        "this macro statement is not known on this control",
+                    )
+                    .label("passed over")
+                    .help("flow control is written with O words: `o100 if [#1 GT 2]`"),
+                );
+                rest = None;
+            }
+        }
+        self.macros.parser = parser;
+        rest
+    }
+
+    fn make(&mut self, made: &Pending) {
+        if let Err(fault) =
+            self.write_target(made.target.kind, made.index, made.value, made.target.range)
+        {
+            self.report_fault(fault);
+        }
+    }
+}

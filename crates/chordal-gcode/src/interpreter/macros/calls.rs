@@ -1,0 +1,402 @@
+//! Macro calls: G65, G66, G66.1, G67, and codes that call macros by a setting.
+
+use chordal_command::Units;
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::macros::ArgumentScale;
+use chordal_dialect::{Action, DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
+use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
+
+use super::super::shop::Given;
+use super::super::{Flow, Interpreter};
+use crate::macros::arguments::{Assigner, reserved_variable};
+use crate::macros::evaluate::Purpose;
+
+/// A modal call in force.
+#[derive(Clone, Debug)]
+pub(in super::super) struct ModalCall {
+    /// The word that names the program, for what is told later.
+    word: Word,
+    program: u32,
+    repeats: u32,
+    arguments: Vec<(u32, f64)>,
+    /// G66.1: every block calls, its words are the arguments.
+    every_block: bool,
+    /// An L word calls a subroutine, not a program.
+    subroutine: bool,
+}
+
+/// What a block calls.
+enum Call {
+    Once,
+    Modal {
+        every_block: bool,
+    },
+    /// A code that a setting makes a call: the program, and whether it takes arguments.
+    Alias {
+        program: u32,
+        arguments: bool,
+    },
+}
+
+/// Letters whose words move.
+const AXES: Letters = Letters::of("XYZABC");
+
+impl Interpreter<'_> {
+    /// True when a block calls a macro with its words as arguments.
+    pub(super) fn is_macro_call(&self, block: &Block) -> bool {
+        self.rules().macro_b && (self.call_of(block).is_some() || self.calls_every_block())
+    }
+
+    fn calls_every_block(&self) -> bool {
+        let active = self.macros.active;
+        active > 0 && self.macros.modal.get(active - 1).is_some_and(|call| call.every_block)
+    }
+
+    /// The call of a block and its word.
+    fn call_of(&self, block: &Block) -> Option<(Call, usize)> {
+        block.words.iter().enumerate().find_map(|(at, word)| {
+            let code = match word.letter {
+                b'G' | b'M' => code_number(word.number()?)?,
+                _ => return None,
+            };
+            if let Some(call) = self.alias(word.letter, code) {
+                return Some((call, at));
+            }
+            if word.letter == b'M' {
+                return None;
+            }
+            match self.control.g_code(code)?.action {
+                Action::MacroCall => Some((Call::Once, at)),
+                Action::ModalMacroCall { every_block } => Some((Call::Modal { every_block }, at)),
+                _ => None,
+            }
+        })
+    }
+
+    /// The program that a setting gives to a code. Inside a program that was called so the
+    /// code acts by itself.
+    fn alias(&self, letter: u8, code: u16) -> Option<Call> {
+        let aliases = &self.control.parameters.aliases;
+        if !aliases.any || self.macros.in_alias > 0 || code == 0 {
+            return None;
+        }
+        let find = |codes: &[u16]| codes.iter().position(|alias| *alias > 0 && *alias * 10 == code);
+        let rules = self.rules();
+        if letter == b'G' {
+            let at = find(&aliases.g)? as u32;
+            return Some(Call::Alias { program: rules.g_alias_programs + at, arguments: true });
+        }
+        if let Some(at) = find(&aliases.m) {
+            let program = rules.m_alias_programs + at as u32;
+            return Some(Call::Alias { program, arguments: rules.m_alias_arguments });
+        }
+        let at = find(&aliases.m_subprogram)? as u32;
+        Some(Call::Alias { program: FIRST_ALIAS_SUBPROGRAM + at, arguments: false })
+    }
+
+    /// Carries out a block that calls a macro; `None` when it is another sort of block.
+    pub(in super::super) fn macro_call(&mut self, block: &Block) -> Option<Flow> {
+        if !self.rules().macro_b {
+            return None;
+        }
+        let Some((call, at)) = self.call_of(block) else { return self.block_in_modal_call(block) };
+        match call {
+            Call::Alias { program, arguments } => self.call_alias(block, at, program, arguments),
+            Call::Once => self.call_once(block, at),
+            Call::Modal { every_block } => self.begin_modal_call(block, at, every_block),
+        }
+        Some(Flow::Next)
+    }
+
+    fn call_once(&mut self, block: &Block, at: usize) {
+        let Some((word, program, repeats)) = self.called_program(block, at) else { return };
+        let arguments = self.arguments(block, Some(at), false);
+        self.enter_macro(&word, program, repeats, &arguments);
+    }
+
+    /// P and L of a call.
+    fn called_program(&mut self, block: &Block, at: usize) -> Option<(Word, u32, u32)> {
+        let Some(word) = block.last(b'P').copied() else {
+            let code = block.words[at];
+            let span = self.span(code.range);
+            let message = "a macro call without a program number".to_string();
+            self.kernel.missing_word(span, message, "write P and the program's number");
+            return None;
+        };
+        let program = self.count(&word)?;
+        let repeats = match block.letters().has(b'L') {
+            true => self.count_of(block, b'L').unwrap_or(1),
+            false => 1,
+        };
+        Some((word, program, repeats))
+    }
+
+    fn begin_modal_call(&mut self, block: &Block, at: usize, every_block: bool) {
+        let Some((word, program, repeats)) = self.called_program(block, at) else { return };
+        let arguments = self.arguments(block, Some(at), false);
+        let active = self.macros.active;
+        self.macros.modal.truncate(active);
+        if active as u32 >= self.rules().call_depth {
+            let limit = self.rules().call_depth;
+            self.report_macro_nesting(&word, active as u32 + 1, limit);
+            return;
+        }
+        self.macros.modal.push(ModalCall {
+            word,
+            program,
+            repeats,
+            arguments,
+            every_block,
+            subroutine: false,
+        });
+        self.macros.active = active + 1;
+    }
+
+    /// Fadal G66 L: a subroutine after every move; there is one such call at most.
+    pub(in super::super) fn begin_modal_subroutine(&mut self, block: &Block, at: usize) {
+        let Some(word) = block.last(b'L').copied() else {
+            let span = self.span(block.words[at].range);
+            let message = "G66 without a subroutine".to_string();
+            return self.kernel.missing_word(
+                span,
+                message,
+                "write L and the subroutine: `G66 L201`",
+            );
+        };
+        let Some(program) = self.count(&word) else { return };
+        self.macros.modal.clear();
+        self.macros.modal.push(ModalCall {
+            word,
+            program,
+            repeats: 1,
+            arguments: Vec::new(),
+            every_block: false,
+            subroutine: true,
+        });
+        self.macros.active = 1;
+    }
+
+    /// G67: the last modal call is over.
+    pub(in super::super) fn end_modal_call(&mut self) {
+        let active = self.macros.active.saturating_sub(1);
+        self.macros.modal.truncate(active);
+        self.macros.active = active;
+    }
+
+    /// A block while a modal call is in force: G66.1 takes it for itself.
+    fn block_in_modal_call(&mut self, block: &Block) -> Option<Flow> {
+        if !self.calls_every_block() || self.ends_modal_call(block) {
+            return None;
+        }
+        if block.words.iter().all(|word| word.letter == b'N') {
+            return None;
+        }
+        let call = self.macros.modal[self.macros.active - 1].clone();
+        let mut arguments = call.arguments.clone();
+        arguments.extend(self.arguments(block, None, true));
+        self.enter_modal(&call, &arguments);
+        Some(Flow::Next)
+    }
+
+    fn ends_modal_call(&self, block: &Block) -> bool {
+        block.words.iter().any(|word| {
+            let code = word.number().and_then(code_number);
+            match word.letter {
+                b'G' => code
+                    .and_then(|code| self.control.g_code(code))
+                    .is_some_and(|row| row.action == Action::ModalCallOff),
+                // A return or an end is no argument of a call that goes on.
+                b'M' => code
+                    .and_then(|code| self.control.m_code(code))
+                    .is_some_and(|row| matches!(row.group, Group::Calling | Group::Stopping)),
+                _ => false,
+            }
+        })
+    }
+
+    /// After a block that moved: the call in force.
+    pub(in super::super) fn modal_call_after(&mut self, block: &Block, flow: Flow) -> Flow {
+        let moved = block.letters().meets(AXES) && matches!(flow, Flow::Next);
+        if !moved || self.calls_every_block() || self.takes_axes_alone(block) {
+            return flow;
+        }
+        let call = self.macros.modal[self.macros.active - 1].clone();
+        let arguments = call.arguments.clone();
+        self.enter_modal(&call, &arguments);
+        flow
+    }
+
+    /// True when the axis words are no move: G10, G52, G92, G4.
+    fn takes_axes_alone(&self, block: &Block) -> bool {
+        block.all(b'G').any(|word| {
+            let row = word.number().and_then(code_number).and_then(|c| self.control.g_code(c));
+            row.is_some_and(|row| {
+                matches!(
+                    row.action,
+                    Action::SetData | Action::LocalShift | Action::PresetPosition | Action::Dwell
+                )
+            })
+        })
+    }
+
+    /// M45: the modal call in force, where the tool stands; false where there is none.
+    pub(in super::super) fn run_modal_call_here(&mut self) -> bool {
+        let Some(outer) = self.macros.active.checked_sub(1) else { return false };
+        let call = self.macros.modal[outer].clone();
+        self.enter_modal(&call, &call.arguments);
+        true
+    }
+
+    fn enter_modal(&mut self, call: &ModalCall, arguments: &[(u32, f64)]) {
+        let outer = self.macros.active - 1;
+        if call.subroutine {
+            let depth = self.frames.len();
+            self.call_subroutine(&call.word, call.program);
+            if self.frames.len() > depth {
+                self.macros.active = outer;
+            }
+            return;
+        }
+        if self.enter_macro(&call.word, call.program, call.repeats, arguments) {
+            // Moves inside trigger the call that was in force before this one.
+            self.macros.active = outer;
+        }
+    }
+
+    fn call_alias(&mut self, block: &Block, at: usize, program: u32, with_arguments: bool) {
+        let word = block.words[at];
+        for word in &block.words {
+            let value = word.number().map(Decimal::to_f64);
+            self.macros.last_words[(word.letter - b'A') as usize] = value;
+        }
+        let entered = if with_arguments {
+            let arguments = self.arguments(block, Some(at), false);
+            self.enter_macro(&word, program, 1, &arguments)
+        } else {
+            let given = Given { block: Some(block), arguments: &[] };
+            self.enter_program(&word, program, 1, given)
+        };
+        if entered {
+            self.macros.in_alias += 1;
+            if let Some(frame) = self.frames.last_mut() {
+                frame.by_alias = true;
+            }
+        }
+    }
+
+    /// The words of a block as variables. Type I and II may be mixed; the later one counts.
+    fn arguments(
+        &mut self,
+        block: &Block,
+        call: Option<usize>,
+        all_letters: bool,
+    ) -> Vec<(u32, f64)> {
+        let mut assigner = Assigner::new(self.rules().argument_sets);
+        let mut arguments: Vec<(u32, f64)> = Vec::new();
+        for (at, word) in block.words.iter().enumerate() {
+            let own = matches!(word.letter, b'P' | b'L' | b'N' | b'O') && !all_letters;
+            if Some(at) == call || own || word.letter == b'N' {
+                continue;
+            }
+            let variable = match assigner.next(word.letter) {
+                None if all_letters => reserved_variable(word.letter),
+                other => other,
+            };
+            let Some(variable) = variable else {
+                self.report_argument(word);
+                continue;
+            };
+            let value = match word.value {
+                Written::Expression(range) => self.word_value(range, Purpose::VALUE),
+                _ => self.literal(word).map(|number| Some(self.argument(word.letter, number))),
+            };
+            // A null argument arrives as null; what was there before is overwritten.
+            arguments.retain(|(earlier, _)| *earlier != variable);
+            if let Some(Some(value)) = value {
+                arguments.push((variable, value));
+            }
+        }
+        arguments
+    }
+
+    fn report_argument(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        self.report_once(
+            Diagnostic::new(
+                Code::BadArgument,
+                self.span(word.range),
+                format!("`{letter}` cannot be an argument here"),
+            )
+            .label("passed over")
+            .help("G, L, N, O and P belong to the call; I, J and K come in ten sets at most"),
+        );
+    }
+
+    /// A literal argument: without a point it counts the least increments of its address.
+    fn argument(&self, letter: u8, number: Decimal) -> f64 {
+        let rules = self.rules();
+        let parameters = &self.control.parameters;
+        let whole = number.has_point
+            || parameters.decimal_point == DecimalPoint::Calculator
+            || rules.argument_scale == ArgumentScale::Whole
+            || rules.whole_arguments.has(letter);
+        if whole {
+            return number.to_f64();
+        }
+        let angle = matches!(letter, b'A' | b'B' | b'C');
+        let digits = match self.kernel.state.units {
+            _ if angle && rules.argument_scale == ArgumentScale::LeastIncrement => 3,
+            Units::Inch => parameters.rules.increment_digits_inch,
+            Units::Millimetre => parameters.rules.increment_digits_mm,
+        };
+        number.times(1, digits)
+    }
+
+    /// Goes into a macro with locals of its own. False when that was not possible.
+    fn enter_macro(
+        &mut self,
+        word: &Word,
+        program: u32,
+        repeats: u32,
+        arguments: &[(u32, f64)],
+    ) -> bool {
+        let depth = self.macros.store.level() + 1;
+        let limit = self.rules().call_depth;
+        if depth > limit {
+            self.report_macro_nesting(word, depth, limit);
+            return false;
+        }
+        if !self.enter_program(word, program, repeats, Given { block: None, arguments }) {
+            return false;
+        }
+        self.macros.store.enter(arguments);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.own_locals = true;
+        }
+        true
+    }
+
+    fn enter_program(&mut self, word: &Word, number: u32, repeats: u32, given: Given<'_>) -> bool {
+        let Some(program) = self.library.find(number, self.file) else {
+            return self.shop_program(word, number, repeats, given).unwrap_or_else(|| {
+                self.report_missing_program(word, number);
+                false
+            });
+        };
+        let start = self.library.programs()[program].head.start;
+        let repeats = self.cut_to_limit(word, repeats);
+        repeats > 0 && self.enter(word, program, start, repeats, false)
+    }
+
+    fn report_macro_nesting(&mut self, word: &Word, depth: u32, limit: u32) {
+        self.report_once(
+            Diagnostic::new(
+                Code::MacroNesting,
+                self.span(word.range),
+                format!("this macro call would be {depth} deep; the control allows {limit}"),
+            )
+            .label("not called")
+            .help("a macro that calls itself never returns; look at the calls above"),
+        );
+    }
+}

@@ -1,0 +1,126 @@
+//! Comments that act: `(MSG, …)`, `(PRINT, …)`, `(DEBUG, …)`, `(LOG, …)`, `(ABORT, …)`
+//! (LinuxCNC "Comments"). Only the last comment of a line does.
+
+use chordal_command::CommandKind;
+use std::fmt::Write;
+
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+
+use super::super::{EndReason, Flow, Interpreter};
+use crate::macros::evaluate::Purpose;
+
+/// What a comment does with its text.
+enum Act {
+    Show,
+    Print,
+    Abort,
+}
+
+impl Interpreter<'_> {
+    /// Carries out the last of a line's comments; a flow where it ends the run.
+    #[cold]
+    pub(in super::super) fn acting_comment(&mut self, comments: &[TextRange]) -> Option<Flow> {
+        let text = self.reader.text();
+        let comment = comments.iter().rfind(|range| range.slice(text).first() == Some(&b'('))?;
+        let (act, inner) = act_of(text, *comment)?;
+        match act {
+            Act::Show => self.kernel.emit(CommandKind::Message(inner)),
+            Act::Print => {
+                let line = self.expanded(inner);
+                self.print_text(inner, line);
+            }
+            Act::Abort => {
+                let line = self.expanded(inner);
+                let shown = line.trim();
+                let title = self.control.table.title;
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::ProgramAlarm,
+                        self.span(*comment),
+                        format!("the program stops itself: {shown}"),
+                    )
+                    .label("the run ends here")
+                    .alarm(format!("{title}: {shown}"))
+                    .help("look at the conditions that lead to this line"),
+                );
+                return Some(Flow::End(EndReason::Alarm));
+            }
+        }
+        None
+    }
+
+    /// The text with the values of its parameters, with six decimals; `%d`, `%f` (four) and
+    /// `%.3f` say otherwise from there on.
+    fn expanded(&mut self, range: TextRange) -> String {
+        let text = self.reader.text();
+        let bytes = range.slice(text);
+        let mut line = String::new();
+        let mut decimals = 6;
+        let mut plain = 0;
+        let mut at = 0;
+        let shown = |part: &[u8]| String::from_utf8_lossy(part).into_owned();
+        while at < bytes.len() {
+            let behind = &bytes[at + 1..];
+            if bytes[at] == b'%'
+                && let Some((places, length)) = format_of(behind, decimals)
+            {
+                line += &shown(&bytes[plain..at]);
+                decimals = places;
+                at += 1 + length;
+                plain = at;
+            } else if bytes[at] == b'#'
+                && behind.first().is_some_and(|b| b.is_ascii_digit() || *b == b'<')
+            {
+                line += &shown(&bytes[plain..at]);
+                let start = range.start + at as u32;
+                let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+                let length = match behind[0] {
+                    b'<' => behind.iter().position(|b| *b == b'>').map_or(behind.len(), |n| n + 1),
+                    _ => digits,
+                };
+                let value = TextRange::new(start, start + 1 + length as u32);
+                match self.word_value(value, Purpose::VALUE) {
+                    Some(value) => {
+                        let _ = write!(line, "{:.decimals$}", value.unwrap_or(0.0));
+                    }
+                    None => line += "######",
+                }
+                at += 1 + length;
+                plain = at;
+            } else {
+                at += 1;
+            }
+        }
+        line += &shown(&bytes[plain..]);
+        line
+    }
+}
+
+/// What a comment does, and the text behind its word.
+fn act_of(text: &[u8], comment: TextRange) -> Option<(Act, TextRange)> {
+    let bytes = comment.slice(text);
+    let comma = bytes.iter().take(16).position(|b| *b == b',')?;
+    let word: Vec<u8> =
+        bytes[1..comma].iter().filter(|b| **b != b' ').map(u8::to_ascii_uppercase).collect();
+    let act = match word.as_slice() {
+        b"MSG" => Act::Show,
+        b"PRINT" | b"DEBUG" | b"LOG" => Act::Print,
+        b"ABORT" => Act::Abort,
+        _ => return None,
+    };
+    let start = comment.start + comma as u32 + 1;
+    let end = comment.end - u32::from(bytes.last() == Some(&b')'));
+    Some((act, TextRange::new(start, end.max(start))))
+}
+
+/// `d`, `f`, `.3f` behind a percent sign: the decimals, and how long it is. A point that goes
+/// on otherwise loses its percent sign and changes nothing, as LinuxCNC 2.9 has it.
+fn format_of(text: &[u8], decimals: usize) -> Option<(usize, usize)> {
+    match text {
+        [b'd', ..] => Some((0, 1)),
+        [b'f', ..] => Some((4, 1)),
+        [b'.', digit @ b'0'..=b'9', b'f', ..] => Some((usize::from(digit - b'0'), 3)),
+        [b'.', ..] => Some((decimals, 0)),
+        _ => None,
+    }
+}

@@ -1,0 +1,162 @@
+//! GOTO, WHILE and END.
+
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_syntax::{
+    Block, BlockKind, ExpressionParser, Position as TextPosition, Statement, parse_statement,
+};
+
+use super::super::{EndReason, Flow, Interpreter};
+use super::Loop;
+use crate::macros::value::Value;
+
+/// DO and END by their numbers stay in a list of this many at most.
+const MOST_LOOPS: usize = 127;
+
+impl<'a> Interpreter<'a> {
+    /// GOTO: the block of that number nearest below, else the first from the top.
+    pub(super) fn goto(&mut self, range: TextRange, label: Option<Value>) -> Flow {
+        let Some(label) = label else { return Flow::Next };
+        let number = libm::round(label.unwrap_or(0.0));
+        let here = self.kernel.origin.span.range.start;
+        let found = if number.abs() < 1e9 {
+            self.label_below(self.program, number as i64, here)
+        } else {
+            None
+        };
+        let Some(target) = found else {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::MissingLabel,
+                    self.span(range),
+                    format!("no block has the number N{number}"),
+                )
+                .help(format!("put N{number} before the block that is meant")),
+            );
+            return Flow::End(EndReason::LostJump);
+        };
+        self.leave_loops(target);
+        self.go_to(target);
+        Flow::Next
+    }
+
+    /// Loops that a jump leaves are over.
+    fn leave_loops(&mut self, target: TextPosition) {
+        while let Some(last) = self.macros.loops.last().copied() {
+            let end = self.loop_end(last.head, last.number);
+            let inside = target.offset > last.head.offset
+                && end.is_none_or(|end| target.offset < end.offset);
+            if inside {
+                return;
+            }
+            self.macros.loops.pop();
+        }
+    }
+
+    /// WHILE and DO.
+    pub(super) fn while_loop(&mut self, range: TextRange, number: u32, holds: bool) -> Flow {
+        let rules = self.rules();
+        if number == 0 || number > rules.last_loop {
+            let last = rules.last_loop;
+            let message = format!("DO takes a number from 1 to {last}, not {number}");
+            self.report_loop(Code::BadLoopNumber, range, message, "take another number");
+            return Flow::Next;
+        }
+        let head = TextPosition {
+            offset: self.kernel.origin.span.range.start,
+            line: self.kernel.origin.line,
+        };
+        let running = self.macros.loops.iter().position(|entry| entry.head == head);
+        match running {
+            Some(at) => self.macros.loops.truncate(at + 1),
+            None => self.begin_loop(range, Loop { number, head }),
+        }
+        if holds {
+            return Flow::Next;
+        }
+        self.macros.loops.pop();
+        match self.loop_end(head, number) {
+            Some(end) => {
+                self.reader.seek(end);
+                Flow::Next
+            }
+            None => {
+                let message = format!("DO{number} has no END{number} below it");
+                let help = "write END and the number behind the last block of the loop";
+                self.report_loop(Code::LoopMismatch, range, message, help);
+                Flow::End(EndReason::LostJump)
+            }
+        }
+    }
+
+    fn begin_loop(&mut self, range: TextRange, entry: Loop) {
+        let number = entry.number;
+        let same = self.macros.loops.iter().any(|running| running.number == number);
+        let deepest = self.rules().loop_depth as usize;
+        if same {
+            let message = format!("DO{number} stands inside the loop DO{number}");
+            let help = "give the inner loop another number";
+            self.report_loop(Code::BadLoopNumber, range, message, help);
+        } else if self.macros.loops.len() >= deepest {
+            let message = format!("loops are nested more than {deepest} deep");
+            let help = "put the inner loops into a subprogram";
+            self.report_loop(Code::BadLoopNumber, range, message, help);
+        }
+        if self.macros.loops.len() < MOST_LOOPS {
+            self.macros.loops.push(entry);
+        }
+    }
+
+    /// END.
+    pub(super) fn end_of_loop(&mut self, range: TextRange, number: u32) -> Flow {
+        let Some(at) = self.macros.loops.iter().rposition(|entry| entry.number == number) else {
+            let message = format!("END{number} without a running DO{number}");
+            let help = "a GOTO may leave a loop, but not jump into one";
+            self.report_loop(Code::LoopMismatch, range, message, help);
+            return Flow::Next;
+        };
+        if at + 1 < self.macros.loops.len() {
+            let inner = self.macros.loops[at + 1].number;
+            let message = format!("END{number} comes before END{inner}: the loops cross");
+            let help = "end the inner loop first";
+            self.report_loop(Code::LoopMismatch, range, message, help);
+            self.macros.loops.truncate(at + 1);
+        }
+        let head = self.macros.loops[at].head;
+        self.go_to(head);
+        Flow::Next
+    }
+
+    fn report_loop(&mut self, code: Code, range: TextRange, message: String, help: &str) {
+        self.report_once(Diagnostic::new(code, self.span(range), message).help(help));
+    }
+
+    /// Where the block behind the END of a loop begins. The text is searched once.
+    fn loop_end(&mut self, head: TextPosition, number: u32) -> Option<TextPosition> {
+        self.look_at(self.program);
+        let key = (self.file, head.offset);
+        if let Some(known) = self.macros.loop_ends.get(&key) {
+            return *known;
+        }
+        let lexicon = self.control.table.lexicon;
+        let mut reader = self.reader_of(self.program);
+        reader.seek(head);
+        let mut block = Block::new();
+        let mut parser = ExpressionParser::new(reader.text(), self.file, lexicon.grammar);
+        let mut found = None;
+        // The first block is the loop's own.
+        reader.read(&mut block);
+        while found.is_none() && reader.read(&mut block) {
+            let BlockKind::Macro(range) = block.kind else { continue };
+            parser.start(reader.text(), self.file, range);
+            if !parser.take_text("END") {
+                continue;
+            }
+            parser.start(reader.text(), self.file, range);
+            if parse_statement(&mut parser) == Statement::End(number) {
+                found = Some(reader.position());
+            }
+        }
+        self.macros.loop_ends.insert(key, found);
+        found
+    }
+}

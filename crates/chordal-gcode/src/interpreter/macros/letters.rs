@@ -1,0 +1,165 @@
+//! Variables that are written as letters and a number (Fadal manual, section 18).
+
+use chordal_command::WorkName;
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_geometry::Direction;
+use chordal_kernel::Motion;
+use chordal_kernel::ToolValue;
+
+use super::super::Interpreter;
+use super::words::decimal;
+use crate::macros::evaluate::Fault;
+
+/// The last V variable.
+const LAST_VARIABLE: u32 = 100;
+
+/// Work offsets that have variables.
+const LAST_OFFSET: u32 = 48;
+
+/// Tools that have variables.
+const LAST_TOOL: u32 = 99;
+
+/// The axis of a variable's second letter.
+fn axis_of(name: &str) -> Option<usize> {
+    name.chars().nth(1).and_then(|letter| "XYZABC".find(letter))
+}
+
+impl Interpreter<'_> {
+    pub(super) fn letter_variable(
+        &mut self,
+        letters: u8,
+        number: f64,
+        range: TextRange,
+    ) -> Result<f64, Fault> {
+        let name = self.letters_name(letters);
+        let at = self.letters_number(name, number, range)?;
+        let axis = axis_of(name).unwrap_or(0);
+        let unit = self.unit();
+        Ok(match name {
+            "V" => self.macros.lines.variables.get(at as usize).copied().unwrap_or(0.0),
+            "R" => self.registers[at as usize].to_f64(),
+            "AX" | "AY" | "AZ" | "AA" | "AB" | "AC" => {
+                self.axis_out(axis, self.kernel.state.position[axis])
+            }
+            "PX" | "PY" | "PZ" | "PA" | "PB" => {
+                self.axis_out(axis, self.macros.probe.points[at as usize - 1][axis])
+            }
+            "FX" | "FY" | "FZ" | "FA" | "FB" => {
+                let key = self.kernel.state.offsets.key(WorkName::E(at as u16));
+                self.axis_out(axis, self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0))
+            }
+            "H" => self.kernel.state.offsets.length_mm(at).unwrap_or(0.0) / unit,
+            "D" => 2.0 * self.kernel.state.offsets.radius_mm(at).unwrap_or(0.0) / unit,
+            "TN" => f64::from(self.kernel.state.tool),
+            "TL" => f64::from(self.kernel.state.offsets.length().number.unwrap_or(0)),
+            "VF" => self.feed_word(),
+            "G" if at == 1 => 1.0 + self.motion_code(),
+            _ => match self.macros.lines.written.get(&(letters, at)) {
+                Some(value) => *value,
+                None => self.unknown_letters(name, at, range),
+            },
+        })
+    }
+
+    pub(super) fn write_letters(
+        &mut self,
+        letters: u8,
+        number: f64,
+        value: f64,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        let name = self.letters_name(letters);
+        let at = self.letters_number(name, number, range)?;
+        let unit = self.unit();
+        match name {
+            "V" => {
+                let variables = &mut self.macros.lines.variables;
+                variables.resize(LAST_VARIABLE as usize + 1, 0.0);
+                variables[at as usize] = value;
+            }
+            "R" => {
+                let value = decimal(value).ok_or_else(|| {
+                    Fault::new(
+                        Code::NumberOverflow,
+                        range,
+                        format!("{value} is too large for a register"),
+                        "look at the values that it is computed from",
+                    )
+                })?;
+                self.registers[at as usize] = value;
+            }
+            "FX" | "FY" | "FZ" | "FA" | "FB" => {
+                let axis = axis_of(name).unwrap_or(0);
+                let key = self.kernel.state.offsets.key(WorkName::E(at as u16));
+                let value = if axis < 3 { value * unit } else { value.to_radians() };
+                self.kernel.state.shift_coordinates(|offsets| {
+                    offsets.write_work(&key, axis, value, false);
+                });
+                self.kernel.emit_work_offset();
+            }
+            "H" => self.kernel.store_tool_value(ToolValue::Length, at, value * unit, false),
+            "D" => self.kernel.store_tool_value(ToolValue::Radius, at, value * unit, false),
+            "TT" | "TU" | "HO" | "CP" | "CR" | "CC" | "O" => {
+                self.macros.lines.written.insert((letters, at), value);
+            }
+            _ => {
+                return Err(Fault::new(
+                    Code::ReadOnlyVariable,
+                    range,
+                    format!("{name} can be read, but not written"),
+                    "put the value into a V variable",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn letters_name(&self, letters: u8) -> &'static str {
+        let names = self.control.table.lexicon.grammar.letter_variables;
+        names.get(letters as usize).copied().unwrap_or("V")
+    }
+
+    /// The number of a variable, if it exists.
+    fn letters_number(&self, name: &str, number: f64, range: TextRange) -> Result<u32, Fault> {
+        let (first, last) = match name {
+            "V" => (1, LAST_VARIABLE),
+            "R" => (0, 9),
+            "PX" | "PY" | "PZ" | "PA" | "PB" => (1, 3),
+            "FX" | "FY" | "FZ" | "FA" | "FB" => (1, LAST_OFFSET),
+            "H" | "D" | "TT" | "TU" => (1, LAST_TOOL),
+            _ => (0, 255),
+        };
+        let whole = libm::round(number);
+        if (f64::from(first)..=f64::from(last)).contains(&whole) {
+            return Ok(whole as u32);
+        }
+        Err(Fault::new(
+            Code::BadVariable,
+            range,
+            format!("there is no {name}{number}: {name} has the numbers {first} to {last}"),
+            "look at the value that the number is computed from",
+        ))
+    }
+
+    fn motion_code(&self) -> f64 {
+        match self.kernel.state.motion {
+            Motion::Rapid | Motion::None => 0.0,
+            Motion::Linear => 1.0,
+            Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
+            Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
+        }
+    }
+
+    /// What the program alone does not tell.
+    fn unknown_letters(&mut self, name: &str, at: u32, range: TextRange) -> f64 {
+        self.report_once(
+            Diagnostic::new(
+                Code::SystemVariable,
+                self.span(range),
+                format!("{name}{at} shows what Chordal cannot know; it is taken as 0"),
+            )
+            .help("put the value into a V variable where the program begins"),
+        );
+        0.0
+    }
+}

@@ -1,0 +1,373 @@
+//! Macro lines: one statement behind `#`, in the manner of BASIC (Fadal manual, section 18).
+
+use chordal_command::{CallPath, CommandKind};
+use chordal_dialect::macros::LONGEST_LINE;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_syntax::{
+    Block, BlockKind, ExpressionParser, LineStatement, Op, Position as TextPosition, PrintItem,
+    Target, Value as Written, Word, parse_line_statement,
+};
+
+use super::super::values::trim;
+use super::super::{EndReason, Flow, Interpreter};
+use crate::macros::evaluate::Purpose;
+use crate::macros::names::normal;
+
+/// Most places of RND.
+const MOST_PLACES: f64 = 5.0;
+
+/// Smallest number that is not zero; smaller ones are out of range.
+const SMALLEST: f64 = 1e-4;
+
+/// From here on a number has too many digits.
+const LARGEST: f64 = 1e12;
+
+/// Most programs that a run starts.
+const MOST_STARTS: u32 = 1000;
+
+/// Decimals that PRINT shows.
+const PRINTED_DECIMALS: usize = 4;
+
+/// What macro lines keep.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Lines {
+    /// V1, V2, …; empty before the first is written.
+    pub variables: Vec<f64>,
+    /// Variables of the machine that the program wrote, by name and number.
+    pub written: BTreeMap<(u8, u32), f64>,
+    /// SET RADIANS.
+    pub radians: bool,
+    /// SET RND.
+    places: u8,
+    /// What PRINT holds back for the next one.
+    held: String,
+    /// Answers to INPUT that were used.
+    answered: usize,
+    /// Labels of each program.
+    labels: HashMap<usize, HashMap<String, TextPosition>>,
+    /// Programs that START has left.
+    left: BTreeSet<usize>,
+    /// How often it has.
+    starts: u32,
+}
+
+impl Lines {
+    /// All but what was found in the text, which is found again.
+    pub fn lasting(&self) -> Lines {
+        Lines {
+            variables: self.variables.clone(),
+            written: self.written.clone(),
+            held: self.held.clone(),
+            labels: HashMap::new(),
+            left: self.left.clone(),
+            ..*self
+        }
+    }
+
+    /// Whether no line is held back and no program was left.
+    pub fn is_settled(&self) -> bool {
+        self.held.is_empty() && self.left.is_empty() && self.starts == 0
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// A block with a macro line in it.
+    pub(in super::super) fn macro_line(&mut self, block: &mut Block, range: TextRange) -> Flow {
+        self.carried_out = true;
+        self.macros.used = true;
+        if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
+            self.sequence = Some(number);
+        }
+        if block.words.iter().any(|word| word.letter != b'N') {
+            self.check_mixed(block, range);
+            if let end @ Flow::End(_) = self.carry_out(block) {
+                return end;
+            }
+        }
+        let length = range.slice(self.reader.text()).len();
+        if length > LONGEST_LINE {
+            self.report_length(range, length);
+        }
+        let mut parser = self.take_parser();
+        let behind = TextRange::new(range.start + 1, range.end);
+        parser.start(self.reader.text(), self.file, behind);
+        let mut flow = Flow::Next;
+        loop {
+            let statement = parse_line_statement(&mut parser);
+            let sound = parser.problems.is_empty();
+            self.report_problems(&mut parser);
+            if !sound {
+                break;
+            }
+            if let LineStatement::If(condition) = statement {
+                let purpose = Purpose { condition: true, ..self.line_purpose() };
+                let value = self.value_of(&parser, condition, purpose).flatten();
+                if value.is_some_and(|value| value != 0.0) {
+                    continue;
+                }
+                break;
+            }
+            flow = self.line_statement(range, &parser, statement);
+            break;
+        }
+        self.macros.parser = parser;
+        flow
+    }
+
+    fn report_length(&mut self, range: TextRange, length: usize) {
+        self.report_once(
+            Diagnostic::new(
+                Code::MacroLineTooLong,
+                self.span(range),
+                format!(
+                    "this macro line has {length} characters; the control takes {LONGEST_LINE}"
+                ),
+            )
+            .help("compute a part of it in a line before"),
+        );
+    }
+
+    fn line_purpose(&self) -> Purpose {
+        Purpose { round_digits: Some(self.macros.lines.places), condition: false }
+    }
+
+    /// A value, with the limits of the control.
+    fn line_value(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        expression: chordal_syntax::Expression,
+    ) -> Option<f64> {
+        let value = self.value_of(parser, expression, self.line_purpose())?.unwrap_or(0.0);
+        let size = value.abs();
+        if size < LARGEST && (size >= SMALLEST || size == 0.0) {
+            return Some(value);
+        }
+        let shown = if size < 1.0 { format!("{value:e}") } else { format!("{value}") };
+        let what = if size < 1.0 { "nearer to zero than 0.0001" } else { "too large" };
+        self.report_once(
+            Diagnostic::new(
+                Code::NumberOutOfRange,
+                self.span(expression.range),
+                format!("this comes to {shown}, which is {what} for the control"),
+            )
+            .help("round it with RND, or test it with IF before"),
+        );
+        Some(value)
+    }
+
+    fn line_statement(
+        &mut self,
+        range: TextRange,
+        parser: &ExpressionParser<'a>,
+        statement: LineStatement,
+    ) -> Flow {
+        match statement {
+            LineStatement::Assign { target, value } => {
+                if let Some(value) = self.line_value(parser, value) {
+                    self.assign(parser, &target, Some(value));
+                }
+            }
+            LineStatement::GotoLabel(label) => return self.goto_label(label),
+            LineStatement::GotoNumber(number) => {
+                let number = self.value_of(parser, number, self.line_purpose());
+                return self.goto(range, number);
+            }
+            LineStatement::Start(number) => {
+                let Some(value) = self.line_value(parser, number) else { return Flow::Next };
+                return self.start_program(number.range, value);
+            }
+            LineStatement::Print { items, holds } => self.print_items(parser, range, &items, holds),
+            LineStatement::Input(targets) => self.input(parser, range, &targets),
+            LineStatement::Clear(ranges) => {
+                for (first, last) in ranges {
+                    self.clear(parser, &first, &last);
+                }
+            }
+            LineStatement::SetRadians(radians) => self.macros.lines.radians = radians,
+            LineStatement::SetPlaces(places) => {
+                if let Some(places) = self.line_value(parser, places) {
+                    self.macros.lines.places = libm::round(places).clamp(0.0, MOST_PLACES) as u8;
+                }
+            }
+            LineStatement::Empty
+            | LineStatement::Label(_)
+            | LineStatement::If(_)
+            | LineStatement::Unknown(_) => {}
+        }
+        Flow::Next
+    }
+
+    /// GOTO :LABEL.
+    fn goto_label(&mut self, label: TextRange) -> Flow {
+        let name = normal(label.slice(self.reader.text()));
+        let program = self.program;
+        self.look_at(program);
+        if !self.macros.lines.labels.contains_key(&program) {
+            let labels = self.find_labels(program);
+            self.macros.lines.labels.insert(program, labels);
+        }
+        let labels = self.macros.lines.labels.get(&program);
+        if let Some(target) = labels.and_then(|labels| labels.get(&name)).copied() {
+            self.go_to(target);
+            return Flow::Next;
+        }
+        let shown = name.to_uppercase();
+        self.kernel.report(
+            Diagnostic::new(
+                Code::MissingLabel,
+                self.span(label),
+                format!("there is no label `:{shown}` in this program"),
+            )
+            .help(format!("write `#:{shown}` on a line of its own where it is meant")),
+        );
+        Flow::End(EndReason::LostJump)
+    }
+
+    /// The labels of a program; the first of a name counts.
+    fn find_labels(&self, program: usize) -> HashMap<String, TextPosition> {
+        let mut reader = self.reader_of(program);
+        let mut labels = HashMap::new();
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            let BlockKind::Macro(range) = block.kind else { continue };
+            let line = range.slice(reader.text());
+            let shown = |b: &&u8| !matches!(b, b'#' | b' ' | b'\t');
+            if line.iter().find(shown) != Some(&b':') {
+                continue;
+            }
+            let from = line.iter().position(|b| *b == b':').map_or(0, |at| at + 1);
+            let named = |b: &&u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b' ' | b'\t');
+            let name: Vec<u8> = line[from..].iter().take_while(named).copied().collect();
+            let start = TextPosition { offset: block.range.start, line: block.line };
+            labels.entry(normal(&name)).or_insert(start);
+        }
+        labels
+    }
+
+    /// START: another program, without a return.
+    fn start_program(&mut self, range: TextRange, number: f64) -> Flow {
+        let number = libm::round(number).clamp(0.0, 99_999.0) as u32;
+        let Some(program) = self.library.find(number, self.file) else {
+            let word =
+                Word { letter: b'O', register: None, comma: false, value: Written::Missing, range };
+            self.report_missing_program(&word, number);
+            return Flow::End(EndReason::LostJump);
+        };
+        self.macros.lines.starts += 1;
+        if self.macros.lines.starts > MOST_STARTS {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BudgetReached,
+                    self.span(range),
+                    format!("stopped after {MOST_STARTS} starts of programs"),
+                )
+                .help("the programs start each other without end"),
+            );
+            return Flow::End(EndReason::Budget);
+        }
+        self.macros.lines.left.insert(self.program);
+        if self.macros.lines.left.contains(&program) {
+            // From here on every block may be a repeat.
+            self.repeat_until = u32::MAX;
+        }
+        self.frames.clear();
+        self.kernel.call = CallPath::default();
+        self.macros.active = 0;
+        self.program = program;
+        self.file = self.program_at(program).file;
+        self.reader = self.reader_of(program);
+        self.carried_out = false;
+        self.subroutines.clear();
+        self.read_subroutine_section();
+        Flow::Next
+    }
+
+    fn print_items(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        range: TextRange,
+        items: &[PrintItem],
+        holds: bool,
+    ) {
+        let mut line = std::mem::take(&mut self.macros.lines.held);
+        for item in items {
+            match item {
+                PrintItem::Text(text) => {
+                    line += &String::from_utf8_lossy(text.slice(self.reader.text()));
+                }
+                PrintItem::Value(value) => {
+                    if let Some(value) = self.value_of(parser, *value, self.line_purpose()) {
+                        line += &trim(value.unwrap_or(0.0), PRINTED_DECIMALS);
+                    }
+                }
+            }
+        }
+        const MOST_HELD: usize = 4096;
+        if holds && line.len() < MOST_HELD {
+            self.macros.lines.held = line;
+        } else {
+            self.print_text(range, line);
+        }
+    }
+
+    /// What PRINT has held back when the program ends.
+    pub(in super::super) fn print_held(&mut self) {
+        let held = std::mem::take(&mut self.macros.lines.held);
+        if !held.is_empty() {
+            self.kernel.emit(CommandKind::Output { text: held });
+        }
+    }
+
+    /// INPUT: the next answer of the machine file.
+    fn input(&mut self, parser: &ExpressionParser<'a>, range: TextRange, targets: &[Target]) {
+        for target in targets {
+            let answer = self.machine.macros.inputs.get(self.macros.lines.answered).copied();
+            self.macros.lines.answered += 1;
+            if answer.is_none() {
+                let name = String::from_utf8_lossy(target.range.slice(self.reader.text()));
+                let message = format!("the program asks for {name}, and nothing answers");
+                let given = self.machine.macros.inputs.len();
+                let note = format!("the machine file has {given} answers; 0 is taken");
+                self.report_once(
+                    Diagnostic::new(Code::InputNotAnswered, self.span(range), message)
+                        .label("the operator would type a number here")
+                        .note(note)
+                        .help("give the answers in the machine file: `[macros] inputs = [1.5, 2]`"),
+                );
+            }
+            self.assign(parser, target, Some(answer.unwrap_or(0.0)));
+        }
+        self.kernel.emit(CommandKind::Stop { optional: false });
+    }
+
+    /// CLEAR V3-V7.
+    fn clear(&mut self, parser: &ExpressionParser<'a>, first: &Target, last: &Target) {
+        let index = |run: &mut Self, target: &Target| {
+            let value = run.value_of(parser, target.index, run.line_purpose());
+            value.map(|value| libm::round(value.unwrap_or(0.0)).clamp(0.0, 1e6) as u32)
+        };
+        let (Some(from), Some(to)) = (index(self, first), index(self, last)) else { return };
+        let same = matches!((first.kind, last.kind), (Op::Letters(a), Op::Letters(b)) if a == b);
+        if !same || from > to {
+            self.report_once(
+                Diagnostic::new(
+                    Code::BadVariable,
+                    self.span(first.range.cover(last.range)),
+                    "these are not the first and the last of a row of variables",
+                )
+                .severity(Severity::Error)
+                .help("write the lower number first: `CLEAR V3-V7`"),
+            );
+            return;
+        }
+        // The first number that does not exist ends the row, which is told.
+        for number in from..=to {
+            let written = self.write_target(first.kind, f64::from(number), Some(0.0), first.range);
+            if let Err(fault) = written {
+                return self.report_fault(fault);
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! What macro statements leave for those that follow.
+
+use chordal_command::Position;
+use std::collections::{BTreeMap, BTreeSet};
+
+use chordal_diagnostics::{Code, FileId, Shift};
+
+use super::MacroState;
+use super::lines::Lines;
+use super::probe::Probe;
+use crate::macros::names::Names;
+use crate::macros::variables::VariableStore;
+
+/// With more problems told a rest would cost more than it saves.
+const MOST_TOLD: usize = 1000;
+
+/// The part of [`MacroState`] that lasts; what was found in the text is found again.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) struct MacroMemory {
+    store: VariableStore,
+    kept: BTreeMap<u32, f64>,
+    told: BTreeSet<(FileId, u32, Code)>,
+    used: bool,
+    last_words: [Option<f64>; 26],
+    skip: Position,
+    port_open: bool,
+    printed: usize,
+    names: Names,
+    returned: (f64, bool),
+    lines: Lines,
+    probe: Probe,
+}
+
+impl MacroState<'_> {
+    /// How many modal calls were begun and not cancelled.
+    pub fn modal_calls(&self) -> usize {
+        self.modal.len()
+    }
+
+    /// Whether no loop, modal call, START or held line is open.
+    pub fn is_settled(&self) -> bool {
+        self.loops.is_empty()
+            && self.modal.is_empty()
+            && self.active == 0
+            && self.in_alias == 0
+            && self.owords.is_settled()
+            && self.lines.is_settled()
+            && self.told.len() <= MOST_TOLD
+    }
+
+    pub fn memory(&self) -> MacroMemory {
+        MacroMemory {
+            store: self.store.clone(),
+            kept: self.kept.clone(),
+            told: self.told.clone(),
+            used: self.used,
+            last_words: self.last_words,
+            skip: self.skip,
+            port_open: self.port_open,
+            printed: self.printed,
+            names: self.names.clone(),
+            returned: (self.owords.value, self.owords.value_returned),
+            lines: self.lines.lasting(),
+            probe: self.probe,
+        }
+    }
+
+    pub fn recall(&mut self, memory: MacroMemory) {
+        self.store = memory.store;
+        self.kept = memory.kept;
+        self.told = memory.told;
+        self.used = memory.used;
+        self.last_words = memory.last_words;
+        self.skip = memory.skip;
+        self.port_open = memory.port_open;
+        self.printed = memory.printed;
+        self.names = memory.names;
+        (self.owords.value, self.owords.value_returned) = memory.returned;
+        self.lines = memory.lines;
+        self.probe = memory.probe;
+    }
+}
+
+impl MacroMemory {
+    /// Moves its places to those of a text that has changed elsewhere.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        let told = std::mem::take(&mut self.told);
+        for (file, at, code) in told {
+            let at = if file == FileId(0) { shift.offset(at)? } else { at };
+            self.told.insert((file, at, code));
+        }
+        Some(())
+    }
+}

@@ -1,0 +1,252 @@
+//! Macro programs: words with expressions, statements, loops, calls, output.
+//!
+//! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
+//! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
+
+mod assignments;
+mod calls;
+mod comments;
+mod flow;
+mod letters;
+mod lines;
+mod memory;
+mod named;
+mod output;
+mod owords;
+mod probe;
+mod statements;
+mod system;
+mod words;
+
+use chordal_command::Position;
+use chordal_dialect::macros::MacroRules;
+use chordal_dialect::{Control, ControlTable};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
+use chordal_machine::Machine;
+use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
+
+pub(super) use memory::MacroMemory;
+
+use super::Interpreter;
+
+use crate::macros::evaluate::{Fault, Purpose, Variables, evaluate};
+use crate::macros::names::Names;
+use crate::macros::value::{Value, number};
+use crate::macros::variables::VariableStore;
+
+/// What a run keeps for its macro statements.
+pub(super) struct MacroState<'a> {
+    /// Reads statements and expressions; taken out while its steps are carried out.
+    parser: ExpressionParser<'a>,
+    stack: Vec<Value>,
+    words: Vec<Word>,
+    pub(super) store: VariableStore,
+    /// Values of system variables that the program or the machine file gives.
+    kept: BTreeMap<u32, f64>,
+    /// Loops that run in this program, outermost first.
+    pub(super) loops: Vec<Loop>,
+    /// Where the END of a loop is, by file and beginning of the loop.
+    loop_ends: HashMap<(FileId, u32), Option<TextPosition>>,
+    /// Places of which a problem was told: a loop would tell it again and again.
+    told: BTreeSet<(FileId, u32, Code)>,
+    /// A macro statement was carried out: what comes is no longer the text alone.
+    pub(super) used: bool,
+    /// Modal calls, the first one first.
+    modal: Vec<calls::ModalCall>,
+    /// How many of them are in force here.
+    pub(super) active: usize,
+    /// Running programs that were called by a code that a setting makes a call.
+    pub(super) in_alias: u32,
+    /// The words of the last such call.
+    last_words: [Option<f64>; 26],
+    /// Where the last skip move stopped, as #5061 shows it: mm, rad.
+    skip: Position,
+    /// POPEN.
+    port_open: bool,
+    /// Bytes printed.
+    printed: usize,
+    /// Named variables.
+    pub(super) names: Names,
+    /// O words.
+    owords: owords::OWords,
+    /// Macro lines.
+    lines: lines::Lines,
+    /// Probe moves.
+    pub(super) probe: probe::Probe,
+}
+
+/// A loop that runs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Loop {
+    /// n of DOn.
+    number: u32,
+    /// Its first block.
+    head: TextPosition,
+}
+
+impl MacroState<'_> {
+    pub fn new(table: &ControlTable, machine: &Machine) -> Self {
+        let mut store = VariableStore::new(table.macros);
+        let mut kept = BTreeMap::new();
+        for (&number, &value) in &machine.macros.variables {
+            if store.write(number, Some(value)).is_err() {
+                kept.insert(number, value);
+            }
+        }
+        MacroState {
+            parser: ExpressionParser::new(&[], FileId(0), table.lexicon.grammar),
+            stack: Vec::new(),
+            words: Vec::new(),
+            store,
+            kept,
+            loops: Vec::new(),
+            loop_ends: HashMap::new(),
+            told: BTreeSet::new(),
+            used: false,
+            modal: Vec::new(),
+            active: 0,
+            in_alias: 0,
+            last_words: [None; 26],
+            skip: [0.0; 6],
+            port_open: false,
+            printed: 0,
+            names: Names::default(),
+            owords: owords::OWords::default(),
+            lines: lines::Lines::default(),
+            probe: probe::Probe::default(),
+        }
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    pub(super) fn rules(&self) -> &'a MacroRules {
+        let control: &'a Control = self.control;
+        &control.macros
+    }
+
+    /// Takes the parser out, so that its steps can be carried out; to be given back.
+    fn take_parser(&mut self) -> ExpressionParser<'a> {
+        let grammar = self.control.table.lexicon.grammar;
+        std::mem::replace(&mut self.macros.parser, ExpressionParser::new(&[], self.file, grammar))
+    }
+
+    /// The value of an expression; `None` when it has none, which is told.
+    fn value_of(
+        &mut self,
+        parser: &ExpressionParser<'a>,
+        expression: Expression,
+        purpose: Purpose,
+    ) -> Option<Value> {
+        let mut stack = std::mem::take(&mut self.macros.stack);
+        let rules = self.rules();
+        let result = evaluate(parser.steps(expression), rules, purpose, &mut stack, self);
+        self.macros.stack = stack;
+        result.map_err(|fault| self.report_fault(fault)).ok()
+    }
+
+    /// Writes a variable.
+    fn assign(&mut self, parser: &ExpressionParser<'a>, target: &Target, value: Value) {
+        let index = match target.kind {
+            Op::ReadNamed(_) => 0.0,
+            _ => {
+                let Some(index) = self.value_of(parser, target.index, Purpose::VALUE) else {
+                    return;
+                };
+                index.unwrap_or(0.0)
+            }
+        };
+        if let Err(fault) = self.write_target(target.kind, index, value, target.range) {
+            self.report_fault(fault);
+        }
+    }
+
+    fn write_target(
+        &mut self,
+        kind: Op,
+        index: f64,
+        value: Value,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        match kind {
+            Op::Read => self.write_number(index, value, range),
+            Op::ReadNamed(name) => self.write_named(name, number(value), range),
+            Op::Letters(letters) => self.write_letters(letters, index, number(value), range),
+            _ => Ok(()),
+        }
+    }
+
+    fn report_fault(&mut self, fault: Fault) {
+        if fault.is_told() {
+            return;
+        }
+        let diagnostic = Diagnostic::new(fault.code, self.span(fault.range), fault.message);
+        let diagnostic =
+            if fault.help.is_empty() { diagnostic } else { diagnostic.help(fault.help) };
+        self.report_once(diagnostic);
+    }
+
+    /// Reports a problem the first time that its place shows one.
+    fn report_once(&mut self, diagnostic: Diagnostic) {
+        let span = diagnostic.primary.span;
+        if self.macros.told.insert((span.file, span.range.start, diagnostic.code)) {
+            self.kernel.report(diagnostic);
+        }
+    }
+
+    fn report_problems(&mut self, parser: &mut ExpressionParser<'a>) {
+        for problem in std::mem::take(&mut parser.problems) {
+            self.report_once(problem);
+        }
+    }
+
+    /// The whole number of a variable, where the value is near enough to one.
+    fn variable_number(&self, number: f64, range: TextRange) -> Result<u32, Fault> {
+        let whole = libm::round(number);
+        let near = (number - whole).abs() <= self.rules().index_tolerance;
+        if near && (0.0..=9_999_999.0).contains(&whole) {
+            return Ok(whole as u32);
+        }
+        Err(system::no_variable(number, range))
+    }
+}
+
+impl Variables for Interpreter<'_> {
+    fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault> {
+        let number = self.variable_number(number, range)?;
+        match self.macros.store.read(number) {
+            Ok(value) => Ok(value),
+            Err(_) => self.read_system(number, range),
+        }
+    }
+
+    fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault> {
+        self.named(name, range).map(Some)
+    }
+
+    fn is_set(&mut self, name: TextRange) -> bool {
+        self.is_named(name)
+    }
+
+    fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault> {
+        self.letter_variable(letters, number, range).map(Some)
+    }
+
+    fn radians(&self) -> bool {
+        self.macros.lines.radians
+    }
+}
+
+impl Interpreter<'_> {
+    fn write_number(&mut self, number: f64, value: Value, range: TextRange) -> Result<(), Fault> {
+        let number = self.variable_number(number, range)?;
+        if number == 0 {
+            return Err(system::read_only(number, range));
+        }
+        match self.macros.store.write(number, value) {
+            Ok(()) => Ok(()),
+            Err(_) => self.write_system(number, value, range),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Named variables, and those that LinuxCNC defines ("Predefined Named Parameters").
+
+use chordal_command::{FeedMode, Side, SpindleState, Units, WorkName};
+use chordal_diagnostics::{Code, TextRange};
+use chordal_dialect::Action;
+use chordal_geometry::{Direction, Plane};
+use chordal_kernel::Motion;
+use chordal_kernel::rules::ArcCenter;
+
+use super::super::Interpreter;
+use crate::macros::evaluate::Fault;
+use crate::macros::names::normal;
+
+impl Interpreter<'_> {
+    /// The value of a named variable.
+    pub(super) fn named(&mut self, name: TextRange, range: TextRange) -> Result<f64, Fault> {
+        let name = normal(name.slice(self.reader.text()));
+        if let Some(value) = self.macros.names.get(&name).or_else(|| self.predefined(&name)) {
+            return Ok(value);
+        }
+        Err(Fault::new(
+            Code::UnsetName,
+            range,
+            format!("`#<{name}>` is read and was never set"),
+            "set it before, or look for a slip in its name",
+        ))
+    }
+
+    /// EXISTS.
+    pub(super) fn is_named(&self, name: TextRange) -> bool {
+        let name = normal(name.slice(self.reader.text()));
+        self.macros.names.get(&name).is_some() || self.predefined(&name).is_some()
+    }
+
+    pub(super) fn write_named(
+        &mut self,
+        name: TextRange,
+        value: f64,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        let name = normal(name.slice(self.reader.text()));
+        if self.predefined(&name).is_some() {
+            return Err(Fault::new(
+                Code::ReadOnlyVariable,
+                range,
+                format!("`#<{name}>` shows the state of the control and cannot be written"),
+                "take another name",
+            ));
+        }
+        if self.macros.names.set(name, value) {
+            return Ok(());
+        }
+        Err(Fault::new(
+            Code::BadVariable,
+            range,
+            "there are too many named variables",
+            "use numbered ones: #31 to #5000",
+        ))
+    }
+
+    fn predefined(&self, name: &str) -> Option<f64> {
+        let state = &self.kernel.state;
+        let flag = |value: bool| if value { 1.0 } else { 0.0 };
+        let axis = |axis: usize| match axis {
+            0..3 => state.position[axis] / self.unit(),
+            _ => state.position[axis].to_degrees(),
+        };
+        let inch = state.units == Units::Inch;
+        Some(match name.strip_prefix('_')? {
+            "x" => axis(0),
+            "y" => axis(1),
+            "z" => axis(2),
+            "a" => axis(3),
+            "b" => axis(4),
+            "c" => axis(5),
+            "vmajor" => 2.9,
+            "vminor" => 0.0,
+            "line" => {
+                self.look_at_all();
+                f64::from(self.kernel.origin.line)
+            }
+            "motion_mode" => self.motion_mode(),
+            "plane" => match state.plane {
+                Plane::Xy => 170.0,
+                Plane::Zx => 180.0,
+                Plane::Yz => 190.0,
+            },
+            "ccomp" => match state.side {
+                Side::Off => 400.0,
+                Side::Left => 410.0,
+                Side::Right => 420.0,
+            },
+            "metric" => flag(!inch),
+            "imperial" => flag(inch),
+            "absolute" => flag(!state.incremental),
+            "incremental" => flag(state.incremental),
+            "inverse_time" => flag(state.feed_mode == FeedMode::InverseTime),
+            "units_per_minute" => flag(state.feed_mode == FeedMode::PerTime),
+            "units_per_rev" => flag(state.feed_mode == FeedMode::PerRevolution),
+            "coord_system" => match state.offsets.active() {
+                WorkName::G(number) => f64::from(number) * 10.0,
+                WorkName::G59(number) => 590.0 + f64::from(number),
+                _ => 540.0,
+            },
+            "tool_offset" => flag(state.offsets.length().number.is_some()),
+            "retract_r_plane" => flag(state.return_to_r),
+            "retract_old_z" => flag(!state.return_to_r),
+            "spindle_rpm_mode" => 1.0,
+            "spindle_css_mode" | "lathe_diameter_mode" | "lathe_radius_mode" => 0.0,
+            "adaptive_feed" | "task" | "remap_level" | "current_pocket" => 0.0,
+            "selected_pocket" => 0.0,
+            "speed_override" | "feed_override" | "feed_hold" => 1.0,
+            "ijk_absolute_mode" => flag(state.arc_center == ArcCenter::Absolute),
+            "spindle_on" => flag(matches!(state.spindle, SpindleState::Cw | SpindleState::Ccw)),
+            "spindle_cw" => flag(state.spindle == SpindleState::Cw),
+            "mist" => flag(state.coolant.mist),
+            "flood" => flag(state.coolant.flood),
+            "feed" => self.feed_word(),
+            "rpm" => state.rpm,
+            "current_tool" => f64::from(state.tool),
+            "selected_tool" => state.selected_tool.map_or(-1.0, f64::from),
+            "value" => self.macros.owords.value,
+            "value_returned" => flag(self.macros.owords.value_returned),
+            "call_level" => self.macros.names.level() as f64,
+            _ => return None,
+        })
+    }
+
+    /// The motion code in force, times ten.
+    fn motion_mode(&self) -> f64 {
+        if let Some(cycle) = self.kernel.state.cycle {
+            let rows = self.control.table.g_codes;
+            let row = rows.iter().find(|row| row.action == Action::Cycle(cycle.kind));
+            return row.map_or(800.0, |row| f64::from(row.code));
+        }
+        match self.kernel.state.motion {
+            Motion::None => 800.0,
+            Motion::Rapid => 0.0,
+            Motion::Linear => 10.0,
+            Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,
+            Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 30.0,
+        }
+    }
+}

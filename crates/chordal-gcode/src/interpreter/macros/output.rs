@@ -1,0 +1,100 @@
+//! POPEN, DPRNT, PCLOS.
+
+use chordal_command::CommandKind;
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_syntax::Output;
+
+use super::super::Interpreter;
+use crate::macros::evaluate::Purpose;
+use crate::macros::output::{Format, Part, next_part, write_number};
+
+/// Most bytes that a run prints.
+const MOST_OUTPUT: usize = 1 << 20;
+
+impl Interpreter<'_> {
+    pub(super) fn print(&mut self, range: TextRange, output: Output) {
+        match output {
+            Output::Open => self.macros.port_open = true,
+            Output::Close => self.macros.port_open = false,
+            Output::Text(text) => self.print_line(range, text),
+            Output::Binary(_) => self.report_once(
+                Diagnostic::new(
+                    Code::UnsupportedMacro,
+                    self.span(range),
+                    "BPRNT sends bytes, not text; they are not kept",
+                )
+                .severity(chordal_diagnostics::Severity::Warning)
+                .help("print with DPRNT to see the values"),
+            ),
+        }
+    }
+
+    fn print_line(&mut self, range: TextRange, text: TextRange) {
+        if !self.macros.port_open && self.rules().output_needs_open {
+            self.report_once(
+                Diagnostic::new(
+                    Code::OutputClosed,
+                    self.span(range),
+                    "nothing opened the port for this text",
+                )
+                .help("put POPEN before, and PCLOS behind the last DPRNT"),
+            );
+        }
+        let Some(line) = self.format_line(text) else { return };
+        self.print_text(range, line);
+    }
+
+    /// Prints a line, as long as there is room for it.
+    pub(super) fn print_text(&mut self, range: TextRange, line: String) {
+        if self.macros.printed + line.len() > MOST_OUTPUT {
+            let kept = MOST_OUTPUT >> 20;
+            self.report_once(
+                Diagnostic::new(
+                    Code::OutputLimit,
+                    self.span(range),
+                    format!("the program prints more than {kept} MiB; the rest is not kept"),
+                )
+                .help("look for a loop that does not end"),
+            );
+            return;
+        }
+        self.macros.printed += line.len() + 1;
+        self.kernel.emit(CommandKind::Output { text: line });
+    }
+
+    /// The line with its values; `None` when it cannot be read, which is told.
+    fn format_line(&mut self, text: TextRange) -> Option<String> {
+        let whole = self.reader.text();
+        let blanks = self.rules().output_blanks;
+        let mut line = String::new();
+        let mut rest = text;
+        while let Some(part) = next_part(whole, &mut rest) {
+            match part {
+                // What would steer a terminal is no text.
+                Part::Text(byte) if byte < b' ' => {}
+                Part::Text(byte) => line.push(byte as char),
+                Part::Value { expression, format } => {
+                    let value = self.word_value(expression, Purpose::VALUE)?;
+                    let format = format.unwrap_or_else(|| {
+                        self.report_format(expression);
+                        Format { whole: 4, decimals: 4 }
+                    });
+                    write_number(&mut line, value.unwrap_or(0.0), format, blanks);
+                }
+            }
+        }
+        Some(line)
+    }
+
+    fn report_format(&mut self, range: TextRange) {
+        self.report_once(
+            Diagnostic::new(
+                Code::BadOutput,
+                self.span(range),
+                "behind this variable its places are missing",
+            )
+            .label("printed with four places and four decimals")
+            .help("write the places in brackets: `#1[44]`"),
+        );
+    }
+}

@@ -1,0 +1,471 @@
+//! Flow control by O words (LinuxCNC "O Codes").
+//!
+//! The lines of flow control of a program are found in one pass when the first of them is met,
+//! and each is joined with those of its structure: a jump is then a look into a table. Labels
+//! are local to their subroutine.
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_syntax::{
+    Block, BlockKind, BlockReader, ExpressionParser, FlowWord, OLabel, OWord,
+    Position as TextPosition, Value as Written, Word, parse_o_word,
+};
+
+use super::super::{EndReason, Flow, Interpreter};
+use crate::macros::evaluate::Purpose;
+use crate::macros::names::normal;
+
+/// Most arguments of a call.
+const MOST_ARGUMENTS: usize = 30;
+
+/// No line.
+const NONE: usize = usize::MAX;
+
+/// A line of flow control.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Line {
+    /// Where it begins.
+    at: TextPosition,
+    /// Where the next line begins.
+    after: TextPosition,
+    word: FlowWord,
+    /// The first line of its structure; itself, where it is that.
+    open: usize,
+    /// The next line of its structure.
+    next: usize,
+    /// The last.
+    close: usize,
+}
+
+/// The lines of flow control of a program.
+#[derive(Debug, Default)]
+struct Index {
+    lines: Vec<Line>,
+    /// Subroutines by label.
+    subs: HashMap<String, usize>,
+}
+
+/// A `repeat` that runs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Repeat {
+    /// How many calls deep.
+    depth: usize,
+    line: usize,
+    remaining: u64,
+}
+
+/// What O words keep.
+#[derive(Debug, Default)]
+pub(super) struct OWords {
+    indexes: HashMap<usize, Rc<Index>>,
+    /// The first program of each file by the file's name.
+    files: Option<HashMap<String, usize>>,
+    repeats: Vec<Repeat>,
+    /// What the last subroutine returned.
+    pub value: f64,
+    /// It returned something.
+    pub value_returned: bool,
+}
+
+impl OWords {
+    /// Whether no repeat runs.
+    pub fn is_settled(&self) -> bool {
+        self.repeats.is_empty()
+    }
+}
+
+/// The label as it is compared: numbers without zeros before them.
+fn label_text(text: &[u8]) -> String {
+    let name = normal(text);
+    let name = name.trim();
+    match name.parse::<u64>() {
+        Ok(number) => number.to_string(),
+        Err(_) => name.to_string(),
+    }
+}
+
+impl Index {
+    fn of<'a>(mut reader: BlockReader<'a>, mut parser: ExpressionParser<'a>) -> Index {
+        let mut index = Index::default();
+        // Lines of structures that are not closed, by subroutine and label.
+        let mut open: HashMap<(usize, String), Vec<usize>> = HashMap::new();
+        let mut sub = NONE;
+        let mut block = Block::new();
+        let text = reader.text();
+        while reader.read(&mut block) {
+            let BlockKind::Macro(range) = block.kind else { continue };
+            if !range.slice(text).first().is_some_and(|b| b.eq_ignore_ascii_case(&b'O')) {
+                continue;
+            }
+            parser.start(text, parser.file(), range);
+            let OWord { label: OLabel::Text(label), word: Some(word), .. } =
+                parse_o_word(&mut parser)
+            else {
+                continue;
+            };
+            let here = index.lines.len();
+            let at = TextPosition { offset: block.range.start, line: block.line };
+            let after = reader.position();
+            index.lines.push(Line { at, after, word, open: here, next: NONE, close: NONE });
+            let label = label_text(label.slice(text));
+            let scope = match word {
+                FlowWord::Sub => {
+                    sub = here;
+                    index.subs.entry(label.clone()).or_insert(here);
+                    NONE
+                }
+                FlowWord::EndSub => {
+                    sub = NONE;
+                    NONE
+                }
+                FlowWord::Call | FlowWord::Return => continue,
+                _ => sub,
+            };
+            index.join(open.entry((scope, label)).or_default(), here);
+        }
+        index
+    }
+
+    /// Joins a line with the open structure of its label.
+    fn join(&mut self, open: &mut Vec<usize>, here: usize) {
+        let first = open.first().map(|first| self.lines[*first].word);
+        let word = self.lines[here].word;
+        let closes = match word {
+            FlowWord::EndSub => first == Some(FlowWord::Sub),
+            FlowWord::EndIf => first == Some(FlowWord::If),
+            FlowWord::EndWhile => first == Some(FlowWord::While),
+            FlowWord::EndRepeat => first == Some(FlowWord::Repeat),
+            FlowWord::While => first == Some(FlowWord::Do),
+            _ => false,
+        };
+        let begins = matches!(
+            word,
+            FlowWord::Sub | FlowWord::If | FlowWord::While | FlowWord::Do | FlowWord::Repeat
+        );
+        if begins && !closes {
+            open.clear();
+            open.push(here);
+            return;
+        }
+        if let Some(last) = open.last() {
+            self.lines[*last].next = here;
+            self.lines[here].open = open[0];
+        }
+        open.push(here);
+        if closes {
+            for line in open.drain(..) {
+                self.lines[line].close = here;
+            }
+        }
+    }
+
+    fn at(&self, offset: u32) -> Option<usize> {
+        self.lines.binary_search_by_key(&offset, |line| line.at.offset).ok()
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// A line of flow control.
+    pub(super) fn flow_line(&mut self, range: TextRange) -> Flow {
+        let mut parser = self.take_parser();
+        parser.start(self.reader.text(), self.file, range);
+        let line = parse_o_word(&mut parser);
+        let flow = match line.word {
+            Some(FlowWord::Call) => self.call_sub(&mut parser, &line),
+            Some(FlowWord::EndSub | FlowWord::Return) => self.return_value(&mut parser, &line),
+            Some(_) if matches!(line.label, OLabel::Computed(_)) => {
+                self.report_structure(&line, "a computed O word can only call a subroutine");
+                Flow::Next
+            }
+            Some(word) => self.structure(&mut parser, &line, word),
+            None => Flow::Next,
+        };
+        self.report_problems(&mut parser);
+        self.macros.parser = parser;
+        flow
+    }
+
+    fn index(&mut self, program: usize) -> Rc<Index> {
+        self.look_at(program);
+        if let Some(index) = self.macros.owords.indexes.get(&program) {
+            return index.clone();
+        }
+        let lexicon = self.control.table.lexicon;
+        let reader = self.reader_of(program);
+        let file = self.program_at(program).file;
+        let parser = ExpressionParser::new(reader.text(), file, lexicon.grammar);
+        let index = Rc::new(Index::of(reader, parser));
+        self.macros.owords.indexes.insert(program, index.clone());
+        index
+    }
+
+    /// True when the value behind the word is not zero.
+    fn holds(&mut self, parser: &mut ExpressionParser<'a>) -> bool {
+        let value = self.bracket(parser, Purpose::CONDITION);
+        value.is_some_and(|value| value != 0.0)
+    }
+
+    /// The value of the bracket that is due here.
+    fn bracket(&mut self, parser: &mut ExpressionParser<'a>, purpose: Purpose) -> Option<f64> {
+        let problems = parser.problems.len();
+        let value = parser.value();
+        if parser.problems.len() > problems {
+            return None;
+        }
+        self.value_of(parser, value, purpose).map(|value| value.unwrap_or(0.0))
+    }
+
+    fn structure(
+        &mut self,
+        parser: &mut ExpressionParser<'a>,
+        line: &OWord,
+        word: FlowWord,
+    ) -> Flow {
+        let index = self.index(self.program);
+        let Some(here) = index.at(self.kernel.origin.span.range.start) else { return Flow::Next };
+        let row = index.lines[here];
+        let holds = match word {
+            FlowWord::If | FlowWord::While => self.holds(parser),
+            _ => false,
+        };
+        match word {
+            FlowWord::Sub => self.after(&index, line, row.close),
+            FlowWord::If if holds => Flow::Next,
+            FlowWord::If => self.next_branch(parser, &index, line, row.next),
+            // Reached from above: the branch before it was taken.
+            FlowWord::ElseIf | FlowWord::Else => self.after(&index, line, row.close),
+            FlowWord::Do => Flow::Next,
+            FlowWord::EndIf if row.open != here => Flow::Next,
+            FlowWord::While if row.open != here => match holds {
+                // The end of do … while.
+                true => self.after(&index, line, row.open),
+                false => Flow::Next,
+            },
+            FlowWord::While if holds => Flow::Next,
+            FlowWord::While => self.after(&index, line, row.close),
+            FlowWord::EndWhile if row.open != here => {
+                self.go_to(index.lines[row.open].at);
+                Flow::Next
+            }
+            FlowWord::Repeat => self.begin_repeat(parser, &index, line, here),
+            FlowWord::EndRepeat if row.open != here => self.end_repeat(&index, line, here),
+            FlowWord::Break if row.open != here => {
+                self.drop_repeat(row.open);
+                self.after(&index, line, row.close)
+            }
+            FlowWord::Continue if row.open != here && row.close != NONE => {
+                if index.lines[row.open].word == FlowWord::Repeat {
+                    self.report_structure(line, "continue belongs into while and do, not repeat");
+                }
+                self.go_to(index.lines[row.close].at);
+                Flow::Next
+            }
+            _ => {
+                self.report_structure(line, "nothing of this label is open here");
+                Flow::Next
+            }
+        }
+    }
+
+    /// Goes on behind a line.
+    fn after(&mut self, index: &Index, line: &OWord, to: usize) -> Flow {
+        match index.lines.get(to) {
+            Some(row) => {
+                self.go_to(row.after);
+                Flow::Next
+            }
+            None => {
+                self.report_structure(line, "this structure is not closed");
+                Flow::End(EndReason::LostJump)
+            }
+        }
+    }
+
+    /// The condition of IF does not hold: on to the branch that does.
+    fn next_branch(
+        &mut self,
+        parser: &mut ExpressionParser<'a>,
+        index: &Index,
+        line: &OWord,
+        mut next: usize,
+    ) -> Flow {
+        while let Some(row) = index.lines.get(next) {
+            let taken = match row.word {
+                FlowWord::Else | FlowWord::EndIf => true,
+                FlowWord::ElseIf => {
+                    self.report_problems(parser);
+                    let counts = !self.frames.is_empty() || self.repeat_until != 0;
+                    if counts && !self.kernel.count_repeated() {
+                        return Flow::End(EndReason::Budget);
+                    }
+                    let rest = TextRange::new(row.at.offset, row.after.offset);
+                    parser.start(self.reader.text(), self.file, rest);
+                    // Numbers before the O word.
+                    let text = rest.slice(self.reader.text());
+                    let o = text.iter().position(|b| b.eq_ignore_ascii_case(&b'O')).unwrap_or(0);
+                    parser.go_to(TextRange::new(rest.start + o as u32, rest.end));
+                    parse_o_word(parser);
+                    self.holds(parser)
+                }
+                _ => false,
+            };
+            if taken {
+                return self.after(index, line, next);
+            }
+            next = row.next;
+        }
+        self.after(index, line, NONE)
+    }
+
+    fn begin_repeat(
+        &mut self,
+        parser: &mut ExpressionParser<'a>,
+        index: &Index,
+        line: &OWord,
+        here: usize,
+    ) -> Flow {
+        let times = self.bracket(parser, Purpose::VALUE).unwrap_or(0.0);
+        self.drop_repeat(here);
+        // Half goes to the even number.
+        let times = libm::rint(times);
+        if times < 1.0 {
+            return self.after(index, line, index.lines[here].close);
+        }
+        let depth = self.frames.len();
+        let repeat = Repeat { depth, line: here, remaining: times as u64 };
+        self.macros.owords.repeats.push(repeat);
+        Flow::Next
+    }
+
+    fn end_repeat(&mut self, index: &Index, line: &OWord, here: usize) -> Flow {
+        let open = index.lines[here].open;
+        let depth = self.frames.len();
+        let repeats = &mut self.macros.owords.repeats;
+        let running = repeats.iter_mut().rfind(|r| r.depth == depth && r.line == open);
+        let Some(repeat) = running else { return Flow::Next };
+        repeat.remaining -= 1;
+        if repeat.remaining == 0 {
+            self.drop_repeat(open);
+            return Flow::Next;
+        }
+        self.after(index, line, open)
+    }
+
+    /// A repeat is over, and those inside it.
+    fn drop_repeat(&mut self, line: usize) {
+        let depth = self.frames.len();
+        let repeats = &mut self.macros.owords.repeats;
+        while repeats.pop_if(|last| (last.depth, last.line) >= (depth, line)).is_some() {}
+    }
+
+    fn call_sub(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> Flow {
+        let label = match line.label {
+            OLabel::Text(range) => label_text(range.slice(self.reader.text())),
+            OLabel::Computed(expression) => {
+                match self.value_of(parser, expression, Purpose::VALUE) {
+                    Some(value) => libm::round(value.unwrap_or(0.0)).to_string(),
+                    None => return Flow::Next,
+                }
+            }
+        };
+        let mut arguments = Vec::new();
+        while parser.next_mark() == b'[' {
+            let Some(value) = self.bracket(parser, Purpose::VALUE) else { return Flow::Next };
+            arguments.push((arguments.len() as u32 + 1, value));
+        }
+        if arguments.len() > MOST_ARGUMENTS {
+            let count = arguments.len();
+            self.report_once(
+                Diagnostic::new(
+                    Code::BadArgument,
+                    self.span(line.range),
+                    format!("{count} arguments are more than the {MOST_ARGUMENTS} of a call"),
+                )
+                .help("hand further values on in #31 and above, or by name"),
+            );
+            return Flow::Next;
+        }
+        let Some((program, start)) = self.find_sub(&label) else {
+            self.report_once(
+                Diagnostic::new(
+                    Code::MissingSubprogram,
+                    self.span(line.range),
+                    format!("there is no subroutine `{label}` in this file, and no file of it"),
+                )
+                .label("the call is passed over")
+                .help(format!("write `o<{label}> sub`, or put it into the file {label}.ngc")),
+            );
+            return Flow::Next;
+        };
+        let depth = self.frames.len();
+        let repeats = &mut self.macros.owords.repeats;
+        while repeats.pop_if(|last| last.depth > depth).is_some() {}
+        let word = Word {
+            letter: b'O',
+            register: None,
+            comma: false,
+            value: Written::Missing,
+            range: line.range,
+        };
+        if self.enter(&word, program, start, 1, false) {
+            self.macros.store.enter(&arguments);
+            self.macros.names.enter();
+            self.macros.owords.value = 0.0;
+            self.macros.owords.value_returned = false;
+            if let Some(frame) = self.frames.last_mut() {
+                frame.own_locals = true;
+            }
+        }
+        Flow::Next
+    }
+
+    /// The program and the first line of a subroutine: of this file, else of the file that is
+    /// called like it.
+    fn find_sub(&mut self, label: &str) -> Option<(usize, TextPosition)> {
+        let here = self.program;
+        if let Some(start) = self.sub_of(here, label) {
+            return Some((here, start));
+        }
+        let library = self.library;
+        let files = self.macros.owords.files.get_or_insert_with(|| library.files_by_name());
+        let other = *files.get(label)?;
+        self.sub_of(other, label).map(|start| (other, start))
+    }
+
+    fn sub_of(&mut self, program: usize, label: &str) -> Option<TextPosition> {
+        let index = self.index(program);
+        let line = *index.subs.get(label)?;
+        Some(index.lines[line].after)
+    }
+
+    /// `endsub [v]` and `return [v]`.
+    fn return_value(&mut self, parser: &mut ExpressionParser<'a>, line: &OWord) -> Flow {
+        if !self.frames.last().is_some_and(|frame| frame.own_locals) {
+            self.report_once(
+                Diagnostic::new(
+                    Code::ReturnWithoutCall,
+                    self.span(line.range),
+                    "a return, and no subroutine was called",
+                )
+                .help("call the subroutine; its lines do not run where they stand"),
+            );
+            return Flow::Next;
+        }
+        if parser.next_mark() == b'[' {
+            let value = self.bracket(parser, Purpose::VALUE);
+            self.macros.owords.value = value.unwrap_or(0.0);
+            self.macros.owords.value_returned = true;
+        }
+        self.leave(None);
+        Flow::Next
+    }
+
+    fn report_structure(&mut self, line: &OWord, message: &str) {
+        self.report_once(Diagnostic::new(Code::LoopMismatch, self.span(line.range), message).help(
+            "each sub, if, while, do and repeat is closed by a line of the same label: \
+                 endsub, endif, endwhile, while, endrepeat",
+        ));
+    }
+}

@@ -1,0 +1,149 @@
+//! Probe and skip moves: G31, G38.2 to G38.5. Where they touch is what the machine file says.
+
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, Side, Units};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_machine::ProbeHit;
+use chordal_syntax::Block;
+
+use super::super::Interpreter;
+use super::super::values::trim;
+
+/// What the probe moves found.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(in super::super) struct Probe {
+    /// The last one touched something.
+    pub found: bool,
+    /// Points that the program can read: the last touch is the first of them, mm and rad.
+    pub points: [Position; 3],
+    /// What is assumed has been told.
+    told: bool,
+}
+
+impl Interpreter<'_> {
+    /// A move that ends where the probe touches. `must_hit`: without a touch the control stops.
+    pub(in super::super) fn probe_move(&mut self, block: &Block, at: usize, must_hit: bool) {
+        let span = self.span(block.words[at].range);
+        let (target, named) = self.target(block);
+        if named == AxisMask::NONE {
+            // G31 alone only makes the control wait; a program that shall probe needs a point.
+            if must_hit || !self.rules().macro_b {
+                self.report_probe(span, "a probe move without a point to go to");
+            }
+            return;
+        }
+        if self.kernel.state.side != Side::Off {
+            self.report_probe(span, "a probe move while cutter compensation is on");
+        }
+        let (end, found) = self.probe_end(target);
+        if !self.macros.probe.told {
+            self.macros.probe.told = true;
+            self.report_assumption(span);
+        }
+        if !found && must_hit {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::ProbeWithoutHit,
+                    span,
+                    "this probe move touches nothing, and the control stops with an alarm",
+                )
+                .help("the machine file says what a probe touches: `[probe] hit`"),
+            );
+        }
+        let motion = self.kernel.moved_to(end, named);
+        let feed = self.probe_feed(&motion);
+        if feed.value.is_nan() || feed.value <= 0.0 {
+            self.report_probe(span, "a probe move before any feed was given");
+        }
+        self.kernel.emit(CommandKind::Line { motion, feed });
+        self.kernel.emit(CommandKind::Probed { hit: found });
+        self.macros.used = true;
+        self.macros.probe.found = found;
+        self.macros.skip = end;
+        self.macros.probe.points[0] = end;
+        if self.rules().skip_with_length {
+            let offsets = &self.kernel.state.offsets;
+            self.macros.skip[2] += offsets.total()[2] - offsets.work()[2];
+        }
+    }
+
+    /// Where the move ends, and whether it touches.
+    fn probe_end(&self, target: Position) -> (Position, bool) {
+        let probe = &self.machine.probe;
+        match probe.hit {
+            Some(ProbeHit::End) => return (target, true),
+            Some(ProbeHit::Nothing) => return (target, false),
+            None if probe.planes.iter().all(Option::is_none) => return (target, true),
+            None => {}
+        }
+        let from = self.kernel.state.position;
+        let mut nearest = f64::INFINITY;
+        for axis in 0..6 {
+            let Some(plane) = probe.planes[axis] else { continue };
+            let way = target[axis] - from[axis];
+            let part = (plane - from[axis]) / way;
+            // A move along the plane does not meet it.
+            if way != 0.0 && (0.0..=1.0).contains(&part) {
+                nearest = nearest.min(part);
+            }
+        }
+        if nearest > 1.0 {
+            return (target, false);
+        }
+        let mut end = target;
+        for axis in 0..6 {
+            end[axis] = match probe.planes[axis] {
+                // Exactly on the plane that is touched, not beside it by a rounding.
+                Some(plane) if plane == from[axis] + nearest * (target[axis] - from[axis]) => plane,
+                _ => from[axis] + nearest * (target[axis] - from[axis]),
+            };
+        }
+        (end, true)
+    }
+
+    /// The feed in force; the spindle need not turn.
+    fn probe_feed(&self, motion: &chordal_command::Move) -> Feed {
+        let state = &self.kernel.state;
+        let angular = motion.only_turns(None) && state.feed_mode == FeedMode::PerTime;
+        Feed {
+            value: if angular { state.feed_angular } else { state.feed }.unwrap_or(f64::NAN),
+            mode: state.feed_mode,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: state.rpm / 60.0,
+        }
+    }
+
+    fn report_assumption(&mut self, span: chordal_diagnostics::Span) {
+        let probe = &self.machine.probe;
+        let planes: Vec<String> = (0..6)
+            .filter_map(|axis| probe.planes[axis].map(|plane| (axis, plane)))
+            .map(|(axis, plane)| {
+                let letter = b"XYZABC"[axis] as char;
+                let unit =
+                    if self.kernel.state.units == Units::Inch && axis < 3 { 25.4 } else { 1.0 };
+                let shown = if axis < 3 { plane / unit } else { plane.to_degrees() };
+                format!("{letter}{}", trim(shown, 4))
+            })
+            .collect();
+        let what = match probe.hit {
+            Some(ProbeHit::Nothing) => "touch nothing".to_string(),
+            None if !planes.is_empty() => format!("touch at {}", planes.join(" or ")),
+            _ => "touch where they end".to_string(),
+        };
+        self.kernel.report(
+            Diagnostic::new(
+                Code::SkipAssumed,
+                span,
+                format!("it is assumed that probe and skip moves {what}"),
+            )
+            .severity(Severity::Note)
+            .help("say it in the machine file: `[probe] hit = { Z = \"-10 mm\" }`"),
+        );
+    }
+
+    fn report_probe(&mut self, span: chordal_diagnostics::Span, message: &str) {
+        self.report_once(
+            Diagnostic::new(Code::BadProbeMove, span, message)
+                .help("name the axes and their end points, with a feed, after G40"),
+        );
+    }
+}

@@ -1,0 +1,404 @@
+//! System variables: positions, offsets, modal codes, alarms.
+
+use chordal_command::{CommandKind, FeedMode, Side, Units, WorkName};
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_dialect::Action;
+use chordal_dialect::macros::{ModalGroup, System};
+use chordal_geometry::{Direction, Plane};
+use chordal_kernel::Motion;
+use chordal_kernel::ToolValue;
+use chordal_kernel::rules::{CycleKind, OffsetKind};
+
+use super::super::{EndReason, Interpreter};
+use crate::macros::arguments::letter_of;
+use crate::macros::evaluate::Fault;
+use crate::macros::value::{Value, number};
+
+pub(super) fn no_variable(number: f64, range: TextRange) -> Fault {
+    Fault::new(
+        Code::BadVariable,
+        range,
+        format!("there is no variable #{number} on this control"),
+        "take a local variable (1 to 33) or a common one",
+    )
+}
+
+pub(super) fn read_only(number: u32, range: TextRange) -> Fault {
+    Fault::new(
+        Code::ReadOnlyVariable,
+        range,
+        format!("#{number} can be read, but not written"),
+        "put the value into another variable",
+    )
+}
+
+/// Numbers between two work offsets.
+const OFFSET_STEP: u32 = 20;
+
+impl Interpreter<'_> {
+    pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
+        let Some((what, at)) = self.rules().system_at(index) else {
+            return Err(no_variable(f64::from(index), range));
+        };
+        let axis = at as usize;
+        let value = match what {
+            System::BlockEnd => self.axis_out(axis, self.kernel.state.position[axis]),
+            System::MachinePosition => {
+                self.axis_out(axis, self.kernel.state.machine_position(axis))
+            }
+            System::WorkPosition => {
+                let offsets = &self.kernel.state.offsets;
+                let length = offsets.total()[axis] - offsets.work()[axis];
+                self.axis_out(axis, self.kernel.state.position[axis] + length)
+            }
+            System::SkipPosition => self.axis_out(axis, self.macros.skip[axis]),
+            System::ActiveToolOffset if axis == 2 => {
+                self.axis_out(2, self.kernel.state.offsets.length_in_force().unwrap_or(0.0))
+            }
+            System::ActiveToolOffset => 0.0,
+            System::ModalGroup => match self.rules().modal_groups.get(axis) {
+                Some(group) => self.modal_code(*group),
+                None => 0.0,
+            },
+            System::ModalWord(letter) => self.modal_word(index, letter, range)?,
+            System::ModalArgument => match letter_of(at + 1) {
+                Some(letter) => self.modal_word(index, letter, range)?,
+                None => 0.0,
+            },
+            System::Length | System::LengthWear | System::Radius | System::RadiusWear => {
+                self.tool_value(what, at + 1)
+            }
+            System::ExternalOffset
+            | System::WorkOffsets
+            | System::ExtendedOffsets
+            | System::OffsetsOfAxis(_) => match self.offset_place(what, at) {
+                Some((key, axis)) => {
+                    let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
+                    self.axis_out(axis, value)
+                }
+                None => return Err(no_variable(f64::from(index), range)),
+            },
+            System::Kept => self.macros.kept.get(&index).copied().unwrap_or(0.0),
+            System::Input | System::Timer | System::Setting => self.given(index, range),
+            System::Date | System::Time => self.date_or_time(index, what, range),
+            System::Alarm | System::Message => 0.0,
+            System::Tool => f64::from(self.kernel.state.tool),
+            System::SpindleSpeed => self.kernel.state.rpm,
+            System::Constant(value) => f64::from(value),
+            System::Home => self.axis_out(axis, self.machine.home[axis].unwrap_or(0.0)),
+            System::SecondHome => {
+                self.axis_out(axis, self.machine.reference_points[0][axis].unwrap_or(0.0))
+            }
+            System::Preset => self.axis_out(axis, self.kernel.state.offsets.preset()[axis]),
+            System::WorkSystem => self.work_system(),
+            System::WorkTable => self.work_table(at),
+            System::ToolDiameter => {
+                let number =
+                    self.kernel.state.offsets.length().number.unwrap_or(self.kernel.state.tool);
+                2.0 * self.kernel.state.offsets.radius_mm(number).unwrap_or(0.0) / self.unit()
+            }
+            System::ProbeResult => f64::from(u8::from(self.macros.probe.found)),
+        };
+        Ok(Some(value))
+    }
+
+    pub(super) fn write_system(
+        &mut self,
+        index: u32,
+        value: Value,
+        range: TextRange,
+    ) -> Result<(), Fault> {
+        let Some((what, at)) = self.rules().system_at(index) else {
+            return Err(no_variable(f64::from(index), range));
+        };
+        let value = number(value);
+        match what {
+            System::Alarm => self.alarm(value, range),
+            System::Message => self.message_stop(),
+            System::Kept | System::Timer | System::Setting => {
+                self.macros.kept.insert(index, value);
+            }
+            System::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
+            System::LengthWear => self.write_tool_value(ToolValue::LengthWear, at + 1, value),
+            System::Radius => self.write_tool_value(ToolValue::Radius, at + 1, value),
+            System::RadiusWear => self.write_tool_value(ToolValue::RadiusWear, at + 1, value),
+            System::ExternalOffset
+            | System::WorkOffsets
+            | System::ExtendedOffsets
+            | System::OffsetsOfAxis(_) => match self.offset_place(what, at) {
+                Some((key, axis)) => {
+                    let value = if axis < 3 { value * self.unit() } else { value.to_radians() };
+                    self.kernel.state.shift_coordinates(|offsets| {
+                        offsets.write_work(&key, axis, value, false);
+                    });
+                    self.kernel.emit_work_offset();
+                }
+                None => return Err(no_variable(f64::from(index), range)),
+            },
+            _ => return Err(read_only(index, range)),
+        }
+        Ok(())
+    }
+
+    /// mm in one unit of the program.
+    pub(super) fn unit(&self) -> f64 {
+        match self.kernel.state.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
+    /// A coordinate as a variable shows it.
+    pub(super) fn axis_out(&self, axis: usize, value: f64) -> f64 {
+        if axis < 3 { value / self.unit() } else { value.to_degrees() }
+    }
+
+    /// Key and axis of a work offset's variable.
+    fn offset_place(&self, what: System, at: u32) -> Option<(String, usize)> {
+        let (system, axis) = (at / OFFSET_STEP, (at % OFFSET_STEP) as usize);
+        let name = match what {
+            System::ExternalOffset => return Some(("EXT".into(), at as usize)),
+            System::OffsetsOfAxis(axis) if at == 0 => return Some(("EXT".into(), axis as usize)),
+            System::OffsetsOfAxis(axis) => {
+                let key = self.kernel.state.offsets.key(WorkName::G(53 + at as u16));
+                return Some((key, axis as usize));
+            }
+            System::ExtendedOffsets => WorkName::Extended(system as u16 + 1),
+            _ => WorkName::G(54 + system as u16),
+        };
+        (axis < 6).then(|| (self.kernel.state.offsets.key(name), axis))
+    }
+
+    fn work_system(&self) -> f64 {
+        match self.kernel.state.offsets.active() {
+            WorkName::G(number) => f64::from(number) - 53.0,
+            WorkName::G59(number) => f64::from(number) + 6.0,
+            _ => 1.0,
+        }
+    }
+
+    /// A value of the tables of the nine work offsets, mm and degrees.
+    fn work_table(&self, at: u32) -> f64 {
+        let (system, axis) = ((at / OFFSET_STEP) as u16, (at % OFFSET_STEP) as usize);
+        let name = if system < 6 { WorkName::G(54 + system) } else { WorkName::G59(system - 5) };
+        let key = self.kernel.state.offsets.key(name);
+        match axis {
+            0..3 => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0),
+            3..6 => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
+            _ => 0.0,
+        }
+    }
+
+    fn tool_value(&self, what: System, number: u32) -> f64 {
+        let Some(tool) = self.kernel.state.offsets.tool(number) else { return 0.0 };
+        let per_radius = match self.control.parameters.rules.radius_offsets {
+            OffsetKind::Diameter => 1.0,
+            OffsetKind::Radius => 2.0,
+        };
+        let mm = match what {
+            System::Length => tool.length_mm.unwrap_or(0.0),
+            System::LengthWear => tool.length_wear_mm.unwrap_or(0.0),
+            System::Radius => tool.diameter_mm.unwrap_or(0.0) / per_radius,
+            _ => tool.diameter_wear_mm.unwrap_or(0.0) / per_radius,
+        };
+        mm / self.unit()
+    }
+
+    fn write_tool_value(&mut self, of: ToolValue, number: u32, value: f64) {
+        let mm = value * self.unit();
+        self.kernel.store_tool_value(of, number, mm, false);
+        let length = self.kernel.state.offsets.length();
+        if length.number == Some(number) {
+            let length_mm = self.kernel.state.offsets.length_in_force();
+            let known = self.kernel.state.offsets.known();
+            self.kernel.emit(CommandKind::ToolLength { number: length.number, length_mm, known });
+        }
+    }
+
+    /// A value that the program alone does not tell: the machine file's, else zero.
+    pub(super) fn given(&mut self, index: u32, range: TextRange) -> f64 {
+        if let Some(value) = self.macros.kept.get(&index) {
+            return *value;
+        }
+        self.report_once(
+            Diagnostic::new(
+                Code::SystemVariable,
+                self.span(range),
+                format!("#{index} shows what Chordal cannot know; it is taken as 0"),
+            )
+            .help(format!("give it in the machine file: `[macros] variables = {{ {index} = 1 }}`")),
+        );
+        0.0
+    }
+
+    fn date_or_time(&mut self, index: u32, what: System, range: TextRange) -> f64 {
+        let macros = &self.machine.macros;
+        let (value, name, form) = match what {
+            System::Date => (macros.date, "date", "2024-05-17"),
+            _ => (macros.time, "time", "13:45:00"),
+        };
+        if let Some(value) = value {
+            return f64::from(value);
+        }
+        self.report_once(
+            Diagnostic::new(
+                Code::DateNotSet,
+                self.span(range),
+                format!("#{index} is the {name}, which the machine file does not give: 0 is read"),
+            )
+            .help(format!("give it in the machine file: `[macros] {name} = \"{form}\"`")),
+        );
+        0.0
+    }
+
+    /// `#3000=n (TEXT)`.
+    fn alarm(&mut self, value: f64, range: TextRange) {
+        let rules = self.rules();
+        let shown = libm::round(value) + f64::from(rules.alarm_base);
+        let text = self.message_text();
+        let shown = format!("{shown} {text}").trim_end().to_string();
+        let span = self.kernel.origin.span;
+        let title = self.control.table.title;
+        let mut diagnostic = Diagnostic::new(
+            Code::ProgramAlarm,
+            span,
+            format!("the program stops itself with alarm {shown}"),
+        )
+        .label("the run ends here")
+        .alarm(format!("{title}: {shown}"))
+        .help("look at the conditions that lead to this block");
+        let last = rules.alarm_last;
+        if value > f64::from(last) {
+            diagnostic = diagnostic.note(format!("the control takes numbers up to {last}"));
+        }
+        let _ = range;
+        self.kernel.report(diagnostic);
+        self.stopped = Some(EndReason::Alarm);
+    }
+
+    /// `#3006=n (TEXT)`.
+    fn message_stop(&mut self) {
+        let text = self.message_text();
+        if let Some(range) = self.message {
+            self.kernel.emit(CommandKind::Message(range));
+        }
+        self.report_once(
+            Diagnostic::new(
+                Code::ProgramStop,
+                self.kernel.origin.span,
+                format!("the program stops and shows `{text}`"),
+            )
+            .severity(Severity::Note),
+        );
+        self.kernel.emit(CommandKind::Stop { optional: false });
+    }
+
+    /// The text that hugs the value being assigned.
+    fn message_text(&self) -> String {
+        let range = self.message.unwrap_or_default();
+        String::from_utf8_lossy(range.slice(self.reader.text())).trim().to_string()
+    }
+
+    /// The last word of a letter.
+    fn modal_word(&mut self, index: u32, letter: u8, range: TextRange) -> Result<f64, Fault> {
+        let state = &self.kernel.state;
+        Ok(match letter {
+            b'B' => state.position[4].to_degrees(),
+            b'D' => f64::from(state.radius_offset.unwrap_or(0)),
+            b'F' => self.feed_word(),
+            b'H' => f64::from(state.offsets.length().number.unwrap_or(0)),
+            b'N' => self.sequence.map_or(0.0, |number| number.to_f64()),
+            b'O' => f64::from(self.program_at(self.program).head.number.unwrap_or(0)),
+            b'S' => state.rpm,
+            b'T' => f64::from(state.selected_tool.unwrap_or(state.tool)),
+            b'P' => match state.offsets.active() {
+                WorkName::Extended(number) => f64::from(number),
+                _ => 0.0,
+            },
+            _ => match self.macros.last_words.get((letter - b'A') as usize).copied().flatten() {
+                Some(value) => value,
+                None => self.given(index, range),
+            },
+        })
+    }
+
+    /// F as the program wrote it.
+    pub(super) fn feed_word(&self) -> f64 {
+        let state = &self.kernel.state;
+        let Some(feed) = state.feed else { return 0.0 };
+        match state.feed_mode {
+            FeedMode::PerTime => feed * 60.0 / self.unit(),
+            FeedMode::InverseTime => feed * 60.0,
+            FeedMode::PerRevolution => feed / self.unit(),
+        }
+    }
+
+    /// The code in force of a group.
+    fn modal_code(&self, group: ModalGroup) -> f64 {
+        let state = &self.kernel.state;
+        match group {
+            ModalGroup::Motion => match state.motion {
+                Motion::Rapid | Motion::None => 0.0,
+                Motion::Linear => 1.0,
+                Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
+                Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
+            },
+            ModalGroup::Plane => match state.plane {
+                Plane::Xy => 17.0,
+                Plane::Zx => 18.0,
+                Plane::Yz => 19.0,
+            },
+            ModalGroup::Distance if state.incremental => 91.0,
+            ModalGroup::Distance => 90.0,
+            ModalGroup::FeedMode => match state.feed_mode {
+                FeedMode::PerTime => 94.0,
+                FeedMode::InverseTime => 93.0,
+                FeedMode::PerRevolution => 95.0,
+            },
+            ModalGroup::Units => self.units_code(),
+            ModalGroup::Compensation => match state.side {
+                Side::Off => 40.0,
+                Side::Left => 41.0,
+                Side::Right => 42.0,
+            },
+            ModalGroup::Length => match state.offsets.length() {
+                length if length.number.is_none() => 49.0,
+                length if length.minus => 44.0,
+                _ => 43.0,
+            },
+            ModalGroup::Cycle => state.cycle.map_or(80.0, |cycle| self.cycle_code(cycle.kind)),
+            ModalGroup::ReturnLevel if state.return_to_r => 99.0,
+            ModalGroup::ReturnLevel => 98.0,
+            ModalGroup::WorkOffset => match state.offsets.active() {
+                WorkName::G(number) => f64::from(number),
+                WorkName::Extended(_) => self.extended_code(),
+                _ => 54.0,
+            },
+            ModalGroup::ModalCall if self.macros.active > 0 => 66.0,
+            ModalGroup::ModalCall => 67.0,
+            ModalGroup::Fixed(code) => f64::from(code),
+        }
+    }
+
+    fn units_code(&self) -> f64 {
+        let by_g70 = self.control.parameters.unit_codes == chordal_dialect::UnitCodes::G70;
+        match self.kernel.state.units {
+            Units::Inch if by_g70 => 70.0,
+            Units::Millimetre if by_g70 => 71.0,
+            Units::Inch => 20.0,
+            Units::Millimetre => 21.0,
+        }
+    }
+
+    fn cycle_code(&self, kind: CycleKind) -> f64 {
+        let rows = self.control.table.g_codes;
+        let row = rows.iter().find(|row| row.action == Action::Cycle(kind));
+        row.map_or(80.0, |row| f64::from(row.code) / 10.0)
+    }
+
+    /// 54.1 or 154.
+    fn extended_code(&self) -> f64 {
+        let code = self.control.table.work_names.extended;
+        code.trim_start_matches('G').parse().unwrap_or(54.0)
+    }
+}

@@ -1,0 +1,168 @@
+//! Numbers in the place of expressions behind address letters.
+
+use chordal_command::Units;
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_dialect::Action;
+use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
+
+use super::super::Interpreter;
+use crate::macros::evaluate::{Fault, Purpose};
+use crate::macros::functions::round;
+use crate::macros::value::Value;
+
+/// Addresses that take whole numbers.
+const WHOLE: Letters = Letters::of("NOLMSTHD");
+
+/// Those of them where decimals are likely a slip.
+const TOLD_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
+
+/// Largest value behind an address, in units of its last digit.
+const LARGEST: f64 = 1e15;
+
+impl Interpreter<'_> {
+    /// Puts the values of a block's expressions in their places. A word whose value is null is
+    /// dropped, address and all. The words of a macro call stay: its arguments are not rounded.
+    pub(in super::super) fn resolve_words(&mut self, block: &mut Block) {
+        block.expressions = false;
+        let units = self.units_of(block);
+        let call = self.is_macro_call(block);
+        let mut words = std::mem::take(&mut self.macros.words);
+        words.clear();
+        words.extend_from_slice(&block.words);
+        block.truncate(0);
+        for word in &words {
+            let Written::Expression(range) = word.value else {
+                block.push(*word);
+                continue;
+            };
+            if call && !matches!(word.letter, b'G' | b'P' | b'L') {
+                block.expressions = true;
+                block.push(*word);
+                continue;
+            }
+            let digits = self.digits_of(word.letter, units);
+            let round_digits = self.rules().round_words.then_some(digits);
+            let purpose = Purpose { round_digits, condition: false };
+            let value = match self.word_value(range, purpose) {
+                Some(None) => continue,
+                Some(Some(value)) => self.decimal_of(word, value, digits),
+                None => None,
+            };
+            let value = value.map_or(Written::Missing, Written::Number);
+            block.push(Word { value, ..*word });
+        }
+        self.macros.words = words;
+    }
+
+    /// Units that hold for the block's own words.
+    fn units_of(&self, block: &Block) -> Units {
+        let own = block.all(b'G').filter_map(|word| {
+            let code = chordal_dialect::code_number(word.number()?)?;
+            match self.control.g_code(code)?.action {
+                Action::Inch => Some(Units::Inch),
+                Action::Millimetre => Some(Units::Millimetre),
+                _ => None,
+            }
+        });
+        own.last().unwrap_or(self.kernel.state.units)
+    }
+
+    /// The value of the expression at a place of the text.
+    pub(super) fn word_value(&mut self, range: TextRange, purpose: Purpose) -> Option<Value> {
+        let mut parser = self.take_parser();
+        parser.start(self.reader.text(), self.file, range);
+        let expression = parser.expression();
+        let value = if parser.problems.is_empty() {
+            self.value_of(&parser, expression, purpose)
+        } else {
+            self.report_problems(&mut parser);
+            None
+        };
+        self.macros.parser = parser;
+        value
+    }
+
+    /// Decimals of an address.
+    fn digits_of(&self, letter: u8, units: Units) -> u8 {
+        let parameters = &self.control.parameters;
+        match letter {
+            b'G' => 1,
+            letter if WHOLE.has(letter) => 0,
+            b'E' if self.control.table.work_names.by_e => 0,
+            b'A' | b'B' | b'C' | b'P' => 3,
+            _ => match units {
+                Units::Inch => parameters.rules.increment_digits_inch,
+                Units::Millimetre => parameters.rules.increment_digits_mm,
+            },
+        }
+    }
+
+    /// A value as if it had been written behind its address.
+    fn decimal_of(&mut self, word: &Word, value: f64, digits: u8) -> Option<Decimal> {
+        let whole = round(value);
+        let is_whole = (value - whole).abs() < 1e-4 && whole.abs() < LARGEST;
+        let letter = word.letter;
+        let counts = digits == 0 || letter == b'P';
+        if counts && (is_whole || digits == 0 && self.rules().round_words) {
+            if !is_whole {
+                self.check_rounded(word, value, whole);
+            }
+            if whole.abs() < LARGEST {
+                return Some(Decimal::integer(whole as i64));
+            }
+        }
+        let digits = if self.rules().round_words { digits } else { exact_digits(value) };
+        let scaled = value * 10f64.powi(i32::from(digits));
+        let scaled = round(scaled);
+        if scaled.abs() > LARGEST {
+            self.report_fault(Fault::new(
+                Code::NumberOverflow,
+                word.range,
+                format!("{value} is too large for `{}`", letter as char),
+                "look at the values that it is computed from",
+            ));
+            return None;
+        }
+        Some(shortest(scaled as i64, digits))
+    }
+
+    fn check_rounded(&mut self, word: &Word, value: f64, whole: f64) {
+        if !TOLD_WHEN_ROUNDED.has(word.letter) {
+            return;
+        }
+        let letter = word.letter as char;
+        let diagnostic = Diagnostic::new(
+            Code::WordRounded,
+            self.span(word.range),
+            format!("`{letter}` takes whole numbers, and this is {value}"),
+        )
+        .label(format!("taken as {letter}{whole}"))
+        .help("write ROUND or FIX, if that is meant");
+        self.report_once(diagnostic);
+    }
+}
+
+/// As many decimals as a double holds.
+fn exact_digits(value: f64) -> u8 {
+    let mut digits = 12;
+    while digits > 0 && value.abs() * 10f64.powi(i32::from(digits)) > LARGEST {
+        digits -= 1;
+    }
+    digits
+}
+
+/// A value with all its decimals; `None` where it is too large.
+pub(super) fn decimal(value: f64) -> Option<Decimal> {
+    let digits = exact_digits(value);
+    let scaled = round(value * 10f64.powi(i32::from(digits)));
+    (scaled.abs() <= LARGEST).then(|| shortest(scaled as i64, digits))
+}
+
+/// The number without zeros at its end.
+fn shortest(mut mantissa: i64, mut scale: u8) -> Decimal {
+    while scale > 0 && mantissa % 10 == 0 {
+        mantissa /= 10;
+        scale -= 1;
+    }
+    Decimal { mantissa, scale, has_point: true, negative: mantissa < 0 }
+}

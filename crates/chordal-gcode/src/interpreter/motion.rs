@@ -1,0 +1,235 @@
+//! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
+
+use chordal_command::{AxisMask, CommandKind, FeedMode, Position, Units};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::Action;
+use chordal_dialect::table::MotionModality;
+use chordal_geometry::Direction;
+use chordal_kernel::Motion;
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+use super::values::AXIS_OF;
+
+const CENTER: Letters = Letters::of("IJK");
+
+impl Interpreter<'_> {
+    /// The end point that the axis words of a block give, and the axes they name.
+    #[inline]
+    pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
+        let mut target = self.kernel.state.position;
+        let mut named = AxisMask::NONE;
+        let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
+        for word in &block.words {
+            let axis = AXIS_OF[word.letter as usize] as usize;
+            if axis < 6 && !word.comma {
+                let Some(value) = self.axis_value(word, axis) else { continue };
+                target[axis] = if self.kernel.state.incremental {
+                    self.kernel.state.position[axis] + value
+                } else {
+                    value
+                };
+                named.insert(axis);
+            } else if left_to_right && word.letter == b'G' {
+                self.distance_word(word);
+            }
+        }
+        if !self.control.axes().covers(named) {
+            self.missing_axes(block, &mut target, &mut named);
+        }
+        (target, named)
+    }
+
+    /// G90 and G91 where they act from left to right.
+    fn distance_word(&mut self, word: &chordal_syntax::Word) {
+        let row = self
+            .literal(word)
+            .and_then(chordal_dialect::code_number)
+            .and_then(|code| self.control.g_code(code));
+        match row.map(|row| row.action) {
+            Some(Action::Absolute) => self.kernel.set_incremental(false),
+            Some(Action::Incremental) => self.kernel.set_incremental(true),
+            _ => {}
+        }
+    }
+
+    #[cold]
+    fn missing_axes(&mut self, block: &Block, target: &mut Position, named: &mut AxisMask) {
+        let absent = named.without(self.control.axes());
+        for axis in absent.iter() {
+            let index = axis as usize;
+            target[index] = self.kernel.state.position[index];
+            if self.reported.axes.has(index) {
+                continue;
+            }
+            self.reported.axes.insert(index);
+            let letter = axis.letter();
+            let span = self.words_span(block, Letters(1 << (letter as u8 - b'A')));
+            let machine = &self.machine.name;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NoSuchAxis,
+                    span,
+                    format!("the machine {machine} has no {letter} axis"),
+                )
+                .label("this word is passed over")
+                .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine")),
+            );
+        }
+        *named = named.and(self.control.axes());
+    }
+
+    /// A block without a motion code of its own, or with one: `explicit`.
+    pub(super) fn motion_or_cycle(
+        &mut self,
+        block: &Block,
+        explicit: Option<Action>,
+        cycle: Option<Action>,
+    ) {
+        self.kernel.end_cycle_if(
+            explicit.is_some() && self.control.parameters.rules.cycles.cancel.by_motion,
+        );
+        let arc = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
+        match cycle {
+            Some(Action::Cycle(kind)) => self.start_cycle(block, kind),
+            _ if self.kernel.state.cycle.is_some() && !arc => self.next_hole(block),
+            _ => self.motion_block(block, explicit),
+        }
+    }
+
+    /// Takes the motion code, then moves as the words say.
+    pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<Action>) {
+        if let Some(action) = explicit {
+            self.take_motion_code(action);
+        }
+        match self.control.table.motion {
+            MotionModality::Exclusive => self.exclusive_motion(block, explicit.is_some()),
+            MotionModality::Armed => self.armed_motion(block, explicit),
+        }
+    }
+
+    pub(super) fn take_motion_code(&mut self, action: Action) {
+        let armed = self.control.table.motion == MotionModality::Armed;
+        let motion = match action {
+            Action::Rapid => Motion::Rapid,
+            Action::Linear => Motion::Linear,
+            Action::ArcCw => Motion::Arc(Direction::Cw),
+            Action::ArcCcw => Motion::Arc(Direction::Ccw),
+            Action::SpiralCw => Motion::Spiral(Direction::Cw),
+            Action::SpiralCcw => Motion::Spiral(Direction::Ccw),
+            _ => return,
+        };
+        match motion {
+            // G2 and G3 arm a direction and leave G0 or G1 in force.
+            Motion::Arc(direction) if armed => self.kernel.state.armed = Some(direction),
+            Motion::Rapid if armed && self.control.parameters.rapid_disarms_arc => {
+                (self.kernel.state.motion, self.kernel.state.armed) = (Motion::Rapid, None);
+            }
+            other => self.kernel.state.motion = other,
+        }
+    }
+
+    fn exclusive_motion(&mut self, block: &Block, explicit: bool) {
+        let arc_words = self.has_arc_words(block);
+        let (target, named) = self.target(block);
+        if named == AxisMask::NONE && !arc_words {
+            return;
+        }
+        match self.kernel.state.motion {
+            Motion::Rapid | Motion::Linear => {
+                if named != AxisMask::NONE {
+                    self.kernel.straight(&self.at(block), target, named);
+                }
+            }
+            Motion::Arc(direction) => self.arc_block(block, direction, target, named, explicit),
+            Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            Motion::None => self.report_no_motion(block, target, named),
+        }
+    }
+
+    /// Axis words after G80 where that leaves no motion in force; shown as a rapid.
+    #[cold]
+    fn report_no_motion(&mut self, block: &Block, target: Position, named: AxisMask) {
+        if named == AxisMask::NONE {
+            return;
+        }
+        let span = self.span(block.range);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NoMotionInForce,
+                span,
+                "axis words, and no motion code is in force after G80",
+            )
+            .help("write G0 or G1 into this block"),
+        );
+        let motion = self.kernel.moved_to(target, named);
+        let path = self.control.parameters.rules.rapid;
+        self.kernel.emit(CommandKind::Rapid { motion, path });
+    }
+
+    fn armed_motion(&mut self, block: &Block, explicit: Option<Action>) {
+        let arc_words = self.has_arc_words(block);
+        let (target, named) = self.target(block);
+        let arc_code = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
+        // R0 in a block of its own only stores the register.
+        let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);
+        if arc_words && moves {
+            self.watch_rapid_after_arc(block, true, true);
+            match self.kernel.state.armed {
+                Some(direction) => self.arc_block(block, direction, target, named, arc_code),
+                None => self.unarmed_arc(block, target, named),
+            }
+        } else if named != AxisMask::NONE {
+            // A retract along the tool is meant as a rapid.
+            let (_, _, normal) = self.kernel.state.plane.axes();
+            let retract = named == AxisMask(1 << normal);
+            self.watch_rapid_after_arc(block, false, explicit.is_some() || retract);
+            if arc_code {
+                self.report_line_for_arc(block);
+            }
+            self.kernel.straight(&self.at(block), target, named);
+        }
+    }
+
+    /// True when the block has a centre word or a radius.
+    #[inline]
+    pub(super) fn has_arc_words(&self, block: &Block) -> bool {
+        let letters = block.letters();
+        if letters.meets(CENTER) {
+            return true;
+        }
+        letters.has(b'R') && self.radius_word(block).is_some()
+    }
+
+    /// F.
+    pub(super) fn take_feed(&mut self, block: &Block) {
+        let Some(word) = block.last(b'F').copied() else { return };
+        let Some(number) = self.literal(&word) else { return };
+        let parameters = &self.control.parameters;
+        let (factor, mut extra) = match self.kernel.state.units {
+            Units::Inch => (254, 1),
+            Units::Millimetre => (1, 0),
+        };
+        if !number.has_point && self.kernel.state.units == Units::Inch {
+            extra += parameters.feed_digits_inch;
+        }
+        let per_minute = number.times(factor, extra);
+        let plain = number.to_f64();
+        let (feed, angular) = match self.kernel.state.feed_mode {
+            FeedMode::PerTime => (per_minute / 60.0, plain.to_radians() / 60.0),
+            FeedMode::InverseTime => (plain / 60.0, plain / 60.0),
+            FeedMode::PerRevolution => (per_minute, per_minute),
+        };
+        self.kernel.set_feed(self.span(word.range), feed, angular);
+        if feed < 0.0 {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("a feed cannot be negative: F{number}"),
+                )
+                .help("take the sign out"),
+            );
+        }
+    }
+}

@@ -1,0 +1,432 @@
+//! Work offsets, tool length, compensation, G10, tools, spindle, coolant, registers.
+
+use chordal_command::{CommandKind, Side, WorkName};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::table::{DataTarget, MotionModality};
+use chordal_dialect::{Action, Group};
+use chordal_kernel::Motion;
+use chordal_kernel::ToolValue;
+use chordal_kernel::rules::LeadLength;
+use chordal_syntax::{Block, Letters, Value};
+
+use super::Interpreter;
+use chordal_command::telling_number;
+
+impl Interpreter<'_> {
+    /// E.
+    pub(super) fn take_e_word(&mut self, block: &Block) {
+        let Some(number) = self.count_of(block, b'E') else { return };
+        if number > 48 {
+            let span = self.words_span(block, Letters::of("E"));
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!("there is no work offset E{number}"),
+                )
+                .label("E0 to E48")
+                .help("E1 to E48 choose a work offset, E0 cancels"),
+            );
+            return;
+        }
+        if self.moves_on_arc(block) {
+            let span = self.words_span(block, Letters::of("E"));
+            self.kernel.report(
+                Diagnostic::new(Code::BadWordValue, span, "E may not stand in a block with an arc")
+                    .label("the work offset changes with G0 or G1 only")
+                    .help("put E into the block before"),
+            );
+        }
+        let name = if number == 0 { WorkName::Machine } else { WorkName::E(number as u16) };
+        self.kernel.select_work(name);
+    }
+
+    /// G54.1 P, G154 P.
+    pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
+        match self.count_of(block, b'P') {
+            Some(number) if (1..=300).contains(&number) => {
+                self.kernel.select_work(WorkName::Extended(number as u16));
+            }
+            Some(number) => {
+                let span = self.words_span(block, Letters::of("P"));
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::BadWordValue,
+                        span,
+                        format!("there is no extended work offset P{number}"),
+                    )
+                    .help("extended work offsets begin with P1"),
+                );
+            }
+            None => {
+                let span = self.span(block.words[at].range);
+                let message = "an extended work offset without its number".to_string();
+                self.kernel.missing_word(span, message, "write P and the number behind the code");
+            }
+        }
+    }
+
+    /// H of another tool than the one in the spindle.
+    pub(super) fn check_length_number(&mut self, block: &Block, number: u32) {
+        let tool = self.kernel.state.tool;
+        if tool == 0 || tool == number {
+            return;
+        }
+        let severity = if self.control.parameters.length_must_match_tool {
+            Severity::Error
+        } else {
+            Severity::Note
+        };
+        let span = self.words_span(block, Letters::of("H"));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::LengthOffsetOfOtherTool,
+                span,
+                format!("H{number} is not the length offset of tool {tool} in the spindle"),
+            )
+            .severity(severity)
+            .label(format!("tool {tool} is in the spindle"))
+            .help(format!("write H{tool}, if offsets are numbered as tools")),
+        );
+    }
+
+    /// G40, G41, G42.
+    pub(super) fn set_compensation(&mut self, block: &Block, at: usize, action: Action) {
+        let side = match action {
+            Action::CompensationLeft => Side::Left,
+            Action::CompensationRight => Side::Right,
+            _ => Side::Off,
+        };
+        let before = self.kernel.state.side;
+        if side == Side::Off && before == Side::Off {
+            return;
+        }
+        let span = self.span(block.words[at].range);
+        self.check_compensation_move(block, side, span);
+        let number = self.compensation_number(block);
+        if side != Side::Off && number.is_none() {
+            let code = Code::CompensationWithoutOffset;
+            let alarms = self.control.table.alarm(code).is_some();
+            let severity = if alarms { Severity::Error } else { code.info().severity };
+            self.kernel.report(
+                Diagnostic::new(
+                    code,
+                    span,
+                    "compensation is turned on and no offset was chosen before",
+                )
+                .severity(severity)
+                .label("no offset for this")
+                .help("put the D word into this block or before it"),
+            );
+        }
+        if before == Side::Off {
+            self.note_contour_of_call(block);
+        }
+        self.kernel.state.side = side;
+        if before == Side::Off {
+            self.check_lead_in_words(block, span);
+        }
+        let toward = self.compensation_direction(block);
+        self.kernel.emit_compensation(number, toward, span);
+    }
+
+    /// A block that turns compensation on and moves the third axis alone, on a control that wants a lead-in.
+    fn check_lead_in_words(&mut self, block: &Block, span: chordal_diagnostics::Span) {
+        let rules = &self.control.parameters.rules.compensation;
+        let (a, b, normal) = self.kernel.state.plane.axes();
+        let [a, b, normal] = [a, b, normal].map(|axis| b"XYZ"[axis]);
+        let letters = block.letters();
+        let alone = letters.has(normal) && !letters.has(a) && !letters.has(b);
+        let wants = rules.lead == LeadLength::AboveOffset && !rules.lead_follows_code;
+        if !alone || !wants || self.moves_on_arc(block) {
+            return;
+        }
+        let [a, b, normal] = [a, b, normal].map(char::from);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::LeadInTooShort,
+                span,
+                format!(
+                    "compensation starts in a block that moves {normal} alone: this is no lead-in"
+                ),
+            )
+            .label(format!("no {a} or {b} in this block"))
+            .help(format!("move {a} or {b} in the block of G41 or G42, by more than the offset")),
+        );
+    }
+
+    /// D while compensation is on: the offset changes with this block.
+    pub(super) fn change_compensation_offset(&mut self, block: &Block) {
+        let number = self.compensation_number(block);
+        let span = self.words_span(block, Letters::of("D"));
+        self.kernel.emit_compensation(number, None, span);
+    }
+
+    /// I J K beside G40, G41 or G42, on the axes of the plane.
+    fn compensation_direction(&mut self, block: &Block) -> Option<[f64; 2]> {
+        if !self.control.parameters.rules.compensation.off_toward
+            || !block.letters().meets(Letters::of("IJK"))
+            || self.moves_on_arc(block)
+        {
+            return None;
+        }
+        let (first, second, _) = self.kernel.state.plane.axes();
+        let along = |s: &mut Self, axis: usize| s.length_of(block, b"IJK"[axis]).unwrap_or(0.0);
+        Some([along(self, first), along(self, second)])
+    }
+
+    /// G39: the direction of what follows, by I J K, or by the axes where they are not moved.
+    pub(super) fn corner_arc(&mut self, block: &Block, own_block: bool) {
+        if self.kernel.state.side == Side::Off {
+            return;
+        }
+        let (first, second, _) = self.kernel.state.plane.axes();
+        let letters = block.letters();
+        let toward = if letters.meets(Letters::of("IJK")) && own_block {
+            let along = |s: &mut Self, axis: usize| s.length_of(block, b"IJK"[axis]).unwrap_or(0.0);
+            Some([along(self, first), along(self, second)])
+        } else if own_block && letters.meets(Letters::of("XYZ")) {
+            let (target, _) = self.target(block);
+            let from = self.kernel.state.position;
+            Some([target[first] - from[first], target[second] - from[second]])
+        } else {
+            None
+        };
+        self.kernel.emit(CommandKind::CornerArc { toward });
+    }
+
+    /// The offset in force, or the tool in the spindle.
+    fn compensation_number(&mut self, block: &Block) -> Option<u32> {
+        if self.control.parameters.rules.compensation.offset_of_tool {
+            let given = if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
+            return given.filter(|number| *number > 0).or(Some(self.kernel.state.tool));
+        }
+        self.offset_in_force()
+    }
+
+    /// The number of the radius offset in force: D, or where H brings the diameter too, H.
+    pub(super) fn offset_in_force(&self) -> Option<u32> {
+        let by_h = self.control.parameters.length_by_h_alone;
+        self.kernel.state.radius_offset.or(self
+            .kernel
+            .state
+            .offsets
+            .length()
+            .number
+            .filter(|_| by_h))
+    }
+
+    /// Compensation goes on and off along a straight move.
+    fn check_compensation_move(
+        &mut self,
+        block: &Block,
+        side: Side,
+        span: chordal_diagnostics::Span,
+    ) {
+        // A change of side is no start.
+        let on = self.kernel.state.side != Side::Off;
+        let may_start = on || self.control.parameters.rules.compensation.start_on_arc;
+        if (side != Side::Off && may_start) || !self.moves_on_arc(block) {
+            return;
+        }
+        let what = if side == Side::Off { "ends" } else { "starts" };
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CompensationOnArc,
+                span,
+                format!("cutter compensation {what} on an arc"),
+            )
+            .label("this block is an arc")
+            .help(if side == Side::Off {
+                "put G40 on a straight move away from the contour"
+            } else {
+                "put G41 or G42 on a straight move to the contour"
+            }),
+        );
+    }
+
+    /// True when the motion of this block is an arc, by its own code or the one in force.
+    fn moves_on_arc(&self, block: &Block) -> bool {
+        let arc_words = self.has_arc_words(block);
+        if self.control.table.motion == MotionModality::Armed {
+            return arc_words;
+        }
+        let moves = arc_words || block.letters().meets(Letters::of("XYZ"));
+        let own = block.all(b'G').filter_map(|word| {
+            let row = self.control.g_code(chordal_dialect::code_number(word.number()?)?)?;
+            (row.group == Group::Motion).then_some(row.action)
+        });
+        moves
+            && match own.last() {
+                Some(action) => !matches!(action, Action::Rapid | Action::Linear),
+                None => !matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear),
+            }
+    }
+
+    /// G10.
+    pub(super) fn set_data(&mut self, block: &Block, at: usize) {
+        let l = self.count_of(block, b'L');
+        let target = l.and_then(|l| {
+            let rows = self.control.table.set_data;
+            rows.iter().find(|(number, _)| u32::from(*number) == l).map(|(_, target)| *target)
+        });
+        let span = self.span(block.words[at].range);
+        match target {
+            Some(DataTarget::WorkOffset) => self.write_work_offset(block, false),
+            Some(DataTarget::WorkOffsetFromPosition) => self.write_work_offset(block, true),
+            Some(DataTarget::ExtendedWorkOffset) => self.write_extended(block),
+            Some(DataTarget::Register) => self.write_register(block, l.unwrap_or(100) - 100),
+            Some(DataTarget::ToolTable) => self.write_tool_table(block),
+            Some(DataTarget::Tool(value)) => self.write_tool(block, value),
+            Some(DataTarget::Other) => self.kernel.report(Diagnostic::new(
+                Code::NotSimulated,
+                span,
+                format!("G10 L{} is not simulated", l.unwrap_or(0)),
+            )),
+            None => {
+                let known: Vec<String> = self
+                    .control
+                    .table
+                    .set_data
+                    .iter()
+                    .filter(|(number, _)| *number < 100)
+                    .map(|(number, _)| format!("L{number}"))
+                    .collect();
+                let help = format!("this control has {}", known.join(", "));
+                let message = match l {
+                    Some(l) => format!("G10 L{l} is not known to this control"),
+                    None => "G10 without L".to_string(),
+                };
+                self.kernel.report(Diagnostic::new(Code::BadWordValue, span, message).help(help));
+            }
+        }
+    }
+
+    /// The key of work offset P as G10 L2 counts them.
+    fn work_key(&mut self, block: &Block) -> Option<String> {
+        let number = self.count_of(block, b'P')?;
+        let table = self.control.table;
+        let name = match number {
+            n if table.work_names.by_e => return Some(format!("E{n}")),
+            0 if table.arc_turns == chordal_dialect::table::ArcTurns::Total => {
+                self.kernel.state.offsets.active()
+            }
+            0 => return Some("EXT".into()),
+            n @ 1..=6 => WorkName::G(n as u16 + 53),
+            n @ 7..=9 => WorkName::G59(n as u16 - 6),
+            _ => return None,
+        };
+        Some(self.kernel.state.offsets.key(name))
+    }
+
+    fn write_work_offset(&mut self, block: &Block, from_position: bool) {
+        let Some(key) = self.work_key(block) else {
+            let span = self.words_span(block, Letters::of("P"));
+            let message = "G10 L2 needs P, the number of the work offset".to_string();
+            return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
+        };
+        let values = self.axis_words(block);
+        self.kernel.write_work_values(&key, &values, from_position);
+    }
+
+    fn write_extended(&mut self, block: &Block) {
+        let Some(number) = self.count_of(block, b'P') else {
+            let span = self.span(block.range);
+            let message = "G10 L20 needs P, the number of the work offset".to_string();
+            return self.kernel.missing_word(span, message, "write P and the number");
+        };
+        let key = self.kernel.state.offsets.key(WorkName::Extended(number as u16));
+        let values = self.axis_words(block);
+        self.kernel.write_work_values(&key, &values, false);
+    }
+
+    fn write_tool(&mut self, block: &Block, of: ToolValue) {
+        let number = self.count_of(block, b'P');
+        let register = self.radius_word(block);
+        let value = register.and_then(|word| self.length(&word));
+        let (Some(number), Some(value)) = (number, value) else {
+            let span = self.span(block.range);
+            let message = "G10 for a tool needs P, its number, and R, the value".to_string();
+            return self.kernel.missing_word(span, message, "write P and R");
+        };
+        self.kernel.store_tool_value(of, number, value, self.kernel.state.incremental);
+    }
+
+    /// LinuxCNC G10 L1: Z is the length, R the radius.
+    fn write_tool_table(&mut self, block: &Block) {
+        let Some(number) = self.count_of(block, b'P') else { return };
+        let length = self.length_of(block, b'Z');
+        let radius = self.length_of(block, b'R');
+        self.kernel.state.shift_coordinates(|offsets| {
+            let tool = offsets.tool_mut(number);
+            tool.length_mm = length.or(tool.length_mm);
+            tool.diameter_mm = radius.map(|r| 2.0 * r).or(tool.diameter_mm);
+        });
+    }
+
+    fn write_register(&mut self, block: &Block, index: u32) {
+        let word = self.radius_word(block);
+        if let Some(value) = word.and_then(|word| self.literal(&word)) {
+            self.registers[(index % 10) as usize] = value;
+        }
+    }
+
+    /// `R1+.01` stores a value; R0 with a move is also the radius.
+    pub(super) fn take_registers(&mut self, block: &Block) {
+        if !self.control.table.lexicon.registers || !block.letters().has(b'R') {
+            return;
+        }
+        for word in block.words.iter() {
+            if let Some(index) = word.register
+                && !matches!(word.value, Value::Missing)
+                && let Some(value) = self.literal(word)
+            {
+                self.registers[index as usize] = value;
+            }
+        }
+    }
+
+    pub(super) fn take_speed(&mut self, block: &Block) {
+        let Some(word) = block.last(b'S').copied() else { return };
+        let Some(number) = self.literal(&word) else { return };
+        let rpm = number.to_f64();
+        if rpm < 0.0 {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("a spindle speed cannot be negative: S{number}"),
+                )
+                .help("M3 and M4 choose the direction"),
+            );
+            return;
+        }
+        if let Some(max) = self.machine.spindle_max_rpm
+            && rpm > max
+        {
+            let max = telling_number(max, 0);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::SpindleOverLimit,
+                    self.span(word.range),
+                    format!("S{number} is above the {max} rpm of this machine"),
+                )
+                .help(format!("program S{max} or less")),
+            );
+        }
+        self.kernel.set_speed(rpm);
+    }
+
+    /// T.
+    pub(super) fn take_tool_word(&mut self, block: &Block) {
+        if let Some(number) = self.count_of(block, b'T') {
+            self.kernel.select_tool(number);
+        }
+    }
+
+    /// M6.
+    pub(super) fn tool_change(&mut self, block: &Block, at: usize) {
+        let stops = self.control.table.spindle_stops_at_tool_change;
+        self.kernel.tool_change(self.span(block.words[at].range), stops);
+    }
+}

@@ -1,0 +1,89 @@
+//! How corners are passed: G61, G64, G9, G187, G05.1 and their like.
+
+use chordal_command::{CommandKind, PathMode};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::{Action, CodeRow, Group};
+use chordal_syntax::Block;
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// A code that changes how corners are passed.
+    pub(super) fn take_path_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
+        let rules = self.control.parameters.rules.path;
+        let path = &mut self.kernel.state.path;
+        match row.action {
+            Action::PathExact => path.set_mode(PathMode::ExactPath),
+            Action::PathExactStop => path.set_mode(PathMode::ExactStop),
+            Action::ExactStopOnce => path.once = true,
+            Action::PathContinuous | Action::PathTapping => {
+                let own = if row.words.has(b'P') { self.length_of(block, b'P') } else { None };
+                if row.words.has(b'Q') {
+                    self.tell_lines_stay(block);
+                }
+                let tolerance_mm = own.or(rules.of_level(rules.level));
+                self.kernel.state.path.set_mode(PathMode::Continuous { tolerance_mm });
+            }
+            Action::PathHighAccuracy => {
+                let tolerance_mm = rules.look_ahead_mm.or(rules.of_level(rules.level));
+                path.set_mode(PathMode::Continuous { tolerance_mm });
+            }
+            Action::LookAhead { letter, on } => {
+                match self.count_of(block, letter) {
+                    Some(0) => self.kernel.state.path.set_distance(None),
+                    Some(value) if value == on => {
+                        self.kernel.state.path.set_distance(rules.look_ahead_mm);
+                    }
+                    // Another use of the code, or none that we know.
+                    _ => return self.not_simulated(&block.words[at], row),
+                }
+            }
+            Action::Smoothness => self.smoothness(block),
+            _ => return,
+        }
+        self.kernel.emit(CommandKind::PathMode(self.kernel.state.path.in_force()));
+        if row.group == Group::PathMode {
+            self.kernel.set_tapping_mode(row.action == Action::PathTapping);
+        }
+    }
+
+    /// Q of LinuxCNC's G64 lets the control make one move of lines that are nearly straight.
+    fn tell_lines_stay(&mut self, block: &Block) {
+        let Some(within) = self.length_of(block, b'Q').filter(|mm| *mm > 0.0) else { return };
+        let word = block.last(b'Q').map_or(block.range, |word| word.range);
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(word),
+                format!(
+                    "lines within {} of one straight line are not joined to one move",
+                    self.kernel.length_text(within)
+                ),
+            )
+            .label("the control may join them")
+            .help("corners are rounded within P; the path and its time are those of the lines as written")
+            .severity(Severity::Note),
+        );
+    }
+
+    /// Haas G187: P names a level, E the distance itself; without either the settings hold.
+    fn smoothness(&mut self, block: &Block) {
+        let rules = self.control.parameters.rules.path;
+        let own = self.length_of(block, b'E').filter(|mm| *mm >= 0.0);
+        let level = self.count_of(block, b'P');
+        if let Some(level) = level.filter(|level| !(1..=3).contains(level)) {
+            let word = block.last(b'P').map_or(block.range, |word| word.range);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word),
+                    format!("G187 knows the levels P1, P2 and P3; this is P{level}"),
+                )
+                .help("write P1 (rough), P2 (medium) or P3 (finish)"),
+            );
+            return;
+        }
+        let of_level = level.and_then(|level| rules.of_level(level as u8));
+        self.kernel.state.path.set_distance(own.or(of_level));
+    }
+}

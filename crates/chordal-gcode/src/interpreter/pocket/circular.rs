@@ -1,0 +1,180 @@
+//! Circular pockets by one block (Haas G12, G13): I alone, or I, K and Q.
+//!
+//! Haas Mill Operator's Manual (1999 and NGC): the offset is applied by the cycle itself, all
+//! cutting is circular; the arcs between the circles are a model, tangent and of one sense.
+
+use chordal_command::{AxisMask, Side};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::{Direction, Plane};
+use chordal_kernel::shapes::ring_radii;
+use chordal_syntax::{Block, Letters};
+
+use crate::interpreter::Interpreter;
+use chordal_kernel::{CirclesWords, MAX_RINGS};
+
+/// Lengths that differ by less than this, mm, are the same.
+const SAME_MM: f64 = 1e-9;
+
+impl Interpreter<'_> {
+    /// G12 and G13.
+    pub(in crate::interpreter) fn circular_pocket(
+        &mut self,
+        block: &Block,
+        at: usize,
+        direction: Direction,
+    ) {
+        let Some(tool) = self.pocket_start(block, at) else { return };
+        let Some(radii) = self.circular_radii(block, at, tool) else { return };
+        self.kernel.note_ridges(&self.at(block), &radii, tool);
+        let z = self.place_of_pocket(block);
+        let repeats = match block.letters().has(b'L') {
+            true => self.count_of(block, b'L').unwrap_or(1),
+            false => 1,
+        };
+        let repeats = self.repeats_of_pocket(block, repeats);
+        let name = format!("G1{}", if direction == Direction::Cw { 2 } else { 3 });
+        let pocket = CirclesWords {
+            word: self.span(block.words[at].range),
+            name: &name,
+            direction,
+            tool,
+            radii: &radii,
+            level: z,
+            passes: repeats,
+        };
+        self.kernel.mill_circles(&self.at(block), &pocket);
+    }
+
+    /// What all pockets of one block ask for; the radius of the tool, mm.
+    pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
+        let span = self.span(block.words[at].range);
+        if self.kernel.state.plane != Plane::Xy {
+            self.refuse_pocket(block, at, "pockets are milled in G17 only", "choose G17 before");
+            return None;
+        }
+        if self.kernel.state.side != Side::Off {
+            let message = "a pocket cycle while cutter compensation is on";
+            self.refuse_pocket(block, at, message, "cancel compensation with G40 before");
+            return None;
+        }
+        let Some(number) = self.kernel.state.radius_offset else {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::PocketWithoutDiameter,
+                    span,
+                    "a pocket cycle before any D, so it has no tool radius",
+                )
+                .label("its motion is missing from the path")
+                .help(
+                    "put D and the offset number into this block; D0 follows the sizes as they are",
+                ),
+            );
+            return None;
+        };
+        if number == 0 {
+            return Some(0.0);
+        }
+        let radius = self.kernel.state.offsets.radius_mm(number);
+        if radius.is_none() {
+            self.report_diameter_unknown(span, number);
+        }
+        radius
+    }
+
+    /// The radii of the circles, mm, when tool radius, I and K grow in this order.
+    fn circular_radii(&mut self, block: &Block, at: usize, tool: f64) -> Option<Vec<f64>> {
+        let Some(first) = self.length_of(block, b'I') else {
+            let message = "a circular pocket without I, the radius of its first circle";
+            self.refuse_pocket(block, at, message, "give I, and K and Q for a larger pocket");
+            return None;
+        };
+        if first <= tool + SAME_MM {
+            let (is, tool) = (self.kernel.length_text(first), self.kernel.length_text(tool));
+            self.report_pocket_radii(
+                block,
+                b'I',
+                format!("I is {is}, and the tool's radius is {tool}"),
+            );
+            return None;
+        }
+        let (last, step) = (self.length_of(block, b'K'), self.length_of(block, b'Q'));
+        let (last, step) = match (last, step) {
+            (None, None) => return Some(vec![first]),
+            (Some(last), Some(step)) if step > SAME_MM => (last, step),
+            _ => {
+                let message = "K, the radius of the last circle, and Q, the step, go together";
+                self.refuse_pocket(block, at, message, "give both above zero, or neither");
+                return None;
+            }
+        };
+        if last <= first + SAME_MM {
+            let (is, first) = (self.kernel.length_text(last), self.kernel.length_text(first));
+            self.report_pocket_radii(block, b'K', format!("K is {is}, and I is {first}"));
+            return None;
+        }
+        let radii = ring_radii(first, step, last, MAX_RINGS as usize);
+        if radii.is_none() {
+            self.kernel.report_too_many_passes(self.words_span(block, Letters::of("Q")), "circles");
+        }
+        radii
+    }
+
+    fn report_pocket_radii(&mut self, block: &Block, letter: u8, message: String) {
+        let span = self.words_span(block, Letters(1 << (letter - b'A')));
+        self.kernel.report(
+            Diagnostic::new(Code::PocketTooSmall, span, message)
+                .label("tool radius, I and K must grow in this order")
+                .help("look at the words, and at the diameter in the offset table"),
+        );
+    }
+
+    /// Moves to X and Y of the block, where the pocket is; the level that Z names.
+    fn place_of_pocket(&mut self, block: &Block) -> Option<f64> {
+        let (mut target, named) = self.target(block);
+        let z = named.has(2).then_some(target[2]);
+        target[2] = self.kernel.state.position[2];
+        let named = named.without(AxisMask(0b100));
+        if named != AxisMask::NONE {
+            self.kernel.straight(&self.at(block), target, named);
+        }
+        z
+    }
+
+    fn repeats_of_pocket(&mut self, block: &Block, repeats: u32) -> u32 {
+        let Some(word) = block.last(b'L').copied() else { return repeats };
+        if repeats > 1 && !(self.kernel.state.incremental && block.letters().has(b'Z')) {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::UnusedWord,
+                    self.span(word.range),
+                    format!("L{repeats} mills the same depth {repeats} times"),
+                )
+                .label("no step in Z")
+                .help("use G91 with Z as the step, or take L out"),
+            );
+        }
+        let limit = self.control.parameters.max_repeats;
+        if repeats == 0 || repeats > limit {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("L{repeats} is no number of passes: 1 to {limit}"),
+                )
+                .label("carried out once")
+                .help("write the number of passes, or leave L out for one"),
+            );
+            return 1;
+        }
+        repeats
+    }
+
+    /// A pocket cycle that the control would not run.
+    pub(super) fn refuse_pocket(&mut self, block: &Block, at: usize, message: &str, help: &str) {
+        self.kernel.report(
+            Diagnostic::new(Code::PocketRefused, self.span(block.words[at].range), message)
+                .label("not carried out")
+                .help(help),
+        );
+    }
+}

@@ -1,0 +1,171 @@
+//! One-shot codes that take the axis words: dwell, reference points, machine coordinates,
+//! presets and shifts.
+
+use chordal_command::{AxisMask, CommandKind, Side};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::Action;
+use chordal_geometry::Direction;
+use chordal_kernel::rules::Allowance;
+use chordal_syntax::Block;
+
+use super::Interpreter;
+use super::values::AXIS_OF;
+
+impl Interpreter<'_> {
+    pub(super) fn one_shot(&mut self, block: &Block, action: Action, at: usize) {
+        let to_machine = matches!(
+            action,
+            Action::ReturnToReference { .. }
+                | Action::ReturnFromReference
+                | Action::MachineCoordinates
+        );
+        if to_machine && self.kernel.state.side != Side::Off {
+            self.reference_in_compensation(block, at);
+        }
+        match action {
+            Action::Dwell => self.dwell(block, at),
+            Action::SetData => self.set_data(block, at),
+            Action::ReturnToReference { second } => {
+                self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_reference);
+                self.return_to_reference(block, second);
+            }
+            Action::ReturnFromReference => {
+                self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_reference);
+                self.return_from_reference(block);
+            }
+            Action::Pattern(pattern) => self.pattern(block, at, pattern),
+            Action::Probe { must_hit } => self.probe_move(block, at, must_hit),
+            Action::MachineCoordinates => self.machine_coordinates(block),
+            Action::LocalShift => {
+                let values = self.axis_words(block);
+                self.kernel.local_shift(&values);
+            }
+            Action::PresetPosition => {
+                let values = self.axis_words(block);
+                self.kernel.preset_position(&values);
+            }
+            Action::ClearPreset { keep } => self.kernel.clear_preset(keep),
+            Action::RestorePreset => {
+                self.kernel.restore_preset();
+            }
+            Action::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
+            Action::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
+            Action::GeneralPocket => self.general_pocket(block, at),
+            Action::CornerArc { .. } => self.corner_arc(block, true),
+            // Told when its mode was taken; its axis words belong to it.
+            _ => {}
+        }
+    }
+
+    fn dwell(&mut self, block: &Block, at: usize) {
+        let words = self.control.table.dwell;
+        let found = words.iter().find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
+        let Some((rule, word)) = found else {
+            let span = self.span(block.words[at].range);
+            let letters: Vec<String> =
+                words.iter().map(|rule| (rule.letter as char).to_string()).collect();
+            let help = format!("give the time with {}", letters.join(", "));
+            return self.kernel.missing_word(span, "a dwell without a time".into(), &help);
+        };
+        let Some(number) = self.literal(&word) else { return };
+        let unit = if number.has_point { rule.point_s } else { rule.integer_s };
+        let seconds = number.to_f64() * unit;
+        if seconds < 0.0 {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("a dwell cannot be negative: {}{number}", word.letter as char),
+                )
+                .help("take the sign out"),
+            );
+            return;
+        }
+        self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+    }
+
+    /// G28, G29, G30 and G53 while the tool is beside the contour.
+    fn reference_in_compensation(&mut self, block: &Block, at: usize) {
+        let refused =
+            self.control.parameters.rules.compensation.coordinate_change == Allowance::Refused;
+        let (first, second, _) = self.kernel.state.plane.axes();
+        let named = self.axis_words(block);
+        if !refused && named[first].is_none() && named[second].is_none() {
+            return;
+        }
+        let span = self.span(block.words[at].range);
+        let message = "a move to a machine point while cutter compensation is on";
+        let diagnostic = Diagnostic::new(Code::ReferenceInCompensation, span, message)
+            .severity(if refused { Severity::Error } else { Severity::Warning })
+            .help("cancel compensation with G40 first");
+        self.kernel.report(diagnostic);
+    }
+
+    /// G28 and G30: over the point that the words give, then home with the axes they name.
+    fn return_to_reference(&mut self, block: &Block, second: bool) {
+        let (target, mut named) = self.target(block);
+        let place = match second {
+            false => self.machine.home,
+            true => {
+                let number = self.count_of(block, b'P').unwrap_or(2);
+                let index = (number.clamp(2, 4) - 2) as usize;
+                self.machine.reference_points[index]
+            }
+        };
+        let bare = named == AxisMask::NONE;
+        if bare {
+            if !self.control.parameters.rules.bare_home_moves_all {
+                let span = self.span(block.range);
+                return self.kernel.missing_word(
+                    span,
+                    "a return to the reference point names no axis".into(),
+                    "name the axes that go home, as in `G91 G28 Z0`",
+                );
+            }
+            named = self.control.axes();
+            return self.kernel.go_to_reference(named, &place);
+        }
+        self.kernel.return_over(target, named, &place);
+    }
+
+    /// G29: back over the point of the last G28, of which the end alone is known here.
+    fn return_from_reference(&mut self, block: &Block) {
+        let (target, named) = self.target(block);
+        if named != AxisMask::NONE {
+            self.kernel.rapid(target, named);
+        }
+    }
+
+    /// G53: the words of this block are machine coordinates.
+    fn machine_coordinates(&mut self, block: &Block) {
+        let mut place = [0.0; 6];
+        let mut named = AxisMask::NONE;
+        for word in &block.words {
+            let axis = AXIS_OF[word.letter as usize] as usize;
+            if axis < 6
+                && !word.comma
+                && let Some(value) = self.axis_value(word, axis)
+            {
+                place[axis] = value;
+                named.insert(axis);
+            }
+        }
+        let named = named.and(self.control.axes());
+        if named == AxisMask::NONE {
+            return;
+        }
+        self.kernel.to_machine_point(&self.at(block), place, named);
+    }
+
+    /// The axis words of a block as they stand, without regard to G90 and G91.
+    pub(super) fn axis_words(&mut self, block: &Block) -> [Option<f64>; 6] {
+        let mut values = [None; 6];
+        for word in &block.words {
+            let axis = AXIS_OF[word.letter as usize] as usize;
+            if axis < 6 && !word.comma {
+                values[axis] = self.axis_value(word, axis);
+            }
+        }
+        values
+    }
+}

@@ -1,0 +1,195 @@
+//! Diagnostics that need the state of the run.
+
+use chordal_command::Side;
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
+use chordal_dialect::{Action, CodeRow, Field};
+use chordal_syntax::{Block, Letters, Word};
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// The span of the first word of some letters, or of the whole block.
+    pub(super) fn words_span(&self, block: &Block, letters: Letters) -> Span {
+        let mut range: Option<TextRange> = None;
+        for word in &block.words {
+            if letters.has(word.letter) {
+                range = Some(range.map_or(word.range, |r| r.cover(word.range)));
+            }
+        }
+        self.span(range.unwrap_or(block.range))
+    }
+
+    pub(super) fn unknown_code(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        let Some(number) = self.literal(word) else { return };
+        let title = self.control.table.title;
+        let code = chordal_dialect::code_number(number);
+        let others: Vec<&str> = chordal_dialect::CONTROLS
+            .iter()
+            .filter(|table| {
+                code.is_some_and(|code| match word.letter {
+                    b'G' => table.g_code(code).is_some(),
+                    _ => table.m_code(code).is_some(),
+                })
+            })
+            .map(|table| table.title)
+            .collect();
+        let mut diagnostic = Diagnostic::new(
+            Code::UnknownCode,
+            self.span(word.range),
+            format!("{title} has no {letter}{number}"),
+        )
+        .label("unknown code");
+        diagnostic = if others.is_empty() {
+            diagnostic.help("look for a slip in the number")
+        } else {
+            diagnostic.help(format!("{} has it: is the machine right?", others.join(", ")))
+        };
+        self.kernel.report(diagnostic);
+    }
+
+    pub(super) fn same_group(
+        &mut self,
+        block: &Block,
+        (first, first_at): (&CodeRow, usize),
+        (second, second_at): (&CodeRow, usize),
+    ) {
+        let (a, b) = (&block.words[first_at], &block.words[second_at]);
+        let name = |word: &Word, row: &CodeRow| {
+            format!("{}{} ({})", word.letter as char, decimal_code(row.code), row.title)
+        };
+        let (one, two) = (name(a, first), name(b, second));
+        let title = self.control.table.title;
+        let (message, severity) = match self.control.table.last_of_group_counts {
+            true if first.code == second.code => (
+                format!(
+                    "{one} stands twice: {title} executes only the last one, with the words of both"
+                ),
+                Severity::Warning,
+            ),
+            true => (
+                format!("{one} and {two} exclude each other; {title} follows the last"),
+                Severity::Warning,
+            ),
+            false => (format!("{one} and {two} exclude each other"), Severity::Error),
+        };
+        self.kernel.report(
+            Diagnostic::new(Code::SameGroup, self.span(b.range), message)
+                .severity(severity)
+                .label("the second of its group")
+                .also(self.span(a.range), "the first")
+                .help("keep one of them, or write two blocks"),
+        );
+    }
+
+    pub(super) fn unused_word(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        let help = self.spiral_word_help(word.letter).unwrap_or_else(|| {
+            "take it out, or look for the code that it was meant for".to_string()
+        });
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnusedWord,
+                self.span(word.range),
+                format!("`{letter}` has no effect in this block"),
+            )
+            .label("nothing here takes it")
+            .help(help),
+        );
+    }
+
+    /// For a word that would make a spiral with another setting: how a spiral is written here.
+    fn spiral_word_help(&self, letter: u8) -> Option<String> {
+        let table = self.control.table;
+        let arc = table.g_code(20).filter(|row| row.words.has(letter))?;
+        if self.words_of(arc).has(letter) {
+            return None;
+        }
+        let setting = table.settings.iter().find(|setting| setting.field == Field::Spiral)?;
+        let here = match table.g_code(21).map(|row| row.action) {
+            Some(Action::SpiralCw) => "a spiral is G2.1 or G3.1 with P here; ",
+            _ => "",
+        };
+        let (letter, name) = (letter as char, setting.name);
+        Some(format!("{here}`{letter}` makes a spiral of G2 and G3 where `{name}` chooses type 2"))
+    }
+
+    /// `G2.0` where spirals have a code with a decimal: an arc, and likely meant as a spiral.
+    #[cold]
+    pub(super) fn check_written_with_zero(&mut self, word: &Word, row: &CodeRow) {
+        let spiral = self.control.table.g_code(row.code + 1);
+        let spiral = spiral
+            .filter(|row| matches!(row.action, Action::SpiralCw | Action::SpiralCcw))
+            .filter(|_| matches!(row.action, Action::ArcCw | Action::ArcCcw));
+        let (Some(spiral), Some(number)) = (spiral, self.literal(word)) else { return };
+        let (arc, spiral) = (decimal_code(row.code), decimal_code(spiral.code));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NoSpirals,
+                self.span(word.range),
+                format!("`G{number}` is G{arc}, an arc; a spiral is G{spiral}"),
+            )
+            .severity(Severity::Warning)
+            .label("read as an arc")
+            .help(format!("write G{spiral} for a spiral, G{arc} for an arc")),
+        );
+    }
+
+    pub(super) fn not_simulated(&mut self, word: &Word, row: &CodeRow) {
+        let name = format!("{}{}", word.letter as char, decimal_code(row.code));
+        self.kernel.report(Diagnostic::new(
+            Code::NotSimulated,
+            self.span(word.range),
+            format!("{name} ({}) is not simulated", row.title),
+        ));
+    }
+
+    pub(super) fn report_macro(&mut self, range: TextRange) {
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(range),
+                "macro statements are not carried out by this version",
+            )
+            .label("passed over")
+            .severity(Severity::Warning),
+        );
+    }
+
+    pub(super) fn report_missing_end(&mut self) {
+        if !self.carried_out {
+            return;
+        }
+        let end = self.kernel.origin.span;
+        let title = self.control.table.title;
+        self.kernel.report(
+            Diagnostic::new(Code::ProgramWithoutEnd, end, "the program ends without M30 or M2")
+                .label("the last block")
+                .help("put `M30` at the end")
+                .note(format!("{title} needs an end code to stop spindle and coolant")),
+        );
+    }
+
+    pub(super) fn report_compensation_at_end(&mut self) {
+        if self.kernel.state.side == Side::Off {
+            return;
+        }
+        self.kernel.report(
+            Diagnostic::new(
+                Code::CompensationAtEnd,
+                self.kernel.origin.span,
+                "cutter compensation is still on where the program ends",
+            )
+            .help("put G40 on the move away from the contour"),
+        );
+    }
+}
+
+/// `541` → `54.1`.
+pub(super) fn decimal_code(code: u16) -> String {
+    if code.is_multiple_of(10) {
+        (code / 10).to_string()
+    } else {
+        format!("{}.{}", code / 10, code % 10)
+    }
+}

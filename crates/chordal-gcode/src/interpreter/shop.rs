@@ -1,0 +1,279 @@
+//! Codes of a shop's own: who knows them is asked, and the answer is carried out.
+
+use chordal_command::{CommandKind, SpindleState};
+use chordal_dialect::{Action, CodeRow, Group};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
+use chordal_syntax::{Block, Letters, Position as TextPosition, ProgramHead, Word};
+
+use super::Interpreter;
+use crate::library::Program;
+use crate::shop::{ShopAnswer, ShopCall, ShopCode};
+
+/// Stands for the row that the table does not have. The words that no other code takes are its own.
+static SHOP_CODE: CodeRow = CodeRow {
+    code: 0,
+    group: Group::Auxiliary,
+    action: Action::ShopCode,
+    words: Letters::of("EIJKLPQRUVW"),
+    title: "a code of the shop's own",
+};
+
+/// What an interpreter keeps of the shop's codes.
+pub(super) struct ShopState {
+    main: usize,
+    asked: u32,
+    /// The answers for the block under way, by the place of their words.
+    answers: Vec<(usize, ShopCode, ShopAnswer)>,
+    /// Texts that were answered.
+    programs: Vec<Program>,
+    by_file: HashMap<FileId, usize>,
+}
+
+/// What a call hands on: the words of its block, or the arguments that they make.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'g> {
+    pub block: Option<&'g Block>,
+    pub arguments: &'g [(u32, f64)],
+}
+
+impl ShopState {
+    pub fn new(main: usize) -> ShopState {
+        ShopState {
+            main,
+            asked: 0,
+            answers: Vec::new(),
+            programs: Vec::new(),
+            by_file: HashMap::new(),
+        }
+    }
+
+    /// The answers of the block before are no longer of use.
+    #[inline]
+    pub fn begin_block(&mut self) {
+        self.answers.clear();
+    }
+
+    /// The program of an answered text.
+    pub fn program(&self, index: usize) -> Program {
+        self.programs[index]
+    }
+
+    fn take(&mut self, at: usize) -> Option<(ShopCode, ShopAnswer)> {
+        let place = self.answers.iter().position(|(place, ..)| *place == at)?;
+        let (_, code, answer) = self.answers.swap_remove(place);
+        Some((code, answer))
+    }
+
+    fn runs_text(&self, at: usize) -> bool {
+        let text = |answer: &ShopAnswer| matches!(answer, ShopAnswer::Text(_));
+        self.answers.iter().any(|(place, _, answer)| *place == at && text(answer))
+    }
+}
+
+impl Interpreter<'_> {
+    /// The row of an M code that the shop knows; it is asked here, before the block moves.
+    pub(super) fn shop_row(
+        &mut self,
+        block: &Block,
+        at: usize,
+        tenths: u16,
+    ) -> Option<&'static CodeRow> {
+        let code = ShopCode::M(tenths);
+        let answer = self.ask_shop(code, Given { block: Some(block), arguments: &[] });
+        if answer == ShopAnswer::NotMine {
+            return None;
+        }
+        self.shop.answers.push((at, code, answer));
+        Some(&SHOP_CODE)
+    }
+
+    /// Carries out what was answered for the code at a place of its block.
+    pub(super) fn carry_out_shop_code(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+        at: usize,
+    ) {
+        let word = block.words[at];
+        let Some((code, answer)) = self.shop.take(at) else { return };
+        let beside = codes.iter().find(|(row, place)| {
+            *place != at && (goes_elsewhere(row.action) || self.shop.runs_text(*place))
+        });
+        if let (ShopAnswer::Text(_), Some((_, other))) = (&answer, beside) {
+            let other = self.span(block.words[*other].range);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NotAlone,
+                    self.span(word.range),
+                    format!(
+                        "{code} runs blocks of the shop's own beside a code that goes elsewhere"
+                    ),
+                )
+                .label("not carried out")
+                .also(other, "this one goes elsewhere")
+                .help("write two blocks"),
+            );
+            return;
+        }
+        self.take_shop_answer(&word, code, answer, 1);
+    }
+
+    /// A called program that no text holds. `None` when the shop does not know it either, else
+    /// whether a text was gone into.
+    pub(super) fn shop_program(
+        &mut self,
+        word: &Word,
+        number: u32,
+        repeats: u32,
+        given: Given<'_>,
+    ) -> Option<bool> {
+        let code = ShopCode::Program(number);
+        let answer = self.ask_shop(code, given);
+        if answer == ShopAnswer::NotMine {
+            return None;
+        }
+        let repeats = self.cut_to_limit(word, repeats);
+        Some(repeats > 0 && self.take_shop_answer(word, code, answer, repeats))
+    }
+
+    /// The run's own hook comes first, then what the machine file says.
+    fn ask_shop(&mut self, code: ShopCode, given: Given<'_>) -> ShopAnswer {
+        if let Some(shop) = &self.options.shop_codes {
+            let words = self.given_words(given.block);
+            let sources = self.library.sources();
+            let block = self.kernel.origin.span;
+            let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
+            let answer = shop.answer(&ShopCall {
+                code,
+                main: self.shop.main,
+                nth: self.shop.asked,
+                block,
+                file: sources.get(block.file).map_or("", |source| source.name()),
+                line: self.kernel.origin.line,
+                text: &sources.words(block),
+                words: &words,
+                arguments: given.arguments,
+                tool: self.kernel.state.tool,
+                position: self.kernel.state.position,
+                known: self.kernel.state.known,
+                units: self.kernel.state.units,
+                incremental: self.kernel.state.incremental,
+                spindle_rpm: if turns { self.kernel.state.rpm } else { 0.0 },
+            });
+            self.shop.asked += 1;
+            if answer != ShopAnswer::NotMine {
+                return answer;
+            }
+        }
+        let own = match code {
+            ShopCode::M(tenths) if tenths.is_multiple_of(10) => {
+                self.machine.shop_codes.get(&(tenths / 10))
+            }
+            _ => None,
+        };
+        own.map_or(ShopAnswer::NotMine, |own| ShopAnswer::Wait {
+            seconds: own.time_s.unwrap_or(0.0),
+            label: own.label.as_deref().map(Arc::from),
+        })
+    }
+
+    fn given_words(&self, block: Option<&Block>) -> Vec<(char, f64)> {
+        let words = block.map_or(&[][..], |block| &block.words);
+        let own = words.iter().filter(|word| word.letter != b'N');
+        own.filter_map(|word| Some((char::from(word.letter), self.literal(word)?.to_f64())))
+            .collect()
+    }
+
+    /// True when a text was gone into.
+    fn take_shop_answer(
+        &mut self,
+        word: &Word,
+        code: ShopCode,
+        answer: ShopAnswer,
+        repeats: u32,
+    ) -> bool {
+        match answer {
+            ShopAnswer::NotMine => false,
+            ShopAnswer::Wait { seconds, label } => {
+                self.shop_wait(word, code, seconds * f64::from(repeats), label);
+                false
+            }
+            ShopAnswer::Refused(why) => {
+                self.refuse_shop_code(word, code, &why);
+                false
+            }
+            ShopAnswer::Text(text) => self.enter_shop_text(word, code, &text, repeats),
+        }
+    }
+
+    fn shop_wait(&mut self, word: &Word, code: ShopCode, seconds: f64, label: Option<Arc<str>>) {
+        if !(seconds >= 0.0 && seconds.is_finite()) {
+            return self.refuse_shop_code(word, code, &format!("it takes no time of {seconds} s"));
+        }
+        if seconds > 0.0 {
+            let label = label.unwrap_or_else(|| Arc::from(code.to_string()));
+            self.kernel.emit(CommandKind::Dwell { seconds, label: Some(label) });
+        }
+    }
+
+    fn refuse_shop_code(&mut self, word: &Word, code: ShopCode, why: &str) {
+        self.kernel.report(
+            Diagnostic::new(
+                Code::ShopCodeRefused,
+                self.span(word.range),
+                format!("the shop's own rule refuses {code}: {why}"),
+            )
+            .label("not carried out")
+            .help(format!("correct the block, or what the shop's rule says of {code}")),
+        );
+    }
+
+    /// Goes into an answered text as into a subprogram.
+    fn enter_shop_text(&mut self, word: &Word, code: ShopCode, text: &str, repeats: u32) -> bool {
+        let Some(file) = self.library.sources().append(&format!("{code} of the shop"), text) else {
+            let why = "its blocks are more text than a run takes (10,000 texts, 64 MiB)";
+            self.refuse_shop_code(word, code, why);
+            return false;
+        };
+        let index = self.shop_program_index(file, code, text.len() as u32);
+        let start = self.program_at(index).head.start;
+        let entered = self.enter(word, index, start, repeats, false);
+        if let (true, Some(frame)) = (entered, self.frames.last_mut()) {
+            frame.of_shop = true;
+        }
+        entered
+    }
+
+    /// The place of a text among the programs of this run; each is noted once, so that its labels
+    /// are searched once.
+    fn shop_program_index(&mut self, file: FileId, code: ShopCode, end: u32) -> usize {
+        let own = self.library.programs().len();
+        let programs = &mut self.shop.programs;
+        let place = *self.shop.by_file.entry(file).or_insert_with(|| {
+            let number = match code {
+                ShopCode::Program(number) => Some(number),
+                ShopCode::M(_) => None,
+            };
+            let start = TextPosition { offset: 0, line: 1 };
+            let head = ProgramHead { number, head: TextRange::new(0, 0), start, end };
+            programs.push(Program { file, head });
+            programs.len() - 1
+        });
+        own + place
+    }
+}
+
+/// Codes beside which a text of the shop would not run where it should.
+fn goes_elsewhere(action: Action) -> bool {
+    matches!(
+        action,
+        Action::ProgramEnd { .. }
+            | Action::CallProgram
+            | Action::CallLabel
+            | Action::Return
+            | Action::SubroutineEnd
+    )
+}

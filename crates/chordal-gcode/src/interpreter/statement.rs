@@ -1,0 +1,89 @@
+//! A block as the kernel sees it: which letters say what.
+
+use chordal_diagnostics::{FileId, Span, TextRange};
+use chordal_geometry::Plane;
+use chordal_kernel::{Statement, What};
+use chordal_machine::Axis;
+use chordal_syntax::{Block, Letters};
+
+/// A block of a file.
+#[derive(Clone, Copy)]
+pub(super) struct At<'b> {
+    pub block: &'b Block,
+    pub file: FileId,
+}
+
+/// Names of the letters, by their place in the alphabet.
+const NAMES: [&str; 26] = [
+    "A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O", "P", "Q", "R", "S",
+    "T", "U", "V", "W", "X", "Y", "Z",
+];
+
+fn letter_of_axis(axis: usize) -> u8 {
+    Axis::ALL[axis].letter() as u8
+}
+
+/// The letters that say something; the first is the one it is called by.
+fn letters(what: What) -> Vec<u8> {
+    match what {
+        What::Axes(axes) => axes.iter().map(|axis| axis.letter() as u8).collect(),
+        What::Center => b"IJK".to_vec(),
+        What::CenterOrRadius => b"IJKR".to_vec(),
+        What::EndAndCenter(plane) => {
+            let (a, b, _) = plane.axes();
+            [letter_of_axis(a), letter_of_axis(b), b'I', b'J', b'K'].to_vec()
+        }
+        What::Height(plane) => vec![b"IJK"[plane.axes().2]],
+        What::Increment => vec![b'Q'],
+        What::Count => vec![b'L'],
+        What::Pitches => vec![b'P'],
+        What::LengthOffset => vec![b'H'],
+        What::FirstCircle => vec![b'I'],
+        What::LastCircle => vec![b'K'],
+        What::Stepover => b"IJ".to_vec(),
+        What::Steps => b"IJQ".to_vec(),
+    }
+}
+
+impl Statement for At<'_> {
+    fn span(&self) -> Span {
+        self.block.range.in_file(self.file)
+    }
+
+    #[cold]
+    fn words(&self, what: What) -> Span {
+        let letters = letters(what);
+        let mut range: Option<TextRange> = None;
+        for word in &self.block.words {
+            if letters.contains(&word.letter) {
+                range = Some(range.map_or(word.range, |r| r.cover(word.range)));
+            }
+        }
+        range.unwrap_or(self.block.range).in_file(self.file)
+    }
+
+    fn name(&self, what: What) -> &'static str {
+        letters(what).first().map_or("", |letter| NAMES[usize::from(letter - b'A')])
+    }
+
+    fn center_names(&self, plane: Plane) -> [&'static str; 2] {
+        let (a, b, _) = plane.axes();
+        [a, b].map(|axis| ["I", "J", "K"][axis])
+    }
+
+    fn number(&self, what: What) -> Option<String> {
+        let letter = *letters(what).first()?;
+        Some(self.block.last(letter)?.number()?.to_string())
+    }
+
+    fn has(&self, what: What) -> bool {
+        let mut set = Letters::NONE;
+        letters(what).into_iter().for_each(|letter| set.insert(letter));
+        self.block.letters().meets(set)
+    }
+
+    #[inline]
+    fn has_feed(&self) -> bool {
+        self.block.letters().has(b'F')
+    }
+}

@@ -1,0 +1,201 @@
+//! Words into numbers: units, decimal points, registers.
+
+use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
+use chordal_dialect::{DecimalPoint, ExcessDecimals};
+use chordal_syntax::{Block, Decimal, Value, Word};
+
+use super::Interpreter;
+
+/// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
+pub(super) const AXIS_OF: [u8; 256] = {
+    let mut table = [255; 256];
+    let letters = b"XYZABC";
+    let mut index = 0;
+    while index < letters.len() {
+        table[letters[index] as usize] = index as u8;
+        index += 1;
+    }
+    table
+};
+
+/// Below this many least increments a number without a point is suspicious by itself.
+const SUSPICIOUS_INCREMENTS: u64 = 100;
+
+/// Below this many it is when the program writes points elsewhere.
+const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
+
+impl Interpreter<'_> {
+    /// The literal of a word, or of the register it names.
+    #[inline(always)]
+    pub(super) fn literal(&self, word: &Word) -> Option<Decimal> {
+        match word.value {
+            Value::Number(number) => Some(number),
+            Value::Register { index, negative } => {
+                let mut value = self.registers[index as usize];
+                if negative {
+                    value.mantissa = -value.mantissa;
+                    value.negative = !value.negative;
+                }
+                Some(value)
+            }
+            Value::Expression(_) | Value::Missing => None,
+        }
+    }
+
+    /// True for a word of the value zero.
+    pub(super) fn is_zero(&self, word: &Word) -> bool {
+        self.literal(word).is_some_and(|number| number.mantissa == 0)
+    }
+
+    /// A length word in mm.
+    #[inline(always)]
+    pub(super) fn length(&mut self, word: &Word) -> Option<f64> {
+        let number = self.literal(word)?;
+        if !number.has_point {
+            self.check_point(word, number);
+        } else {
+            self.reported.points_seen = true;
+            if number.scale > self.scale.decimals {
+                return Some(self.length_beyond_increment(word, number));
+            }
+        }
+        Some(self.scale.length(number))
+    }
+
+    /// A length with more decimals than the least increment has.
+    #[cold]
+    fn length_beyond_increment(&mut self, word: &Word, number: Decimal) -> f64 {
+        let control = self.control;
+        let parameters = &control.parameters;
+        if parameters.most_digits > 0 && number.digits() > parameters.most_digits {
+            self.report_too_many_digits(word, number.digits(), parameters.most_digits);
+        }
+        let as_written = parameters.excess_decimals == ExcessDecimals::Unknown;
+        if as_written && self.reported.excess_decimals {
+            return self.scale.length(number);
+        }
+        let kept = parameters.kept(number, self.kernel.state.units);
+        // Zeros at the end say nothing.
+        let says_more = match as_written {
+            true => number.at_decimals(self.scale.decimals).is_some(),
+            false => kept != number,
+        };
+        if says_more && !self.reported.excess_decimals {
+            self.reported.excess_decimals = true;
+            self.report_excess_decimals(word, number, kept);
+        }
+        self.scale.length(kept)
+    }
+
+    fn report_excess_decimals(&mut self, word: &Word, number: Decimal, kept: Decimal) {
+        let letter = word.letter as char;
+        let increment = self.control.parameters.rules.least_increment(self.kernel.state.units);
+        let increment = self.kernel.length_text(increment);
+        let what = if kept == number {
+            "whether this control rounds or cuts is not known; computed as written".to_string()
+        } else {
+            format!("this control takes {letter}{kept}")
+        };
+        self.kernel.report(
+            Diagnostic::new(
+                Code::ExcessDecimals,
+                self.span(word.range),
+                format!(
+                    "`{letter}{number}` has decimals below the least increment {increment}: {what}"
+                ),
+            )
+            .label("the first of them in this program")
+            .help("write no more decimals than the control has; see the setting `excess_decimals`"),
+        );
+    }
+
+    fn report_too_many_digits(&mut self, word: &Word, digits: u8, most: u8) {
+        self.kernel.report(
+            Diagnostic::new(
+                Code::TooManyDigits,
+                self.span(word.range),
+                format!("a number of {digits} digits; this control takes {most}"),
+            )
+            .label(format!("at most {most} digits"))
+            .help("write fewer decimals"),
+        );
+    }
+
+    /// A word of an axis: mm, or rad for rotary axes.
+    #[inline(always)]
+    pub(super) fn axis_value(&mut self, word: &Word, axis: usize) -> Option<f64> {
+        if axis < 3 {
+            return self.length(word);
+        }
+        Some(self.scale.angle(self.literal(word)?))
+    }
+
+    /// Numbers without a point are told where they are likely a slip.
+    #[inline]
+    fn check_point(&mut self, word: &Word, number: Decimal) {
+        let size = number.mantissa.unsigned_abs();
+        if size == 0 || self.control.parameters.decimal_point == DecimalPoint::Calculator {
+            return;
+        }
+        let limit =
+            if self.reported.points_seen { SUSPICIOUS_AMONG_POINTS } else { SUSPICIOUS_INCREMENTS };
+        if size < limit {
+            self.report_missing_point(word, number);
+        }
+    }
+
+    #[cold]
+    fn report_missing_point(&mut self, word: &Word, number: Decimal) {
+        let letter = word.letter as char;
+        let meant = self.kernel.length_text(self.scale.length(number));
+        let span = self.span(word.range);
+        let with_point = format!("{letter}{number}.");
+        self.kernel.report(
+            Diagnostic::new(
+                Code::MissingDecimalPoint,
+                span,
+                format!("`{letter}{number}` without a decimal point is {meant} on this control"),
+            )
+            .label("no decimal point")
+            .help(format!("write `{with_point}` if whole units are meant"))
+            .fix(Fix {
+                title: format!("write `{with_point}`"),
+                span,
+                replacement: with_point,
+                applicability: Applicability::Unsafe,
+            }),
+        );
+    }
+
+    /// A whole number not below zero; anything else is told.
+    pub(super) fn count(&mut self, word: &Word) -> Option<u32> {
+        let number = self.literal(word)?;
+        let whole = number.to_integer().and_then(|n| u32::try_from(n).ok());
+        if whole.is_none() {
+            let letter = word.letter as char;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    self.span(word.range),
+                    format!("`{letter}` takes a whole number, not {number}"),
+                )
+                .help(format!("write `{letter}` with a whole number that is not negative")),
+            );
+        }
+        whole
+    }
+
+    /// The count of a letter of the block, if it is there.
+    pub(super) fn count_of(&mut self, block: &Block, letter: u8) -> Option<u32> {
+        let word = *block.last(letter)?;
+        self.count(&word)
+    }
+
+    /// The length of a letter of the block, if it is there.
+    pub(super) fn length_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
+        let word = *block.last(letter)?;
+        self.length(&word)
+    }
+}
+
+pub(super) use chordal_command::telling_number as trim;

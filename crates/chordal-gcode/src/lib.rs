@@ -1,0 +1,23 @@
+//! The word-address language: text into blocks, blocks into what the kernel does.
+//!
+//! [`Library`] finds the programs of a text, [`run`] carries one out: blocks one after the other,
+//! calls, loops, macro statements. What a code does on a control stands in its table
+//! (`chordal-dialect`); how the machine moves is the kernel's business.
+
+#![forbid(unsafe_code)]
+
+mod interpreter;
+mod library;
+mod macros;
+mod recognize;
+mod shop;
+mod subs;
+
+pub use interpreter::{
+    EndReason, Interrupt, Outcome, RunOptions, initial_offset, initial_work_offset, run, run_from,
+    subroutine_head,
+};
+pub use library::{Library, Program, referenced_programs};
+pub use recognize::{Recognition, recognize};
+pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
+pub use subs::called_subs;

@@ -1,0 +1,194 @@
+//! Runs the steps of an expression.
+
+use chordal_diagnostics::{Code, TextRange};
+use chordal_dialect::macros::MacroRules;
+use chordal_syntax::{Function, Op, Operator, Step};
+
+use super::functions::{self, Undefined};
+use super::value::{Value, number};
+
+/// What is read while an expression is evaluated.
+pub(crate) trait Variables {
+    /// The variable of a number.
+    fn read(&mut self, number: f64, range: TextRange) -> Result<Value, Fault>;
+
+    /// The variable of a name.
+    fn read_named(&mut self, name: TextRange, range: TextRange) -> Result<Value, Fault>;
+
+    /// True when a named variable is set.
+    fn is_set(&mut self, name: TextRange) -> bool;
+
+    /// A variable written with letters: its place in the grammar's list, and its number.
+    fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault>;
+
+    /// Angles are radians, not degrees.
+    fn radians(&self) -> bool {
+        false
+    }
+}
+
+/// Why an expression has no value.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Fault {
+    pub code: Code,
+    pub range: TextRange,
+    pub message: String,
+    pub help: &'static str,
+}
+
+impl Fault {
+    pub fn new(
+        code: Code,
+        range: TextRange,
+        message: impl Into<String>,
+        help: &'static str,
+    ) -> Fault {
+        Fault { code, range, message: message.into(), help }
+    }
+
+    /// What could not be read has been told; there is nothing to tell again.
+    pub fn told(range: TextRange) -> Fault {
+        Fault::new(Code::BadExpression, range, "", "")
+    }
+
+    pub fn is_told(&self) -> bool {
+        self.message.is_empty()
+    }
+}
+
+/// How a value is used.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Purpose {
+    /// ROUND goes to this many decimals: those of the address, inside a word.
+    pub round_digits: Option<u8>,
+    /// A comparison may be the value.
+    pub condition: bool,
+}
+
+impl Purpose {
+    pub const CONDITION: Purpose = Purpose { round_digits: None, condition: true };
+    pub const VALUE: Purpose = Purpose { round_digits: None, condition: false };
+}
+
+/// Evaluates; the stack is the caller's, to be used again.
+pub(crate) fn evaluate(
+    steps: &[Step],
+    rules: &MacroRules,
+    purpose: Purpose,
+    stack: &mut Vec<Value>,
+    variables: &mut dyn Variables,
+) -> Result<Value, Fault> {
+    stack.clear();
+    for (index, step) in steps.iter().enumerate() {
+        let value = match step.op {
+            Op::Number(number) => Some(number),
+            Op::Unreadable => return Err(Fault::told(step.range)),
+            Op::Read => {
+                let number = number(pop(stack));
+                variables.read(number, step.range)?
+            }
+            Op::ReadNamed(name) => {
+                let next = steps.get(index + 1).map(|step| step.op);
+                if matches!(next, Some(Op::Call { function: Function::Exists, .. })) {
+                    Some(if variables.is_set(name) { 1.0 } else { 0.0 })
+                } else {
+                    variables.read_named(name, step.range)?
+                }
+            }
+            Op::Letters(letters) => {
+                let number = number(pop(stack));
+                variables.read_letters(letters, number, step.range)?
+            }
+            Op::Negate => Some(-number(pop(stack))),
+            Op::Binary(operator) => {
+                let b = pop(stack);
+                let a = pop(stack);
+                check_comparison(operator, rules, purpose, step)?;
+                let result = functions::binary(operator, a, b, rules);
+                Some(defined(result, step)?)
+            }
+            Op::Call { function: Function::Exists, .. } => pop(stack),
+            Op::Call { function, two: false } => {
+                let radians = variables.radians();
+                let x = number(pop(stack));
+                let x = if radians && takes_angle(function) { x.to_degrees() } else { x };
+                let value =
+                    defined(functions::one(function, x, rules, purpose.round_digits), step)?;
+                let angle = radians && function == Function::Atan;
+                Some(if angle { value.to_radians() } else { value })
+            }
+            Op::Call { function, two: true } => {
+                let b = number(pop(stack));
+                let a = number(pop(stack));
+                Some(defined(functions::two(function, a, b, rules), step)?)
+            }
+        };
+        stack.push(value);
+    }
+    Ok(pop(stack))
+}
+
+fn takes_angle(function: Function) -> bool {
+    matches!(function, Function::Sin | Function::Cos | Function::Tan)
+}
+
+fn pop(stack: &mut Vec<Value>) -> Value {
+    stack.pop().flatten()
+}
+
+fn check_comparison(
+    operator: Operator,
+    rules: &MacroRules,
+    purpose: Purpose,
+    step: &Step,
+) -> Result<(), Fault> {
+    if purpose.condition || rules.comparison_is_value || !operator.is_comparison() {
+        return Ok(());
+    }
+    Err(Fault::new(
+        Code::ConditionAsValue,
+        step.range,
+        "a comparison has no value that could be used as a number",
+        "put it into the condition of IF",
+    ))
+}
+
+fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<f64, Fault> {
+    let value = match result {
+        Ok(value) => value,
+        Err(undefined) => return Err(undefined_fault(undefined, step)),
+    };
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(Fault::new(
+        Code::NumberOverflow,
+        step.range,
+        "this value is too large for the control",
+        "look for a divisor near zero, or a loop that multiplies on and on",
+    ))
+}
+
+#[cold]
+fn undefined_fault(undefined: Undefined, step: &Step) -> Fault {
+    match undefined {
+        Undefined::DivisionByZero => Fault::new(
+            Code::DivisionByZero,
+            step.range,
+            "this divides by zero",
+            "test the divisor with IF before; a variable that was never set counts as zero",
+        ),
+        Undefined::Domain(x) => Fault::new(
+            Code::OutsideDomain,
+            step.range,
+            format!("this function has no value for {x}"),
+            "test the argument with IF before",
+        ),
+        Undefined::Unknown => Fault::new(
+            Code::UnsupportedMacro,
+            step.range,
+            "Chordal does not know the value of this function",
+            "put the value into a variable, and give that in the machine file",
+        ),
+    }
+}

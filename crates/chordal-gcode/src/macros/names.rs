@@ -1,0 +1,84 @@
+//! Named variables: `#<name>` of the running subroutine, `#<_name>` of the whole run.
+
+use std::collections::BTreeMap;
+
+/// Most named variables of a run; a program that makes names without end is stopped here.
+const MOST_NAMES: usize = 100_000;
+
+/// Named variables by their names as [`normal`] writes them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Names {
+    globals: BTreeMap<String, f64>,
+    /// Those of each call that has not returned, the main program's first.
+    levels: Vec<BTreeMap<String, f64>>,
+}
+
+/// A name without blanks, in lower case: LinuxCNC tells no more apart.
+pub(crate) fn normal(name: &[u8]) -> String {
+    let shown = |byte: &u8| !matches!(byte, b' ' | b'\t');
+    let bytes: Vec<u8> = name.iter().filter(|b| shown(b)).map(u8::to_ascii_lowercase).collect();
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+impl Names {
+    /// The value of a name, if it is set.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        let names = if name.starts_with('_') { Some(&self.globals) } else { self.levels.last() };
+        names?.get(name).copied()
+    }
+
+    /// Sets a name; false when there are too many.
+    pub fn set(&mut self, name: String, value: f64) -> bool {
+        let names = if name.starts_with('_') {
+            &mut self.globals
+        } else {
+            if self.levels.is_empty() {
+                self.levels.push(BTreeMap::new());
+            }
+            let last = self.levels.len() - 1;
+            &mut self.levels[last]
+        };
+        if names.len() >= MOST_NAMES && !names.contains_key(&name) {
+            return false;
+        }
+        names.insert(name, value);
+        true
+    }
+
+    /// A call begins.
+    pub fn enter(&mut self) {
+        if self.levels.is_empty() {
+            self.levels.push(BTreeMap::new());
+        }
+        self.levels.push(BTreeMap::new());
+    }
+
+    /// A call is over.
+    pub fn leave(&mut self) {
+        if self.levels.len() > 1 {
+            self.levels.pop();
+        }
+    }
+
+    /// How many calls run.
+    pub fn level(&self) -> usize {
+        self.levels.len().saturating_sub(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn locals_belong_to_their_call_and_globals_to_the_run() {
+        let mut names = Names::default();
+        names.set(normal(b"Depth Of Cut"), 2.0);
+        names.set("_all".into(), 3.0);
+        names.enter();
+        assert_eq!((names.get("depthofcut"), names.get("_all")), (None, Some(3.0)));
+        names.set("depthofcut".into(), 5.0);
+        names.leave();
+        assert_eq!(names.get("depthofcut"), Some(2.0));
+    }
+}

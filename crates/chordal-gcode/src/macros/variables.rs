@@ -1,0 +1,141 @@
+//! Local and common variables.
+
+use super::value::Value;
+use chordal_dialect::macros::{MacroRules, Unset, VariableRange};
+
+/// Most local variables of a level.
+const LOCALS: usize = 64;
+
+/// The variables of a run, apart from those of the system.
+#[derive(Clone, Debug)]
+pub(crate) struct VariableStore {
+    /// The locals of each macro level; index 0 is not used.
+    levels: Vec<[Value; LOCALS]>,
+    locals: u32,
+    /// One for each range of the table, made when it is first written.
+    common: Vec<Vec<Value>>,
+    ranges: &'static [VariableRange],
+    unset: Value,
+}
+
+/// To the bit: 0 and −0 are not one value, and NaN is itself.
+impl PartialEq for VariableStore {
+    fn eq(&self, other: &VariableStore) -> bool {
+        let bits = |value: &Value| value.map(f64::to_bits);
+        let same = |a: &[Value], b: &[Value]| a.iter().map(bits).eq(b.iter().map(bits));
+        self.levels.len() == other.levels.len()
+            && self.levels.iter().zip(&other.levels).all(|(a, b)| same(a, b))
+            && self.common.len() == other.common.len()
+            && self.common.iter().zip(&other.common).all(|(a, b)| same(a, b))
+    }
+}
+
+/// A number that is no local or common variable.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct NotHere;
+
+impl VariableStore {
+    pub fn new(rules: &MacroRules) -> VariableStore {
+        let unset = match rules.unset {
+            Unset::Null => None,
+            Unset::Zero => Some(0.0),
+        };
+        VariableStore {
+            levels: Vec::new(),
+            locals: rules.locals.min(LOCALS as u32 - 1),
+            common: Vec::new(),
+            ranges: rules.common,
+            unset,
+        }
+    }
+
+    /// Level of macro calls, 0 in the main program.
+    pub fn level(&self) -> u32 {
+        self.levels.len().saturating_sub(1) as u32
+    }
+
+    /// A macro call: a new level with its arguments.
+    pub fn enter(&mut self, arguments: &[(u32, f64)]) {
+        if self.levels.is_empty() {
+            self.levels.push([self.unset; LOCALS]);
+        }
+        self.levels.push([self.unset; LOCALS]);
+        for &(number, value) in arguments {
+            self.set_local(number, Some(value));
+        }
+    }
+
+    /// The end of a macro call.
+    pub fn leave(&mut self) {
+        if self.levels.len() > 1 {
+            self.levels.pop();
+        }
+    }
+
+    /// All locals of this level, to hand them on or to put them back.
+    pub fn locals(&mut self) -> &mut [Value] {
+        if self.levels.is_empty() {
+            self.levels.push([self.unset; LOCALS]);
+        }
+        let last = self.levels.len() - 1;
+        &mut self.levels[last]
+    }
+
+    fn set_local(&mut self, number: u32, value: Value) {
+        if let Some(place) = self.locals().get_mut(number as usize) {
+            *place = value;
+        }
+    }
+
+    /// The value of a local or common variable.
+    pub fn read(&self, number: u32) -> Result<Value, NotHere> {
+        if number == 0 {
+            return Ok(self.unset);
+        }
+        if number <= self.locals {
+            return Ok(self.levels.last().map_or(self.unset, |level| level[number as usize]));
+        }
+        let (range, at) = self.place(number)?;
+        Ok(self.common.get(range).and_then(|values| values.get(at)).copied().unwrap_or(self.unset))
+    }
+
+    /// Writes a local or common variable.
+    pub fn write(&mut self, number: u32, value: Value) -> Result<(), NotHere> {
+        let value = value.or(self.unset);
+        if (1..=self.locals).contains(&number) {
+            self.set_local(number, value);
+            return Ok(());
+        }
+        let (range, at) = self.place(number)?;
+        if self.common.is_empty() {
+            self.common = vec![Vec::new(); self.ranges.len()];
+        }
+        let size = (self.ranges[range].last - self.ranges[range].first + 1) as usize;
+        let values = &mut self.common[range];
+        if values.is_empty() {
+            *values = vec![self.unset; size];
+        }
+        values[at] = value;
+        Ok(())
+    }
+
+    /// Range and place of a common variable, second names resolved.
+    fn place(&self, number: u32) -> Result<(usize, usize), NotHere> {
+        let range = self.find(number)?;
+        let row = self.ranges[range];
+        if row.stored == row.first {
+            return Ok((range, (number - row.first) as usize));
+        }
+        let stored = number - row.first + row.stored;
+        let range = self.find(stored)?;
+        Ok((range, (stored - self.ranges[range].first) as usize))
+    }
+
+    fn find(&self, number: u32) -> Result<usize, NotHere> {
+        let index = self.ranges.partition_point(|range| range.last < number);
+        match self.ranges.get(index) {
+            Some(range) if range.first <= number => Ok(index),
+            _ => Err(NotHere),
+        }
+    }
+}

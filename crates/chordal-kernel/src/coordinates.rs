@@ -1,0 +1,199 @@
+//! What lies between program and machine coordinates: work offsets, shifts, presets, tool length; and the radius offset of compensation.
+
+use chordal_command::{CommandKind, Side, WorkName};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+
+use crate::kernel::Kernel;
+use crate::offsets::LengthOffset;
+use crate::rules::OffsetKind;
+use crate::statement::{Statement, What};
+
+/// A value of a tool in the offset table.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ToolValue {
+    /// Length.
+    Length,
+    /// Its wear.
+    LengthWear,
+    /// Radius, or diameter where the table holds diameters.
+    Radius,
+    /// Its wear.
+    RadiusWear,
+}
+
+impl Kernel<'_> {
+    /// Pushes what lies between program and machine coordinates now.
+    pub fn emit_work_offset(&mut self) {
+        let state = &self.state;
+        let kind = CommandKind::WorkOffset {
+            name: state.offsets.active(),
+            offset: state.offsets.work(),
+            known: state.offsets.known(),
+            position: state.position,
+        };
+        self.emit(kind);
+    }
+
+    /// Chooses a work coordinate system.
+    pub fn select_work(&mut self, name: WorkName) {
+        if self.state.offsets.active() == name {
+            return;
+        }
+        self.state.shift_coordinates(|offsets| offsets.select(name));
+        self.emit_work_offset();
+    }
+
+    /// A tool length comes into force, or none.
+    pub fn set_length(&mut self, at: &dyn Statement, length: LengthOffset) {
+        let cancel = self.rules.cycles.cancel;
+        self.end_cycle_if(length.number.is_none() && cancel.by_length_cancel);
+        self.state.shift_coordinates(|offsets| offsets.set_length(length));
+        let length_mm = self.state.offsets.length_in_force();
+        if let (Some(number), None) = (length.number, length_mm) {
+            let span = at.words(What::LengthOffset);
+            self.report_unset(
+                span,
+                "length".into(),
+                format!("the machine file gives no length for tool {number}"),
+                format!("set it with --set tools.{number}.length=\"…\""),
+            );
+        }
+        let known = self.state.offsets.known();
+        self.emit(CommandKind::ToolLength { number: length.number, length_mm, known });
+    }
+
+    /// Reported once for each offset.
+    fn report_unset(&mut self, span: Span, name: String, message: String, help: String) {
+        if self.reported.offsets.contains(&name) {
+            return;
+        }
+        self.reported.offsets.push(name);
+        self.report(Diagnostic::new(Code::OffsetNotSet, span, message).help(help));
+    }
+
+    /// Compensation goes on or off, or its offset changes.
+    pub fn emit_compensation(&mut self, number: Option<u32>, toward: Option<[f64; 2]>, span: Span) {
+        let side = self.state.side;
+        let cancelled = number == Some(0);
+        let radius_mm = match number {
+            Some(0) => Some(0.0),
+            other => other.and_then(|number| self.state.offsets.radius_mm(number)),
+        };
+        if cancelled && side != Side::Off {
+            self.report(
+                Diagnostic::new(
+                    Code::CompensationWithoutOffset,
+                    span,
+                    "with D0 the tool is not offset",
+                )
+                .severity(Severity::Note)
+                .help("write the number of the tool's offset"),
+            );
+        }
+        self.emit(CommandKind::Compensation { side, number, radius_mm, toward });
+        if let (Some(number), None) = (number, radius_mm)
+            && side != Side::Off
+            && !cancelled
+        {
+            self.report_unset(
+                span,
+                format!("radius {number}"),
+                format!(
+                    "the machine file gives no diameter for offset {number}: compensation moves \
+                     nothing, the programmed contour is shown"
+                ),
+                format!("set it with --set tools.{number}.diameter=\"…\""),
+            );
+        }
+    }
+
+    /// Writes one value of a tool, mm, or adds to it.
+    pub fn store_tool_value(&mut self, value: ToolValue, number: u32, mm: f64, add: bool) {
+        let diameter = match self.rules.radius_offsets {
+            OffsetKind::Diameter => 1.0,
+            OffsetKind::Radius => 2.0,
+        };
+        self.state.shift_coordinates(|offsets| {
+            let tool = offsets.tool_mut(number);
+            let (field, mm) = match value {
+                ToolValue::Length => (&mut tool.length_mm, mm),
+                ToolValue::LengthWear => (&mut tool.length_wear_mm, mm),
+                ToolValue::Radius => (&mut tool.diameter_mm, mm * diameter),
+                ToolValue::RadiusWear => (&mut tool.diameter_wear_mm, mm * diameter),
+            };
+            *field = Some(if add { field.unwrap_or(0.0) + mm } else { mm });
+        });
+    }
+
+    /// Writes a work offset: the values as given, or so that the present place gets them.
+    pub fn write_work_values(&mut self, key: &str, values: &[Option<f64>; 6], from_position: bool) {
+        let add = self.state.incremental && !from_position;
+        let machine: Vec<f64> = (0..6).map(|axis| self.state.machine_position(axis)).collect();
+        let work = self.state.offsets.work();
+        self.state.shift_coordinates(|offsets| {
+            for (axis, value) in values.iter().enumerate() {
+                let Some(value) = *value else { continue };
+                let stored = if from_position {
+                    // So that the present place gets this coordinate.
+                    let beyond_work = offsets.total()[axis] - work[axis];
+                    machine[axis] - value - beyond_work
+                } else {
+                    value
+                };
+                offsets.write_work(key, axis, stored, add);
+            }
+        });
+        self.emit_work_offset();
+    }
+
+    /// G52.
+    pub fn local_shift(&mut self, values: &[Option<f64>; 6]) {
+        self.state.shift_coordinates(|offsets| {
+            for (axis, value) in values.iter().enumerate() {
+                if let Some(value) = value {
+                    offsets.set_shift(axis, *value);
+                }
+            }
+        });
+        self.emit_work_offset();
+    }
+
+    /// G92: the present position gets these coordinates.
+    pub fn preset_position(&mut self, values: &[Option<f64>; 6]) {
+        let position = self.state.position;
+        let machine_known = self.state.machine_known;
+        let clears_shift = self.rules.preset_clears_shift;
+        self.state.shift_coordinates(|offsets| {
+            for (axis, value) in values.iter().enumerate() {
+                if let Some(value) = value {
+                    if clears_shift {
+                        offsets.move_shift_to_preset(axis);
+                    }
+                    offsets.add_preset(axis, position[axis] - value, machine_known.has(axis));
+                }
+            }
+        });
+        for (axis, value) in values.iter().enumerate() {
+            if let Some(value) = value {
+                // Exactly what was written, not a difference of sums.
+                self.state.position[axis] = *value;
+                self.state.known.insert(axis);
+            }
+        }
+        self.emit_work_offset();
+    }
+
+    /// G92.1 and G92.2.
+    pub fn clear_preset(&mut self, keep: bool) {
+        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; 6] };
+        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; 6]));
+        self.emit_work_offset();
+    }
+
+    /// G92.3: the presets that G92.2 has kept.
+    pub fn restore_preset(&mut self) {
+        let preset = self.preset_kept;
+        self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
+        self.emit_work_offset();
+    }
+}

@@ -1,0 +1,128 @@
+//! The way to a hole, the cut, and the way out.
+
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, Position, SpindleState};
+
+use super::hole::Hole;
+use crate::kernel::Kernel;
+use crate::rules::{Approach, BackBore, CycleKind};
+use crate::statement::Statement;
+
+impl Kernel<'_> {
+    /// One hole: there, down, and out again.
+    pub fn drill(&mut self, at: &dyn Statement, hole: &Hole, place: Position, named: AxisMask) {
+        self.origin.cycle = true;
+        self.approach(hole, place, named);
+        match hole.words.kind {
+            CycleKind::Drill => self.feed_to(at, hole, hole.z),
+            CycleKind::DrillDwell => {
+                self.feed_to(at, hole, hole.z);
+                self.wait(hole.words.dwell_s);
+            }
+            CycleKind::Peck => self.pecks(at, hole, true),
+            CycleKind::ChipBreak => self.pecks(at, hole, false),
+            CycleKind::BoreFeedOut | CycleKind::BoreInOut => {
+                self.feed_to(at, hole, hole.z);
+                self.feed_to(at, hole, hole.r);
+            }
+            CycleKind::BoreDwell => {
+                let all_the_way = self.rules.cycles.bore.dwell_out_to_clear;
+                self.feed_to(at, hole, hole.z);
+                self.wait(hole.words.dwell_s);
+                self.feed_to(at, hole, if all_the_way { hole.clear } else { hole.r });
+            }
+            CycleKind::BoreStop => self.bore_and_stop(at, hole),
+            CycleKind::BoreManual => self.bore_by_hand(at, hole),
+            CycleKind::FineBore => self.fine_bore(at, hole),
+            CycleKind::BackBore => self.back_bore(at, hole),
+            CycleKind::Tap | CycleKind::LeftTap => self.tap(at, hole),
+            CycleKind::SelfReversingTap => self.tap_with_head(at, hole),
+        }
+        self.level(hole, hole.clear);
+        self.clean_chips(hole);
+        self.origin.cycle = false;
+    }
+
+    /// Above the hole: to its place, and to R.
+    fn approach(&mut self, hole: &Hole, place: Position, named: AxisMask) {
+        let rules = &self.rules.cycles;
+        let (approach, back) = (rules.approach, rules.bore.back);
+        match approach {
+            Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
+            Approach::ByClearLevel => {
+                let mut target = place;
+                let now = self.state.position[hole.axis];
+                if hole.words.initial < hole.r {
+                    self.level(hole, hole.r);
+                    target[hole.axis] = hole.r;
+                } else {
+                    target[hole.axis] = if now > hole.r { now } else { hole.clear };
+                }
+                self.rapid_to(target, named);
+            }
+        }
+        // Back boring goes to R with the tool set aside.
+        let later = hole.words.kind == CycleKind::BackBore && back == BackBore::ShiftAtInitial;
+        if !later {
+            self.level(hole, hole.r);
+        }
+    }
+
+    /// Haas E: the spindle turns the other way for a moment, and throws the chips off.
+    fn clean_chips(&mut self, hole: &Hole) {
+        let Some(rpm) = hole.words.after_rpm else { return };
+        let throws = matches!(
+            hole.words.kind,
+            CycleKind::Drill | CycleKind::DrillDwell | CycleKind::Peck | CycleKind::Tap
+        );
+        if !throws {
+            return;
+        }
+        let before = self.state.spindle;
+        let reversed =
+            if before == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
+        self.emit(CommandKind::Spindle { state: reversed, rpm });
+        self.state.spindle = reversed;
+        self.turn_spindle(before);
+    }
+
+    /// A rapid in the plane, at the present level.
+    pub fn go_to_place(&mut self, place: Position, named: AxisMask, axis: usize) {
+        let mut target = place;
+        target[axis] = self.state.position[axis];
+        self.rapid_to(target, named);
+    }
+
+    /// A rapid along the drilling axis.
+    pub fn level(&mut self, hole: &Hole, level: f64) {
+        let mut target = self.state.position;
+        target[hole.axis] = level;
+        self.rapid_to(target, AxisMask(1 << hole.axis));
+    }
+
+    /// A cut along the drilling axis at the feed in force.
+    pub fn feed_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64) {
+        let mut target = self.state.position;
+        target[hole.axis] = level;
+        let motion = self.moved_to(target, AxisMask(1 << hole.axis));
+        let mut feed: Feed = self.feed_for(at, &motion, None);
+        feed.along = FeedAlong::Path;
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    /// A dwell of a cycle, where it has one.
+    pub fn wait(&mut self, seconds: Option<f64>) {
+        if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
+            self.emit(CommandKind::Dwell { seconds, label: None });
+        }
+    }
+
+    /// Turns the spindle as wanted, if it does not already.
+    pub fn turn_spindle(&mut self, spindle: SpindleState) {
+        if self.state.spindle != spindle {
+            self.state.spindle = spindle;
+            let turns = matches!(spindle, SpindleState::Cw | SpindleState::Ccw);
+            let rpm = if turns { self.state.rpm } else { 0.0 };
+            self.emit(CommandKind::Spindle { state: spindle, rpm });
+        }
+    }
+}

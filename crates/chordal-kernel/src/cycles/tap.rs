@@ -1,0 +1,160 @@
+//! Tapping: the lead ties the feed to the spindle, in both directions.
+
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic};
+
+use super::hole::{Hole, LEVEL_EPSILON_MM};
+use crate::kernel::Kernel;
+use crate::rules::{CycleKind, TapFeed};
+use crate::statement::Statement;
+
+/// Pecks of a thread that are not counted against the budget.
+const FREE_PECKS: u32 = 100;
+
+/// Most pecks of one thread.
+const MAX_PECKS: u32 = 10_000;
+
+impl Kernel<'_> {
+    /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
+    pub fn tap(&mut self, at: &dyn Statement, hole: &Hole) {
+        let rules = self.rules.cycles.tap;
+        let (inward, outward) = match hole.words.kind {
+            CycleKind::LeftTap => (SpindleState::Ccw, SpindleState::Cw),
+            _ => (SpindleState::Cw, SpindleState::Ccw),
+        };
+        let before = self.state.spindle;
+        self.set_in_tap(true);
+        if let Some(rpm) = hole.words.tap_rpm.filter(|_| rules.feed == TapFeed::SpeedWithLeadQ) {
+            self.state.rpm = rpm;
+        }
+        if rules.spindle_must_turn && before != inward {
+            self.report_wrong_spindle(at, inward);
+        } else if rules.starts_spindle {
+            self.turn_spindle(inward);
+        }
+        let peck = hole.words.q.map(f64::abs).filter(|q| rules.pecks_by_q && *q > 0.0);
+        if let Some(q) = peck {
+            self.tap_in_pecks(at, hole, q, (inward, outward));
+        }
+        self.tap_to(at, hole, hole.z, 1.0);
+        self.turn_spindle(SpindleState::Off);
+        if !rules.dwell_after_reverse {
+            self.wait(hole.words.dwell_s);
+        }
+        let factor = hole.words.out_factor.filter(|_| rules.out_factor_by_j);
+        let factor = factor.filter(|factor| *factor > 0.0).unwrap_or(rules.out_factor);
+        self.reverse_at(outward, factor);
+        if rules.dwell_after_reverse {
+            self.wait(hole.words.dwell_s);
+        }
+        self.tap_to(at, hole, if rules.out_to_clear { hole.clear } else { hole.r }, factor);
+        if rules.dwell_at_r {
+            self.wait(hole.words.dwell_s);
+        }
+        self.turn_spindle(SpindleState::Off);
+        if before == inward {
+            self.turn_spindle(inward);
+        }
+        self.set_in_tap(false);
+    }
+
+    /// Fadal G75: the head reverses by itself when the quill is drawn out.
+    pub fn tap_with_head(&mut self, at: &dyn Statement, hole: &Hole) {
+        let by_speed = self.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
+        if let Some(rpm) = hole.words.tap_rpm.filter(|_| by_speed) {
+            self.state.rpm = rpm;
+        }
+        self.tap_to(at, hole, hole.z, 1.0);
+        self.tap_to(at, hole, hole.r, 1.0);
+    }
+
+    fn reverse_at(&mut self, outward: SpindleState, factor: f64) {
+        let rpm = self.state.rpm;
+        self.state.rpm = rpm * factor;
+        self.turn_spindle(outward);
+        self.state.rpm = rpm;
+    }
+
+    /// All pecks but the last.
+    fn tap_in_pecks(
+        &mut self,
+        at: &dyn Statement,
+        hole: &Hole,
+        q: f64,
+        (inward, outward): (SpindleState, SpindleState),
+    ) {
+        let rules = self.rules.cycles.tap;
+        for peck in 1..MAX_PECKS {
+            let depth = hole.r - f64::from(peck) * q;
+            if depth <= hole.z + LEVEL_EPSILON_MM {
+                return;
+            }
+            if peck > FREE_PECKS && !self.count_repeated() {
+                return;
+            }
+            self.tap_to(at, hole, depth, 1.0);
+            self.turn_spindle(SpindleState::Off);
+            self.turn_spindle(outward);
+            let lifted = (depth + rules.peck_lift_mm).min(hole.r);
+            self.tap_to(at, hole, if rules.peck_full_return { hole.r } else { lifted }, 1.0);
+            self.turn_spindle(SpindleState::Off);
+            self.turn_spindle(inward);
+        }
+    }
+
+    /// A move along the thread; `factor` is how much faster than the way in it goes.
+    fn tap_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64, factor: f64) {
+        let mut target = self.state.position;
+        target[hole.axis] = level;
+        let motion = self.moved_to(target, AxisMask(1 << hole.axis));
+        let rev_per_s = self.state.rpm / 60.0 * factor;
+        let lead = self.lead_given(hole);
+        let feed = match lead {
+            Some(lead) => Feed {
+                value: lead * rev_per_s,
+                mode: FeedMode::PerTime,
+                along: FeedAlong::Path,
+                spindle_rev_per_s: rev_per_s,
+            },
+            None => {
+                let mut feed = self.feed_for(at, &motion, None);
+                if feed.mode == FeedMode::PerTime {
+                    feed.value *= factor;
+                }
+                feed.spindle_rev_per_s = rev_per_s;
+                feed
+            }
+        };
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    /// The lead of the thread in mm, where the control reads it from a word.
+    fn lead_given(&self, hole: &Hole) -> Option<f64> {
+        let form = self.rules.cycles.tap.feed;
+        let synchronous = hole.words.synchronous.unwrap_or(form == TapFeed::Lead);
+        match form {
+            TapFeed::SpeedWithLeadQ => hole.words.q.map(f64::abs),
+            // F was read as length per minute, and it is length per turn.
+            _ if synchronous && self.state.feed_mode == FeedMode::PerTime => {
+                self.state.feed.map(|feed| feed * 60.0).filter(|lead| *lead > 0.0)
+            }
+            _ => None,
+        }
+    }
+
+    fn report_wrong_spindle(&mut self, at: &dyn Statement, inward: SpindleState) {
+        let (wanted, code) = match inward {
+            SpindleState::Ccw => ("counter-clockwise", "M4"),
+            _ => ("clockwise", "M3"),
+        };
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::CycleSpindle,
+                span,
+                format!("the spindle must turn {wanted} before this cycle"),
+            )
+            .help(format!("write S and {code} before the cycle")),
+        );
+    }
+}

@@ -1,0 +1,219 @@
+//! The kernel: what a numerical control remembers and pushes into its sink.
+
+use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_machine::Machine;
+
+use crate::rules::Rules;
+use crate::sink::RunSink;
+use crate::state::State;
+
+/// What a control shows for a problem.
+#[derive(Clone, Copy, Debug)]
+pub struct Alarms {
+    /// The control, for people.
+    pub title: &'static str,
+    /// The text of each problem that the control knows; `{n}` is the number of the block,
+    /// `{delta}` the measured difference.
+    pub texts: &'static [(Code, &'static str)],
+}
+
+impl Alarms {
+    /// The control's own text.
+    pub fn text(&self, code: Code) -> Option<&'static str> {
+        self.texts.iter().find(|(of, _)| *of == code).map(|(_, text)| *text)
+    }
+}
+
+/// What was reported once and is not reported again.
+#[derive(Clone, Default, Debug, PartialEq)]
+pub struct Reported {
+    /// No feed before a cut.
+    pub missing_feed: bool,
+    /// The tool that cut without a spindle.
+    pub spindle_for_tool: Option<u32>,
+    /// Offsets that the machine file does not give.
+    pub offsets: Vec<String>,
+    /// Routines whose path is a choice.
+    pub assumed_paths: Vec<String>,
+}
+
+/// What is remembered of a run, and may be taken up again later.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KernelMemory {
+    /// The state of the control.
+    pub state: State,
+    /// The last block.
+    pub origin: Origin,
+    /// The chains of calls.
+    pub calls: CallPaths,
+    /// Blocks counted against the budget.
+    pub repeated: u64,
+    /// The number of the last block that has one.
+    pub block_number: Option<f64>,
+    /// Presets to put back.
+    pub preset_kept: [f64; 6],
+    /// What was reported.
+    pub reported: Reported,
+}
+
+/// A numerical control at work: it takes values with their statement, moves the machine and
+/// pushes commands and problems into its sink. It sees no text.
+pub struct Kernel<'a> {
+    /// How this control does things.
+    pub rules: &'a Rules,
+    /// The machine.
+    pub machine: &'a Machine,
+    /// What the control shows for problems.
+    pub alarms: Alarms,
+    /// What it remembers from block to block.
+    pub state: State,
+    /// The block at work.
+    pub origin: Origin,
+    /// The chains of calls so far.
+    pub calls: CallPaths,
+    /// The calls that the block was reached through.
+    pub call: CallPath,
+    /// The number of the last block that has one, for alarms.
+    pub block_number: Option<f64>,
+    /// Blocks in calls and repeats so far.
+    pub repeated: u64,
+    /// Most of them.
+    pub max_repeated: u64,
+    /// Presets that G92.2 keeps.
+    pub preset_kept: [f64; 6],
+    /// What was reported once.
+    pub reported: Reported,
+    /// Who takes what the run produces.
+    pub sink: &'a mut (dyn RunSink + 'a),
+}
+
+impl<'a> Kernel<'a> {
+    /// At power-on.
+    pub fn new(
+        rules: &'a Rules,
+        machine: &'a Machine,
+        alarms: Alarms,
+        state: State,
+        sink: &'a mut (dyn RunSink + 'a),
+    ) -> Kernel<'a> {
+        Kernel {
+            rules,
+            machine,
+            alarms,
+            state,
+            origin: Origin::default(),
+            calls: CallPaths::default(),
+            call: CallPath::default(),
+            block_number: None,
+            repeated: 0,
+            max_repeated: u64::MAX,
+            preset_kept: [0.0; 6],
+            reported: Reported::default(),
+            sink,
+        }
+    }
+
+    /// Pushes a command of the present block.
+    pub fn emit(&mut self, kind: CommandKind) {
+        self.sink.command(&Command { kind, origin: self.origin });
+    }
+
+    /// Pushes a problem, with the calls it was reached through and what the control shows for it.
+    pub fn report(&mut self, mut diagnostic: Diagnostic) {
+        if self.call != CallPath::default() {
+            diagnostic.calls = self.calls.resolve(self.call);
+        }
+        if diagnostic.alarm.is_none() && diagnostic.severity == Severity::Error {
+            diagnostic.alarm = self.alarm_text(diagnostic.code, None);
+        }
+        self.sink.diagnostic(diagnostic);
+    }
+
+    /// What the control shows, with the block's number put in.
+    pub fn alarm_text(&self, code: Code, delta: Option<String>) -> Option<String> {
+        let text = self.alarms.text(code)?;
+        let text = text
+            .replace("{n}", &self.number_of_block())
+            .replace("{delta}", &delta.unwrap_or_default());
+        Some(format!("{}: {text}", self.alarms.title))
+    }
+
+    /// The number of the last block that has one, for alarms.
+    pub fn number_of_block(&self) -> String {
+        self.block_number.map_or("?".to_string(), |number| number.to_string())
+    }
+
+    /// A word is missing.
+    pub fn missing_word(&mut self, at: Span, message: String, help: &str) {
+        self.report(Diagnostic::new(Code::MissingWord, at, message).help(help));
+    }
+
+    /// Counts a block against the budget; false when it is used up.
+    pub fn count_repeated(&mut self) -> bool {
+        self.repeated += 1;
+        if self.repeated <= self.max_repeated {
+            return true;
+        }
+        let limit = self.max_repeated;
+        self.report(
+            Diagnostic::new(
+                Code::BudgetReached,
+                self.origin.span,
+                format!("stopped after {limit} blocks in calls and repeats"),
+            )
+            .help("if the program is meant to run that long, raise the budget with --max-blocks"),
+        );
+        false
+    }
+
+    /// A length for people, in the program's units.
+    pub fn length_text(&self, mm: f64) -> String {
+        match self.state.units {
+            Units::Inch => format!("{} in", telling_number(mm / 25.4, 4)),
+            Units::Millimetre => format!("{} mm", telling_number(mm, 3)),
+        }
+    }
+
+    /// All that it remembers.
+    pub fn memory(&self) -> KernelMemory {
+        KernelMemory {
+            state: self.state.clone(),
+            origin: self.origin,
+            calls: self.calls.clone(),
+            repeated: self.repeated,
+            block_number: self.block_number,
+            preset_kept: self.preset_kept,
+            reported: self.reported.clone(),
+        }
+    }
+
+    /// Goes on from there.
+    pub fn recall(&mut self, memory: KernelMemory) {
+        self.state = memory.state;
+        self.origin = memory.origin;
+        self.calls = memory.calls;
+        self.repeated = memory.repeated;
+        self.block_number = memory.block_number;
+        self.preset_kept = memory.preset_kept;
+        self.reported = memory.reported;
+    }
+}
+
+impl KernelMemory {
+    /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
+    pub fn shift(&mut self, shift: &chordal_diagnostics::Shift) -> Option<()> {
+        self.origin = self.origin.shifted(shift)?;
+        self.calls.shift(shift)?;
+        if let Some(word) = &mut self.state.feed_over {
+            *word = shift.span(*word)?;
+        }
+        Some(())
+    }
+
+    /// Equal to the bit: 0 and −0 are not the same place.
+    pub fn is_like(&self, other: &KernelMemory) -> bool {
+        let bits = |memory: &KernelMemory| memory.state.position.map(f64::to_bits);
+        bits(self) == bits(other) && self == other
+    }
+}

@@ -1,0 +1,128 @@
+//! What a control remembers between two blocks, as its screen shows it.
+
+use chordal_command::{
+    AxisMask, Coolant, FeedMode, PathMode, Position, Side, SpindleState, Units, WorkName,
+};
+use chordal_geometry::{Direction, Plane};
+
+use crate::rules::{ArcCenter, CycleKind};
+use crate::state::{Motion, State};
+
+/// What a block without a motion code does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MotionMode {
+    /// A rapid.
+    Rapid,
+    /// A straight cut.
+    Linear,
+    /// An arc.
+    Arc(Direction),
+    /// A spiral.
+    Spiral(Direction),
+    /// A canned cycle.
+    Cycle(CycleKind),
+}
+
+/// The modal state after a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modal {
+    /// The G codes in force by the control's own numbers (`G1`, `G17`, `G41`), the motion first.
+    pub codes: Vec<String>,
+    /// What a block without a motion code does; `None` where it needs one.
+    pub motion: Option<MotionMode>,
+    /// G91 is in force.
+    pub incremental: bool,
+    /// The plane of arcs and compensation.
+    pub plane: Plane,
+    /// The side of cutter compensation.
+    pub side: Side,
+    /// What I, J and K of arcs say.
+    pub arc_center: ArcCenter,
+    /// The cycle in force.
+    pub cycle: Option<CycleKind>,
+    /// The tool tip in program coordinates, mm and rad.
+    pub position: Position,
+    /// The axes whose program coordinate is known.
+    pub known: AxisMask,
+    /// The machine coordinates, mm and rad.
+    pub machine_position: Position,
+    /// The axes whose machine coordinate is known.
+    pub machine_known: AxisMask,
+    /// Units of the program text.
+    pub units: Units,
+    /// What F counts.
+    pub feed_mode: FeedMode,
+    /// F in mm/s, 1/s or mm per revolution; `None` before any F.
+    pub feed: Option<f64>,
+    /// What the spindle does.
+    pub spindle: SpindleState,
+    /// Its speed, rev/min.
+    pub rpm: f64,
+    /// Coolant valves.
+    pub coolant: Coolant,
+    /// The tool in the spindle; 0 for none.
+    pub tool: u32,
+    /// The tool made ready.
+    pub selected_tool: Option<u32>,
+    /// The work coordinate system.
+    pub work: WorkName,
+    /// Its name on this control.
+    pub work_name: String,
+    /// Number of the tool length offset in force.
+    pub length_offset: Option<u32>,
+    /// Number of the radius offset that compensation uses.
+    pub radius_offset: Option<u32>,
+    /// How corners are passed.
+    pub path_mode: PathMode,
+}
+
+impl Modal {
+    /// What is in force, with the codes that stand for it in the program's language.
+    pub fn of(state: &State, codes: Vec<String>) -> Modal {
+        let mut machine_position = state.position;
+        for (axis, value) in machine_position.iter_mut().enumerate() {
+            *value = state.machine_position(axis);
+        }
+        let work = state.offsets.active();
+        Modal {
+            codes,
+            motion: state.motion_mode(),
+            incremental: state.incremental,
+            plane: state.plane,
+            side: state.side,
+            arc_center: state.arc_center,
+            cycle: state.cycle.as_ref().map(|cycle| cycle.kind),
+            position: state.position,
+            known: state.known,
+            machine_position,
+            machine_known: state.machine_known,
+            units: state.units,
+            feed_mode: state.feed_mode,
+            feed: state.feed,
+            spindle: state.spindle,
+            rpm: state.rpm,
+            coolant: state.coolant,
+            tool: state.tool,
+            selected_tool: state.selected_tool,
+            work,
+            work_name: state.offsets.key(work),
+            length_offset: state.offsets.length().number,
+            radius_offset: state.radius_offset,
+            path_mode: state.path.in_force(),
+        }
+    }
+}
+
+impl State {
+    /// What a block without a motion code does; `None` where it needs one.
+    pub fn motion_mode(&self) -> Option<MotionMode> {
+        match (&self.cycle, self.motion) {
+            (Some(cycle), _) => Some(MotionMode::Cycle(cycle.kind)),
+            (None, Motion::Rapid) => Some(MotionMode::Rapid),
+            (None, Motion::Linear) => Some(MotionMode::Linear),
+            (None, Motion::Arc(direction)) => Some(MotionMode::Arc(direction)),
+            (None, Motion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
+            (None, Motion::None) => None,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Modes that a statement sets: distance, units, feed, plane, spindle, tool.
+
+use chordal_command::{CommandKind, Coolant, FeedMode, Side, SpindleState, Units};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_geometry::Plane;
+
+use crate::kernel::Kernel;
+
+impl Kernel<'_> {
+    /// G90 and G91; where the tool stands when G91 comes into force is remembered.
+    pub fn set_incremental(&mut self, incremental: bool) {
+        if incremental && !self.state.incremental {
+            self.state.incremental_from = self.state.position;
+        }
+        self.state.incremental = incremental;
+    }
+
+    /// Units of the program.
+    pub fn set_units(&mut self, units: Units) {
+        if self.state.units != units {
+            self.state.units = units;
+            self.emit(CommandKind::Units(units));
+        }
+    }
+
+    /// What F counts.
+    pub fn set_feed_mode(&mut self, mode: FeedMode) {
+        if self.state.feed_mode != mode {
+            self.state.feed_mode = mode;
+            // A feed of one mode means nothing in another.
+            self.state.feed = None;
+            self.state.feed_angular = None;
+            self.reported.missing_feed = false;
+            self.emit(CommandKind::FeedMode(mode));
+        }
+    }
+
+    /// The plane of arcs and compensation; `word` chose it.
+    pub fn set_plane(&mut self, word: Span, plane: Plane) {
+        if plane == self.state.plane {
+            return;
+        }
+        if self.state.side != Side::Off {
+            self.report(
+                Diagnostic::new(
+                    Code::PlaneChangeInCompensation,
+                    word,
+                    "the plane changes while cutter compensation is on",
+                )
+                .help("cancel compensation with G40 first"),
+            );
+        }
+        self.state.plane = plane;
+        self.emit(CommandKind::Plane(plane));
+    }
+
+    /// Turns the spindle, or stops it.
+    pub fn set_spindle(&mut self, spindle: SpindleState) {
+        let turning = matches!(self.state.spindle, SpindleState::Cw | SpindleState::Ccw);
+        if spindle == SpindleState::Off && !turning {
+            return;
+        }
+        self.state.spindle = spindle;
+        let rpm = if spindle == SpindleState::Off { 0.0 } else { self.state.rpm };
+        self.emit(CommandKind::Spindle { state: spindle, rpm });
+    }
+
+    /// Opens or closes coolant valves.
+    pub fn set_coolant(&mut self, change: impl FnOnce(&mut Coolant)) {
+        let before = self.state.coolant;
+        change(&mut self.state.coolant);
+        if self.state.coolant != before {
+            self.emit(CommandKind::Coolant(self.state.coolant));
+        }
+    }
+
+    /// The speed of the spindle, rev/min.
+    pub fn set_speed(&mut self, rpm: f64) {
+        self.state.rpm = rpm;
+        if self.state.spindle != SpindleState::Off {
+            self.emit(CommandKind::Spindle { state: self.state.spindle, rpm });
+        }
+    }
+
+    /// A tool is made ready.
+    pub fn select_tool(&mut self, number: u32) {
+        self.state.selected_tool = Some(number);
+        self.emit(CommandKind::ToolSelect { number });
+    }
+
+    /// The tool made ready goes into the spindle; `word` changes it.
+    pub fn tool_change(&mut self, word: Span, stops_spindle: bool) {
+        self.state.arc_over_rapid = false;
+        let Some(number) = self.state.selected_tool else {
+            let message = "a tool change, and no tool was named".to_string();
+            return self.missing_word(word, message, "write T and the tool's number before M6");
+        };
+        if self.state.side != Side::Off {
+            let code = Code::ToolChangeInCompensation;
+            let refused = self.alarms.text(code).is_some();
+            self.report(
+                Diagnostic::new(code, word, "the tool is changed while cutter compensation is on")
+                    .severity(if refused { Severity::Error } else { Severity::Warning })
+                    .help("cancel compensation with G40 first"),
+            );
+        }
+        self.end_cycle_if(self.rules.cycles.cancel.by_tool_change);
+        self.state.tool = number;
+        if stops_spindle {
+            self.state.spindle = SpindleState::Off;
+        }
+        self.emit(CommandKind::Tool { number });
+    }
+}

@@ -1,0 +1,367 @@
+//! Arcs, helices and full circles: by centre or by radius, with the mismatch that a control allows.
+
+use chordal_command::{ArcShape, AxisMask, CommandKind, FeedAlong, Move, Position, Side};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_geometry::{
+    ArcFit, Direction, Plane, RadiusError, Vec3, arc_from_center, center_from_radius,
+};
+
+use crate::kernel::Kernel;
+use crate::rules::{ArcCenter, ArcMismatch, FullCircleByRadius, OmittedCenter};
+use crate::state::Motion;
+use crate::statement::{Statement, What};
+
+/// The spatial part of a position.
+#[inline]
+pub(crate) fn point(position: &Position) -> Vec3 {
+    Vec3::new(position[0], position[1], position[2])
+}
+
+/// What a statement says of an arc, but for its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ArcWords {
+    /// Which way it goes.
+    pub direction: Direction,
+    /// The centre words on the two axes of the plane, mm; how they are read is a mode.
+    pub center: [Option<f64>; 2],
+    /// Full turns in addition to the arc's own.
+    pub turns: u32,
+}
+
+impl Kernel<'_> {
+    /// The centre on the plane's axes, by a rule for its words.
+    pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
+        let (a, b, _) = self.state.plane.axes();
+        let start = (self.state.position[a], self.state.position[b]);
+        let [first, second] = words;
+        match rule {
+            ArcCenter::FromStart => {
+                (start.0 + first.unwrap_or(0.0), start.1 + second.unwrap_or(0.0))
+            }
+            ArcCenter::FromCenter => {
+                (start.0 - first.unwrap_or(0.0), start.1 - second.unwrap_or(0.0))
+            }
+            ArcCenter::Absolute => {
+                // A zero elsewhere is the start's own coordinate; whether it is here is not known.
+                let left_out = match self.rules.arc.omitted_center {
+                    OmittedCenter::Start => start,
+                    OmittedCenter::Zero => (0.0, 0.0),
+                };
+                (first.unwrap_or(left_out.0), second.unwrap_or(left_out.1))
+            }
+        }
+    }
+
+    /// An arc, a helix or a full circle about a centre.
+    pub fn arc_by_center(
+        &mut self,
+        at: &dyn Statement,
+        arc: &ArcWords,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let plane = self.state.plane;
+        let from = self.state.position;
+        let center = self.center(arc.center, self.state.arc_center);
+        let (start, end) = (point(&from), point(&target));
+        let fit = arc_from_center(plane, start, end, center, arc.direction, arc.turns, 0.0);
+        if fit.radius_start <= self.rules.arc.coincidence_mm {
+            self.report_zero_radius(at);
+            return self.straight_instead(at, target, named);
+        }
+        self.check_mismatch(at, &fit, arc, &target);
+        self.check_radius_limit(at, fit.radius_start.max(fit.radius_end));
+        self.emit_arc(at, center, &fit, target, named);
+    }
+
+    /// An arc by its radius; negative for more than half a circle.
+    pub fn arc_by_radius(
+        &mut self,
+        at: &dyn Statement,
+        radius: (Span, f64),
+        arc: &ArcWords,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let (span, radius) = radius;
+        let plane = self.state.plane;
+        let (start, end) = (point(&self.state.position), point(&target));
+        // A difference of rounding must not decide at the tolerance itself.
+        let tolerance = self.rules.semicircle_tolerance(self.state.units) + 1e-9;
+        match center_from_radius(plane, start, end, radius, arc.direction, tolerance) {
+            Ok(center) => {
+                let fit = arc_from_center(plane, start, end, center, arc.direction, arc.turns, 0.0);
+                self.check_radius_limit(at, fit.radius_start);
+                self.emit_arc(at, center, &fit, target, named);
+            }
+            Err(RadiusError::FullCircle) => self.full_circle_by_radius(at, span, target, named),
+            Err(RadiusError::TooShort { chord, radius, short_by }) => {
+                let (chord, radius, needed, short) = (
+                    self.length_text(chord),
+                    self.length_text(radius),
+                    self.length_text(chord / 2.0),
+                    self.length_text(short_by),
+                );
+                self.report(
+                    Diagnostic::new(
+                        Code::RadiusTooShort,
+                        span,
+                        format!(
+                            "start and end are {chord} apart; a radius of {radius} does not reach"
+                        ),
+                    )
+                    .label(format!("short by {short}"))
+                    .help(format!("the radius must be at least {needed}; check the end point too")),
+                );
+                self.straight_instead(at, target, named);
+            }
+            Err(RadiusError::NotFinite) => {}
+        }
+    }
+
+    fn full_circle_by_radius(
+        &mut self,
+        at: &dyn Statement,
+        span: Span,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let [a, b] = at.center_names(self.state.plane);
+        let by = format!("give the centre with {a} or {b} and leave the end out");
+        let (what, severity) = match self.rules.arc.full_circle_by_radius {
+            FullCircleByRadius::Refused => ("the control refuses it", Severity::Error),
+            FullCircleByRadius::NoMotion => ("nothing moves", Severity::Warning),
+        };
+        self.report(
+            Diagnostic::new(
+                Code::FullCircleByRadius,
+                span,
+                format!("start and end are the same point: a radius gives no circle, and {what}"),
+            )
+            .severity(severity)
+            .help(by),
+        );
+        if self.rules.arc.full_circle_by_radius == FullCircleByRadius::Refused {
+            self.straight_instead(at, target, named);
+        }
+    }
+
+    /// Emits the arc, or the arc and the straight rest where the control does that.
+    pub fn emit_arc(
+        &mut self,
+        at: &dyn Statement,
+        center: (f64, f64),
+        fit: &ArcFit,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let error = fit.radius_error().abs();
+        let parameters = &self.rules.arc;
+        let rest = parameters.arc_mismatch == ArcMismatch::ArcThenLine
+            && error > parameters.coincidence_mm
+            && error <= parameters.radius_error_tolerance_mm;
+        let plane = self.state.plane;
+        let mut shape = ArcShape {
+            plane,
+            center: [center.0, center.1],
+            sweep: fit.sweep,
+            radius_from: fit.radius_start,
+            radius_to: fit.radius_end,
+        };
+        let mut arc_end = target;
+        if rest {
+            // Where the arc with the start's radius meets the ray of the programmed end.
+            let (a, b, _) = plane.axes();
+            let scale = fit.radius_start / fit.radius_end;
+            arc_end[a] = center.0 + (target[a] - center.0) * scale;
+            arc_end[b] = center.1 + (target[b] - center.1) * scale;
+            shape.radius_to = fit.radius_start;
+        }
+        self.check_rotary_in_arc(at, &target);
+        let motion = self.moved_to(arc_end, named);
+        let mut feed = self.feed_for(at, &motion, Some(&shape));
+        feed.along = self.feed_along(&motion, plane);
+        self.emit(CommandKind::Arc { motion, shape, feed });
+        if rest {
+            let motion = self.moved_to(target, named);
+            feed.along = FeedAlong::Path;
+            self.emit(CommandKind::Line { motion, feed });
+        }
+    }
+
+    /// F of a helix; a flat arc is the same either way.
+    pub fn feed_along(&self, motion: &Move, plane: Plane) -> FeedAlong {
+        let (_, _, normal) = plane.axes();
+        if motion.from[normal] == motion.to[normal] {
+            FeedAlong::Path
+        } else {
+            self.rules.arc.helix_feed
+        }
+    }
+
+    /// An end that misses the start by rounding only is the start: a full circle.
+    #[inline]
+    pub fn snap_to_start(&self, target: &mut Position) {
+        let (a, b, _) = self.state.plane.axes();
+        let from = &self.state.position;
+        let (da, db) = (target[a] - from[a], target[b] - from[b]);
+        let near = self.rules.arc.coincidence_mm;
+        if da * da + db * db < near * near {
+            target[a] = from[a];
+            target[b] = from[b];
+        }
+    }
+
+    /// An arc that cannot be made still brings the tool to its end.
+    pub fn straight_instead(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
+        if target == self.state.position {
+            return;
+        }
+        if self.state.motion == Motion::Rapid {
+            return self.straight(at, target, named);
+        }
+        let motion = self.moved_to(target, named);
+        let feed = self.feed_for(at, &motion, None);
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    #[inline]
+    fn check_mismatch(
+        &mut self,
+        at: &dyn Statement,
+        fit: &ArcFit,
+        arc: &ArcWords,
+        target: &Position,
+    ) {
+        let p = &self.rules.arc;
+        let error = fit.radius_error().abs();
+        // A difference of rounding must not decide at the tolerance itself.
+        if error <= p.radius_error_tolerance_mm * (1.0 + 1e-9) {
+            return;
+        }
+        let by_radius = p.radius_error_relative > 0.0
+            && error <= p.radius_error_limit_mm
+            && error <= p.radius_error_relative * fit.radius_start.max(fit.radius_end);
+        if !by_radius {
+            self.report_mismatch(at, fit, arc, target);
+        }
+    }
+
+    #[cold]
+    fn report_mismatch(
+        &mut self,
+        at: &dyn Statement,
+        fit: &ArcFit,
+        arc: &ArcWords,
+        target: &Position,
+    ) {
+        let span = at.words(What::EndAndCenter(self.state.plane));
+        let error = self.length_text(fit.radius_error().abs());
+        let allowed = self.length_text(self.rules.arc.radius_error_tolerance_mm);
+        let (from, to) = (self.length_text(fit.radius_start), self.length_text(fit.radius_end));
+        let place = if fit.radius_end > fit.radius_start { "outside" } else { "inside" };
+        let alarm = self.alarm_text(Code::RadiusMismatch, Some(error.clone()));
+        let mut diagnostic = Diagnostic::new(
+            Code::RadiusMismatch,
+            span,
+            format!("the end is {error} off the arc; this control allows {allowed}"),
+        )
+        .label(format!("radius {from} at the start, {to} at the end"))
+        .note(format!("the end lies {place} the circle through the start"))
+        .help(
+            "check the end point and the centre words of this block, and the end point of the \
+             block before, where the arc starts",
+        );
+        diagnostic.alarm = alarm;
+        if let Some(hint) = self.center_hint(fit, arc, target) {
+            diagnostic = diagnostic.note(hint);
+        }
+        self.report(diagnostic);
+    }
+
+    /// Says when the same words make a true arc under another rule for the centre.
+    fn center_hint(&self, fit: &ArcFit, arc: &ArcWords, target: &Position) -> Option<String> {
+        let (a, b, _) = self.state.plane.axes();
+        let in_force = self.state.arc_center;
+        let (start, end) =
+            ((self.state.position[a], self.state.position[b]), (target[a], target[b]));
+        let rules = [
+            (ArcCenter::FromStart, "from the start to the centre"),
+            (ArcCenter::Absolute, "as the centre's coordinates"),
+            (ArcCenter::FromCenter, "from the centre to the start"),
+        ];
+        for (rule, words) in rules {
+            if rule == in_force {
+                continue;
+            }
+            let center = self.center(arc.center, rule);
+            let radius =
+                |p: (f64, f64)| ((p.0 - center.0).powi(2) + (p.1 - center.1).powi(2)).sqrt();
+            let (from, to) = (radius(start), radius(end));
+            if from > 1e-6 && (from - to).abs() < 0.01 * fit.radius_error().abs() {
+                return Some(format!(
+                    "the radii agree ({}) when the centre words are read {words}",
+                    self.length_text(from)
+                ));
+            }
+        }
+        None
+    }
+
+    fn check_radius_limit(&mut self, at: &dyn Statement, radius: f64) {
+        let parameters = &self.rules.arc;
+        let compensated = self.state.side != Side::Off;
+        let limit = if compensated {
+            parameters.max_radius_compensated_mm
+        } else {
+            parameters.max_radius_mm
+        };
+        if radius <= limit * (1.0 + 1e-9) {
+            return;
+        }
+        let (is, allowed) = (self.length_text(radius), self.length_text(limit));
+        let with = if compensated { " with cutter compensation" } else { "" };
+        let span = at.words(What::CenterOrRadius);
+        self.report(
+            Diagnostic::new(
+                Code::RadiusOverLimit,
+                span,
+                format!("a radius of {is} is above the {allowed} that this control allows{with}"),
+            )
+            .label(format!("at most {allowed}"))
+            .help("cut it as a line, or with arcs of a smaller radius"),
+        );
+    }
+
+    fn report_zero_radius(&mut self, at: &dyn Statement) {
+        let span = at.words(What::Center);
+        self.report(
+            Diagnostic::new(Code::ZeroRadius, span, "the centre of this arc is its start point")
+                .label("these words place it there")
+                .help(match self.state.arc_center {
+                    ArcCenter::FromStart => "give the distance from the start to the centre",
+                    ArcCenter::Absolute => "give the coordinates of the centre",
+                    ArcCenter::FromCenter => "give the distance from the centre to the start",
+                }),
+        );
+    }
+
+    /// A rotary axis in the block of an arc, on a control that does not turn it there.
+    pub fn check_rotary_in_arc(&mut self, at: &dyn Statement, target: &Position) {
+        let turns = target[3..] != self.state.position[3..];
+        if self.rules.arc.rotary_in_arc || !turns {
+            return;
+        }
+        let title = self.alarms.title;
+        let span = at.words(What::Axes(AxisMask::ROTARY));
+        self.report(
+            Diagnostic::new(
+                Code::RotaryInArc,
+                span,
+                format!("a rotary axis in the block of an arc: {title} does not turn it there"),
+            )
+            .label("shown turning along with the arc")
+            .help("turn it in a block before; where this machine does it, set `rotary_in_arc`"),
+        );
+    }
+}

@@ -1,0 +1,260 @@
+//! Straight moves, and the feed of cuts.
+
+mod arc;
+mod reference;
+mod spiral;
+
+use chordal_command::{
+    ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
+    Units, telling_number,
+};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_machine::Axis;
+
+pub use arc::ArcWords;
+pub use spiral::SpiralWords;
+
+use crate::kernel::Kernel;
+use crate::state::Motion;
+use crate::statement::{Statement, What};
+
+impl Kernel<'_> {
+    /// A straight move by the motion in force.
+    pub fn straight(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
+        let motion = self.moved_to(target, named);
+        if self.state.motion == Motion::Rapid {
+            if self.state.incremental && named == AxisMask(1 << 2) {
+                self.check_clearance_in_incremental(at, &motion);
+            }
+            let path = self.rules.rapid;
+            self.emit(CommandKind::Rapid { motion, path });
+        } else {
+            self.check_rotary(at, &motion);
+            let feed = self.feed_for(at, &motion, None);
+            self.emit(CommandKind::Line { motion, feed });
+        }
+    }
+
+    /// A rapid of Z alone in G91 by as much as Z was when G91 came into force, away from there: the height
+    /// itself, in G90, was likely meant.
+    #[cold]
+    fn check_clearance_in_incremental(&mut self, at: &dyn Statement, motion: &Move) {
+        let begun = self.state.incremental_from[2];
+        let lift = motion.to[2] - motion.from[2];
+        // From below it ends where a program in G91 may mean to end.
+        if begun <= 0.0 || (lift - begun).abs() > 1e-9 || motion.to[2] < begun + 1e-9 {
+            return;
+        }
+        let (lift, end) = (self.length_text(lift), self.length_text(motion.to[2]));
+        self.report(
+            Diagnostic::new(
+                Code::ClearanceInIncremental,
+                at.span(),
+                format!("G91 is in force: Z lifts by {lift} to {end}"),
+            )
+            .label("a distance, not a height")
+            .note(format!(
+                "G91 came into force at Z {lift}: what is cut since then is {lift} higher than the numbers of its Z words"
+            ))
+            .help("write G90 before it, if the height is meant"),
+        );
+    }
+
+    /// Moves the state to a point of program coordinates.
+    #[inline]
+    pub fn moved_to(&mut self, target: Position, named: AxisMask) -> Move {
+        let from_known = self.state.known;
+        let offset_known = self.state.offsets.known();
+        self.state.known = from_known.or(named);
+        // An axis that was placed in program coordinates stands at a known machine place
+        // only where the offset is known.
+        let machine = self.state.machine_known;
+        self.state.machine_known = machine.without(named).or(named.and(offset_known));
+        let from = std::mem::replace(&mut self.state.position, target);
+        Move { from, to: target, from_known, to_known: self.state.known }
+    }
+
+    /// The feed of a cutting move, with its checks.
+    #[inline]
+    pub fn feed_for(
+        &mut self,
+        at: &dyn Statement,
+        motion: &Move,
+        shape: Option<&ArcShape>,
+    ) -> Feed {
+        let state = &self.state;
+        let angular = state.feed_mode == FeedMode::PerTime && motion.only_turns(shape);
+        let value = if angular { state.feed_angular } else { state.feed };
+        // No F at all is a NaN, which is not above zero either.
+        let value = value.unwrap_or(f64::NAN);
+        let feed = Feed {
+            value,
+            mode: state.feed_mode,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: state.rpm / 60.0,
+        };
+        let each_block = state.feed_mode == FeedMode::InverseTime && !at.has_feed();
+        let has_feed = value > 0.0;
+        if !has_feed || each_block {
+            self.report_missing_feed(at);
+        }
+        if self.state.spindle == SpindleState::Off {
+            self.report_spindle_stopped(at);
+        }
+        if let Some(word) = self.state.feed_over {
+            self.check_feed_limit(word, &feed, angular);
+        }
+        feed
+    }
+
+    #[cold]
+    fn report_missing_feed(&mut self, at: &dyn Statement) {
+        let inverse = self.state.feed_mode == FeedMode::InverseTime;
+        if self.reported.missing_feed && !inverse {
+            return;
+        }
+        self.reported.missing_feed = true;
+        let zero = self.state.feed == Some(0.0);
+        let message = match (inverse, zero) {
+            (true, _) => "in inverse time (G93) every cutting block needs its own F",
+            (_, true) => "a cutting move at feed zero",
+            _ => "a cutting move before any feed was given",
+        };
+        let span = at.span();
+        self.report(
+            Diagnostic::new(Code::MissingFeed, span, message)
+                .label(if zero { "F is zero" } else { "no F in this block or before it" })
+                .help("put an F word into this block"),
+        );
+    }
+
+    /// A cut while the spindle stands; once for each tool.
+    #[cold]
+    pub fn report_spindle_stopped(&mut self, at: &dyn Statement) {
+        if self.reported.spindle_for_tool == Some(self.state.tool) {
+            return;
+        }
+        self.reported.spindle_for_tool = Some(self.state.tool);
+        let span = at.span();
+        let tool = self.state.tool;
+        let with = if tool == 0 { String::new() } else { format!(" with tool {tool}") };
+        self.report(
+            Diagnostic::new(
+                Code::SpindleStopped,
+                span,
+                format!("a cutting move{with}, and the spindle does not turn"),
+            )
+            .label("the first cut without a spindle")
+            .help("start the spindle (S… M3) before the first cut"),
+        );
+    }
+
+    fn check_rotary(&mut self, at: &dyn Statement, motion: &Move) {
+        let limit = self.rules.max_rotary_per_block_rad;
+        if limit == f64::INFINITY {
+            return;
+        }
+        for axis in 3..6 {
+            let turn = (motion.to[axis] - motion.from[axis]).abs();
+            if turn > limit * (1.0 + 1e-12) {
+                let letter = Axis::ALL[axis].letter();
+                let span = at.words(What::Axes(AxisMask(1 << axis)));
+                self.report(
+                    Diagnostic::new(
+                        Code::RotaryOverLimit,
+                        span,
+                        format!(
+                            "{} turns {} degrees in one block; this control allows {}",
+                            letter,
+                            telling_number(turn.to_degrees(), 3),
+                            telling_number(limit.to_degrees(), 3),
+                        ),
+                    )
+                    .help("divide the move into several blocks"),
+                );
+            }
+        }
+    }
+
+    /// Holds a feed that is too large for lengths or for angles against the move that is made with it.
+    #[cold]
+    fn check_feed_limit(&mut self, word: Span, feed: &Feed, angular: bool) {
+        let limits = self.machine.feed;
+        let max = if angular { limits.max_rad_per_s } else { limits.max_mm_per_s };
+        if feed.mode == FeedMode::PerTime
+            && let Some(max) = max
+            && is_over(feed.value, Some(max))
+        {
+            self.state.feed_over = None;
+            self.report_feed_over(word, feed.value, max, angular);
+        }
+    }
+
+    /// A feed above a limit of the machine.
+    #[cold]
+    pub fn report_feed_over(&mut self, word: Span, feed: f64, max: f64, angular: bool) {
+        let shown = |per_s: f64| match self.state.units {
+            _ if angular => {
+                format!("{} deg/min", telling_number(per_s.to_degrees() * 60.0, 0))
+            }
+            Units::Inch => format!("{} in/min", telling_number(per_s * 60.0 / 25.4, 1)),
+            Units::Millimetre => format!("{} mm/min", telling_number(per_s * 60.0, 0)),
+        };
+        let (is, allowed) = (shown(feed), shown(max));
+        let name = self.machine.name.clone();
+        let key = if angular { "max_rotary" } else { "max" };
+        self.report(
+            Diagnostic::new(
+                Code::FeedOverLimit,
+                word,
+                format!("a feed of {is} is above the {allowed} that {name} allows"),
+            )
+            .label(format!("at most {allowed}"))
+            .help(format!(
+                "program {allowed} or less, or raise `[feed] {key}` in the machine file"
+            )),
+        );
+    }
+
+    /// A rapid, whatever motion is in force.
+    pub fn rapid(&mut self, target: Position, named: AxisMask) {
+        let motion = self.moved_to(target, named);
+        let path = self.rules.rapid;
+        self.emit(CommandKind::Rapid { motion, path });
+    }
+
+    /// A rapid, where it goes anywhere.
+    pub fn rapid_to(&mut self, target: Position, named: AxisMask) {
+        if target == self.state.position {
+            self.state.known = self.state.known.or(named);
+            return;
+        }
+        self.rapid(target, named);
+    }
+
+    /// A straight cut at the feed in force, whatever motion is.
+    pub fn line(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
+        let motion = self.moved_to(target, named);
+        let feed = self.feed_for(at, &motion, None);
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    /// F: in the unit of the mode in force, and as an angle per time.
+    pub fn set_feed(&mut self, word: Span, feed: f64, angular: f64) {
+        self.state.feed = Some(feed);
+        self.state.feed_angular = Some(angular);
+        if feed > 0.0 {
+            self.reported.missing_feed = false;
+        }
+        self.emit(CommandKind::FeedRate { value: feed, mode: self.state.feed_mode });
+        let limits = &self.machine.feed;
+        let over = self.state.feed_mode == FeedMode::PerTime
+            && (is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s));
+        self.state.feed_over = over.then_some(word);
+    }
+}
+
+/// Above a limit, which rounding does not make it.
+pub fn is_over(feed: f64, max: Option<f64>) -> bool {
+    max.is_some_and(|max| feed > max * (1.0 + 1e-9))
+}

@@ -1,0 +1,58 @@
+//! Moves to machine points: reference points and machine coordinates.
+
+use chordal_command::{AxisMask, CommandKind, FeedAlong, Move, Position};
+
+use crate::kernel::Kernel;
+use crate::state::Motion;
+use crate::statement::Statement;
+
+impl Kernel<'_> {
+    /// Over a point to a reference point, with the axes named. Axes that it does not know go to zero.
+    pub fn return_over(&mut self, target: Position, named: AxisMask, reference: &[Option<f64>; 6]) {
+        if target != self.state.position {
+            self.rapid(target, named);
+        }
+        self.go_to_reference(named, reference);
+    }
+
+    /// Straight to a reference point.
+    pub fn go_to_reference(&mut self, named: AxisMask, reference: &[Option<f64>; 6]) {
+        let home = reference.map(|place| place.unwrap_or(0.0));
+        self.rapid_to_machine_point(home, named);
+    }
+
+    /// G53: to a point of machine coordinates, by a rapid or at the feed in force.
+    pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
+        let rapid = self.state.motion == Motion::Rapid;
+        if rapid || self.rules.machine_move_is_rapid {
+            return self.rapid_to_machine_point(place, named);
+        }
+        let motion = self.machine_move(place, named);
+        let mut feed = self.feed_for(at, &motion, None);
+        feed.along = FeedAlong::Path;
+        self.emit(CommandKind::Line { motion, feed });
+    }
+
+    fn rapid_to_machine_point(&mut self, place: Position, named: AxisMask) {
+        let motion = self.machine_move(place, named);
+        let path = self.rules.rapid;
+        self.emit(CommandKind::Rapid { motion, path });
+    }
+
+    /// The move to a point of machine coordinates, as program coordinates see it.
+    fn machine_move(&mut self, place: Position, named: AxisMask) -> Move {
+        let total = self.state.offsets.total();
+        let offset_known = self.state.offsets.known();
+        let from = self.state.position;
+        let from_known = self.state.known;
+        let mut to = from;
+        for axis in named.iter() {
+            let index = axis as usize;
+            to[index] = place[index] - total[index];
+        }
+        self.state.position = to;
+        self.state.machine_known = self.state.machine_known.or(named);
+        self.state.known = from_known.without(named).or(named.and(offset_known));
+        Move { from, to, from_known, to_known: self.state.known }
+    }
+}

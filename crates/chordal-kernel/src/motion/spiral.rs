@@ -1,0 +1,469 @@
+//! Spirals and cones: Mitsubishi type 1 and type 2, Fanuc's L and Q.
+//!
+//! With r0 and r1 the distances of start and end from the centre and θ the directed angle
+//! from start to end in [0, 2π), the angle of a spiral is θ plus whole turns; the radius
+//! goes linearly with the angle. Where the end is the start, G2 and G3 make a full circle, as they
+//! do without Q, K or L; G2.1 and G3.1 count every turn in P.
+
+use std::f64::consts::{PI, TAU};
+
+use chordal_command::{ArcShape, AxisMask, CommandKind, Position, telling_number};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_geometry::{Direction, arc_from_center};
+
+use super::arc::point;
+use crate::kernel::Kernel;
+use crate::rules::{SpiralForm, SpiralOnRay};
+use crate::statement::{Statement, What};
+
+/// What a statement says of a spiral, but for its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SpiralWords {
+    /// Which way it goes.
+    pub direction: Direction,
+    /// It has a centre word, and no radius.
+    pub centered: bool,
+    /// It has a radius.
+    pub by_radius: bool,
+    /// The centre words on the two axes of the plane, mm; how they are read is a mode.
+    pub center: [Option<f64>; 2],
+    /// The change of the radius in a turn, mm.
+    pub increment: Option<f64>,
+    /// The height of a turn, mm, where it counts.
+    pub height: Option<f64>,
+    /// Turns begun.
+    pub count: Option<u32>,
+}
+
+/// Most turns of a spiral (the manuals' 0 to 99).
+const MAX_TURNS: u32 = 99;
+
+/// So many least increments off the ray of the start are rounding: half of one for each of the words of
+/// the end and of the centre.
+const ROUNDED_INCREMENTS: f64 = 1.5;
+
+/// Ends, centre and θ of a spiral block.
+struct SpiralEnds {
+    center: (f64, f64),
+    radius_from: f64,
+    radius_to: f64,
+    /// Directed angle from start to end in [0, 2π).
+    angle: f64,
+    /// The end is on the ray of the start, but for the rounding of coordinates to the least increment.
+    on_ray: bool,
+    /// The end is the start, on the axes of the plane.
+    closed: bool,
+    direction: Direction,
+}
+
+impl SpiralEnds {
+    /// The angle with so many whole turns. Rounded coordinates that put the end a little before the ray
+    /// of the start do not make a turn more of it.
+    fn with_turns(&self, turns: u32) -> f64 {
+        let before_ray = self.on_ray && self.angle > PI;
+        let beyond = if turns > 0 && before_ray { self.angle - TAU } else { self.angle };
+        beyond + TAU * f64::from(turns)
+    }
+}
+
+impl Kernel<'_> {
+    /// A spiral by its further turns (G2.1 and G3.1 with P): the angle is θ + 2πP.
+    pub fn spiral_by_pitches(
+        &mut self,
+        at: &dyn Statement,
+        spiral: &SpiralWords,
+        pitches: u32,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let mut target = target;
+        self.snap_to_start(&mut target);
+        let Some(ends) = self.spiral_ends(at, spiral, &target) else {
+            return self.straight_instead(at, target, named);
+        };
+        let turns = self.checked_turns(at, What::Pitches, pitches);
+        let angle = ends.with_turns(turns);
+        self.emit_spiral(at, &ends, angle, target, named, What::Pitches);
+    }
+
+    /// A spiral by its increment, height or count (G2 and G3 with Q, K or L).
+    pub fn spiral_by_increment(
+        &mut self,
+        at: &dyn Statement,
+        spiral: &SpiralWords,
+        target: Position,
+        named: AxisMask,
+    ) {
+        let Some(ends) = self.spiral_ends(at, spiral, &target) else {
+            return self.straight_instead(at, target, named);
+        };
+        let angle = self.spiral_angle(at, spiral, &ends, &target);
+        self.emit_spiral(at, &ends, angle, target, named, What::Count);
+    }
+
+    /// The end is the start, on the axes of the plane.
+    pub fn ends_at_start(&self, target: &Position) -> bool {
+        let (a, b, _) = self.state.plane.axes();
+        let from = &self.state.position;
+        target[a] == from[a] && target[b] == from[b]
+    }
+
+    fn spiral_ends(
+        &mut self,
+        at: &dyn Statement,
+        spiral: &SpiralWords,
+        target: &Position,
+    ) -> Option<SpiralEnds> {
+        if !spiral.centered {
+            let [a, b] = at.center_names(self.state.plane);
+            let message = match spiral.by_radius {
+                true => "a spiral cannot be given by R",
+                false => "a spiral without a centre",
+            };
+            let help = format!("give the centre with {a} and {b}");
+            self.report(Diagnostic::new(Code::NoCenter, at.span(), message).help(help));
+            return None;
+        }
+        let center = self.center(spiral.center, self.state.arc_center);
+        let direction = spiral.direction;
+        let from = point(&self.state.position);
+        let fit = arc_from_center(self.state.plane, from, point(target), center, direction, 0, 0.0);
+        // The fit calls an end on the start's ray a full turn; here it is none.
+        let full = fit.sweep.abs();
+        let radius = fit.radius_start.min(fit.radius_end);
+        let short_of_ray = (TAU - full) * radius;
+        let near = self.rules.arc.coincidence_mm;
+        let angle = if short_of_ray <= near || full * radius <= near { 0.0 } else { full };
+        let rounding = ROUNDED_INCREMENTS * self.rules.least_increment(self.state.units);
+        let on_ray = short_of_ray <= rounding || full * radius <= rounding;
+        if fit.radius_start <= near && fit.radius_end <= near {
+            let span = at.words(What::Center);
+            self.report(
+                Diagnostic::new(
+                    Code::ZeroRadius,
+                    span,
+                    "start, end and centre of this spiral are one point",
+                )
+                .help("give the way from the start to the centre"),
+            );
+            return None;
+        }
+        if fit.radius_start <= near || fit.radius_end <= near {
+            self.report_end_on_center(at, fit.radius_start <= near);
+        }
+        Some(SpiralEnds {
+            closed: self.ends_at_start(target),
+            center,
+            radius_from: fit.radius_start,
+            radius_to: fit.radius_end,
+            angle,
+            on_ray,
+            direction,
+        })
+    }
+
+    /// The whole angle by increment, height or count, in this precedence.
+    fn spiral_angle(
+        &mut self,
+        at: &dyn Statement,
+        spiral: &SpiralWords,
+        ends: &SpiralEnds,
+        target: &Position,
+    ) -> f64 {
+        let (_, _, normal) = self.state.plane.axes();
+        let form = self.rules.arc.spiral;
+        if let Some(q) = spiral.increment.filter(|q| *q != 0.0) {
+            let signed = form == SpiralForm::IncrementCount;
+            let change = ends.radius_to - ends.radius_from;
+            if ends.closed {
+                let why = "and start and end are equally far from the centre";
+                self.report_no_increment(at, What::Increment, why);
+                return TAU;
+            }
+            if signed && change * q < 0.0 {
+                self.report_sign_of_q(at, change);
+            }
+            let turns = change.abs() / q.abs();
+            let angle = self.congruent(at, What::Increment, turns, q.abs(), ends);
+            if signed && let Some(count) = spiral.count {
+                self.check_count(at, count, angle / TAU);
+            }
+            return angle;
+        }
+        let height = What::Height(self.state.plane);
+        if let Some(k) = spiral.height.filter(|k| *k != 0.0) {
+            let rise = target[normal] - self.state.position[normal];
+            if ends.closed && rise == 0.0 {
+                self.report_no_increment(at, height, "and the end is as high as the start");
+                return TAU;
+            }
+            let turns = rise.abs() / k.abs();
+            return self.congruent(at, height, turns, k.abs(), ends);
+        }
+        let full_turn =
+            ends.closed || ends.on_ray && self.rules.arc.spiral_on_ray == SpiralOnRay::FullTurn;
+        if full_turn || ends.angle > 0.0 {
+            self.report_zero_count(at, spiral, ends);
+        }
+        let count = self.checked_turns(at, What::Count, spiral.count.unwrap_or(1).max(1));
+        ends.with_turns(if full_turn { count } else { count - 1 })
+    }
+
+    /// Q, the height word or L of zero, in a block that they make a spiral.
+    fn report_zero_count(&mut self, at: &dyn Statement, spiral: &SpiralWords, ends: &SpiralEnds) {
+        let zero = match spiral.count {
+            _ if ends.closed => None,
+            // The control counts turns begun, from one.
+            Some(0) if self.rules.arc.spiral == SpiralForm::IncrementCount => {
+                return self.report_count_of_zero(at);
+            }
+            Some(0) => Some(What::Count),
+            Some(_) => None,
+            None if at.has(What::Increment) => Some(What::Increment),
+            None if spiral.height.is_some() => Some(What::Height(self.state.plane)),
+            None => None,
+        };
+        let Some(letter) = zero else { return };
+        let span = at.words(letter);
+        let letter = at.name(letter);
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("`{letter}` of zero gives no number of turns: it is read as L1"),
+            )
+            .severity(Severity::Warning)
+            .label("the first turn, and no further one")
+            .help("write the count with L, or take the word out"),
+        );
+    }
+
+    fn report_count_of_zero(&mut self, at: &dyn Statement) {
+        let span = at.words(What::Count);
+        self.report(
+            Diagnostic::new(Code::BadWordValue, span, "`L` counts the turns begun, from one")
+                .label("read as L1")
+                .help("write L1 for less than a turn"),
+        );
+    }
+
+    /// An increment per turn of something that does not change, on a full circle.
+    fn report_no_increment(&mut self, at: &dyn Statement, letter: What, why: &str) {
+        let span = at.words(letter);
+        let letter = at.name(letter);
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("`{letter}` asks for a change in each turn, {why}"),
+            )
+            .label("shown as one full circle")
+            .help(format!("take {letter} out for a circle, or give the end of the spiral")),
+        );
+    }
+
+    /// A spiral that begins or ends on its centre.
+    fn report_end_on_center(&mut self, at: &dyn Statement, start: bool) {
+        let span = at.words(What::Center);
+        let (end, other) = if start { ("start", "end") } else { ("end", "start") };
+        self.report(
+            Diagnostic::new(
+                Code::ZeroRadius,
+                span,
+                format!("the {end} of this spiral is its centre"),
+            )
+            .severity(Severity::Warning)
+            .label(format!("the angle there is not known; shown as that of the {other}"))
+            .help(
+                "whether the control takes it is not known: end it a little away from the centre",
+            ),
+        );
+    }
+
+    /// Whole turns so that the angle ends exactly at the programmed end, and a problem when
+    /// the given increment means another angle.
+    fn congruent(
+        &mut self,
+        at: &dyn Statement,
+        letter: What,
+        turns: f64,
+        per_turn: f64,
+        ends: &SpiralEnds,
+    ) -> f64 {
+        let fraction = ends.angle / TAU;
+        if turns > f64::from(MAX_TURNS) + 1.0 {
+            let span = at.words(letter);
+            let (letter, turns) = (at.name(letter), turns_text(turns));
+            self.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!(
+                        "{letter} asks for {turns} turns, more than the {MAX_TURNS} of this control"
+                    ),
+                )
+                .label(format!("shown with {MAX_TURNS} turns"))
+                .help("write a larger increment per turn"),
+            );
+            return ends.angle + TAU * f64::from(MAX_TURNS);
+        }
+        let least = if ends.closed { 1.0 } else { 0.0 };
+        let whole = (turns - fraction).round().clamp(least, f64::from(MAX_TURNS));
+        let off = (turns - whole - fraction).abs() * per_turn;
+        if off > self.rules.arc.spiral_end_tolerance_mm * (1.0 + 1e-9) {
+            let span = at.words(letter);
+            let given = turns_text(turns);
+            let fits = turns_text(whole + fraction);
+            let off = self.length_text(off);
+            let allowed = self.length_text(self.rules.arc.spiral_end_tolerance_mm);
+            self.report(
+                Diagnostic::new(
+                    Code::SpiralTurns,
+                    span,
+                    format!(
+                        "{} asks for {given} turns, and start, end and centre allow {fits}",
+                        at.name(letter)
+                    ),
+                )
+                .label(format!("the end would be {off} off; {allowed} is allowed"))
+                .help("change the end point, or the increment per turn"),
+            );
+        }
+        ends.angle + TAU * whole
+    }
+
+    fn check_count(&mut self, at: &dyn Statement, count: u32, turns: f64) {
+        // The count is of turns begun: four and a quarter are L5.
+        let begun = (turns - 1e-9).ceil().max(1.0);
+        if f64::from(count) != begun {
+            let span = at.words(What::Count);
+            let turns = turns_text(turns);
+            self.report(
+                Diagnostic::new(
+                    Code::SpiralTurns,
+                    span,
+                    format!("L{count} contradicts Q, which asks for {turns} turns"),
+                )
+                .severity(Severity::Warning)
+                .label("Q is followed")
+                .help(format!("write L{begun}, or leave L out")),
+            );
+        }
+    }
+
+    fn report_sign_of_q(&mut self, at: &dyn Statement, change: f64) {
+        let span = at.words(What::Increment);
+        let grows = if change > 0.0 { "grows" } else { "shrinks" };
+        let change = self.length_text(change.abs());
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("the sign of Q contradicts the ends: the radius {grows} by {change}"),
+            )
+            .help("Q is positive when the radius grows, negative when it shrinks"),
+        );
+    }
+
+    fn checked_turns(&mut self, at: &dyn Statement, letter: What, turns: u32) -> u32 {
+        if turns <= MAX_TURNS {
+            return turns;
+        }
+        let span = at.words(letter);
+        self.report(
+            Diagnostic::new(
+                Code::BadWordValue,
+                span,
+                format!(
+                    "{}{turns} is above the {MAX_TURNS} turns of this control",
+                    at.name(letter)
+                ),
+            )
+            .help(format!("write {MAX_TURNS} or less")),
+        );
+        MAX_TURNS
+    }
+
+    /// `letter` is the one that counts turns.
+    fn emit_spiral(
+        &mut self,
+        at: &dyn Statement,
+        ends: &SpiralEnds,
+        angle: f64,
+        target: Position,
+        named: AxisMask,
+        letter: What,
+    ) {
+        if angle <= 0.0 {
+            self.report_no_turn(at, ends, &target, letter);
+            return self.straight_instead(at, target, named);
+        }
+        let plane = self.state.plane;
+        let shape = ArcShape {
+            plane,
+            center: [ends.center.0, ends.center.1],
+            sweep: ends.direction.sign() * angle,
+            radius_from: ends.radius_from,
+            radius_to: ends.radius_to,
+        };
+        self.check_rotary_in_arc(at, &target);
+        let motion = self.moved_to(target, named);
+        let feed = self.feed_for(at, &motion, Some(&shape));
+        // One turn back to the start is a circle or a helix, whatever words say so.
+        let circle = ends.closed && angle == TAU;
+        self.emit(match circle {
+            true => CommandKind::Arc { motion, shape, feed },
+            false => CommandKind::Spiral { motion, shape, feed },
+        });
+    }
+
+    /// Start and end on one ray from the centre, and a count that adds no turn.
+    fn report_no_turn(
+        &mut self,
+        at: &dyn Statement,
+        ends: &SpiralEnds,
+        target: &Position,
+        letter: What,
+    ) {
+        let height = What::Height(self.state.plane);
+        // Without a count the word is named that makes the statement a spiral.
+        let letter = match letter {
+            What::Count if !at.has(What::Count) && at.has(What::Increment) => What::Increment,
+            What::Count if !at.has(What::Count) && at.has(height) => height,
+            letter => letter,
+        };
+        let where_to = if ends.closed {
+            "the end of this spiral is its start"
+        } else {
+            "start and end of this spiral lie on one ray from the centre"
+        };
+        let shown =
+            if *target == self.state.position { "nothing moves" } else { "a straight line" };
+        let name = at.name(letter);
+        let whole =
+            |number: &str| number.parse::<f64>().is_ok_and(|n| n >= 0.0 && n.fract() == 0.0);
+        let counts = matches!(letter, What::Pitches | What::Count);
+        let count = match at.number(letter) {
+            Some(number) if !counts || whole(&number) => format!("with {name}{number}"),
+            // What is wrong with the word was reported.
+            Some(_) => return,
+            None => format!("without {name}"),
+        };
+        let more = if letter == What::Pitches { "P1" } else { "L2" };
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::SpiralTurns,
+                span,
+                format!("{where_to}, and {count} it makes no turn"),
+            )
+            .severity(Severity::Warning)
+            .label(format!("shown as the words say: {shown}"))
+            .help(format!("write {more} for one turn, or give another end")),
+        );
+    }
+}
+
+fn turns_text(turns: f64) -> String {
+    telling_number(turns, 4)
+}

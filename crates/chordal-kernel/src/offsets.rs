@@ -1,0 +1,228 @@
+//! Work offsets, shifts and tool length: what lies between program and machine coordinates.
+
+use std::collections::BTreeMap;
+
+use chordal_command::{AxisMask, Position, WorkName, WorkNaming};
+use chordal_machine::{Machine, Tool};
+
+/// The offset tables and which of them are in force.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Offsets {
+    systems: BTreeMap<String, [Option<f64>; 6]>,
+    external: [Option<f64>; 6],
+    tools: BTreeMap<u32, Tool>,
+    naming: WorkNaming,
+    active: WorkName,
+    /// G52, added to every system.
+    shift: Position,
+    /// G92, added to every system.
+    preset: Position,
+    /// The axes whose place G92 has made known or unknown, whatever the table says.
+    preset_known: [Option<bool>; 6],
+    length: LengthOffset,
+    total: Position,
+    work: Position,
+    known: AxisMask,
+}
+
+/// The tool length in force.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LengthOffset {
+    /// Its number; `None` when cancelled.
+    pub number: Option<u32>,
+    /// Subtracted (G44), not added.
+    pub minus: bool,
+}
+
+/// Which of the offsets stand behind the numbers: two unknown offsets are not the same.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Identity {
+    active: WorkName,
+    length: LengthOffset,
+}
+
+impl Identity {
+    /// True when both stand for the same offset of an axis; the tool length is of Z alone.
+    pub fn same_for(&self, other: &Identity, axis: usize) -> bool {
+        self.active == other.active && (axis != 2 || self.length == other.length)
+    }
+}
+
+impl Offsets {
+    /// The tables of a machine.
+    pub fn new(machine: &Machine, active: WorkName, naming: WorkNaming) -> Offsets {
+        let systems =
+            machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
+        let external = machine.work_offsets.get("EXT").map_or([None; 6], |o| o.values);
+        let mut offsets = Offsets {
+            systems,
+            external,
+            tools: machine.tools.clone(),
+            naming,
+            active,
+            shift: [0.0; 6],
+            preset: [0.0; 6],
+            preset_known: [None; 6],
+            length: LengthOffset { number: None, minus: false },
+            total: [0.0; 6],
+            work: [0.0; 6],
+            known: AxisMask::NONE,
+        };
+        offsets.update();
+        offsets
+    }
+
+    /// What is added to program coordinates to get machine coordinates.
+    #[inline]
+    pub fn total(&self) -> Position {
+        self.total
+    }
+
+    /// The same without the tool length.
+    pub fn work(&self) -> Position {
+        self.work
+    }
+
+    /// The axes for which the total is known.
+    #[inline]
+    pub fn known(&self) -> AxisMask {
+        self.known
+    }
+
+    /// Which offsets are in force.
+    pub fn identity(&self) -> Identity {
+        Identity { active: self.active, length: self.length }
+    }
+
+    /// The work coordinate system in force.
+    pub fn active(&self) -> WorkName {
+        self.active
+    }
+
+    /// The tool length in force.
+    pub fn length(&self) -> LengthOffset {
+        self.length
+    }
+
+    /// Chooses a work coordinate system.
+    pub fn select(&mut self, name: WorkName) {
+        self.active = name;
+        self.preset_known = [None; 6];
+    }
+
+    /// Brings a tool length into force.
+    pub fn set_length(&mut self, length: LengthOffset) {
+        self.length = length;
+    }
+
+    /// G52: the shift of an axis.
+    pub fn set_shift(&mut self, axis: usize, value: f64) {
+        self.shift[axis] = value;
+    }
+
+    /// Takes G52 back on an axis; the preset keeps the coordinates where they are.
+    pub fn move_shift_to_preset(&mut self, axis: usize) {
+        self.preset[axis] += std::mem::take(&mut self.shift[axis]);
+    }
+
+    /// G92: `by` is added to the preset of an axis, whose place is then known or not.
+    pub fn add_preset(&mut self, axis: usize, by: f64, known: bool) {
+        self.preset[axis] += by;
+        self.preset_known[axis] = Some(known);
+    }
+
+    /// The presets, to put them back later.
+    pub fn preset(&self) -> Position {
+        self.preset
+    }
+
+    /// Puts presets back.
+    pub fn set_preset(&mut self, preset: Position) {
+        self.preset = preset;
+        self.preset_known = [None; 6];
+    }
+
+    /// Name of a system in the tables.
+    pub fn key(&self, name: WorkName) -> String {
+        name.table_key(self.naming)
+    }
+
+    /// Writes one value of a work offset (G10).
+    pub fn write_work(&mut self, key: &str, axis: usize, value: f64, add: bool) {
+        let values = if key == "EXT" {
+            &mut self.external
+        } else {
+            self.systems.entry(key.to_string()).or_insert([None; 6])
+        };
+        let old = values[axis].unwrap_or(0.0);
+        values[axis] = Some(if add { old + value } else { value });
+    }
+
+    /// One value of a work offset.
+    pub fn work_value(&self, key: &str, axis: usize) -> Option<f64> {
+        if key == "EXT" {
+            return self.external[axis];
+        }
+        self.systems.get(key)?[axis]
+    }
+
+    /// The offsets of a tool.
+    pub fn tool(&self, number: u32) -> Option<&Tool> {
+        self.tools.get(&number)
+    }
+
+    /// The offsets of a tool, to change them.
+    pub fn tool_mut(&mut self, number: u32) -> &mut Tool {
+        self.tools.entry(number).or_default()
+    }
+
+    /// Length with wear, where the table has one.
+    pub fn length_mm(&self, number: u32) -> Option<f64> {
+        let tool = self.tools.get(&number)?;
+        Some(tool.length_mm? + tool.length_wear_mm.unwrap_or(0.0))
+    }
+
+    /// Radius with wear, where the table has one.
+    pub fn radius_mm(&self, number: u32) -> Option<f64> {
+        let tool = self.tools.get(&number)?;
+        Some((tool.diameter_mm? + tool.diameter_wear_mm.unwrap_or(0.0)) / 2.0)
+    }
+
+    /// What the tool length adds to Z, where it is known.
+    pub fn length_in_force(&self) -> Option<f64> {
+        match self.length.number {
+            None => Some(0.0),
+            Some(number) => {
+                let length = self.length_mm(number)?;
+                Some(if self.length.minus { -length } else { length })
+            }
+        }
+    }
+
+    /// Computes total and known anew; to be called after any change.
+    pub fn update(&mut self) {
+        let machine = self.active == WorkName::Machine;
+        let system = if machine {
+            Some([Some(0.0); 6])
+        } else {
+            self.systems.get(&self.key(self.active)).copied()
+        };
+        let length = self.length_in_force();
+        let mut known = AxisMask::NONE;
+        for axis in 0..6 {
+            let base = system.and_then(|values| values[axis]);
+            let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
+            self.work[axis] = base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];
+            let mut is_known = self.preset_known[axis].unwrap_or(base.is_some());
+            self.total[axis] = self.work[axis];
+            if axis == 2 {
+                self.total[axis] += length.unwrap_or(0.0);
+                is_known &= length.is_some();
+            }
+            if is_known {
+                known.insert(axis);
+            }
+        }
+        self.known = known;
+    }
+}

@@ -1,0 +1,58 @@
+//! The path mode in force: how the ends of moves are passed.
+
+use chordal_command::{CommandKind, PathMode};
+
+use crate::kernel::Kernel;
+use crate::rules::PathRules;
+
+/// The path mode of a run: what the codes of each kind have set.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PathState {
+    /// By G61, G64 and their like.
+    mode: PathMode,
+    /// The distance that G187, G05.1 and their like have set, mm.
+    distance_mm: Option<f64>,
+    /// This block ends at rest (G9).
+    pub once: bool,
+}
+
+impl PathState {
+    /// At power-on.
+    pub fn new(rules: &PathRules) -> PathState {
+        PathState { mode: rules.start_mode(), distance_mm: None, once: false }
+    }
+
+    /// The mode in force, the present block's own stop included.
+    pub fn in_force(&self) -> PathMode {
+        match self.mode {
+            _ if self.once => PathMode::ExactStop,
+            PathMode::Continuous { tolerance_mm } => {
+                PathMode::Continuous { tolerance_mm: self.distance_mm.or(tolerance_mm) }
+            }
+            mode => mode,
+        }
+    }
+
+    /// A code of the family of G61 and G64.
+    pub fn set_mode(&mut self, mode: PathMode) {
+        self.mode = mode;
+    }
+
+    /// A code that sets the distance apart from the mode; `None` takes it back.
+    pub fn set_distance(&mut self, distance_mm: Option<f64>) {
+        self.distance_mm = distance_mm;
+    }
+}
+
+impl Kernel<'_> {
+    /// A path mode comes into force, or its distance changes.
+    pub fn change_path_mode(&mut self, change: impl FnOnce(&mut PathState)) {
+        change(&mut self.state.path);
+        self.emit(CommandKind::PathMode(self.state.path.in_force()));
+    }
+
+    /// After the statement: the stop that it alone wanted is over.
+    pub fn end_exact_stop_once(&mut self) {
+        self.change_path_mode(|path| path.once = false);
+    }
+}

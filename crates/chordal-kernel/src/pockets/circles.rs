@@ -1,0 +1,97 @@
+//! Circular pockets: full circles from the inside out, joined by half circles.
+
+use chordal_command::{AxisMask, Move};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::{Direction, Vec2};
+
+use super::shapes::{Step, rings};
+use crate::kernel::Kernel;
+use crate::statement::{Statement, What};
+
+/// Lengths that differ by less than this, mm, are the same.
+const SAME_MM: f64 = 1e-9;
+
+/// What a statement says of a circular pocket about the place where the tool stands.
+#[derive(Clone, Debug)]
+pub struct CirclesWords<'w> {
+    /// The word that mills it.
+    pub word: Span,
+    /// Its name, for people.
+    pub name: &'w str,
+    /// Which way the circles go.
+    pub direction: Direction,
+    /// The radius of the tool, mm.
+    pub tool: f64,
+    /// The radii of the walls that the circles leave, mm, growing.
+    pub radii: &'w [f64],
+    /// The level, where the statement names one.
+    pub level: Option<f64>,
+    /// Passes; in G91 each goes down by as much as the first.
+    pub passes: u32,
+}
+
+impl Kernel<'_> {
+    /// Mills a circular pocket.
+    pub fn mill_circles(&mut self, at: &dyn Statement, pocket: &CirclesWords<'_>) {
+        let centers: Vec<f64> = pocket.radii.iter().map(|radius| radius - pocket.tool).collect();
+        let path = rings(&centers, 1, pocket.direction);
+        let center = Vec2::new(self.state.position[0], self.state.position[1]);
+        let placed: Vec<Step> = path.iter().map(|step| step.shifted(center)).collect();
+        let choice = "half circles between full circles are shown, tangent and of one sense";
+        let label = format!("circles: {}", pocket.radii.len());
+        self.note_assumed_path(pocket.word, pocket.name, choice, label);
+        let down = pocket.level.map_or(0.0, |level| level - self.state.position[2]);
+        for pass in 0..pocket.passes {
+            if pass > 0 && !self.count_repeated() {
+                return;
+            }
+            let mut target = self.state.position;
+            let named = if pocket.level.is_some() { AxisMask(0b100) } else { AxisMask::NONE };
+            match pocket.level {
+                Some(level) if pass == 0 => target[2] = level,
+                Some(_) if self.state.incremental => target[2] += down,
+                _ => {}
+            }
+            let motion = Move {
+                from: self.state.position,
+                to: target,
+                from_known: self.state.known,
+                to_known: self.state.known,
+            };
+            let feed = self.feed_for(at, &motion, None);
+            if target != self.state.position {
+                self.routine_line(target, named, feed);
+            }
+            self.follow(&placed, feed, AxisMask::NONE);
+        }
+    }
+
+    /// Warns of rings further apart than the tool is wide, or of a core in the middle.
+    pub fn note_ridges(&mut self, at: &dyn Statement, radii: &[f64], tool: f64) {
+        // One circle alone finishes a bore that is there; D0 says nothing of the tool.
+        let &[first, second, ..] = radii else { return };
+        if tool == 0.0 {
+            return;
+        }
+        let wide = 2.0 * tool + SAME_MM;
+        let core = first - 2.0 * tool;
+        let (word, what, width) = if second - first > wide {
+            (What::Increment, "between the circles", second - first - 2.0 * tool)
+        } else if core > tool + SAME_MM {
+            (What::FirstCircle, "about the middle", core - tool)
+        } else {
+            return;
+        };
+        let (width, tool) = (self.length_text(width), self.length_text(2.0 * tool));
+        let span = at.words(word);
+        self.report(
+            Diagnostic::new(
+                Code::PocketRidges,
+                span,
+                format!("a ring {width} wide stays {what}: the tool is {tool}"),
+            )
+            .label("more than the diameter of the tool")
+            .help("take a smaller step, or a larger tool"),
+        );
+    }
+}

@@ -1,0 +1,108 @@
+//! Pockets and routines: the tool follows a path that `shapes` has computed.
+
+mod circles;
+mod region;
+pub mod shapes;
+
+use chordal_command::{ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::{Plane, Vec2};
+
+pub use circles::CirclesWords;
+pub use region::{RegionWords, rings_to_depth};
+use shapes::Step;
+
+use crate::kernel::Kernel;
+
+/// Most rings or rows of one pocket: more is a slip in the stepover.
+pub const MAX_RINGS: u32 = 10_000;
+
+impl Kernel<'_> {
+    /// Moves along a path of the XY plane, at the height where the tool stands. `named` are the
+    /// axes that the program itself placed.
+    pub fn follow(&mut self, steps: &[Step], feed: Feed, named: AxisMask) {
+        let cycle = std::mem::replace(&mut self.origin.cycle, true);
+        for step in steps {
+            let to = step.to();
+            let from = Vec2::new(self.state.position[0], self.state.position[1]);
+            let mut target = self.state.position;
+            target[0] = to.a;
+            target[1] = to.b;
+            let motion = self.moved_to(target, named);
+            self.emit(match *step {
+                Step::Line { .. } => CommandKind::Line { motion, feed },
+                Step::Arc { center, sweep, .. } => {
+                    let shape = ArcShape {
+                        plane: Plane::Xy,
+                        center: [center.a, center.b],
+                        sweep,
+                        radius_from: from.distance(center),
+                        radius_to: to.distance(center),
+                    };
+                    CommandKind::Arc { motion, shape, feed }
+                }
+            });
+        }
+        self.origin.cycle = cycle;
+    }
+
+    /// A straight cut of a routine.
+    pub fn routine_line(&mut self, target: Position, named: AxisMask, feed: Feed) {
+        let cycle = std::mem::replace(&mut self.origin.cycle, true);
+        let motion = self.moved_to(target, named);
+        self.emit(CommandKind::Line { motion, feed });
+        self.origin.cycle = cycle;
+    }
+
+    /// A rapid of a routine, where it goes anywhere.
+    pub fn routine_rapid(&mut self, target: Position, named: AxisMask) {
+        if target == self.state.position && self.state.known.covers(named) {
+            return;
+        }
+        let cycle = std::mem::replace(&mut self.origin.cycle, true);
+        let motion = self.moved_to(target, named);
+        let path = self.rules.rapid;
+        self.emit(CommandKind::Rapid { motion, path });
+        self.origin.cycle = cycle;
+    }
+
+    /// A feed of length per time that a routine has for itself, mm/s.
+    pub fn routine_feed(&self, value: f64) -> Feed {
+        Feed {
+            value,
+            mode: FeedMode::PerTime,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: self.state.rpm / 60.0,
+        }
+    }
+
+    /// Says once in a run that a routine's path is a choice, and which.
+    pub fn note_assumed_path(&mut self, span: Span, name: &str, choice: &str, text: String) {
+        if self.reported.assumed_paths.iter().any(|known| known == name) {
+            return;
+        }
+        self.reported.assumed_paths.push(name.to_string());
+        self.report(
+            Diagnostic::new(
+                Code::PocketPathAssumed,
+                span,
+                format!("the manuals do not give the exact path of {name}: {choice}"),
+            )
+            .label(text)
+            .help("size, depth, start and end are the control's; leave room for another order"),
+        );
+    }
+
+    /// More rings, rows or levels than any pocket has.
+    pub fn report_too_many_passes(&mut self, span: Span, what: &str) {
+        self.report(
+            Diagnostic::new(
+                Code::BudgetReached,
+                span,
+                format!("this pocket would take more than {MAX_RINGS} {what}"),
+            )
+            .label("not carried out")
+            .help("look for a slip in the step: a decimal point, a unit"),
+        );
+    }
+}

@@ -1,0 +1,180 @@
+//! A pocket of any outline: at each level a pass that leaves an allowance, then rows; after the last level one pass round the walls.
+
+use chordal_command::{AxisMask, Feed, Move, Position};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::Vec2;
+
+use super::MAX_RINGS;
+use super::shapes::{Outline, RasterAlong, Region, Step, inset};
+use crate::kernel::Kernel;
+use crate::statement::{Statement, What};
+
+/// A depth that misses the last level by less than this, mm, is that level.
+const LEVEL_EPSILON_MM: f64 = 1e-9;
+
+/// A wall further away than this, mm, is not reached.
+const UNREACHED_MM: f64 = 1e-3;
+
+/// Most moves of one pocket.
+const MAX_POCKET_MOVES: usize = 2_000_000;
+
+const XY: AxisMask = AxisMask(0b011);
+const Z: AxisMask = AxisMask(0b100);
+
+/// What a statement says of a pocket with an outline; lengths are mm.
+#[derive(Clone, Debug)]
+pub struct RegionWords<'w> {
+    /// The word that mills it.
+    pub word: Span,
+    /// Its name, for people.
+    pub name: &'w str,
+    /// The outline of the walls.
+    pub outline: &'w Outline,
+    /// The radius of the tool.
+    pub tool: f64,
+    /// The start hole.
+    pub start: Position,
+    /// The axes that the statement names of it.
+    pub named: AxisMask,
+    /// Where the feed begins.
+    pub r: f64,
+    /// The levels, downwards.
+    pub levels: Vec<f64>,
+    /// Along which axis the rows lie side by side.
+    pub along: RasterAlong,
+    /// From row to row.
+    pub step: f64,
+    /// What the rows leave at the walls.
+    pub allowance: f64,
+}
+
+/// R − Q, R − 2Q, …, Z; `None` where these would be more than any pocket has.
+pub fn rings_to_depth(r: f64, z: f64, q: f64) -> Option<Vec<f64>> {
+    let count = ((r - z - LEVEL_EPSILON_MM) / q).ceil().max(1.0);
+    if count > f64::from(MAX_RINGS) {
+        return None;
+    }
+    let mut levels: Vec<f64> = (1..count as u32).map(|level| r - f64::from(level) * q).collect();
+    levels.push(z);
+    Some(levels)
+}
+
+impl Kernel<'_> {
+    /// Mills the pocket.
+    pub fn mill_region(&mut self, at: &dyn Statement, words: &RegionWords<'_>) {
+        let Some((rough, finish)) = self.region_paths(at, words) else { return };
+        if words.levels.len().saturating_mul(rough.len()) > MAX_POCKET_MOVES {
+            return self.report_too_many_passes(at.words(What::Steps), "rows");
+        }
+        let label = format!("levels: {}", words.levels.len());
+        let choice = "the order of its rows and the ways between them are Chordal's";
+        self.note_assumed_path(words.word, words.name, choice, label);
+        let mut over = words.start;
+        over[2] = self.state.position[2];
+        self.routine_rapid(over, words.named.and(XY));
+        let mut down = self.state.position;
+        down[2] = words.r;
+        self.routine_rapid(down, Z);
+        let feed = self.feed_of_pocket(at);
+        for (pass, z) in words.levels.iter().enumerate() {
+            if pass > 0 && !self.count_repeated() {
+                return;
+            }
+            let mut target = self.state.position;
+            target[2] = *z;
+            self.routine_line(target, Z, feed);
+            self.follow(&rough, feed, XY);
+        }
+        self.follow(&finish, feed, XY);
+    }
+
+    fn feed_of_pocket(&mut self, at: &dyn Statement) -> Feed {
+        let state = &self.state;
+        let motion = Move {
+            from: state.position,
+            to: state.position,
+            from_known: state.known,
+            to_known: state.known,
+        };
+        self.feed_for(at, &motion, None)
+    }
+
+    /// The path of a level and the one of the walls; `None` when the tool finds no room.
+    fn region_paths(
+        &mut self,
+        at: &dyn Statement,
+        words: &RegionWords<'_>,
+    ) -> Option<(Vec<Step>, Vec<Step>)> {
+        let (outline, start) = (words.outline, Vec2::new(words.start[0], words.start[1]));
+        let keep = words.tool + words.allowance;
+        let rough_border = inset(outline, keep);
+        let Some(rough) = Region::around(outline, &rough_border, keep, start) else {
+            self.report_no_room(words, keep);
+            return None;
+        };
+        if words.tool > 0.0 && words.step > 2.0 * words.tool * (1.0 + 1e-9) {
+            let left = self.length_text(words.step - 2.0 * words.tool);
+            let tool = self.length_text(2.0 * words.tool);
+            self.report(
+                Diagnostic::new(
+                    Code::PocketRidges,
+                    at.words(What::Stepover),
+                    format!("ridges {left} wide stay between the rows: the tool is {tool}"),
+                )
+                .label("more than the diameter of the tool")
+                .help("take a smaller stepover, or a larger tool"),
+            );
+        }
+        let Ok(steps) = rough.clear(words.along, words.step, MAX_RINGS as usize) else {
+            self.report_too_many_passes(at.words(What::Stepover), "rows");
+            return None;
+        };
+        let wall_border = inset(outline, words.tool);
+        let walls = Region::around(outline, &wall_border, words.tool, start)?;
+        let reached = if words.allowance > 0.0 { &walls } else { &rough };
+        self.note_unreached(words, reached);
+        let finish = if words.allowance > 0.0 { walls.round() } else { Vec::new() };
+        Some((steps, finish))
+    }
+
+    fn report_no_room(&mut self, words: &RegionWords<'_>, keep: f64) {
+        let (outline, p) = (words.outline, Vec2::new(words.start[0], words.start[1]));
+        let span = words.word;
+        let diagnostic = if outline.contains(p) {
+            let (away, keep) = (self.length_text(outline.distance(p)), self.length_text(keep));
+            Diagnostic::new(
+                Code::PocketTooSmall,
+                span,
+                format!("the start hole is {away} from the wall, and the tool with K takes {keep}"),
+            )
+            .help("put the start hole where the tool has room, or take a smaller tool")
+        } else {
+            let message = "the start hole lies outside the outline";
+            Diagnostic::new(Code::PocketGeometry, span, message)
+                .help("X and Y are a place inside the pocket; the first move goes to the outline")
+        };
+        self.report(diagnostic.label("not carried out"));
+    }
+
+    /// Walls that the tool does not come to.
+    fn note_unreached(&mut self, words: &RegionWords<'_>, reached: &Region<'_>) {
+        let (outline, tool) = (words.outline, words.tool);
+        let farthest = outline
+            .middles()
+            .map(|middle| (reached.distance_of_border(middle) - tool, middle))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((left, place)) = farthest.filter(|(left, _)| *left > UNREACHED_MM) else { return };
+        let (left, x, y) =
+            (self.length_text(left), self.length_text(place.a), self.length_text(place.b));
+        let tool = self.length_text(2.0 * tool);
+        self.report(
+            Diagnostic::new(
+                Code::PocketUnreached,
+                words.word,
+                format!("a tool of {tool} stays {left} away from the wall at X {x}, Y {y}"),
+            )
+            .label("only the part of the start hole is milled")
+            .help("take a smaller tool, or mill the rest by a pocket of its own"),
+        );
+    }
+}

@@ -1,0 +1,172 @@
+//! The inward offset of an outline: the border of the points that a tool's centre may reach.
+//!
+//! Every line moves in by the distance, every arc changes its radius by it, every corner gets a
+//! circle. These candidates are cut where they meet, the parts that are nearer to the outline
+//! than the distance are dropped, and what stays closes into loops. Nothing is guessed from the
+//! order of the outline, so throats, arms and short segments need no cases of their own.
+
+use core::f64::consts::TAU;
+
+use chordal_geometry::Vec2;
+
+use super::outline::{Element, Outline, SAME_POINT_MM};
+
+/// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
+const NEARER_MM: f64 = 1e-9;
+
+/// A loop shorter than this, mm, is what tangent candidates leave, and no room for a tool.
+const SHORT_LOOP_MM: f64 = 1e-2;
+
+/// Loose ends closer than this, mm, join: tangent candidates cross at shallow angles.
+const JOIN_MM: f64 = 5e-4;
+
+/// The border of what a tool's centre may reach, `distance` (zero or more, mm) inside an
+/// outline: one counter-clockwise loop for each connected part.
+pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
+    if distance <= SAME_POINT_MM {
+        return vec![outline.clone()];
+    }
+    let candidates = candidates(outline, distance);
+    let mut kept: Vec<Element> = Vec::new();
+    for (index, candidate) in candidates.iter().enumerate() {
+        for (begin, end) in
+            kept_ranges(outline, distance, candidate, &cuts(candidate, index, &candidates))
+        {
+            let part = candidate.part(begin, end);
+            if !kept.iter().any(|other| same(other, &part)) {
+                kept.push(part);
+            }
+        }
+    }
+    chain(kept)
+}
+
+/// Moved lines, arcs of another radius, and a circle about every corner.
+fn candidates(outline: &Outline, distance: f64) -> Vec<Element> {
+    let mut candidates = Vec::new();
+    for element in outline.elements() {
+        match *element {
+            Element::Line { from, to } => {
+                let Some(along) = (to - from).normalized() else { continue };
+                let by = along.turned_left() * distance;
+                candidates.push(Element::Line { from: from + by, to: to + by });
+            }
+            Element::Arc { from, to, center, sweep } => {
+                let radius = element.radius();
+                let moved = radius - distance * sweep.signum();
+                // An arc of no radius is its centre, which no loop passes as an arc.
+                if moved > SAME_POINT_MM {
+                    let scale = moved / radius;
+                    candidates.push(Element::Arc {
+                        from: center + (from - center) * scale,
+                        to: center + (to - center) * scale,
+                        center,
+                        sweep,
+                    });
+                }
+            }
+        }
+    }
+    for element in outline.elements() {
+        let center = element.from();
+        let from = center + Vec2::new(distance, 0.0);
+        candidates.push(Element::Arc { from, to: from, center, sweep: -TAU });
+    }
+    candidates
+}
+
+/// Where a candidate meets the others, as fractions in order, its ends among them.
+fn cuts(candidate: &Element, index: usize, all: &[Element]) -> Vec<f64> {
+    let mut at = Vec::new();
+    for (other_index, other) in all.iter().enumerate() {
+        if other_index == index {
+            continue;
+        }
+        for point in candidate.crossings(other, SAME_POINT_MM) {
+            at.extend(candidate.fraction(point, SAME_POINT_MM));
+        }
+        // Where one ends on the other, and where two lie on each other.
+        for end in [other.from(), other.to()] {
+            if candidate.distance(end) < SAME_POINT_MM {
+                at.extend(candidate.fraction(end, SAME_POINT_MM));
+            }
+        }
+    }
+    at.sort_by(f64::total_cmp);
+    let short = SAME_POINT_MM / candidate.length();
+    let mut cuts = vec![0.0];
+    for t in at {
+        // A touch is found twice, or just beside an end.
+        if t - cuts[cuts.len() - 1] > short && 1.0 - t > short {
+            cuts.push(t);
+        }
+    }
+    cuts.push(1.0);
+    cuts
+}
+
+/// The ranges between cuts that are far enough from the outline; neighbours make one.
+fn kept_ranges(
+    outline: &Outline,
+    distance: f64,
+    candidate: &Element,
+    cuts: &[f64],
+) -> Vec<(f64, f64)> {
+    let mut ranges: Vec<(f64, f64)> = Vec::new();
+    for pair in cuts.windows(2) {
+        let (begin, end) = (pair[0], pair[1]);
+        let middle = candidate.point(0.5 * (begin + end));
+        let near = outline.distance(middle) < distance - NEARER_MM;
+        if near || !outline.contains(middle) || (end - begin) * candidate.length() < SAME_POINT_MM {
+            continue;
+        }
+        match ranges.last_mut() {
+            Some(last) if last.1 == begin => last.1 = end,
+            _ => ranges.push((begin, end)),
+        }
+    }
+    ranges
+}
+
+/// Two parts that are one: same ends, same middle.
+fn same(a: &Element, b: &Element) -> bool {
+    let near = |p: Vec2, q: Vec2| p.distance(q) < 10.0 * SAME_POINT_MM;
+    near(a.from(), b.from()) && near(a.to(), b.to()) && near(a.point(0.5), b.point(0.5))
+}
+
+/// Closes parts into loops, each joined to the nearest beginning.
+fn chain(mut parts: Vec<Element>) -> Vec<Outline> {
+    let mut loops = Vec::new();
+    while let Some(first) = parts.pop() {
+        let start = first.from();
+        let mut chain = vec![first];
+        loop {
+            let end = chain.last().map_or(start, Element::to);
+            let home = end.distance(start);
+            let next = parts
+                .iter()
+                .enumerate()
+                .map(|(index, part)| (end.distance(part.from()), index))
+                .min_by(|a, b| a.0.total_cmp(&b.0))
+                .filter(|(gap, _)| *gap <= JOIN_MM && *gap < home);
+            let Some((_, index)) = next else { break };
+            let mut part = parts.swap_remove(index);
+            match &mut part {
+                Element::Line { from, .. } | Element::Arc { from, .. } => *from = end,
+            }
+            chain.push(part);
+        }
+        let end = chain.last().map_or(start, Element::to);
+        if end.distance(start) > JOIN_MM {
+            // A loose part is a touch of two candidates and borders nothing.
+            continue;
+        }
+        if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = chain.last_mut() {
+            *to = start;
+        }
+        if chain.iter().map(Element::length).sum::<f64>() > SHORT_LOOP_MM {
+            loops.push(Outline::of_loop(chain));
+        }
+    }
+    loops
+}

@@ -1,0 +1,368 @@
+//! A closed outline of lines and arcs: distance, inside, orientation.
+
+use core::f64::consts::TAU;
+
+use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, line_circle, line_line};
+
+/// Points closer than this, mm, are one point.
+pub(super) const SAME_POINT_MM: f64 = 1e-6;
+
+/// A straight or circular part, with its direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Element {
+    /// A line.
+    Line {
+        /// Its start, mm.
+        from: Vec2,
+        /// Its end, mm.
+        to: Vec2,
+    },
+    /// An arc of at most one turn.
+    Arc {
+        /// Its start, mm.
+        from: Vec2,
+        /// Its end, mm.
+        to: Vec2,
+        /// Its centre, mm.
+        center: Vec2,
+        /// Directed angle, rad: positive counter-clockwise.
+        sweep: f64,
+    },
+}
+
+impl Element {
+    /// Where it begins.
+    pub fn from(&self) -> Vec2 {
+        match *self {
+            Element::Line { from, .. } | Element::Arc { from, .. } => from,
+        }
+    }
+
+    /// Where it ends.
+    pub fn to(&self) -> Vec2 {
+        match *self {
+            Element::Line { to, .. } | Element::Arc { to, .. } => to,
+        }
+    }
+
+    /// Its radius, mm; zero for a line.
+    pub(super) fn radius(&self) -> f64 {
+        match *self {
+            Element::Line { .. } => 0.0,
+            Element::Arc { from, center, .. } => from.distance(center),
+        }
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        match *self {
+            Element::Line { from, to } => from.distance(to),
+            Element::Arc { sweep, .. } => self.radius() * sweep.abs(),
+        }
+    }
+
+    /// The point at a fraction of the length.
+    pub(super) fn point(&self, t: f64) -> Vec2 {
+        match *self {
+            _ if t <= 0.0 => self.from(),
+            _ if t >= 1.0 => self.to(),
+            Element::Line { from, to } => from + (to - from) * t,
+            Element::Arc { from, center, sweep, .. } => center + turned(from - center, sweep * t),
+        }
+    }
+
+    /// The part between two fractions.
+    pub(super) fn part(&self, t0: f64, t1: f64) -> Element {
+        let (from, to) = (self.point(t0), self.point(t1));
+        match *self {
+            Element::Line { .. } => Element::Line { from, to },
+            Element::Arc { center, sweep, .. } => {
+                Element::Arc { from, to, center, sweep: sweep * (t1 - t0) }
+            }
+        }
+    }
+
+    /// The same the other way.
+    pub(super) fn reversed(&self) -> Element {
+        match *self {
+            Element::Line { from, to } => Element::Line { from: to, to: from },
+            Element::Arc { from, to, center, sweep } => {
+                Element::Arc { from: to, to: from, center, sweep: -sweep }
+            }
+        }
+    }
+
+    /// The fraction at which a point that lies on its line or circle lies; `None` beyond its
+    /// ends by more than `tolerance`, mm.
+    pub(super) fn fraction(&self, p: Vec2, tolerance: f64) -> Option<f64> {
+        let length = self.length();
+        if length <= 0.0 {
+            return None;
+        }
+        let slack = tolerance / length;
+        let t = match *self {
+            Element::Line { from, to } => (p - from).dot(to - from) / (length * length),
+            Element::Arc { from, center, sweep, .. } => {
+                let (u, v) = (from - center, p - center);
+                let angle = libm::atan2(u.cross(v), u.dot(v)) * sweep.signum();
+                let t = angle / sweep.abs();
+                // An angle just before the start is that of the start, not a turn later.
+                let before = angle < 0.0 && -t > slack;
+                if before { (angle + TAU) / sweep.abs() } else { t }
+            }
+        };
+        (t >= -slack && t <= 1.0 + slack).then(|| t.clamp(0.0, 1.0))
+    }
+
+    /// Distance of a point, mm.
+    pub(super) fn distance(&self, p: Vec2) -> f64 {
+        let ends = p.distance(self.from()).min(p.distance(self.to()));
+        match *self {
+            Element::Line { from, to } => match self.fraction(p, 0.0) {
+                Some(_) => ((to - from).cross(p - from) / self.length()).abs(),
+                None => ends,
+            },
+            Element::Arc { center, .. } => match self.fraction(p, 0.0) {
+                Some(_) => (p.distance(center) - self.radius()).abs().min(ends),
+                None => ends,
+            },
+        }
+    }
+
+    /// The points that two elements have in common, within a tolerance beyond their ends, mm.
+    pub(super) fn crossings(&self, other: &Element, tolerance: f64) -> Vec<Vec2> {
+        let line = |from: Vec2, to: Vec2| Line2 { point: from, direction: to - from };
+        let circle = |element: &Element, center: Vec2| Circle2 { center, radius: element.radius() };
+        let points: Vec<Vec2> = match (*self, *other) {
+            (Element::Line { from, to }, Element::Line { from: a, to: b }) => {
+                line_line(line(from, to), line(a, b), 1e-12).map(|c| c.point).into_iter().collect()
+            }
+            (Element::Line { from, to }, Element::Arc { center, .. }) => {
+                line_circle(line(from, to), circle(other, center), tolerance).points().collect()
+            }
+            (Element::Arc { center, .. }, Element::Line { from, to }) => {
+                line_circle(line(from, to), circle(self, center), tolerance).points().collect()
+            }
+            (Element::Arc { center, .. }, Element::Arc { center: second, .. }) => {
+                circle_circle(circle(self, center), circle(other, second), tolerance)
+                    .points()
+                    .collect()
+            }
+        };
+        let on_both = |p: &Vec2| {
+            self.fraction(*p, tolerance).is_some() && other.fraction(*p, tolerance).is_some()
+        };
+        points.into_iter().filter(on_both).collect()
+    }
+
+    /// Its ends, and the points of an arc that lie farthest along the axes.
+    pub(super) fn extremes(&self) -> Vec<Vec2> {
+        let mut points = vec![self.from(), self.to()];
+        if let Element::Arc { center, .. } = *self {
+            let radius = self.radius();
+            let along = [(radius, 0.0), (0.0, radius), (-radius, 0.0), (0.0, -radius)];
+            points.extend(
+                along
+                    .into_iter()
+                    .map(|(a, b)| center + Vec2::new(a, b))
+                    .filter(|p| self.fraction(*p, 0.0).is_some()),
+            );
+        }
+        points
+    }
+
+    /// Corners of chords that stay within `tolerance` mm of it, without the start.
+    fn chords(&self, tolerance: f64, into: &mut Vec<Vec2>) {
+        let count = match *self {
+            Element::Line { .. } => 1.0,
+            Element::Arc { sweep, .. } => {
+                let cosine = (1.0 - tolerance / self.radius()).clamp(-1.0, 1.0);
+                (sweep.abs() / (2.0 * libm::acos(cosine)).max(1e-3)).ceil().clamp(2.0, 10_000.0)
+            }
+        };
+        for index in 1..=count as u32 {
+            into.push(self.point(f64::from(index) / count));
+        }
+    }
+}
+
+fn turned(v: Vec2, angle: f64) -> Vec2 {
+    let (sin, cos) = libm::sincos(angle);
+    Vec2::new(v.a * cos - v.b * sin, v.a * sin + v.b * cos)
+}
+
+/// Why a chain of elements is no outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutlineError {
+    /// It does not end where it began; the gap in mm.
+    Open(f64),
+    /// It crosses or touches itself, or goes back on itself, at a point.
+    CrossesItself(Vec2),
+    /// It has no inside.
+    Empty,
+}
+
+/// A simple closed outline, counter-clockwise.
+#[derive(Clone, Debug)]
+pub struct Outline {
+    elements: Vec<Element>,
+    /// Fine chords, to tell inside from outside.
+    polygon: Vec<Vec2>,
+    clockwise: bool,
+}
+
+impl Outline {
+    /// Checks that the elements close (within `tolerance`, mm) and do not cross.
+    pub fn new(elements: Vec<Element>, tolerance: f64) -> Result<Outline, OutlineError> {
+        let mut elements: Vec<Element> = elements.iter().filter_map(settled).collect();
+        let (Some(first), Some(last)) = (elements.first().copied(), elements.last().copied())
+        else {
+            return Err(OutlineError::Empty);
+        };
+        let gap = last.to().distance(first.from());
+        if gap > tolerance {
+            return Err(OutlineError::Open(gap));
+        }
+        if gap > 0.0 {
+            elements.push(Element::Line { from: last.to(), to: first.from() });
+            elements.retain(|element| element.length() > SAME_POINT_MM);
+            close(&mut elements);
+        }
+        if let Some(point) = self_crossing(&elements) {
+            return Err(OutlineError::CrossesItself(point));
+        }
+        let area = area(&elements);
+        if area.abs() <= SAME_POINT_MM {
+            return Err(OutlineError::Empty);
+        }
+        let clockwise = area < 0.0;
+        if clockwise {
+            elements = elements.iter().rev().map(Element::reversed).collect();
+        }
+        let polygon = polygon(&elements);
+        Ok(Outline { elements, polygon, clockwise })
+    }
+
+    /// A loop that is known to be closed and simple.
+    pub(super) fn of_loop(elements: Vec<Element>) -> Outline {
+        let polygon = polygon(&elements);
+        Outline { elements, polygon, clockwise: false }
+    }
+
+    /// Counter-clockwise, in order.
+    pub fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    /// It was given clockwise.
+    pub fn was_clockwise(&self) -> bool {
+        self.clockwise
+    }
+
+    /// The middle of each element.
+    pub fn middles(&self) -> impl Iterator<Item = Vec2> + '_ {
+        self.elements.iter().map(|element| element.point(0.5))
+    }
+
+    /// Distance of a point from the outline, mm.
+    pub fn distance(&self, p: Vec2) -> f64 {
+        self.elements.iter().map(|element| element.distance(p)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Inside or not; for points that are clear of the outline by more than its chords are.
+    pub fn contains(&self, p: Vec2) -> bool {
+        let corners = &self.polygon;
+        let mut inside = false;
+        for (index, b) in corners.iter().enumerate() {
+            let a = corners[(index + corners.len() - 1) % corners.len()];
+            let crosses = (a.b > p.b) != (b.b > p.b);
+            if crosses && p.a < a.a + (b.a - a.a) * ((p.b - a.b) / (b.b - a.b)) {
+                inside = !inside;
+            }
+        }
+        inside
+    }
+}
+
+/// An element whose arc goes exactly through both of its ends; `None` where it has no length.
+fn settled(element: &Element) -> Option<Element> {
+    let settled = match *element {
+        Element::Line { .. } => *element,
+        Element::Arc { from, to, center, sweep } => {
+            let chord = to - from;
+            match chord.normalized().filter(|_| chord.length() > SAME_POINT_MM) {
+                None => *element,
+                Some(along) => {
+                    let middle = from + chord * 0.5;
+                    let left = along.turned_left();
+                    let center = middle + left * left.dot(center - middle);
+                    let (u, v) = (from - center, to - center);
+                    let angle = libm::atan2(u.cross(v), u.dot(v));
+                    let turned =
+                        if angle * sweep < 0.0 { angle + TAU * sweep.signum() } else { angle };
+                    Element::Arc { from, to, center, sweep: turned }
+                }
+            }
+        }
+    };
+    (settled.length() > SAME_POINT_MM).then_some(settled)
+}
+
+/// Makes the ends of neighbours the same doubles.
+fn close(elements: &mut [Element]) {
+    let count = elements.len();
+    for index in 0..count {
+        let next = elements[(index + 1) % count].from();
+        match &mut elements[index] {
+            Element::Line { to, .. } | Element::Arc { to, .. } => *to = next,
+        }
+    }
+}
+
+/// A place where the chain meets itself elsewhere than at the ends of neighbours.
+fn self_crossing(elements: &[Element]) -> Option<Vec2> {
+    let count = elements.len();
+    for (i, first) in elements.iter().enumerate() {
+        for (j, second) in elements.iter().enumerate().skip(i + 1) {
+            for point in first.crossings(second, SAME_POINT_MM) {
+                let joint = |a: &Element, b: &Element| {
+                    a.to().distance(point) < 1e-3 && b.from().distance(point) < 1e-3
+                };
+                let after = j == i + 1 && joint(first, second);
+                let before = (j + 1) % count == i && joint(second, first);
+                if !after && !before {
+                    return Some(point);
+                }
+            }
+            if let (Element::Line { from, to }, Element::Line { to: end, .. }) = (first, second)
+                && j == i + 1
+            {
+                let (u, v) = (*to - *from, *end - *to);
+                if u.dot(v) < 0.0 && u.cross(v).abs() <= 1e-9 * u.length() * v.length() {
+                    return Some(*to);
+                }
+            }
+        }
+    }
+    None
+}
+
+/// Directed area, mm²: positive counter-clockwise.
+fn area(elements: &[Element]) -> f64 {
+    let mut twice = 0.0;
+    for element in elements {
+        twice += element.from().cross(element.to());
+        if let Element::Arc { sweep, .. } = *element {
+            let radius = element.radius();
+            twice += radius * radius * (sweep - libm::sin(sweep));
+        }
+    }
+    0.5 * twice
+}
+
+fn polygon(elements: &[Element]) -> Vec<Vec2> {
+    let mut corners = Vec::new();
+    for element in elements {
+        element.chords(1e-3, &mut corners);
+    }
+    corners
+}

@@ -1,0 +1,50 @@
+//! Rectangular pockets: square-cornered rings from the middle line outwards.
+
+use chordal_geometry::{Direction, Vec2};
+
+use super::Step;
+
+/// Largest distance of two square-cornered rings, in radii of the tool, that leaves nothing
+/// between their corners: `1 + 1/√2`. The outside of the inner ring's corner is round, so the
+/// corner of the next ring must come nearer than a tool's diameter.
+pub const CORNER_STEP: f64 = 1.0 + core::f64::consts::FRAC_1_SQRT_2;
+
+/// From the centre (the origin) along the middle line of the longer side, then ring by ring to
+/// the walls, then straight back to the centre. `half` are the half sizes (mm) that the tool
+/// centre may reach, `step` (mm) the largest distance of two rings. `None` when there would be
+/// more than `limit` rings.
+pub fn rectangle(half: Vec2, step: f64, direction: Direction, limit: u32) -> Option<Vec<Step>> {
+    let upright = half.b > half.a;
+    let (long, short) = if upright { (half.b, half.a) } else { (half.a, half.b) };
+    let count = (short / step - 1e-9).ceil().max(0.0);
+    if count > f64::from(limit) {
+        return None;
+    }
+    let middle = long - short;
+    // The long side along the first axis, counter-clockwise; turned and mirrored to what it is.
+    let sign = direction.sign();
+    let place = |u: f64, v: f64| {
+        let v = sign * v;
+        let to = if upright { Vec2::new(-v, u) } else { Vec2::new(u, v) };
+        Step::Line { to }
+    };
+    let mut steps = Vec::new();
+    if middle > 0.0 {
+        steps.push(place(middle, 0.0));
+        steps.push(place(-middle, 0.0));
+    }
+    for ring in 1..=count as u32 {
+        let out = if f64::from(ring) == count { short } else { short * f64::from(ring) / count };
+        let u = middle + out;
+        steps.push(place(-u, 0.0));
+        steps.push(place(-u, -out));
+        steps.push(place(u, -out));
+        steps.push(place(u, out));
+        steps.push(place(-u, out));
+        steps.push(place(-u, 0.0));
+    }
+    if !steps.is_empty() {
+        steps.push(place(0.0, 0.0));
+    }
+    Some(steps)
+}

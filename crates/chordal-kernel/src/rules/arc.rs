@@ -1,0 +1,125 @@
+//! What a control does with arcs and spirals, as data.
+
+use chordal_command::FeedAlong;
+
+/// What I, J and K say.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ArcCenter {
+    /// The way from the start to the centre, in G90 and G91.
+    FromStart,
+    /// The centre in program coordinates.
+    Absolute,
+    /// The way from the centre to the start.
+    FromCenter,
+}
+
+/// What happens when the end is off the arc by less than the tolerance.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ArcMismatch {
+    /// The radius goes linearly with the angle, so that the end is met.
+    Spiral,
+    /// The arc keeps its radius to the angle of the end; a straight move follows.
+    ArcThenLine,
+}
+
+/// The spiral commands that a control has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum SpiralForm {
+    /// None.
+    None,
+    /// G2.1 and G3.1 with P (Mitsubishi type 1).
+    Pitches,
+    /// G2 and G3 with Q, K or L, in this precedence (Mitsubishi type 2).
+    IncrementHeightCount,
+    /// G2 and G3 with Q and L, the count rounded up (Fanuc).
+    IncrementCount,
+}
+
+/// How an end on the ray from the centre through the start counts, where L gives the turns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum SpiralOnRay {
+    /// As no turn: L1 is a straight line, L2 one turn.
+    NoTurn,
+    /// As a full turn: L1 is one turn.
+    FullTurn,
+}
+
+/// What a centre word left out is, where centre words are coordinates.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum OmittedCenter {
+    /// The coordinate of the start.
+    Start,
+    /// Zero.
+    Zero,
+}
+
+/// What happens to a full circle given by R.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum FullCircleByRadius {
+    /// The control alarms.
+    Refused,
+    /// Nothing moves.
+    NoMotion,
+}
+
+/// The rules of arcs, helices and spirals.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ArcRules {
+    /// What I, J and K say.
+    pub arc_center: ArcCenter,
+    /// Largest difference of the radii at start and end of an arc, mm.
+    pub radius_error_tolerance_mm: f64,
+    /// Above the tolerance a difference is still accepted up to this part of the radius
+    /// (LinuxCNC 0.001), and never above the limit. 0 where the control has no such rule.
+    pub radius_error_relative: f64,
+    /// See `radius_error_relative`, mm.
+    pub radius_error_limit_mm: f64,
+    /// What happens within the tolerance.
+    pub arc_mismatch: ArcMismatch,
+    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm; `None` for two least
+    /// increments of the units in force.
+    pub semicircle_tolerance_mm: Option<f64>,
+    /// Points closer than this are one point, mm: far below any least increment, far above
+    /// rounding.
+    pub coincidence_mm: f64,
+    /// Along what F is measured on a helix.
+    pub helix_feed: FeedAlong,
+    /// Spiral commands.
+    pub spiral: SpiralForm,
+    /// Turns of a spiral that ends on the ray of its start.
+    pub spiral_on_ray: SpiralOnRay,
+    /// Rotary axes may turn with an arc.
+    pub rotary_in_arc: bool,
+    /// A centre word left out, where they are the centre's coordinates.
+    pub omitted_center: OmittedCenter,
+    /// Largest distance of a computed spiral end from the programmed one, mm.
+    pub spiral_end_tolerance_mm: f64,
+    /// Full circle by R.
+    pub full_circle_by_radius: FullCircleByRadius,
+    /// Largest radius, mm.
+    pub max_radius_mm: f64,
+    /// Largest radius with compensation, mm.
+    pub max_radius_compensated_mm: f64,
+}
+
+impl ArcRules {
+    /// What most controls share; a table names only what it has otherwise.
+    pub const COMMON: ArcRules = ArcRules {
+        arc_center: ArcCenter::FromStart,
+        radius_error_tolerance_mm: 0.0127,
+        radius_error_relative: 0.0,
+        radius_error_limit_mm: 0.0,
+        arc_mismatch: ArcMismatch::Spiral,
+        semicircle_tolerance_mm: None,
+        coincidence_mm: 1e-6,
+        helix_feed: FeedAlong::Path,
+        spiral: SpiralForm::None,
+        spiral_on_ray: SpiralOnRay::NoTurn,
+        rotary_in_arc: true,
+        omitted_center: OmittedCenter::Start,
+        spiral_end_tolerance_mm: 0.01,
+        full_circle_by_radius: FullCircleByRadius::Refused,
+        max_radius_mm: f64::INFINITY,
+        max_radius_compensated_mm: f64::INFINITY,
+    };
+}

@@ -1,0 +1,101 @@
+//! What a control may do one way or another, as plain data: a number or a choice for each rule.
+//!
+//! A dialect gives each rule its value, and a machine file may change it. The kernel asks the rule;
+//! it never asks which control it is.
+
+mod arc;
+mod compensation;
+mod cycle;
+mod path_mode;
+
+use chordal_command::{RapidPath, Units};
+
+pub use arc::*;
+pub use compensation::*;
+pub use cycle::*;
+pub use path_mode::*;
+
+/// The rules of a numerical control, without those of its language.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Rules {
+    /// Units at power-on.
+    pub units: Units,
+    /// G1, not G0, at power-on.
+    pub starts_linear: bool,
+    /// G91, not G90, at power-on.
+    pub starts_incremental: bool,
+    /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
+    pub increment_digits_inch: u8,
+    /// The same in millimetres (3: 0.001 mm).
+    pub increment_digits_mm: u8,
+    /// A move in machine coordinates (G53) is a rapid, whatever motion is in force.
+    pub machine_move_is_rapid: bool,
+    /// Rapids.
+    pub rapid: RapidPath,
+    /// Largest turn of a rotary axis in a block, rad.
+    pub max_rotary_per_block_rad: f64,
+    /// What the radius offsets of the table are.
+    pub radius_offsets: OffsetKind,
+    /// Outside corners with compensation.
+    pub outside_corner: OutsideCorner,
+    /// Start and end of compensation.
+    pub compensation_entry: CompensationEntry,
+    /// All else of compensation.
+    pub compensation: CompensationRules,
+    /// Lift of a chip-breaking peck (G73), mm.
+    pub chip_break_mm: f64,
+    /// Clearance of a full-retract peck (G83), mm.
+    pub peck_clearance_mm: f64,
+    /// G92 takes G52 back on the axes it names.
+    pub preset_clears_shift: bool,
+    /// G28 without axis words sends all axes home.
+    pub bare_home_moves_all: bool,
+    /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
+    pub pocket_stepover_mm: f64,
+    /// Canned cycles.
+    pub cycles: CycleRules,
+    /// How ends of moves are passed.
+    pub path: PathRules,
+    /// Arcs and spirals.
+    pub arc: ArcRules,
+}
+
+impl Rules {
+    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm.
+    pub fn semicircle_tolerance(&self, units: Units) -> f64 {
+        self.arc.semicircle_tolerance_mm.unwrap_or(2.0 * self.least_increment(units))
+    }
+
+    /// The smallest length that a word can give, mm.
+    pub fn least_increment(&self, units: Units) -> f64 {
+        let (unit, digits) = match units {
+            Units::Inch => (25.4, self.increment_digits_inch),
+            Units::Millimetre => (1.0, self.increment_digits_mm),
+        };
+        unit / 10f64.powi(i32::from(digits))
+    }
+
+    /// What most controls share; a table names only what it has otherwise.
+    pub const COMMON: Rules = Rules {
+        units: Units::Inch,
+        starts_linear: false,
+        starts_incremental: false,
+        increment_digits_inch: 4,
+        increment_digits_mm: 3,
+        machine_move_is_rapid: false,
+        rapid: RapidPath::DogLeg,
+        max_rotary_per_block_rad: f64::INFINITY,
+        radius_offsets: OffsetKind::Radius,
+        outside_corner: OutsideCorner::Linear,
+        compensation_entry: CompensationEntry::A,
+        compensation: CompensationRules::COMMON,
+        chip_break_mm: 0.254,
+        peck_clearance_mm: 0.254,
+        preset_clears_shift: false,
+        bare_home_moves_all: false,
+        pocket_stepover_mm: f64::INFINITY,
+        cycles: CycleRules::COMMON,
+        path: PathRules::COMMON,
+        arc: ArcRules::COMMON,
+    };
+}

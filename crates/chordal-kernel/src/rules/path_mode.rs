@@ -1,0 +1,68 @@
+//! What a control does at the ends of moves, as data: the mode it starts with, the tolerances
+//! of the modes that round corners, and where it comes to rest whatever the mode.
+
+use chordal_command::PathMode;
+
+/// The path mode at power-on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum StartMode {
+    /// Corners are rounded.
+    Continuous,
+    /// Exact path.
+    ExactPath,
+    /// A stop at the end of every block.
+    ExactStop,
+}
+
+/// How a control passes the ends of moves. Lengths are mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PathRules {
+    /// The path mode at power-on and after the program's end.
+    pub start: StartMode,
+    /// A rapid ends at rest before a cut (in-position check).
+    pub stop_before_cut: bool,
+    /// A rapid ends at rest before another rapid.
+    pub stop_between_rapids: bool,
+    /// A cut ends at rest before a rapid.
+    pub stop_after_cut: bool,
+    /// Largest distance from a corner where no code names one; `None`: the control knows no
+    /// such figure, and the machine file's `[motion] corner_tolerance` holds.
+    pub rounding_mm: Option<f64>,
+    /// Levels of smoothness (Haas G187 P1 to P3): the part of `rounding_mm` that each allows.
+    pub level_parts: [f64; 3],
+    /// The level in force when no code names one, 1 to 3.
+    pub level: u8,
+    /// The same distance in high-accuracy and look-ahead modes.
+    pub look_ahead_mm: Option<f64>,
+}
+
+impl PathRules {
+    /// Rapids with an in-position check, cuts that run into each other.
+    pub const COMMON: PathRules = PathRules {
+        start: StartMode::Continuous,
+        stop_before_cut: true,
+        stop_between_rapids: true,
+        stop_after_cut: true,
+        rounding_mm: None,
+        level_parts: [1.0; 3],
+        level: 2,
+        look_ahead_mm: None,
+    };
+
+    /// The distance that a level of smoothness allows, mm.
+    pub fn of_level(&self, level: u8) -> Option<f64> {
+        let part = self.level_parts[usize::from(level.clamp(1, 3)) - 1];
+        self.rounding_mm.map(|mm| mm * part)
+    }
+
+    /// The path mode of a program's first block.
+    pub fn start_mode(&self) -> PathMode {
+        match self.start {
+            StartMode::Continuous => {
+                PathMode::Continuous { tolerance_mm: self.of_level(self.level) }
+            }
+            StartMode::ExactPath => PathMode::ExactPath,
+            StartMode::ExactStop => PathMode::ExactStop,
+        }
+    }
+}

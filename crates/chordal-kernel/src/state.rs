@@ -1,0 +1,244 @@
+//! What a control remembers from block to block.
+
+use chordal_command::{
+    AxisMask, Coolant, FeedMode, Overrides, Position, Side, SpindleState, Units,
+};
+use chordal_diagnostics::Span;
+use chordal_geometry::{Direction, Plane};
+
+use crate::offsets::Offsets;
+use crate::path_mode::PathState;
+use crate::rules::{ArcCenter, CycleKind, Rules};
+
+/// The motion that a block without a motion code makes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Motion {
+    /// G0.
+    Rapid,
+    /// G1.
+    Linear,
+    /// G2 and G3.
+    Arc(Direction),
+    /// G2.1 and G3.1.
+    Spiral(Direction),
+    /// None: an axis word needs a motion code (LinuxCNC after G80).
+    None,
+}
+
+/// A canned cycle in force: its kind and the words that stay.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CycleState {
+    /// Which one.
+    pub kind: CycleKind,
+    /// Index of the drilling axis.
+    pub axis: usize,
+    /// Level of the drilling axis when the series of cycles began.
+    pub initial: f64,
+    /// R: a level, or as written where the control reads it again.
+    pub r: Option<f64>,
+    /// The depth.
+    pub z: Option<f64>,
+    /// Q: a step or a shift, mm.
+    pub q: Option<f64>,
+    /// I, J and K, mm.
+    pub vector: [Option<f64>; 3],
+    /// The dwell at the bottom, s.
+    pub dwell_s: Option<f64>,
+    /// P where it is the lift of a peck, mm.
+    pub lift: Option<f64>,
+    /// F where it is the speed of a tap.
+    pub tap_rpm: Option<f64>,
+    /// J where it says how much faster a tap leaves.
+    pub out_factor: Option<f64>,
+    /// `,R1` or `,R0` of a tap.
+    pub synchronous: Option<bool>,
+    /// E: speed of the spindle, reversed, after the hole.
+    pub after_rpm: Option<f64>,
+    /// The present block has made its hole.
+    pub fired: bool,
+}
+
+impl CycleState {
+    /// Without words.
+    pub fn new(kind: CycleKind, axis: usize, initial: f64) -> CycleState {
+        CycleState {
+            kind,
+            axis,
+            initial,
+            r: None,
+            z: None,
+            q: None,
+            vector: [None; 3],
+            dwell_s: None,
+            lift: None,
+            tap_rpm: None,
+            out_factor: None,
+            synchronous: None,
+            after_rpm: None,
+            fired: false,
+        }
+    }
+}
+
+/// What keeps the panel's overrides from acting.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct OverrideState {
+    /// By M48, M49 and their like.
+    pub by_code: Overrides,
+    /// G63 is in force.
+    pub tapping_mode: bool,
+    /// A tap is in its hole.
+    pub in_tap: bool,
+    /// What was pushed last.
+    pub pushed: Overrides,
+}
+
+impl Default for OverrideState {
+    fn default() -> OverrideState {
+        let (by_code, pushed) = (Overrides::ON, Overrides::ON);
+        OverrideState { by_code, tapping_mode: false, in_tap: false, pushed }
+    }
+}
+
+impl OverrideState {
+    /// What acts now.
+    pub fn in_force(&self) -> Overrides {
+        let feed = self.by_code.feed && !self.tapping_mode && !self.in_tap;
+        Overrides { feed, ..self.by_code }
+    }
+}
+
+/// Everything a control remembers from block to block.
+#[derive(Clone, PartialEq, Debug)]
+pub struct State {
+    /// The tool tip in program coordinates.
+    pub position: Position,
+    /// The axes whose program coordinate is known.
+    pub known: AxisMask,
+    /// The axes whose machine coordinate is known.
+    pub machine_known: AxisMask,
+    /// The offset tables, and which are in force.
+    pub offsets: Offsets,
+    /// Units of the program.
+    pub units: Units,
+    /// The plane of arcs and compensation.
+    pub plane: Plane,
+    /// G91 is in force.
+    pub incremental: bool,
+    /// Where the tool stood when G91 came into force.
+    pub incremental_from: Position,
+    /// What a block without a motion code does.
+    pub motion: Motion,
+    /// The direction that G2 or G3 armed, where they arm one.
+    pub armed: Option<Direction>,
+    /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
+    pub arc_over_rapid: bool,
+    /// What centre words say.
+    pub arc_center: ArcCenter,
+    /// What F counts.
+    pub feed_mode: FeedMode,
+    /// F as the mode counts it: mm/s, 1/s, mm per revolution; `None` before any F.
+    pub feed: Option<f64>,
+    /// F of rotary moves alone, rad/s.
+    pub feed_angular: Option<f64>,
+    /// The F word in force where it is above a limit of the machine that no move has met yet.
+    pub feed_over: Option<Span>,
+    /// What the spindle does.
+    pub spindle: SpindleState,
+    /// Its speed, rev/min.
+    pub rpm: f64,
+    /// Open valves.
+    pub coolant: Coolant,
+    /// The tool in the spindle; 0 for none.
+    pub tool: u32,
+    /// The tool made ready.
+    pub selected_tool: Option<u32>,
+    /// The side of cutter compensation.
+    pub side: Side,
+    /// Number of its offset.
+    pub radius_offset: Option<u32>,
+    /// A cycle ends at R, not at its initial level.
+    pub return_to_r: bool,
+    /// The cycle in force.
+    pub cycle: Option<CycleState>,
+    /// The last dwell that a cycle was given, s.
+    pub cycle_dwell_s: Option<f64>,
+    /// The path mode.
+    pub path: PathState,
+    /// The overrides.
+    pub overrides: OverrideState,
+}
+
+impl State {
+    /// At power-on.
+    pub fn new(rules: &Rules, offsets: Offsets, home: Position) -> State {
+        let mut position = home;
+        let known = offsets.known();
+        let total = offsets.total();
+        for axis in 0..6 {
+            position[axis] -= total[axis];
+        }
+        State {
+            position,
+            known,
+            machine_known: AxisMask::ALL,
+            offsets,
+            units: rules.units,
+            plane: Plane::Xy,
+            incremental: rules.starts_incremental,
+            incremental_from: [0.0; 6],
+            motion: if rules.starts_linear { Motion::Linear } else { Motion::Rapid },
+            armed: None,
+            arc_over_rapid: false,
+            arc_center: rules.arc.arc_center,
+            feed_mode: FeedMode::PerTime,
+            feed: None,
+            feed_angular: None,
+            feed_over: None,
+            spindle: SpindleState::Off,
+            rpm: 0.0,
+            coolant: Coolant::default(),
+            tool: 0,
+            selected_tool: None,
+            side: Side::Off,
+            radius_offset: None,
+            return_to_r: false,
+            cycle: None,
+            cycle_dwell_s: None,
+            path: PathState::new(&rules.path),
+            overrides: OverrideState::default(),
+        }
+    }
+
+    /// The machine coordinate of an axis.
+    pub fn machine_position(&self, axis: usize) -> f64 {
+        self.position[axis] + self.offsets.total()[axis]
+    }
+
+    /// Changes the offsets: the machine stands still and the program coordinates change.
+    pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
+        let old_total = self.offsets.total();
+        let old_known = self.offsets.known();
+        let old_identity = self.offsets.identity();
+        change(&mut self.offsets);
+        self.offsets.update();
+        let new_total = self.offsets.total();
+        let new_known = self.offsets.known();
+        let identity = self.offsets.identity();
+        for axis in 0..6 {
+            let same = identity.same_for(&old_identity, axis);
+            let unchanged = new_total[axis] == old_total[axis]
+                && old_known.has(axis) == new_known.has(axis)
+                && (same || new_known.has(axis));
+            if unchanged {
+                continue;
+            }
+            self.position[axis] += old_total[axis] - new_total[axis];
+            if self.machine_known.has(axis) && new_known.has(axis) {
+                self.known.insert(axis);
+            } else {
+                self.known = self.known.without(AxisMask(1 << axis));
+            }
+        }
+    }
+}
