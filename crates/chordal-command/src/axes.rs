@@ -1,9 +1,9 @@
 //! Positions and sets of axes.
 
-use chordal_machine::Axis;
+use chordal_machine::{Axis, PerAxis};
 
 /// A value for each axis X Y Z A B C, in mm and rad.
-pub type Position = [f64; 6];
+pub type Position = PerAxis<f64>;
 
 /// A set of axes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]

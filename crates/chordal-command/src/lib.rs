@@ -9,7 +9,7 @@
 //! use chordal_command::{AxisMask, Move};
 //!
 //! let motion = Move {
-//!     from: [0.0; 6],
+//!     from: [0.0; AXES],
 //!     to: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 //!     from_known: AxisMask::ALL,
 //!     to_known: AxisMask::ALL,

@@ -260,6 +260,9 @@ pub fn code_number(number: Decimal) -> Option<u16> {
     u16::try_from(tenths).ok()
 }
 
+/// The letters of a code whose words are not looked at.
+pub const ANY_WORDS: &str = "XYZABCIJKPQRLDHE";
+
 /// Writes a row of a code table.
 pub const fn row(
     code: u16,

@@ -7,6 +7,7 @@ use chordal::control::{
     Units, WorkName,
 };
 use chordal::diagnostics::FileId;
+use chordal::machine::AXES;
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
@@ -31,7 +32,7 @@ pub struct CommandJsonLines<'a, W> {
     axes: AxisMask,
 }
 
-const LETTERS: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
+const LETTERS: [&str; AXES] = ["X", "Y", "Z", "A", "B", "C"];
 
 impl<'a, W: Write> CommandJsonLines<'a, W> {
     /// Writes the header.
@@ -198,7 +199,7 @@ impl Context<'_> {
         object.object("to", |inner| self.position(inner, &motion.to));
         // Rotary axes that stand still are told only where a program turns them: most never do.
         let mut told = AxisMask::LINEAR;
-        for axis in 3..6 {
+        for axis in 3..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);
             if from != to {
                 told.insert(axis);

@@ -8,7 +8,7 @@ use chordal_diagnostics::{Diagnostic, Source, SourceMap};
 use chordal_dialect::Control;
 use chordal_gcode::{Library, RunOptions, run};
 use chordal_kernel::RunSink;
-use chordal_machine::Machine;
+use chordal_machine::{Machine, PerAxis};
 
 /// A xorshift, so that every run reads the same programs.
 struct Random(u64);
@@ -47,7 +47,7 @@ impl Random {
 /// Looks at every motion.
 #[derive(Default)]
 struct Watching {
-    last: Option<[f64; 6]>,
+    last: Option<PerAxis<f64>>,
     motions: u64,
     of_cycles: u64,
 }

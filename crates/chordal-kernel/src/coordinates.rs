@@ -2,6 +2,7 @@
 
 use chordal_command::{CommandKind, Side, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_machine::{AXES, PerAxis};
 
 use crate::kernel::Kernel;
 use crate::offsets::LengthOffset;
@@ -126,9 +127,14 @@ impl Kernel<'_> {
     }
 
     /// Writes a work offset: the values as given, or so that the present place gets them.
-    pub fn write_work_values(&mut self, key: &str, values: &[Option<f64>; 6], from_position: bool) {
+    pub fn write_work_values(
+        &mut self,
+        key: &str,
+        values: &PerAxis<Option<f64>>,
+        from_position: bool,
+    ) {
         let add = self.state.incremental && !from_position;
-        let machine: Vec<f64> = (0..6).map(|axis| self.state.machine_position(axis)).collect();
+        let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let work = self.state.offsets.work();
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
@@ -147,7 +153,7 @@ impl Kernel<'_> {
     }
 
     /// G52.
-    pub fn local_shift(&mut self, values: &[Option<f64>; 6]) {
+    pub fn local_shift(&mut self, values: &PerAxis<Option<f64>>) {
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 if let Some(value) = value {
@@ -159,7 +165,7 @@ impl Kernel<'_> {
     }
 
     /// G92: the present position gets these coordinates.
-    pub fn preset_position(&mut self, values: &[Option<f64>; 6]) {
+    pub fn preset_position(&mut self, values: &PerAxis<Option<f64>>) {
         let position = self.state.position;
         let machine_known = self.state.machine_known;
         let clears_shift = self.rules.preset_clears_shift;
@@ -185,8 +191,8 @@ impl Kernel<'_> {
 
     /// G92.1 and G92.2.
     pub fn clear_preset(&mut self, keep: bool) {
-        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; 6] };
-        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; 6]));
+        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; AXES] };
+        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES]));
         self.emit_work_offset();
     }
 

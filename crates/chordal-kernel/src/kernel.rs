@@ -2,7 +2,7 @@
 
 use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
-use chordal_machine::Machine;
+use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::rules::Rules;
 use crate::sink::RunSink;
@@ -52,7 +52,7 @@ pub struct KernelMemory {
     /// The number of the last block that has one.
     pub block_number: Option<f64>,
     /// Presets to put back.
-    pub preset_kept: [f64; 6],
+    pub preset_kept: PerAxis<f64>,
     /// What was reported.
     pub reported: Reported,
 }
@@ -81,7 +81,7 @@ pub struct Kernel<'a> {
     /// Most of them.
     pub max_repeated: u64,
     /// Presets that G92.2 keeps.
-    pub preset_kept: [f64; 6],
+    pub preset_kept: PerAxis<f64>,
     /// What was reported once.
     pub reported: Reported,
     /// Who takes what the run produces.
@@ -108,7 +108,7 @@ impl<'a> Kernel<'a> {
             block_number: None,
             repeated: 0,
             max_repeated: u64::MAX,
-            preset_kept: [0.0; 6],
+            preset_kept: [0.0; AXES],
             reported: Reported::default(),
             sink,
         }

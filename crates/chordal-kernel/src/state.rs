@@ -5,6 +5,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::Span;
 use chordal_geometry::{Direction, Plane};
+use chordal_machine::AXES;
 
 use crate::offsets::Offsets;
 use crate::path_mode::PathState;
@@ -175,7 +176,7 @@ impl State {
         let mut position = home;
         let known = offsets.known();
         let total = offsets.total();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             position[axis] -= total[axis];
         }
         State {
@@ -186,7 +187,7 @@ impl State {
             units: rules.units,
             plane: Plane::Xy,
             incremental: rules.starts_incremental,
-            incremental_from: [0.0; 6],
+            incremental_from: [0.0; AXES],
             motion: if rules.starts_linear { Motion::Linear } else { Motion::Rapid },
             armed: None,
             arc_over_rapid: false,
@@ -225,7 +226,7 @@ impl State {
         let new_total = self.offsets.total();
         let new_known = self.offsets.known();
         let identity = self.offsets.identity();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let same = identity.same_for(&old_identity, axis);
             let unchanged = new_total[axis] == old_total[axis]
                 && old_known.has(axis) == new_known.has(axis)

@@ -7,7 +7,7 @@ use chordal_dialect::SettingError;
 use chordal_gcode::{Interrupt, Library, Outcome, RunOptions, initial_offset, run_from};
 use chordal_kernel::Checkpoint;
 use chordal_kernel::RunSink;
-use chordal_machine::Machine;
+use chordal_machine::{Machine, PerAxis};
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use chordal_syntax::ProgramHead;
 
@@ -382,7 +382,7 @@ impl<'a> Job<'a> {
         Ok(report)
     }
 
-    pub(crate) fn initial_offset(&self) -> ([f64; 6], AxisMask) {
+    pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {
         initial_offset(&self.machine, &self.control)
     }
 }

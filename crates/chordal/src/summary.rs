@@ -1,5 +1,6 @@
 use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Units};
 use chordal_dialect::Control;
+use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::FileId;
@@ -96,7 +97,7 @@ pub(crate) struct SummaryBuilder {
     tools: BTreeMap<u32, ToolUse>,
     order: Vec<u32>,
     tool: u32,
-    axes: [Extent; 6],
+    axes: PerAxis<Extent>,
 }
 
 impl SummaryBuilder {
@@ -114,7 +115,7 @@ impl SummaryBuilder {
             tools: BTreeMap::new(),
             order: Vec::new(),
             tool: 0,
-            axes: [empty; 6],
+            axes: [empty; AXES],
         }
     }
 
@@ -242,7 +243,7 @@ impl SummaryBuilder {
         for number in self.order {
             summary.tools.extend(tools.remove(&number));
         }
-        for (axis, letter) in "XYZABC".chars().enumerate() {
+        for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
             if extent.low <= extent.high {
                 let cut = (extent.cut_low, extent.cut_high);

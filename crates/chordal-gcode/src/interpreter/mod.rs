@@ -43,7 +43,7 @@ use std::sync::Arc;
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::Scale;
 use chordal_kernel::{Checkpoint, Kernel, RunSink};
-use chordal_machine::Machine;
+use chordal_machine::{Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
 
 use crate::library::{Library, Program};
@@ -241,7 +241,7 @@ pub fn run_from<'a>(
 
 /// What lies between program and machine coordinates before the first block: the offset
 /// (mm, rad) and the axes for which the machine file gives it.
-pub fn initial_offset(machine: &Machine, control: &Control) -> ([f64; 6], AxisMask) {
+pub fn initial_offset(machine: &Machine, control: &Control) -> (PerAxis<f64>, AxisMask) {
     let offsets = initial_offsets(machine, control);
     (offsets.total(), offsets.known())
 }

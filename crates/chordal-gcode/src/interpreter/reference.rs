@@ -6,6 +6,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::Action;
 use chordal_geometry::Direction;
 use chordal_kernel::rules::Allowance;
+use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -138,7 +139,7 @@ impl Interpreter<'_> {
 
     /// G53: the words of this block are machine coordinates.
     fn machine_coordinates(&mut self, block: &Block) {
-        let mut place = [0.0; 6];
+        let mut place = [0.0; AXES];
         let mut named = AxisMask::NONE;
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
@@ -158,8 +159,8 @@ impl Interpreter<'_> {
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.
-    pub(super) fn axis_words(&mut self, block: &Block) -> [Option<f64>; 6] {
-        let mut values = [None; 6];
+    pub(super) fn axis_words(&mut self, block: &Block) -> PerAxis<Option<f64>> {
+        let mut values = [None; AXES];
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {

@@ -9,7 +9,7 @@ use chordal_command::{
     Units, telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_machine::Axis;
+use chordal_machine::{AXES, Axis};
 
 pub use arc::ArcWords;
 pub use spiral::SpiralWords;
@@ -154,7 +154,7 @@ impl Kernel<'_> {
         if limit == f64::INFINITY {
             return;
         }
-        for axis in 3..6 {
+        for axis in 3..AXES {
             let turn = (motion.to[axis] - motion.from[axis]).abs();
             if turn > limit * (1.0 + 1e-12) {
                 let letter = Axis::ALL[axis].letter();

@@ -1,6 +1,7 @@
 //! Moves to machine points: reference points and machine coordinates.
 
 use chordal_command::{AxisMask, CommandKind, FeedAlong, Move, Position};
+use chordal_machine::PerAxis;
 
 use crate::kernel::Kernel;
 use crate::state::Motion;
@@ -8,7 +9,12 @@ use crate::statement::Statement;
 
 impl Kernel<'_> {
     /// Over a point to a reference point, with the axes named. Axes that it does not know go to zero.
-    pub fn return_over(&mut self, target: Position, named: AxisMask, reference: &[Option<f64>; 6]) {
+    pub fn return_over(
+        &mut self,
+        target: Position,
+        named: AxisMask,
+        reference: &PerAxis<Option<f64>>,
+    ) {
         if target != self.state.position {
             self.rapid(target, named);
         }
@@ -16,7 +22,7 @@ impl Kernel<'_> {
     }
 
     /// Straight to a reference point.
-    pub fn go_to_reference(&mut self, named: AxisMask, reference: &[Option<f64>; 6]) {
+    pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
         self.rapid_to_machine_point(home, named);
     }

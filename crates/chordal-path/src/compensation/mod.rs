@@ -20,6 +20,7 @@ mod queue;
 use chordal_command::{Command, CommandKind, Origin, Side, Units};
 use chordal_kernel::Alarms;
 use chordal_kernel::rules::{Allowance, Repeated, Rules};
+use chordal_machine::PerAxis;
 use std::collections::VecDeque;
 
 use chordal_diagnostics::{Diagnostic, Shift};
@@ -374,7 +375,7 @@ impl Compensator {
 
     /// The program coordinates move against the machine: the tool stands still, and the
     /// contour goes on from there.
-    fn shift<P: PathSink>(&mut self, command: &Command, position: &[f64; 6], out: &mut P) {
+    fn shift<P: PathSink>(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut P) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
             if self.rules.compensation.coordinate_change == Allowance::Refused {

@@ -1,6 +1,7 @@
 //! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
 
 use chordal::RunSink;
+use chordal::machine::AXIS_LETTERS;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
@@ -123,7 +124,10 @@ impl Walk<'_, '_> {
             let Some(row) = self.control.row_of(word) else { continue };
             match row.action {
                 Action::LocalShift | Action::PresetPosition | Action::RestorePreset => {
-                    let axes = block.words.iter().filter(|word| b"XYZABC".contains(&word.letter));
+                    let axes = block
+                        .words
+                        .iter()
+                        .filter(|word| AXIS_LETTERS.as_bytes().contains(&word.letter));
                     let is_zero = |number: chordal::syntax::Decimal| number.is_zero();
                     let ends = row.action == Action::LocalShift
                         && axes.clone().count() > 0

@@ -8,6 +8,7 @@ mod rules;
 mod settings;
 
 use crate::vocabulary::*;
+use chordal_machine::AXIS_LETTERS;
 
 /// Fadal CNC 88, Format 1 and 2.
 pub static TABLE: ControlTable = ControlTable {
@@ -24,7 +25,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: true,
     line_repeat: LineRepeat::MainProgram,
     subroutines: Subroutines::LetterL,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::None,
     strict_center_words: false,
     set_data: SET_DATA,

@@ -10,6 +10,7 @@ mod settings;
 pub(super) use macros::GROUPS;
 
 use crate::vocabulary::*;
+use chordal_machine::AXIS_LETTERS;
 
 /// Fanuc 0i, 16i, 30i and, by settings, the 6M.
 pub static TABLE: ControlTable = ControlTable {
@@ -26,7 +27,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::None,
     strict_center_words: false,
     set_data: SET_DATA,

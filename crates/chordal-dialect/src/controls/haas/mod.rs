@@ -8,6 +8,7 @@ mod rules;
 mod settings;
 
 use crate::vocabulary::*;
+use chordal_machine::AXIS_LETTERS;
 
 /// Haas mill, NGC.
 pub static TABLE: ControlTable = ControlTable {
@@ -24,7 +25,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::Anywhere,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::None,
     strict_center_words: true,
     set_data: SET_DATA,

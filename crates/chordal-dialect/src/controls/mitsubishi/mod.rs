@@ -8,6 +8,7 @@ mod rules;
 mod settings;
 
 use crate::vocabulary::*;
+use chordal_machine::AXIS_LETTERS;
 
 /// Mitsubishi M700 and M800.
 pub static TABLE: ControlTable = ControlTable {
@@ -24,7 +25,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::Extra,
     strict_center_words: false,
     set_data: SET_DATA,

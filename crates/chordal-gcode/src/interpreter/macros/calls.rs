@@ -4,6 +4,7 @@ use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::macros::ArgumentScale;
 use chordal_dialect::{Action, DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
 use super::super::shop::Given;
@@ -39,7 +40,7 @@ enum Call {
 }
 
 /// Letters whose words move.
-const AXES: Letters = Letters::of("XYZABC");
+const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// True when a block calls a macro with its words as arguments.
@@ -216,7 +217,7 @@ impl Interpreter<'_> {
 
     /// After a block that moved: the call in force.
     pub(in super::super) fn modal_call_after(&mut self, block: &Block, flow: Flow) -> Flow {
-        let moved = block.letters().meets(AXES) && matches!(flow, Flow::Next);
+        let moved = block.letters().meets(AXIS_WORDS) && matches!(flow, Flow::Next);
         if !moved || self.calls_every_block() || self.takes_axes_alone(block) {
             return flow;
         }

@@ -8,6 +8,7 @@ use chordal_geometry::{Direction, Plane};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::{CycleKind, OffsetKind};
+use chordal_machine::AXES;
 
 use super::super::{EndReason, Interpreter};
 use crate::macros::arguments::letter_of;
@@ -184,7 +185,7 @@ impl Interpreter<'_> {
         let key = self.kernel.state.offsets.key(name);
         match axis {
             0..3 => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0),
-            3..6 => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
+            3..AXES => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
             _ => 0.0,
         }
     }
