@@ -3,7 +3,7 @@
 
 #![no_main]
 
-use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, PerAxis, Spiral, Vec3};
 use chordal_motion::{
     AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Step, Stretch,
     largest_use,
@@ -32,7 +32,7 @@ impl Bytes<'_> {
 }
 
 fn limits(bytes: &mut Bytes<'_>) -> Limits {
-    let mut axes = [None; 6];
+    let mut axes = [None; AXES];
     for axis in &mut axes {
         *axis = Some(AxisLimit {
             velocity: bytes.decades(1.0, 2000.0),
@@ -81,7 +81,7 @@ fn curve(bytes: &mut Bytes<'_>, at: Vec3, heading: Vec3) -> Curve {
 }
 
 /// Every limit is held, and it begins where the one before ended.
-fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<[f64; 6]>) {
+fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<PerAxis<f64>>) {
     let used = largest_use(stretch, limits, 2);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
     assert!(worst <= 1.0 + 1e-6, "{used:?} of {limits:?}");
@@ -95,8 +95,8 @@ fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<[f64; 6]>) {
     }
 }
 
-fn same(a: [f64; 6], b: [f64; 6], far: f64) {
-    for axis in 0..6 {
+fn same(a: PerAxis<f64>, b: PerAxis<f64>, far: f64) {
+    for axis in 0..AXES {
         assert!((a[axis] - b[axis]).abs() <= 1e-8 + 1e-11 * far, "{a:?} {b:?}");
     }
 }

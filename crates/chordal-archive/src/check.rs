@@ -5,6 +5,7 @@ use std::path::Path;
 
 use chordal::control::EndReason;
 use chordal::diagnostics::{Diagnostic, FileId};
+use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::MotionOptions;
 use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
 use chordal_export::sha256_hex;
@@ -331,9 +332,9 @@ fn run(
 
 fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
     let summary = &report.summary;
-    let mut travel = [None; 6];
+    let mut travel = [None; AXES];
     for axis in &summary.axes {
-        if let Some(place) = "XYZABC".find(axis.letter) {
+        if let Some(place) = AXIS_LETTERS.find(axis.letter) {
             let (low, high) = axis.range;
             let of = |value: f64| if place < 3 { value } else { value.to_degrees() };
             travel[place] = Some((of(low), of(high)));

@@ -1,5 +1,6 @@
 //! What is found about a file, as it goes through the journal.
 
+use chordal::machine::PerAxis;
 use serde::{Deserialize, Serialize};
 
 /// A problem of a program.
@@ -31,7 +32,7 @@ pub struct Ran {
     /// Tools in the order of their first use.
     pub tools: Vec<u32>,
     /// Lowest and highest place of X, Y, Z (mm) and A, B, C (degrees), where it moves.
-    pub travel: [Option<(f64, f64)>; 6],
+    pub travel: PerAxis<Option<(f64, f64)>>,
     /// Length of the cuts.
     pub cut_length_mm: f64,
     /// Length of the rapids.

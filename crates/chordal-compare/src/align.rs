@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use chordal::geometry::{Curve, ParamCurve, Vec3};
+use chordal::machine::PerAxis;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token as InternedToken};
 
 use crate::course::{Course, Event, Moved, Step, Way};
@@ -23,14 +24,14 @@ pub(crate) enum Region {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Token {
     Line {
-        ends: [i64; 6],
-        turn: [i64; 6],
+        ends: PerAxis<i64>,
+        turn: PerAxis<i64>,
     },
     Curve {
-        ends: [i64; 6],
+        ends: PerAxis<i64>,
         middle: [i64; 3],
         length: i64,
-        turn: [i64; 6],
+        turn: PerAxis<i64>,
     },
     /// Where it goes is not known, but whither in numbers: moves that say the same find each other.
     Unknown {

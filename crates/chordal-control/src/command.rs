@@ -8,13 +8,13 @@ use std::sync::Arc;
 
 use chordal_diagnostics::{Diagnostic, Shift, Span, TextRange};
 use chordal_geometry::Plane;
-use chordal_machine::Axis;
+use chordal_machine::{Axis, PerAxis};
 
 use crate::interpreter::Rest;
 use crate::modal::Modal;
 
 /// A value for each axis X Y Z A B C, in mm and rad.
-pub type Position = [f64; 6];
+pub type Position = PerAxis<f64>;
 
 /// A set of axes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use chordal_machine::{Machine, Tool};
+use chordal_machine::{AXES, Machine, PerAxis, Tool};
 
 use crate::command::{AxisMask, Position, WorkName};
 
 /// The offset tables and which of them are in force.
 #[derive(Clone, Debug)]
 pub(crate) struct Offsets {
-    systems: BTreeMap<String, [Option<f64>; 6]>,
-    external: [Option<f64>; 6],
+    systems: BTreeMap<String, PerAxis<Option<f64>>>,
+    external: PerAxis<Option<f64>>,
     tools: BTreeMap<u32, Tool>,
     extended_code: &'static str,
     active: WorkName,
@@ -19,7 +19,7 @@ pub(crate) struct Offsets {
     /// G92, added to every system.
     preset: Position,
     /// The axes whose place G92 has made known or unknown, whatever the table says.
-    preset_known: [Option<bool>; 6],
+    preset_known: PerAxis<Option<bool>>,
     length: LengthOffset,
     total: Position,
     work: Position,
@@ -53,19 +53,19 @@ impl Offsets {
     pub fn new(machine: &Machine, active: WorkName, extended_code: &'static str) -> Offsets {
         let systems =
             machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
-        let external = machine.work_offsets.get("EXT").map_or([None; 6], |o| o.values);
+        let external = machine.work_offsets.get("EXT").map_or([None; AXES], |o| o.values);
         let mut offsets = Offsets {
             systems,
             external,
             tools: machine.tools.clone(),
             extended_code,
             active,
-            shift: [0.0; 6],
-            preset: [0.0; 6],
-            preset_known: [None; 6],
+            shift: [0.0; AXES],
+            preset: [0.0; AXES],
+            preset_known: [None; AXES],
             length: LengthOffset { number: None, minus: false },
-            total: [0.0; 6],
-            work: [0.0; 6],
+            total: [0.0; AXES],
+            work: [0.0; AXES],
             known: AxisMask::NONE,
         };
         offsets.update();
@@ -103,7 +103,7 @@ impl Offsets {
 
     pub fn select(&mut self, name: WorkName) {
         self.active = name;
-        self.preset_known = [None; 6];
+        self.preset_known = [None; AXES];
     }
 
     pub fn set_length(&mut self, length: LengthOffset) {
@@ -132,7 +132,7 @@ impl Offsets {
 
     pub fn set_preset(&mut self, preset: Position) {
         self.preset = preset;
-        self.preset_known = [None; 6];
+        self.preset_known = [None; AXES];
     }
 
     /// Name of a system in the tables.
@@ -145,7 +145,7 @@ impl Offsets {
         let values = if key == "EXT" {
             &mut self.external
         } else {
-            self.systems.entry(key.to_string()).or_insert([None; 6])
+            self.systems.entry(key.to_string()).or_insert([None; AXES])
         };
         let old = values[axis].unwrap_or(0.0);
         values[axis] = Some(if add { old + value } else { value });
@@ -195,13 +195,13 @@ impl Offsets {
     pub fn update(&mut self) {
         let machine = self.active == WorkName::Machine;
         let system = if machine {
-            Some([Some(0.0); 6])
+            Some([Some(0.0); AXES])
         } else {
             self.systems.get(&self.key(self.active)).copied()
         };
         let length = self.length_in_force();
         let mut known = AxisMask::NONE;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let base = system.and_then(|values| values[axis]);
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
             self.work[axis] = base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];

@@ -2,6 +2,7 @@
 
 use chordal_diagnostics::Span;
 use chordal_geometry::{Direction, Plane};
+use chordal_machine::AXES;
 use chordal_syntax::Decimal;
 
 use crate::command::{AxisMask, Coolant, FeedMode, Overrides, Position, Side, SpindleState, Units};
@@ -197,7 +198,7 @@ impl State {
         let mut position = home;
         let known = offsets.known();
         let total = offsets.total();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             position[axis] -= total[axis];
         }
         State {
@@ -209,7 +210,7 @@ impl State {
             scale: Scale::new(parameters.units, parameters),
             plane: Plane::Xy,
             incremental: parameters.starts_incremental,
-            incremental_from: [0.0; 6],
+            incremental_from: [0.0; AXES],
             motion: if parameters.starts_linear { Motion::Linear } else { Motion::Rapid },
             armed: None,
             arc_over_rapid: false,
@@ -249,7 +250,7 @@ impl State {
         let new_total = self.offsets.total();
         let new_known = self.offsets.known();
         let identity = self.offsets.identity();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let same = identity.same_for(&old_identity, axis);
             let unchanged = new_total[axis] == old_total[axis]
                 && old_known.has(axis) == new_known.has(axis)

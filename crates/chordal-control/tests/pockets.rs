@@ -5,7 +5,7 @@
 
 use chordal_control::{Command, CommandKind, Control, Library, RunOptions, Sink, run};
 use chordal_diagnostics::{Diagnostic, Source, SourceMap};
-use chordal_machine::Machine;
+use chordal_machine::{Machine, PerAxis};
 
 /// A xorshift, so that every run reads the same programs.
 struct Random(u64);
@@ -44,7 +44,7 @@ impl Random {
 /// Looks at every motion.
 #[derive(Default)]
 struct Watching {
-    last: Option<[f64; 6]>,
+    last: Option<PerAxis<f64>>,
     motions: u64,
     of_cycles: u64,
 }

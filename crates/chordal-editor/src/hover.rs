@@ -5,6 +5,7 @@ use chordal::control::FeedMode;
 use chordal::control::table::code_number;
 use chordal::control::{Modal, SpindleState, Units, number_text};
 use chordal::diagnostics::TextRange;
+use chordal::machine::AXIS_NAMES;
 use chordal::syntax::{Block, Word};
 
 use crate::meaning::{code_brief, letter_text};
@@ -87,7 +88,7 @@ impl Program {
     pub fn modal_text(&self, modal: &Modal) -> String {
         let mut lines = vec![modal.codes.join(" ")];
         let place = |axis: usize| {
-            let letter = ["X", "Y", "Z", "A", "B", "C"][axis];
+            let letter = AXIS_NAMES[axis];
             if !modal.known.has(axis) {
                 return format!("{letter}?");
             }

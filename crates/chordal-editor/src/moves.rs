@@ -2,6 +2,7 @@
 
 use chordal::control::{EndReason, Interrupt, Origin, Outcome, Units};
 use chordal::diagnostics::FileId;
+use chordal::machine::{AXES, PerAxis};
 use chordal::path::PathCommand;
 use chordal::{Command, Job, Report, Segment, SegmentKind, Watch};
 
@@ -13,7 +14,7 @@ pub struct LineMoves {
     /// Line of the text, from 1.
     pub line: u32,
     /// Where the tool tip was behind the last of them, in program coordinates, mm and rad.
-    pub to: [f64; 6],
+    pub to: PerAxis<f64>,
     /// Length of the path of all of them, mm.
     pub length_mm: f64,
     /// How long the cuts take without acceleration, and rapids, s.
@@ -62,7 +63,7 @@ impl Lines {
         }
         Some(self.lines[index].get_or_insert(LineMoves {
             line: origin.line,
-            to: [0.0; 6],
+            to: [0.0; AXES],
             length_mm: 0.0,
             seconds: 0.0,
             pieces: 0,

@@ -9,6 +9,7 @@ use chordal::control::{
 };
 use chordal::diagnostics::FileId;
 use chordal::geometry::Plane;
+use chordal::machine::PerAxis;
 use chordal::{Command, CommandKind, Job, SourceMap};
 
 use crate::number::{push_fixed, push_integer};
@@ -241,7 +242,7 @@ impl<'a, W: Write> Canon<'a, W> {
 }
 
 /// mm and degrees.
-fn canonical(position: &Position) -> [f64; 6] {
+fn canonical(position: &Position) -> PerAxis<f64> {
     let mut values = *position;
     values[3..].iter_mut().for_each(|value| *value = value.to_degrees());
     values

@@ -7,6 +7,7 @@ use chordal::control::{
     Units, WorkName,
 };
 use chordal::diagnostics::FileId;
+use chordal::machine::{AXES, AXIS_NAMES};
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
@@ -30,8 +31,6 @@ pub struct CommandJsonLines<'a, W> {
     /// X, Y and Z always, and the rotary axes of the machine.
     axes: AxisMask,
 }
-
-const LETTERS: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
 
 impl<'a, W: Write> CommandJsonLines<'a, W> {
     /// Writes the header.
@@ -198,7 +197,7 @@ impl Context<'_> {
         object.object("to", |inner| self.position(inner, &motion.to));
         // Rotary axes that stand still are told only where a program turns them: most never do.
         let mut told = AxisMask::LINEAR;
-        for axis in 3..6 {
+        for axis in 3..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);
             if from != to {
                 told.insert(axis);
@@ -211,7 +210,7 @@ impl Context<'_> {
     fn position(&self, object: &mut Object, position: &Position) {
         for (axis, value) in position.iter().enumerate() {
             if self.axes.has(axis) {
-                object.number(LETTERS[axis], if axis < 3 { *value } else { value.to_degrees() });
+                object.number(AXIS_NAMES[axis], if axis < 3 { *value } else { value.to_degrees() });
             }
         }
     }
@@ -235,8 +234,8 @@ fn write_shape(object: &mut Object, shape: &ArcShape) {
     object.word("plane", plane_word(shape.plane));
     let (first, second, _) = shape.plane.axes();
     object.object("center", |inner| {
-        inner.number(LETTERS[first], shape.center[0]);
-        inner.number(LETTERS[second], shape.center[1]);
+        inner.number(AXIS_NAMES[first], shape.center[0]);
+        inner.number(AXIS_NAMES[second], shape.center[1]);
     });
     object.word("direction", direction_word(shape.sweep));
     object.number("sweep_deg", shape.sweep.abs().to_degrees());

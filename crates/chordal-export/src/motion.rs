@@ -2,6 +2,7 @@
 
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
 use chordal::geometry::{Curve, ParamCurve, Plane, Spiral};
+use chordal::machine::AXES;
 use chordal::path::curve_of;
 
 /// A feed in the unit of [`PathFeed::per_minute`].
@@ -38,7 +39,7 @@ pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f6
 
 /// The angle that the rotary axes turn together, rad.
 fn angle(motion: &Move) -> f64 {
-    (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>().sqrt()
+    (3..AXES).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The length that F counts.

@@ -1,5 +1,6 @@
 //! Pictures of a motion made by hand.
 
+use chordal::machine::AXES;
 use chordal::motion::{
     AxisLimit, Limits, MachineLimits, MotionOptions, Phase, Piece, PlanSink, Sampler, Sources,
     Step, StepSource, Stretch,
@@ -27,7 +28,7 @@ fn phases(length: f64) -> Vec<Phase> {
 
 /// One side of a square, with a tag.
 fn side(from: [f64; 2], direction: [f64; 2], length: f64, tag: u64) -> Stretch {
-    let mut start = [[0.0; 6]; 4];
+    let mut start = [[0.0; AXES]; 4];
     start[0][..2].copy_from_slice(&from);
     start[1][..2].copy_from_slice(&direction);
     let pieces = vec![Piece { length, base: None, start, tag }];

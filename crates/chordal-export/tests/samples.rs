@@ -4,6 +4,7 @@ use std::io::{self, Cursor, Write};
 
 use arrow_array::{Array, Float64Array, RecordBatch, UInt32Array};
 use bytes::Bytes;
+use chordal::machine::AXES;
 use chordal::motion::Sample;
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter};
@@ -30,7 +31,7 @@ fn sample(index: usize) -> Sample {
         position: [50.0 * t * t, -1.5, 0.1 + 0.2, std::f64::consts::PI * t, 0.0, 0.0],
         velocity: [100.0 * t, 0.0, -3.0, std::f64::consts::PI, 0.0, 0.0],
         acceleration: [100.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        jerk: [0.0; 6],
+        jerk: [0.0; AXES],
         tag: 0,
     }
 }

@@ -32,6 +32,7 @@
 
 mod aabb;
 mod arc;
+mod axes;
 mod chords;
 mod curve;
 mod fit;
@@ -54,6 +55,7 @@ mod winding_search;
 
 pub use aabb::Aabb;
 pub use arc::Arc;
+pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
 pub use curve::{Curve, Nearest, ParamCurve};
 pub use fit::{ArcFit, RadiusError, arc_from_center, center_from_radius, spiral_from_center};

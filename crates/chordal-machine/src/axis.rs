@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+pub use chordal_geometry::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
+
 /// An axis, in the order in which arrays over axes hold them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(usize)]
@@ -22,7 +24,7 @@ pub enum Axis {
 
 impl Axis {
     /// Every axis, in order.
-    pub const ALL: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
+    pub const ALL: PerAxis<Axis> = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
 
     /// The axis' letter, upper case.
     pub const fn letter(self) -> char {

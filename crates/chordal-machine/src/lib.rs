@@ -45,7 +45,7 @@ mod tool_tbl;
 mod value;
 mod write;
 
-pub use axis::Axis;
+pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};

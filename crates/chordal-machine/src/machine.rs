@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::axis::Axis;
+use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
 use crate::motion::Motion;
 use crate::value::Setting;
@@ -19,7 +19,7 @@ pub struct Machine {
     /// Whose rules its programs are read by.
     pub control: ControlName,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
-    pub axes: [Option<AxisLimits>; 6],
+    pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
     pub rotary: [Rotary; 3],
     /// The fastest feeds that may be programmed.
@@ -35,9 +35,9 @@ pub struct Machine {
     /// The control's own settings, by the names its manual uses.
     pub settings: BTreeMap<String, Setting>,
     /// Reference point 1, in machine coordinates.
-    pub home: [Option<f64>; 6],
+    pub home: PerAxis<Option<f64>>,
     /// Reference points 2, 3 and 4, in machine coordinates.
-    pub reference_points: [[Option<f64>; 6]; 3],
+    pub reference_points: [PerAxis<Option<f64>>; 3],
     /// The switches of the operator's panel.
     pub switches: Switches,
     /// The plane above which rapids may move freely, Z in work coordinates.
@@ -154,7 +154,7 @@ pub struct Tool {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorkOffset {
     /// By `axis as usize`, mm or rad; `None`: not given.
-    pub values: [Option<f64>; 6],
+    pub values: PerAxis<Option<f64>>,
 }
 
 /// The switches of the operator's panel.
@@ -210,7 +210,7 @@ pub struct Probe {
     pub hit: Option<ProbeHit>,
     /// Planes of which the nearest on the way is touched: work coordinates by `axis as usize`,
     /// mm or rad. They hold where `hit` is `None`.
-    pub planes: [Option<f64>; 6],
+    pub planes: PerAxis<Option<f64>>,
 }
 
 /// What a probe move meets.
@@ -236,7 +236,7 @@ impl Machine {
             title: name.to_string(),
             notes: Vec::new(),
             control,
-            axes: [None; 6],
+            axes: [None; AXES],
             rotary: [Rotary::default(); 3],
             feed: FeedLimits::default(),
             rapid: None,
@@ -244,8 +244,8 @@ impl Machine {
             tools: BTreeMap::new(),
             work_offsets: BTreeMap::new(),
             settings: BTreeMap::new(),
-            home: [None; 6],
-            reference_points: [[None; 6]; 3],
+            home: [None; AXES],
+            reference_points: [[None; AXES]; 3],
             switches: Switches::default(),
             clearance_mm: None,
             motion: Motion::default(),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::axis::Axis;
+use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
 use crate::machine::{Machine, ProbeHit, Rotary};
 use crate::quantity::Dimension;
@@ -232,14 +232,14 @@ impl Out {
     }
 
     /// A table of positions, if there are any.
-    fn positions(&mut self, name: &str, values: &[Option<f64>; 6]) {
+    fn positions(&mut self, name: &str, values: &PerAxis<Option<f64>>) {
         if values.iter().any(Option::is_some) {
             self.table(name);
             self.values(values);
         }
     }
 
-    fn values(&mut self, values: &[Option<f64>; 6]) {
+    fn values(&mut self, values: &PerAxis<Option<f64>>) {
         for axis in Axis::ALL {
             let dimension = if axis.is_rotary() { Dimension::Angle } else { Dimension::Length };
             self.quantity(&axis.to_string(), values[axis as usize], dimension);

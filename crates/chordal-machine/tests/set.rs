@@ -1,6 +1,6 @@
 //! Assignments, as a command line gives them.
 
-use chordal_machine::{Axis, ControlName, Machine, SettingValue};
+use chordal_machine::{AXES, Axis, ControlName, Machine, SettingValue};
 
 fn haas() -> Machine {
     Machine::from_builtin("haas-vf2").expect("a built-in machine")
@@ -175,7 +175,7 @@ fn probes_and_answers() {
     assert_eq!(again(&machine).macros, machine.macros);
     // A word takes the planes away, and a plane the word.
     machine.set("probe.hit=none").unwrap();
-    assert_eq!((machine.probe.hit, machine.probe.planes), (Some(ProbeHit::Nothing), [None; 6]));
+    assert_eq!((machine.probe.hit, machine.probe.planes), (Some(ProbeHit::Nothing), [None; AXES]));
     assert_eq!(again(&machine).probe, machine.probe);
     machine.set("probe.hit=end").unwrap();
     assert_eq!(again(&machine).probe.hit, Some(ProbeHit::End));

@@ -5,7 +5,7 @@ mod support;
 
 use std::hint::black_box;
 
-use chordal_geometry::{Arc, Curve, Plane, Spiral};
+use chordal_geometry::{AXES, Arc, Curve, Plane, Spiral};
 use chordal_motion::{Sampler, Step, Stretch};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use support::law::{LAW, piece, straight};
@@ -26,7 +26,7 @@ fn lines(pieces: usize) -> Stretch {
 /// The same length with bends: cubic in every linear axis.
 fn bends() -> Stretch {
     let piece = |n: usize| {
-        let mut piece = straight([0.0; 6], [0.6, 0.8, 0.0, 0.0, 0.0, 0.0], 1e3, n as u64);
+        let mut piece = straight([0.0; AXES], [0.6, 0.8, 0.0, 0.0, 0.0, 0.0], 1e3, n as u64);
         piece.start[2] = [1e-3, -1e-3, 1e-4, 0.0, 0.0, 0.0];
         piece.start[3] = [-1e-6, 1e-6, -1e-7, 0.0, 0.0, 0.0];
         piece

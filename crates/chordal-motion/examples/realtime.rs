@@ -15,7 +15,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use chordal_geometry::{Arc, Curve, Line, Plane, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Line, Plane, Vec3};
 use chordal_motion::{
     AxisLimit, Corner, Feeder, Limits, Move, MoveKind, Pushed, Servo, StreamOptions, stream,
 };
@@ -115,7 +115,7 @@ fn pull(mut servo: Servo, limits: &Limits, period_s: f64, seconds: f64) -> Repor
         standing: 0,
         used: [0.0; 3],
     };
-    let mut places = [[0.0; 6]; 4];
+    let mut places = [[0.0; AXES]; 4];
     // The push side plans its first windows.
     std::thread::sleep(Duration::from_millis(300));
     let mut due = Instant::now() + period;

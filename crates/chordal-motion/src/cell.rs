@@ -1,6 +1,8 @@
 //! How fast a piece of path may be travelled at all: limits of the axes turned into limits of
 //! the law of time that hold anywhere on the piece, together.
 
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::limits::Limits;
 use crate::profile::{Ability, Effort};
@@ -34,7 +36,7 @@ pub struct AxisArrays {
 impl AxisArrays {
     pub fn new(limits: &Limits) -> AxisArrays {
         let count =
-            (0..6).rev().find(|axis| limits.axis(*axis).is_some()).map_or(0, |last| last + 1);
+            (0..AXES).rev().find(|axis| limits.axis(*axis).is_some()).map_or(0, |last| last + 1);
         AxisArrays {
             count,
             velocity: limits.velocity(),
@@ -79,7 +81,7 @@ impl Bounds {
 
     /// How much of the turning each axis sees, its curvature and its twist.
     fn turn(&self) -> (Axes, f64, f64) {
-        let mut shares = [0.0; 6];
+        let mut shares = [0.0; AXES];
         let Some(turning) = &self.turning else { return (shares, 0.0, 0.0) };
         shares[..3].copy_from_slice(&turning.share);
         (shares, turning.curvature, turning.twist)
@@ -131,7 +133,7 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     }
 
     let high = bounds.effort_at(speed, limits);
-    let bends = bounds.turning.is_some() || bounds.even[1] != [0.0; 6];
+    let bends = bounds.turning.is_some() || bounds.even[1] != [0.0; AXES];
     let ability = if bends {
         let knees = KNEES.map(|knee| knee * speed);
         let [low, middle] = knees.map(|knee| bounds.effort_at(knee, limits));

@@ -52,4 +52,4 @@ pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
 pub use verify::{Use, largest_use};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
-pub type Axes = [f64; 6];
+pub type Axes = chordal_geometry::PerAxis<f64>;

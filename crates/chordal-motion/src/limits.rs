@@ -1,3 +1,5 @@
+use chordal_geometry::{AXIS_LETTERS, PerAxis};
+
 use crate::Axes;
 
 /// What one axis can do.
@@ -14,7 +16,7 @@ pub struct AxisLimit {
 /// What the axes of a machine can do, by X Y Z A B C; `None`: there is no such axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    axes: [Option<AxisLimit>; 6],
+    axes: PerAxis<Option<AxisLimit>>,
 }
 
 /// Which limit of an axis.
@@ -52,7 +54,7 @@ pub struct LimitError {
 
 /// The letter of an axis.
 pub(crate) fn letter(axis: usize) -> char {
-    "XYZABC".chars().nth(axis).unwrap_or('?')
+    AXIS_LETTERS.chars().nth(axis).unwrap_or('?')
 }
 
 impl Limits {
@@ -60,7 +62,7 @@ impl Limits {
     ///
     /// # Errors
     /// The first limit that is not a positive finite number.
-    pub fn new(axes: [Option<AxisLimit>; 6]) -> Result<Limits, LimitError> {
+    pub fn new(axes: PerAxis<Option<AxisLimit>>) -> Result<Limits, LimitError> {
         for (axis, limit) in axes.iter().enumerate() {
             let Some(limit) = limit else { continue };
             for (quantity, value) in [

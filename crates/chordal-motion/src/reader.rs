@@ -1,6 +1,6 @@
 //! The axes at a place of a piece, moved by the law of time.
 
-use chordal_geometry::{Tracer, Vec3};
+use chordal_geometry::{AXES, Tracer, Vec3};
 
 use crate::piece::{Piece, SIXTH};
 use crate::sampler::Sample;
@@ -100,7 +100,7 @@ pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
 fn fill_even(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
     let [x, d1, ..] = &piece.start;
     let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-    for axis in 0..6 {
+    for axis in 0..AXES {
         out.position[axis] = x[axis] + sigma * d1[axis];
         out.velocity[axis] = d1[axis] * v;
         out.acceleration[axis] = d1[axis] * a;
@@ -115,7 +115,7 @@ fn fill_cubic(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
     let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
     let (half, sixth) = (sigma * 0.5, sigma * SIXTH);
     let (square, cube, mixed) = (v * v, v * v * v, 3.0 * v * a);
-    for axis in 0..6 {
+    for axis in 0..AXES {
         let third = d3[axis];
         let first = d1[axis] + sigma * (d2[axis] + half * third);
         let second = d2[axis] + sigma * third;

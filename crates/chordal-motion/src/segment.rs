@@ -1,4 +1,4 @@
-use chordal_geometry::{Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 use crate::limits::{Limits, letter};
@@ -116,7 +116,7 @@ impl Move {
         let moves = |axis: usize| {
             if axis < 3 { min[axis] < max[axis] } else { from[axis] != to[axis] }
         };
-        match (0..6).find(|axis| moves(*axis) && limits.axis(*axis).is_none()) {
+        match (0..AXES).find(|axis| moves(*axis) && limits.axis(*axis).is_none()) {
             Some(axis) => Err(MoveError::NoAxis(axis)),
             None => Ok(()),
         }

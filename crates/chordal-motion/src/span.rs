@@ -50,6 +50,8 @@ impl PathPart for Span {
 }
 
 pub(crate) mod sealed {
+    use chordal_geometry::AXES;
+
     use super::Span;
     use crate::piece::{Jet, Piece, ahead};
     use crate::smooth::{Leg, Part, piece};
@@ -84,7 +86,7 @@ pub(crate) mod sealed {
 
     impl Keep for Span {
         fn new(leg: &Leg, part: &Part, jet: &Jet, _way: f64, _at: f64, length: f64) -> Span {
-            let even = jet[2] == [0.0; 6] && jet[3] == [0.0; 6];
+            let even = jet[2] == [0.0; AXES] && jet[3] == [0.0; AXES];
             Span { length, tag: part.tag, is_straight: even && leg.curve.is_none() }
         }
 

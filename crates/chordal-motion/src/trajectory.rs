@@ -1,3 +1,5 @@
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::piece::{Piece, SIXTH};
 use crate::reader::Reader;
@@ -151,12 +153,12 @@ impl Stretch {
 
     /// Where it begins.
     pub fn from(&self) -> Axes {
-        self.pieces.first().map_or([0.0; 6], |piece| piece.at(0.0)[0])
+        self.pieces.first().map_or([0.0; AXES], |piece| piece.at(0.0)[0])
     }
 
     /// Where it ends.
     pub fn to(&self) -> Axes {
-        self.pieces.last().map_or([0.0; 6], |piece| piece.at(piece.length)[0])
+        self.pieces.last().map_or([0.0; AXES], |piece| piece.at(piece.length)[0])
     }
 }
 

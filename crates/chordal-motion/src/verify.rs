@@ -1,5 +1,7 @@
 //! Measures what a movement asks of the axes against what they can do.
 
+use chordal_geometry::AXES;
+
 use crate::limits::Limits;
 use crate::reader::state_of;
 use crate::root::cbrt;
@@ -31,7 +33,7 @@ impl Use {
     #[must_use]
     pub fn of(state: &State, limits: &Limits) -> Use {
         let mut used = Use::default();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let Some(limit) = limits.axis(axis) else { continue };
             used.velocity = used.velocity.max(state.velocity[axis].abs() / limit.velocity);
             used.acceleration =

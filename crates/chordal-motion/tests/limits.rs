@@ -2,6 +2,7 @@
 
 mod support;
 
+use chordal_geometry::AXES;
 use chordal_motion::{Corner, Level, Limits, Move, Stretch, Use, largest_use};
 use support::random::{Dice, Mix, random_limits, random_path};
 use support::{distance, jump, plan, samples, time_of};
@@ -57,7 +58,7 @@ fn check(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretches: &[St
     let (first, last) = (stretches.first().unwrap(), stretches.last().unwrap());
     let ends = [(first.from(), moves[0].from()), (last.to(), moves.last().unwrap().to())];
     for (planned, programmed) in ends {
-        for axis in 0..6 {
+        for axis in 0..AXES {
             assert!((planned[axis] - programmed[axis]).abs() < 1e-9, "{place}");
         }
     }
@@ -82,7 +83,7 @@ fn check_samples(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretch
         }
         let [velocity, acceleration, jerk] =
             [limits.velocity(), limits.acceleration(), limits.jerk()];
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let x: Vec<f64> = samples.iter().map(|sample| sample.position[axis]).collect();
             let rate = |values: &[f64]| -> Vec<f64> {
                 values.windows(2).map(|pair| (pair[1] - pair[0]) / period).collect()

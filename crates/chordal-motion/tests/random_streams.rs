@@ -3,7 +3,7 @@
 
 mod support;
 
-use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Level, Limits, Move, Piece, Planner, PlannerOptions, Pushed, Setpoint,
     Step, StreamOptions, stream,
@@ -280,12 +280,12 @@ impl Walk {
             let mut sigma = from;
             for _ in 0..20 {
                 let [x, d, ..] = piece.at(sigma);
-                let along: f64 = (0..6).map(|axis| (place[axis] - x[axis]) * d[axis]).sum();
+                let along: f64 = (0..AXES).map(|axis| (place[axis] - x[axis]) * d[axis]).sum();
                 let square: f64 = d.iter().map(|d| d * d).sum();
                 sigma = (sigma + along / square).clamp(from, piece.length);
             }
             let x = piece.at(sigma)[0];
-            let off = (0..6).map(|axis| (place[axis] - x[axis]).powi(2)).sum::<f64>().sqrt();
+            let off = (0..AXES).map(|axis| (place[axis] - x[axis]).powi(2)).sum::<f64>().sqrt();
             least = least.min(off);
             if off < 1e-9 {
                 (self.piece, self.sigma) = (index, sigma);

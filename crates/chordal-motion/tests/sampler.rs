@@ -2,7 +2,7 @@
 
 mod support;
 
-use chordal_geometry::{Arc, Curve, Frame, Plane, Spiral, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Frame, Plane, Spiral, Vec3};
 use chordal_motion::{Axes, Cursor, Sample, Sampler, Step, Stretch};
 use support::law::{LAW, Law, piece, straight};
 
@@ -26,7 +26,7 @@ fn line(from: Axes, direction: Axes, length: f64, tag: u64) -> Stretch {
 #[test]
 fn a_line_of_a_second_has_a_thousand_and_one_setpoints() {
     // 100 mm at 100 mm/s, and a ramp of 0.07 s at either end that costs half of itself: 1.07 s.
-    let line = line([0.0; 6], X, 100.0, 7);
+    let line = line([0.0; AXES], X, 100.0, 7);
     assert!((line.duration_s() - 1.07).abs() < 1e-12);
     let samples = sampled(0.001, &[Step::Stretch(&line)]);
     assert_eq!(samples.len(), 1071);
@@ -34,14 +34,14 @@ fn a_line_of_a_second_has_a_thousand_and_one_setpoints() {
         assert_eq!(sample.time_s, index as f64 * 0.001);
         assert_eq!(sample.tag, 7);
     }
-    assert_eq!(samples[0].position, [0.0; 6]);
-    assert_eq!(samples[0].velocity, [0.0; 6]);
+    assert_eq!(samples[0].position, [0.0; AXES]);
+    assert_eq!(samples[0].velocity, [0.0; AXES]);
     // At even speed halfway, at rest at the end.
     let middle = &samples[535];
     assert!((middle.position[0] - 50.0).abs() < 1e-12);
     assert_eq!((middle.velocity[0], middle.acceleration[0], middle.jerk[0]), (100.0, 0.0, 0.0));
     let end = &samples[1070];
-    assert_eq!((end.position, end.velocity), ([100.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]));
+    assert_eq!((end.position, end.velocity), ([100.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; AXES]));
 }
 
 #[test]
@@ -52,7 +52,10 @@ fn the_last_setpoint_is_the_end_at_a_whole_period() {
         let samples = sampled(period_s, &[Step::Stretch(&line)]);
         let last = samples.last().unwrap();
         assert_eq!(last.position, [1.0, 32.0, 3.0, 0.4, 0.0, 0.0]);
-        assert_eq!((last.velocity, last.acceleration, last.jerk), ([0.0; 6], [0.0; 6], [0.0; 6]));
+        assert_eq!(
+            (last.velocity, last.acceleration, last.jerk),
+            ([0.0; AXES], [0.0; AXES], [0.0; AXES])
+        );
         assert!(last.time_s > duration_s - 1e-9 && last.time_s < duration_s + period_s);
         assert_eq!(last.time_s, (samples.len() - 1) as f64 * period_s);
     }
@@ -60,7 +63,7 @@ fn the_last_setpoint_is_the_end_at_a_whole_period() {
 
 #[test]
 fn no_setpoint_gets_lost_between_stretches() {
-    let first = line([0.0; 6], X, 20.0, 1);
+    let first = line([0.0; AXES], X, 20.0, 1);
     let second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     let samples = sampled(0.001, &[Step::Stretch(&first), Step::Stretch(&second)]);
     for pair in samples.windows(2) {
@@ -76,7 +79,7 @@ fn no_setpoint_gets_lost_between_stretches() {
 
 #[test]
 fn movements_add_up_where_stretches_overlap() {
-    let first = line([0.0; 6], X, 20.0, 1);
+    let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 0.02;
     let samples = sampled(0.001, &[Step::Stretch(&first), Step::Stretch(&second)]);
@@ -99,18 +102,18 @@ fn movements_add_up_where_stretches_overlap() {
 
 #[test]
 fn an_overlap_reaches_no_farther_than_the_stretch_before() {
-    let first = line([0.0; 6], X, 20.0, 1);
+    let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 9.0;
     let steps = [Step::Wait { seconds: 0.1, tag: 0 }, Step::Stretch(&first)];
     let samples = sampled(0.001, &[&steps[..], &[Step::Stretch(&second)]].concat());
     assert!((samples.last().unwrap().time_s - 0.37).abs() < 1e-12);
-    assert!(samples[..100].iter().all(|sample| sample.position == [0.0; 6]));
+    assert!(samples[..100].iter().all(|sample| sample.position == [0.0; AXES]));
 }
 
 #[test]
 fn nothing_moves_while_it_waits() {
-    let first = line([0.0; 6], X, 20.0, 1);
+    let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 3);
     // Nothing overlaps a rest.
     second.overlap_s = 0.02;
@@ -120,7 +123,7 @@ fn nothing_moves_while_it_waits() {
     assert_eq!(waiting.len(), 500);
     for sample in waiting {
         assert_eq!(sample.position, [20.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        assert_eq!((sample.velocity, sample.acceleration), ([0.0; 6], [0.0; 6]));
+        assert_eq!((sample.velocity, sample.acceleration), ([0.0; AXES], [0.0; AXES]));
     }
     assert!((samples.last().unwrap().time_s - 1.04).abs() < 1e-12);
     assert_eq!(samples.last().unwrap().position, [20.0, 20.0, 0.0, 0.0, 0.0, 0.0]);
@@ -130,7 +133,7 @@ fn nothing_moves_while_it_waits() {
 fn a_wait_for_ever_ends_at_the_budget() {
     let mut count = 0;
     let mut sampler = Sampler::new(0.001).at_most(500);
-    let line = line([0.0; 6], X, 20.0, 1);
+    let line = line([0.0; AXES], X, 20.0, 1);
     sampler.push(Step::Stretch(&line), |_| count += 1);
     assert!(!sampler.is_exhausted());
     sampler.push(Step::Wait { seconds: f64::INFINITY, tag: 2 }, |_| count += 1);
@@ -142,7 +145,7 @@ fn a_wait_for_ever_ends_at_the_budget() {
 #[test]
 fn a_budget_that_the_last_setpoint_exceeds_is_told() {
     // Nothing is handed on before the end, so the number of setpoints tells.
-    let line = line([0.0; 6], X, 20.0, 1);
+    let line = line([0.0; AXES], X, 20.0, 1);
     let needed = (line.duration_s() / 0.001).ceil() as u64 + 1;
     for (most, exhausted) in [(needed, false), (needed - 1, true), (10, true)] {
         let mut sampler = Sampler::new(0.001).at_most(most);
@@ -163,7 +166,7 @@ fn a_budget_that_the_last_setpoint_exceeds_is_told() {
 fn derivatives_agree(samples: &[Sample], period_s: f64, jerk: f64) {
     for triple in samples.windows(3) {
         let [before, now, after] = triple else { unreachable!() };
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let speed = (after.position[axis] - before.position[axis]) / (2.0 * period_s);
             let slack = jerk * period_s * period_s;
             assert!((speed - now.velocity[axis]).abs() <= slack, "axis {axis} at {}", now.time_s);
@@ -176,7 +179,7 @@ fn derivatives_agree(samples: &[Sample], period_s: f64, jerk: f64) {
 #[test]
 fn differences_of_positions_are_the_velocity() {
     let rotary = [0.6, 0.0, 0.8, 0.01, 0.0, -0.02];
-    let mut bent = straight([0.0; 6], X, 30.0, 1);
+    let mut bent = straight([0.0; AXES], X, 30.0, 1);
     bent.start[2][1] = 0.01;
     bent.start[3][1] = -0.001;
     let helix: Curve = Arc::new(Plane::Zx.frame(), 10.0, 5.0, 3.0).into();
@@ -185,7 +188,7 @@ fn differences_of_positions_are_the_velocity() {
     turned.start[0][3] = 1.0;
     turned.start[1][3] = 0.01;
     turned.start[2][3] = 1e-4;
-    let turning = straight([5.0; 6], rotary, 40.0, 1);
+    let turning = straight([5.0; AXES], rotary, 40.0, 1);
     for path in [turning, bent, piece(helix, 1), piece(spiral, 1), turned] {
         let stretch = LAW.stretch(vec![path]);
         let samples = sampled(0.0005, &[Step::Stretch(&stretch)]);
@@ -227,7 +230,7 @@ fn a_walk_answers_what_the_piece_answers() {
 
 #[test]
 fn cuts_in_a_line_change_no_setpoint() {
-    let whole = line([0.0; 6], X, 100.0, 1);
+    let whole = line([0.0; AXES], X, 100.0, 1);
     let pieces = |n: usize| straight([n as f64 * 0.5, 0.0, 0.0, 0.0, 0.0, 0.0], X, 0.5, 1);
     let cut = LAW.stretch((0..200).map(pieces).collect());
     let (whole, cut) = (Step::Stretch(&whole), Step::Stretch(&cut));

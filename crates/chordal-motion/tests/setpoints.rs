@@ -3,7 +3,7 @@
 
 mod support;
 
-use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Cursor, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
     PlannerOptions, Sample, Sampler, Step, Stretch,
@@ -242,7 +242,7 @@ fn corrections_over_curves_and_turning_axes() {
     };
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
-    let line = straight([0.0; 6], [0.6, 0.0, 0.8, 0.0, 0.0, 0.01], 70.0, 1);
+    let line = straight([0.0; AXES], [0.6, 0.0, 0.8, 0.0, 0.0, 0.01], 70.0, 1);
     for piece in [bent(over(arc, 1)), bent(over(spiral, 1)), bent(line)] {
         let stretch = Law { speed: 60.0, ..LAW }.stretch(vec![piece]);
         assert!(compare(&stretch, 0.001, 1e-11) > 500);
@@ -339,7 +339,7 @@ fn eased_corners_between_lines_arcs_and_spirals() {
     let stretches = eased();
     let compared: usize = stretches.iter().map(|stretch| compare(stretch, 0.000_25, 1e-11)).sum();
     let bent = stretches.iter().flat_map(|stretch| &stretch.pieces);
-    let bent = bent.filter(|piece| piece.start[3] != [0.0; 6]);
+    let bent = bent.filter(|piece| piece.start[3] != [0.0; AXES]);
     assert!(bent.filter(|piece| piece.base.is_some()).count() >= 2, "eased over a curve");
     assert!(compared > 4000, "{compared}");
 }

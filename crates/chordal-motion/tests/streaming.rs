@@ -2,6 +2,7 @@
 
 mod support;
 
+use chordal_geometry::AXES;
 use chordal_motion::{Corner, Move, Piece, Pushed, Setpoint, Step, StreamOptions, Stretch, stream};
 use support::law::{Law, circle_stretch, cut_line, piece};
 use support::watch::{ROUNDING, Watch};
@@ -21,7 +22,7 @@ fn ramp(pieces: Vec<Piece>, speed: f64, acceleration: f64, jerk: f64) -> Stretch
 fn a_line_is_travelled_as_planned_and_ends_exactly() {
     let planned = ramp(vec![piece(line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
-    let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; 6]);
+    let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; AXES]);
     assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
     assert!(feeder.finish());
     let mut watch = Watch::default();
@@ -97,7 +98,7 @@ fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
         for (index, point) in points.iter().enumerate().skip(at) {
             if point.rate == 0.0 && stopped.is_none() {
                 stopped = Some(index);
-                assert_eq!(point.velocity, [0.0; 6]);
+                assert_eq!(point.velocity, [0.0; AXES]);
                 assert_eq!(points[index + 10].position, point.position);
             }
         }
@@ -140,11 +141,11 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         let planned = ramp(cut_line([0.0; 3], [150.0, 80.0, 0.0], 500), 150.0, 1900.0, 9e4);
         // Two windows are all there is, so that the pull side runs dry when nothing is pushed.
         let options = StreamOptions { windows: 3, ..StreamOptions::default() };
-        let (mut feeder, mut servo) = stream(machine(), options, [0.0; 6]);
+        let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
         assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
         let mut watch = Watch::default();
         let mut point = Setpoint::default();
-        let mut last = [0.0; 6];
+        let mut last = [0.0; AXES];
         for index in 0.. {
             // Every 400 setpoints the push side is away for a while.
             if index % 400 < 400 - late {
@@ -173,7 +174,7 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
     let duration_s = planned.duration_s();
     for pieces in [1000, 16_384] {
         let options = StreamOptions { pieces, ..StreamOptions::default() };
-        let (mut feeder, mut servo) = stream(machine(), options, [0.0; 6]);
+        let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
         assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
         let mut watch = Watch::default();
         let mut point = Setpoint::default();

@@ -1,6 +1,6 @@
 use chordal_control::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
-use chordal_machine::Machine;
+use chordal_machine::{AXES, Machine};
 
 use crate::frame::Frame;
 use crate::rapid;
@@ -124,7 +124,7 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
         FeedMode::PerTime => {
             // Rotary axes alone: the feed is an angle per time.
             let turn =
-                (3..6).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
+                (3..AXES).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum::<f64>();
             turn.sqrt() / feed.value
         }
     }

@@ -5,7 +5,7 @@ use chordal_control::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
-use chordal_machine::{Axis, Machine};
+use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::compensation::PathCommand;
 use crate::frame::Frame;
@@ -54,12 +54,12 @@ pub struct Seen {
     /// Rapid plunges: where to, how deep, and by which block.
     plunges: Vec<(Vec3, f64, Origin)>,
     /// Extent of each axis over known places, for machines whose offsets are not known.
-    extent: [(f64, f64); 6],
+    extent: PerAxis<(f64, f64)>,
 }
 
 impl Default for Seen {
     fn default() -> Seen {
-        let extent = [(f64::INFINITY, f64::NEG_INFINITY); 6];
+        let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
         Seen { cut: Aabb::EMPTY, plunges: Vec::new(), extent }
     }
 }

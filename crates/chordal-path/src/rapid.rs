@@ -1,11 +1,11 @@
 //! The way of a rapid: straight, or each axis at its own speed.
 
 use chordal_control::{Position, RapidPath};
-use chordal_machine::Machine;
+use chordal_machine::{AXES, Machine, PerAxis};
 
 /// Time of a rapid without acceleration, s. Axes without a known speed take none.
 pub(crate) fn rapid_time_s(machine: &Machine, from: &Position, to: &Position) -> f64 {
-    (0..6).map(|axis| axis_time_s(machine, axis, from, to)).fold(0.0, f64::max)
+    (0..AXES).map(|axis| axis_time_s(machine, axis, from, to)).fold(0.0, f64::max)
 }
 
 fn axis_time_s(machine: &Machine, axis: usize, from: &Position, to: &Position) -> f64 {
@@ -27,7 +27,7 @@ pub(crate) fn corners(
     mut push: impl FnMut(&Position, f64),
 ) {
     let total = rapid_time_s(machine, from, to);
-    let mut times: [f64; 6] = std::array::from_fn(|axis| axis_time_s(machine, axis, from, to));
+    let mut times: PerAxis<f64> = std::array::from_fn(|axis| axis_time_s(machine, axis, from, to));
     if path == RapidPath::Straight || total == 0.0 {
         return push(to, total);
     }
@@ -39,7 +39,7 @@ pub(crate) fn corners(
             continue;
         }
         let mut place = *to;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             if arrivals[axis] > time {
                 place[axis] = from[axis] + (to[axis] - from[axis]) * (time / arrivals[axis]);
             }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
 use arrow_schema::{DataType, Field, Schema};
+use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     AxisLimit, Corner, Level, Limits, Move, MoveError, MoveKind, Planner, PlannerOptions, Sample,
     Sampler, Step, Stretch,
@@ -44,7 +45,7 @@ type Given = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, 
 /// Ends that are nearer than this are one point, mm or rad: rounding of the curves' ends.
 const SAME_POINT: f64 = 1e-6;
 
-fn largest_difference(a: &[f64; 6], b: &[f64; 6]) -> f64 {
+fn largest_difference(a: &PerAxis<f64>, b: &PerAxis<f64>) -> f64 {
     a.iter().zip(b).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
 }
 
@@ -58,7 +59,7 @@ pub fn plan(
     level_word: &str,
 ) -> PyResult<Motion> {
     let level = level(py, level_word)?;
-    let mut axes = [None; 6];
+    let mut axes = [None; AXES];
     for (axis, limit) in axes.iter_mut().zip(limits) {
         *axis =
             limit.map(|(velocity, acceleration, jerk)| AxisLimit { velocity, acceleration, jerk });
@@ -79,7 +80,7 @@ fn planned(moves: &[Given], limits: Limits, level: Level) -> Result<Motion, (usi
             Step::Wait { seconds, tag } => Kept::Wait { seconds, tag },
         });
     };
-    let mut at: Option<[f64; 6]> = None;
+    let mut at: Option<PerAxis<f64>> = None;
     for (index, given) in moves.iter().enumerate() {
         let (curve, rotary_from, rotary_to, number, tolerance, rotary_rad, rapid) = *given;
         let tag = index as u64;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use chordal::control::Units;
+use chordal::machine::AXES;
 use chordal::{ShopAnswer, ShopCall, ShopCodes};
 use pyo3::prelude::*;
 
@@ -26,7 +27,7 @@ impl Shop {
     fn ask(&self, py: Python<'_>, call: &ShopCall<'_>) -> PyResult<ShopAnswer> {
         let words: Vec<(String, f64)> =
             call.words.iter().map(|(letter, value)| (letter.to_string(), *value)).collect();
-        let position = (0..6).map(|axis| {
+        let position = (0..AXES).map(|axis| {
             let value = call.position[axis];
             let shown = if axis < 3 { value } else { value.to_degrees() };
             call.known.has(axis).then_some(shown)

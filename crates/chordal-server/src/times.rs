@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use chordal::control::{Command, initial_offset};
+use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepKind, StepSource,
 };
@@ -89,7 +90,7 @@ struct Expected {
 struct Held {
     number: u32,
     row: u32,
-    shift: [f64; 6],
+    shift: PerAxis<f64>,
 }
 
 /// Setpoints, thinned out to what is sent.
@@ -115,10 +116,10 @@ impl Kept {
         let number = StepSource::number_of(sample.tag);
         let at = steps.partition_point(|step| step.number <= number);
         let held = steps.get(at.saturating_sub(1));
-        let (row, shift) = held.map_or((0, [0.0; 6]), |held| (held.row, held.shift));
+        let (row, shift) = held.map_or((0, [0.0; AXES]), |held| (held.row, held.shift));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
         let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
-        self.turns.extend((3..6).map(turn));
+        self.turns.extend((3..AXES).map(turn));
         self.speed.push((sample.speed() * 60.0) as f32);
         self.row.push(row);
         if self.row.len() >= MOST {

@@ -5,7 +5,7 @@ use chordal_control::{
 use chordal_diagnostics::{
     Code, Collector, Counts, Diagnostic, FileId, Severity, Source, SourceMap, Span,
 };
-use chordal_machine::Machine;
+use chordal_machine::{Machine, PerAxis};
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use chordal_syntax::ProgramHead;
 
@@ -380,7 +380,7 @@ impl<'a> Job<'a> {
         Ok(report)
     }
 
-    pub(crate) fn initial_offset(&self) -> ([f64; 6], AxisMask) {
+    pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {
         initial_offset(&self.machine, &self.control)
     }
 }

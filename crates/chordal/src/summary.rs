@@ -3,6 +3,7 @@ use std::collections::BTreeMap;
 use chordal_control::{AxisMask, Command, CommandKind, Control, FeedMode, Units};
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
+use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal_path::{Segment, SegmentKind};
 
 /// What one tool does.
@@ -95,7 +96,7 @@ pub(crate) struct SummaryBuilder {
     tools: BTreeMap<u32, ToolUse>,
     order: Vec<u32>,
     tool: u32,
-    axes: [Extent; 6],
+    axes: PerAxis<Extent>,
 }
 
 impl SummaryBuilder {
@@ -113,7 +114,7 @@ impl SummaryBuilder {
             tools: BTreeMap::new(),
             order: Vec::new(),
             tool: 0,
-            axes: [empty; 6],
+            axes: [empty; AXES],
         }
     }
 
@@ -241,7 +242,7 @@ impl SummaryBuilder {
         for number in self.order {
             summary.tools.extend(tools.remove(&number));
         }
-        for (axis, letter) in "XYZABC".chars().enumerate() {
+        for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
             if extent.low <= extent.high {
                 let cut = (extent.cut_low, extent.cut_high);

@@ -21,6 +21,7 @@ use std::path::{Path, PathBuf};
 use chordal::Machine;
 use chordal::control::Control;
 use chordal::diagnostics::FileId;
+use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 use grammar::Program;
 use runner::{Ran, run};
@@ -77,7 +78,7 @@ fn changes(text: &str, control: &Control) -> Vec<Change> {
                 continue;
             }
             let others = || block.words.iter().enumerate().filter(|(index, _)| *index != at);
-            let axis = |letter: u8| b"XYZABC".iter().position(|axis| *axis == letter);
+            let axis = |letter: u8| AXIS_LETTERS.as_bytes().iter().position(|axis| *axis == letter);
             let left = others().filter_map(|(_, word)| axis(word.letter)).collect();
             let arc_left = others().any(|(_, word)| b"IJKR".contains(&word.letter));
             for zero in [false, true] {

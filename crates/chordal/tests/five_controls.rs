@@ -2,6 +2,7 @@
 //! difference is pinned here.
 
 use chordal::control::{CommandKind, FeedAlong};
+use chordal::machine::AXES;
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// A machine of each control, all started in millimetres.
@@ -18,7 +19,7 @@ fn effects(machine: &str, setup: &str, block: &str) -> String {
     let machine = Machine::from_builtin(machine).expect("a built-in machine");
     let job = Job::new(sources, machine).expect("good settings");
     let mut effects = Vec::new();
-    let mut offset_from = [0.0; 6];
+    let mut offset_from = [0.0; AXES];
     let report = job.report_of_commands(|command| {
         if command.origin.line != line {
             return;

@@ -3,6 +3,7 @@
 
 mod mill;
 
+use chordal::machine::AXES;
 use chordal::motion::{
     Corner, MotionOptions, MotionReport, MotionStep, Move, MoveError, MoveKind, StepSource, Wait,
     WaitKind,
@@ -89,7 +90,7 @@ fn moves_join_on_over_offsets_lengths_and_presets() {
     assert!(moves.len() >= 8);
     for pair in moves.windows(2) {
         let (to, from) = (pair[0].to(), pair[1].from());
-        for axis in 0..6 {
+        for axis in 0..AXES {
             assert!((to[axis] - from[axis]).abs() < 1e-7, "{pair:?}");
         }
     }

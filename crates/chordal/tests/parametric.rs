@@ -4,6 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "a test reads an example")]
 
 use chordal::control::CommandKind;
+use chordal::machine::PerAxis;
 use chordal::{Job, Machine, Severity, Source, SourceMap};
 
 const PROGRAM: &str = include_str!("../../../examples/haas/parametric.nc");
@@ -52,7 +53,7 @@ fn made() -> (Vec<(u32, Vec<Way>)>, Vec<String>) {
             _ => return,
         };
         let motion = command.kind.motion().expect("it moves");
-        let inch = |at: &[f64; 6]| [at[0] / 25.4, at[1] / 25.4, at[2] / 25.4];
+        let inch = |at: &PerAxis<f64>| [at[0] / 25.4, at[1] / 25.4, at[2] / 25.4];
         let (_, ways) = turns.last_mut().expect("a tool before the first move");
         ways.push(Way { kind, from: inch(&motion.from), to: inch(&motion.to) });
     });

@@ -8,6 +8,7 @@
 
 mod mill;
 
+use chordal::machine::PerAxis;
 use chordal::motion::{
     MotionOptions, MotionReport, PlanSink, Sources, Step, StepKind, StepSource, WaitKind,
 };
@@ -22,7 +23,7 @@ struct Planned {
     tags_without_source: usize,
     most_sources: usize,
     largest_gap: f64,
-    end: Option<[f64; 6]>,
+    end: Option<PerAxis<f64>>,
 }
 
 impl PlanSink for Planned {

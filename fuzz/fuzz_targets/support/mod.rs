@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use chordal::machine::{Machine, builtin_names};
 use chordal::{Job, Report, RunOptions, Source, SourceMap};
+use chordal_geometry::AXES;
 
 /// Every built-in machine with tools and offsets, so that nothing is left out for want of a
 /// number.
@@ -49,7 +50,7 @@ pub fn run(machine: Machine, text: &[u8]) -> Report {
     let job = Job::new(sources, machine).expect("a good machine").options(options);
     let report = job.report_with(|command, segments| {
         if let Some(motion) = command.kind.motion() {
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 assert!(motion.from[axis].is_finite() && motion.to[axis].is_finite());
             }
         }

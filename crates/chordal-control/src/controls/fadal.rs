@@ -1,6 +1,7 @@
 //! Fadal CNC 88, Format 1 and 2.
 
 use chordal_diagnostics::Code;
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use super::compensation;
@@ -33,7 +34,7 @@ pub static FADAL: ControlTable = ControlTable {
     distance_left_to_right: true,
     line_repeat: LineRepeat::MainProgram,
     subroutines: Subroutines::LetterL,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     work_offset_by_e: true,
     arc_turns: ArcTurns::None,
     strict_center_words: false,

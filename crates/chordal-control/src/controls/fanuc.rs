@@ -1,6 +1,7 @@
 //! Fanuc 0i, 16i, 30i and, by settings, the 6M.
 
 use chordal_diagnostics::Code;
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::Lexicon;
 
 use super::compensation;
@@ -31,7 +32,7 @@ pub static FANUC: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     work_offset_by_e: false,
     arc_turns: ArcTurns::None,
     strict_center_words: false,

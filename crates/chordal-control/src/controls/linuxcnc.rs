@@ -1,6 +1,7 @@
 //! LinuxCNC (RS274/NGC), version 2.9.
 
 use chordal_diagnostics::Code;
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
 
 use super::compensation;
@@ -38,7 +39,7 @@ pub static LINUXCNC: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     work_offset_by_e: false,
     arc_turns: ArcTurns::Total,
     strict_center_words: true,
@@ -326,7 +327,7 @@ const G_CODES: &[CodeRow] = &[
         "dynamic compensation right",
     ),
     row(430, Group::ToolLength, Action::LengthPlus, "H", "tool length added"),
-    row(431, Group::ToolLength, Action::NotSimulated, "XYZABC", "tool length from the words"),
+    row(431, Group::ToolLength, Action::NotSimulated, AXIS_LETTERS, "tool length from the words"),
     row(432, Group::ToolLength, Action::NotSimulated, "H", "further tool length"),
     row(490, Group::ToolLength, Action::LengthCancel, "", "tool length off"),
     row(520, Group::OneShot, Action::LocalShift, "", "shift of the work coordinates"),

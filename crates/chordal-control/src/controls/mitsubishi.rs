@@ -1,6 +1,7 @@
 //! Mitsubishi M700 and M800.
 
 use chordal_diagnostics::Code;
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
 use super::compensation;
@@ -29,7 +30,7 @@ pub static MITSUBISHI: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     work_offset_by_e: false,
     arc_turns: ArcTurns::Extra,
     strict_center_words: false,

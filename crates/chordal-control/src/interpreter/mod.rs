@@ -33,7 +33,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
-use chordal_machine::Machine;
+use chordal_machine::{AXES, Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Position as TextPosition};
 
 use crate::command::{
@@ -179,7 +179,7 @@ struct Interpreter<'a> {
     sequence: Option<chordal_syntax::Decimal>,
     codes: Vec<(&'static CodeRow, usize)>,
     told: Told,
-    preset_kept: [f64; 6],
+    preset_kept: PerAxis<f64>,
     lost_jump: bool,
     carried_out: bool,
     /// The block before was a remark without its marks, or a comment left open.
@@ -248,7 +248,7 @@ pub fn run_from<'a>(
 
 /// What lies between program and machine coordinates before the first block: the offset
 /// (mm, rad) and the axes for which the machine file gives it.
-pub fn initial_offset(machine: &Machine, control: &Control) -> ([f64; 6], AxisMask) {
+pub fn initial_offset(machine: &Machine, control: &Control) -> (PerAxis<f64>, AxisMask) {
     let offsets = initial_offsets(machine, control);
     (offsets.total(), offsets.known())
 }
@@ -296,7 +296,7 @@ impl<'a> Interpreter<'a> {
             sequence: None,
             codes: Vec::new(),
             told: Told::default(),
-            preset_kept: [0.0; 6],
+            preset_kept: [0.0; AXES],
             lost_jump: false,
             carried_out: false,
             in_remark: false,

@@ -2,6 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::Direction;
+use chordal_machine::{AXES, AXIS_LETTERS};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -330,10 +331,10 @@ impl Interpreter<'_> {
         if limit == f64::INFINITY {
             return;
         }
-        for axis in 3..6 {
+        for axis in 3..AXES {
             let turn = (motion.to[axis] - motion.from[axis]).abs();
             if turn > limit * (1.0 + 1e-12) {
-                let letter = b"XYZABC"[axis];
+                let letter = AXIS_LETTERS.as_bytes()[axis];
                 let span = self.words_span(block, Letters(1 << (letter - b'A')));
                 self.report(
                     Diagnostic::new(

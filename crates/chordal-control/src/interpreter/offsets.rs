@@ -1,6 +1,7 @@
 //! Work offsets, tool length, compensation, G10, tools, spindle, coolant, registers.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_machine::AXES;
 use chordal_syntax::{Block, Letters, Value};
 
 use super::Interpreter;
@@ -430,7 +431,7 @@ impl Interpreter<'_> {
     fn write_work_values(&mut self, block: &Block, key: &str, from_position: bool) {
         let values = self.axis_words(block);
         let add = self.state.incremental && !from_position;
-        let machine: Vec<f64> = (0..6).map(|axis| self.state.machine_position(axis)).collect();
+        let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let work = self.state.offsets.work();
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {

@@ -3,6 +3,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_geometry::Direction;
+use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::Block;
 
 use super::Interpreter;
@@ -122,7 +123,7 @@ impl Interpreter<'_> {
         } else if target != self.state.position {
             self.rapid(target, named);
         }
-        let mut home = [0.0; 6];
+        let mut home = [0.0; AXES];
         for axis in named.iter() {
             home[axis as usize] = place[axis as usize].unwrap_or(0.0);
         }
@@ -139,7 +140,7 @@ impl Interpreter<'_> {
 
     /// G53: the words of this block are machine coordinates.
     fn machine_coordinates(&mut self, block: &Block) {
-        let mut place = [0.0; 6];
+        let mut place = [0.0; AXES];
         let mut named = AxisMask::NONE;
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
@@ -235,14 +236,14 @@ impl Interpreter<'_> {
 
     /// G92.1 and G92.2.
     fn clear_preset(&mut self, keep: bool) {
-        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; 6] };
-        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; 6]));
+        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; AXES] };
+        self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES]));
         self.emit_work_offset();
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.
-    pub(super) fn axis_words(&mut self, block: &Block) -> [Option<f64>; 6] {
-        let mut values = [None; 6];
+    pub(super) fn axis_words(&mut self, block: &Block) -> PerAxis<Option<f64>> {
+        let mut values = [None; AXES];
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {

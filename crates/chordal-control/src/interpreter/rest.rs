@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::{FileId, Shift, TextRange};
+use chordal_machine::PerAxis;
 use chordal_syntax::{Decimal, Position as TextPosition};
 
 use super::macros::MacroMemory;
@@ -33,7 +34,7 @@ struct Memory {
     repeated_blocks: u64,
     sequence: Option<Decimal>,
     told: Told,
-    preset_kept: [f64; 6],
+    preset_kept: PerAxis<f64>,
     lost_jump: bool,
     carried_out: bool,
     macros: MacroMemory,

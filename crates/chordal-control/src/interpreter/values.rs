@@ -1,6 +1,7 @@
 //! Words into numbers: units, decimal points, registers.
 
 use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Value, Word};
 
 use super::Interpreter;
@@ -9,7 +10,7 @@ use crate::parameters::{DecimalPoint, ExcessDecimals};
 /// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
 pub(super) const AXIS_OF: [u8; 256] = {
     let mut table = [255; 256];
-    let letters = b"XYZABC";
+    let letters = AXIS_LETTERS.as_bytes();
     let mut index = 0;
     while index < letters.len() {
         table[letters[index] as usize] = index as u8;

@@ -18,7 +18,7 @@ use std::io::{self, Write};
 
 use chordal::Job;
 use chordal::control::AxisMask;
-use chordal::machine::Axis;
+use chordal::machine::{AXES, Axis};
 use chordal::motion::Sample;
 
 use crate::columns::{ColumnFile, ColumnFormat, SampleColumns};
@@ -82,7 +82,7 @@ impl SampleHead {
     /// The axes that are columns.
     pub(crate) fn axes(&self) -> AxisMask {
         let mut axes = AxisMask::LINEAR;
-        (3..6).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
+        (3..AXES).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
         axes
     }
 }

@@ -3,6 +3,7 @@ use std::io::Write;
 
 use chordal::control::{ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Origin, RapidPath};
 use chordal::geometry::Plane;
+use chordal::machine::AXES;
 use chordal::{Command, CommandKind, Job};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines};
 
@@ -133,7 +134,7 @@ fn numbers_that_are_none_are_null() {
     command.kind = CommandKind::Rapid {
         motion: Move {
             from: [f64::NAN, f64::INFINITY, -0.0, 0.0, 0.0, 0.0],
-            to: [0.0; 6],
+            to: [0.0; AXES],
             from_known: AxisMask::NONE,
             to_known: AxisMask::ALL,
         },

@@ -1,6 +1,7 @@
 //! The rows of the table of keys.
 
 use super::{Keys, Place, Row, Sign, Slot, Stamp};
+use crate::axis::{AXES, PerAxis};
 use crate::control::ControlName;
 use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Tool, Turns, WorkOffset};
 use crate::quantity::Dimension;
@@ -376,7 +377,7 @@ pub(crate) const ROWS: &[Row] = &[
             what: "hit",
             words: &["end", "none"],
             set: |m, _, word| {
-                m.probe.planes = [None; 6];
+                m.probe.planes = [None; AXES];
                 m.probe.hit = Some(match word {
                     "none" => ProbeHit::Nothing,
                     _ => ProbeHit::End,
@@ -418,6 +419,6 @@ fn work_offset<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut WorkOffset 
     machine.work_offsets.entry(keys.name.clone()).or_default()
 }
 
-fn by_axis<'m>(values: &'m mut [Option<f64>; 6], keys: &Keys) -> &'m mut Option<f64> {
+fn by_axis<'m>(values: &'m mut PerAxis<Option<f64>>, keys: &Keys) -> &'m mut Option<f64> {
     &mut values[keys.axis.map_or(0, |axis| axis as usize)]
 }

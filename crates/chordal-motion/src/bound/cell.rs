@@ -4,6 +4,8 @@
 //! the start is q′(y − x)/2Δ + q″x, at the end q′(y − x)/2Δ + q″y: each limit is a strip in the
 //! plane of x and y.
 
+use chordal_geometry::AXES;
+
 use super::Run;
 
 /// A strip |cx·x + cy·y| ≤ limit.
@@ -43,7 +45,7 @@ impl Room {
             strips: [Strip { cx: 0.0, cy: 0.0, limit: 1.0 }; 12],
             count: 0,
         };
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let limit = limits[axis];
             let (d0, d1) = (first[1][axis] * rate, last[1][axis] * rate);
             let (c0, c1) = (first[2][axis], last[2][axis]);

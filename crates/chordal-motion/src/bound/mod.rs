@@ -19,6 +19,7 @@ mod cell;
 mod run;
 
 use cell::Room;
+use chordal_geometry::PerAxis;
 pub use run::{Run, RunError};
 
 /// Cells of a run at least, and at most beyond one per piece.
@@ -92,7 +93,7 @@ fn first_grid(run: &Run<'_>) -> Vec<Cell> {
         let (from, to) = (run.from(index), run.from(index) + piece.length);
         let turn = [0.0, 0.5, 1.0].map(|share| {
             let jet = piece.at(share * piece.length);
-            let size = |row: &[f64; 6]| row.iter().map(|v| v * v).sum::<f64>().sqrt();
+            let size = |row: &PerAxis<f64>| row.iter().map(|v| v * v).sum::<f64>().sqrt();
             let rate = size(&jet[1]);
             if rate > 0.0 { size(&jet[2]) / rate * piece.length } else { 0.0 }
         });

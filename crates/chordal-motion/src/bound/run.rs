@@ -1,5 +1,7 @@
 //! A run: smooth pieces with their speeds and the limits of the axes.
 
+use chordal_geometry::AXES;
+
 use crate::limits::Limits;
 use crate::piece::{Jet, Piece};
 
@@ -127,7 +129,7 @@ impl<'a> Run<'a> {
     /// axes can do.
     pub(crate) fn speed_cap(&self, index: usize, jet: &Jet) -> f64 {
         let velocity = self.limits.velocity();
-        (0..6).fold(self.feed(index), |cap, axis| {
+        (0..AXES).fold(self.feed(index), |cap, axis| {
             let rate = jet[1][axis].abs();
             if rate * cap > velocity[axis] { velocity[axis] / rate } else { cap }
         })

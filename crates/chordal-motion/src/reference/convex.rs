@@ -9,6 +9,8 @@
 //! Next to rest the jerk is taken as even over the cell: with σ = jt³/6, b = 3aΔ/2 and
 //! j = 2b^{3/2}/9Δ².
 
+use chordal_geometry::AXES;
+
 use super::Law;
 use super::grid::{Grid, jerk_at_rest, square_from_rest};
 use super::program::{Affine, Program, Unsolved};
@@ -151,20 +153,20 @@ impl<'a> Step<'a> {
             let jet = self.run.jet(piece, sigma);
             let speed = self.run.speed_cap(piece, &jet);
             cap = cap.min(speed * speed);
-            let straight = jet[2] == [0.0; 6];
+            let straight = jet[2] == [0.0; AXES];
             if index > 0 && straight {
                 continue;
             }
             let limits = self.run.limits().acceleration();
             if straight {
-                let least = (0..6)
+                let least = (0..AXES)
                     .filter(|axis| jet[1][*axis] != 0.0)
                     .fold(f64::MAX, |least, axis| least.min(limits[axis] / jet[1][axis].abs()));
                 let share = acceleration.clone().times(1.0 / least);
                 self.within(&share, &Affine::constant(1.0));
                 continue;
             }
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 if jet[1][axis] == 0.0 && jet[2][axis] == 0.0 {
                     continue;
                 }
@@ -240,14 +242,14 @@ impl<'a> Step<'a> {
         let slope = a1.clone().add(&a0, -1.0).times(1.0 / way);
         let mut straight = 0.0;
         for (share, jet) in self.places(cell) {
-            if jet[2] == [0.0; 6] && jet[3] == [0.0; 6] {
-                let rate = (0..6).map(|axis| jet[1][axis].abs() / limits[axis]);
+            if jet[2] == [0.0; AXES] && jet[3] == [0.0; AXES] {
+                let rate = (0..AXES).map(|axis| jet[1][axis].abs() / limits[axis]);
                 straight = rate.fold(straight, f64::max);
                 continue;
             }
             let square = b0.clone().times(1.0 - share).add(&b1, share);
             let acceleration = a0.clone().times(1.0 - share).add(&a1, share);
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 if (1..4).all(|row| jet[row][axis] == 0.0) {
                     continue;
                 }

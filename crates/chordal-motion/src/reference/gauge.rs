@@ -1,5 +1,7 @@
 //! How far a planned movement is from the least time.
 
+use chordal_geometry::PerAxis;
+
 use super::{Effort, reference};
 use crate::bound::{Run, bound};
 use crate::limits::Limits;
@@ -160,7 +162,7 @@ impl Gauge {
         if !one || self.speeds.iter().any(|speed| *speed != feed) {
             return None;
         }
-        let along = |limits: [f64; 6]| {
+        let along = |limits: PerAxis<f64>| {
             let rates = first.start[1].iter().zip(limits).filter(|(rate, _)| **rate != 0.0);
             rates.fold(f64::MAX, |least, (rate, limit)| least.min(limit / rate.abs()))
         };

@@ -1,6 +1,8 @@
 //! The grid of the reference: evenly spaced in time, so that it is dense near rest, where
 //! b = σ̇² grows as σ^{4/3} and no polynomial in σ follows it.
 
+use chordal_geometry::AXES;
+
 use super::Effort;
 use crate::bound::{Bound, Run};
 use crate::root::cbrt;
@@ -29,7 +31,7 @@ pub(crate) struct Grid {
 pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
     let jet = run.jet(run.piece_at(sigma), sigma);
     let limits = run.limits().jerk();
-    (0..6)
+    (0..AXES)
         .filter(|axis| jet[1][*axis] != 0.0)
         .fold(f64::MAX, |least, axis| least.min(limits[axis] / jet[1][axis].abs()))
 }
@@ -184,7 +186,7 @@ fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
     let (before, after) = (run.jet(index - 1, sigma), run.jet(index, sigma));
     let (accelerations, jerks) = (run.limits().acceleration(), run.limits().jerk());
     run.feed(index) != run.feed(index - 1)
-        || (0..6).any(|axis| {
+        || (0..AXES).any(|axis| {
             let bend = (after[2][axis] - before[2][axis]).abs() * square;
             let change = (after[3][axis] - before[3][axis]).abs() * square * square.sqrt();
             bend > MATTERS * accelerations[axis] || change > MATTERS * jerks[axis]

@@ -5,6 +5,8 @@
 //! joins them is (`plan.rs`). Limits are V(1 + e), A(1 + 2e) and J(1 + 3e) with the least e:
 //! stretched in time by 1 + e the law holds them.
 
+use chordal_geometry::{AXES, PerAxis};
+
 use super::plan::Plan;
 use super::program::{Affine, Program, Unsolved};
 use crate::bound::Run;
@@ -150,7 +152,7 @@ impl Polish<'_> {
         for f in [0.0, 0.5, 1.0] {
             let motion = self.motion(phase, f);
             let jet = self.run.jet(piece, motion.was.sigma);
-            let straight = jet[2] == [0.0; 6] && jet[3] == [0.0; 6];
+            let straight = jet[2] == [0.0; AXES] && jet[3] == [0.0; AXES];
             self.hold_speed(piece, &jet, &motion);
             if !straight || f != 0.5 {
                 self.hold_acceleration(&jet, &motion, straight);
@@ -177,7 +179,7 @@ impl Polish<'_> {
             self.within(&share, &self.limit(2.0));
             return;
         }
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let (d1, d2) = (jet[1][axis], jet[2][axis]);
             if (d1 * a).abs() + d2.abs() * v * v <= USED * limits[axis] {
                 continue;
@@ -198,7 +200,7 @@ impl Polish<'_> {
             self.within(&share, &self.limit(3.0));
             return;
         }
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let [_, d1, d2, d3] = jet.map(|row| row[axis]);
             if (d1, d2, d3) == (0.0, 0.0, 0.0) {
                 continue;
@@ -214,6 +216,6 @@ impl Polish<'_> {
 }
 
 /// On a straight line, the largest share of a limit that one unit along the path uses.
-fn tightest(jet: &Jet, limits: &[f64; 6]) -> f64 {
-    (0..6).fold(0.0, |most: f64, axis| most.max(jet[1][axis].abs() / limits[axis]))
+fn tightest(jet: &Jet, limits: &PerAxis<f64>) -> f64 {
+    (0..AXES).fold(0.0, |most: f64, axis| most.max(jet[1][axis].abs() / limits[axis]))
 }

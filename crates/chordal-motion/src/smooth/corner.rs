@@ -1,5 +1,7 @@
 //! How the joint of two moves is passed: at speed, eased within its tolerance, or at rest.
 
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE};
 use crate::profile::Effort;
@@ -252,11 +254,12 @@ pub fn joint(
     };
     let speed = before.speed.max(after.speed);
     let (one, two) = (before.effort, after.effort);
-    let nothing = [0.0; 6];
+    let nothing = [0.0; AXES];
     let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });
     let [by_acceleration, by_jerk] = [&limits.acceleration, &limits.jerk].map(|most| {
-        let over =
-            |step: &Axes| (0..6).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]));
+        let over = |step: &Axes| {
+            (0..AXES).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]))
+        };
         [over(&kink), over(&bend)]
     });
     let (square, cube) = (speed * speed, speed * speed * speed);
@@ -300,7 +303,7 @@ fn overlap(
     two: Effort,
 ) -> Overlap {
     let mut share = 1.0_f64;
-    for axis in 0..6 {
+    for axis in 0..AXES {
         let sum = (one.jerk * before.direction[axis] + two.jerk * after.direction[axis]).abs();
         if sum > 0.0 {
             share = share.min(limits.jerk[axis] / sum);

@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::piece::{Jet, ahead};
 use crate::smooth::Node;
@@ -73,7 +75,7 @@ impl Corrections {
 
     /// A break where nothing changes but the leg.
     pub fn cut(&mut self, at: f64) {
-        self.insert(Break { at, change: [0.0; 6], begins: 0 });
+        self.insert(Break { at, change: [0.0; AXES], begins: 0 });
     }
 
     fn insert(&mut self, new: Break) {

@@ -1,4 +1,4 @@
-use chordal_geometry::{Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE, Turning};
@@ -58,9 +58,9 @@ impl Leg {
             Curve::Line(_) => None,
             curve => Some(Box::new(curve)),
         };
-        let mut direction = [0.0; 6];
+        let mut direction = [0.0; AXES];
         let first = if curve.is_some() { 3 } else { 0 };
-        for axis in first..6 {
+        for axis in first..AXES {
             direction[axis] = (end[axis] - start[axis]) / length;
         }
         let mut anchor = *start;
@@ -70,7 +70,7 @@ impl Leg {
         let side = |sigma: f64| {
             let mut side = Side {
                 direction,
-                bend: [0.0; 6],
+                bend: [0.0; AXES],
                 speed: motion.speed,
                 straight: true,
                 effort: Effort::FREE,
@@ -158,7 +158,7 @@ impl Leg {
 
 /// The speed that the axes can hold along a direction.
 fn holdable(direction: &Axes, limits: &AxisArrays) -> f64 {
-    let share = (0..6)
+    let share = (0..AXES)
         .fold(0.0_f64, |share, axis| share.max(direction[axis].abs() / limits.velocity[axis]));
     1.0 / share
 }
@@ -166,7 +166,7 @@ fn holdable(direction: &Axes, limits: &AxisArrays) -> f64 {
 /// The speed that the axes can hold around a bend.
 fn holdable_bent(side: &Side, limits: &AxisArrays) -> f64 {
     let k = side.bend.iter().map(|bend| bend * bend).sum::<f64>().sqrt();
-    (0..6).fold(f64::INFINITY, |speed, axis| {
+    (0..AXES).fold(f64::INFINITY, |speed, axis| {
         let (direction, bend) = (side.direction[axis].abs(), side.bend[axis].abs());
         let by_square = ACCELERATION_SHARE * limits.acceleration[axis] / bend;
         let by_cube = JERK_SHARE * limits.jerk[axis] / (k * k * direction);

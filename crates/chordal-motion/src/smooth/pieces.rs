@@ -1,6 +1,6 @@
 //! One leg with the corrections that reach into it, cut into pieces and cells.
 
-use chordal_geometry::{Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, Cell, cell};
@@ -196,7 +196,7 @@ pub fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Pi
 fn bounds(leg: &Leg, corrections: &Corrections, from: f64, length: f64, count: usize) -> Bounds {
     let (direction, correction) = (&leg.part.direction, corrections.jet());
     let [_, d1, d2, d3] = correction;
-    let mut even = [[0.0; 6]; 3];
+    let mut even = [[0.0; AXES]; 3];
     let mut rates = [[0.0_f64; 3]; 2];
     for axis in 0..count {
         // The first derivative is a parabola, within the triangle of these three.
@@ -252,7 +252,7 @@ fn near_bounds(
         return None;
     }
     let between = 1.1 * (curvature * step / 2.0).powi(2) / 2.0;
-    let mut even = [[0.0_f64; 6]; 3];
+    let mut even = [[0.0_f64; AXES]; 3];
     let mut rate = 0.0_f64;
     for probe in 0..=PROBES {
         let way = step * f64::from(probe);
@@ -261,7 +261,7 @@ fn near_bounds(
         let mut first = [0.0; 3];
         for order in 0..3 {
             let vector = bent[order + 1].to_array();
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 let mut value = eased[order + 1][axis];
                 if axis < 3 {
                     value += vector[axis];

@@ -1,5 +1,7 @@
 //! What the axes do in short blocks of time: the room that is left for changing the rate.
 
+use chordal_geometry::AXES;
+
 use crate::limits::Limits;
 use crate::trajectory::Along;
 use crate::{Axes, Jet};
@@ -61,7 +63,7 @@ impl Room {
 
 impl Block {
     fn empty(end_s: f64) -> Block {
-        Block { end_s, low: [[0.0; 6]; 3], high: [[0.0; 6]; 3] }
+        Block { end_s, low: [[0.0; AXES]; 3], high: [[0.0; AXES]; 3] }
     }
 
     /// Whether every axis keeps its limits anywhere in the block with any of these rates:
@@ -74,7 +76,7 @@ impl Block {
         let mixed = times((slow, fast), slope);
         let mixed = (3.0 * mixed.0, 3.0 * mixed.1);
         let mut held = true;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let of = |row: usize| (self.low[row][axis], self.high[row][axis]);
             let (v, a, j) = (of(0), of(1), of(2));
             // What does not move needs no check.
@@ -126,7 +128,7 @@ pub(super) fn fill(window: &mut Window) {
 
 /// Largest speed of each axis in some blocks.
 pub(super) fn fastest(blocks: &[Block]) -> Axes {
-    let mut fastest = [0.0_f64; 6];
+    let mut fastest = [0.0_f64; AXES];
     for block in blocks {
         for (fastest, (low, high)) in
             fastest.iter_mut().zip(block.low[0].iter().zip(&block.high[0]))
@@ -203,7 +205,7 @@ struct Hull {
 
 impl Hull {
     fn new() -> Hull {
-        Hull { low: [[f64::INFINITY; 6]; 3], high: [[f64::NEG_INFINITY; 6]; 3], seen: false }
+        Hull { low: [[f64::INFINITY; AXES]; 3], high: [[f64::NEG_INFINITY; AXES]; 3], seen: false }
     }
 
     /// Takes in the motion of a phase from the first to the last of three instants, on every
@@ -239,7 +241,7 @@ impl Hull {
     fn take(&mut self, one: &[Axes; 3], middle: &[Axes; 3], two: &[Axes; 3]) {
         self.seen = true;
         for row in 0..3 {
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 let (a, m, b) = (one[row][axis], middle[row][axis], two[row][axis]);
                 // A peak between the three rises above them by less than half of what the
                 // middle is off the chord.
@@ -253,7 +255,7 @@ impl Hull {
     fn add_to(&self, block: &mut Block) {
         if self.seen {
             for row in 0..3 {
-                for axis in 0..6 {
+                for axis in 0..AXES {
                     block.low[row][axis] += self.low[row][axis];
                     block.high[row][axis] += self.high[row][axis];
                 }
@@ -276,8 +278,8 @@ fn between(one: &Along, two: &Along, part: f64) -> Along {
 fn derivatives(jet: &Jet, along: &Along) -> [Axes; 3] {
     let [_, d1, d2, d3] = jet;
     let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-    let mut rows = [[0.0; 6]; 3];
-    for axis in 0..6 {
+    let mut rows = [[0.0; AXES]; 3];
+    for axis in 0..AXES {
         rows[0][axis] = d1[axis] * v;
         rows[1][axis] = d1[axis] * a + d2[axis] * v * v;
         rows[2][axis] = d1[axis] * j + 3.0 * d2[axis] * v * a + d3[axis] * v * v * v;

@@ -1,12 +1,14 @@
 //! Cuts windows out of the line of time and finds the stop of each.
 
+use chordal_geometry::PerAxis;
+
 use super::bounds::{self, Room};
 use super::rate::{Ahead, Course, Rate};
 use super::timeline::{Item, Timeline};
 use super::window::{Leg, Placed, Stop, Timed, Window};
 
 /// Rates at the wall for which a stop is looked for, the best first.
-const LEVELS: [f64; 6] = [1.0, 0.7, 0.4, 0.1, 0.01, 0.001];
+const LEVELS: PerAxis<f64> = [1.0, 0.7, 0.4, 0.1, 0.01, 0.001];
 /// Shares of the steepest stop that are tried.
 const STEEPNESS: [f64; 7] = [0.96, 0.6, 0.3, 0.1, 0.03, 0.01, 0.003];
 /// How many lengths of a stop before the end of the window it is begun.

@@ -16,13 +16,13 @@
 //!   where.
 //!
 //! ```
-//! use chordal_motion::{AxisLimit, Limits, StreamOptions, stream};
+//! use chordal_motion::{Axes, AxisLimit, Limits, StreamOptions, stream};
 //!
 //! let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
 //! let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])?;
-//! let (mut feeder, mut servo) = stream(limits, StreamOptions::default(), [0.0; 6]);
+//! let (mut feeder, mut servo) = stream(limits, StreamOptions::default(), Axes::default());
 //! feeder.finish();
-//! assert_eq!(servo.next().position, [0.0; 6]);
+//! assert_eq!(servo.next().position, Axes::default());
 //! # Ok::<(), chordal_motion::LimitError>(())
 //! ```
 

@@ -6,6 +6,8 @@ use std::collections::VecDeque;
 
 use rtrb::{Consumer, Producer};
 
+use chordal_geometry::AXES;
+
 use crate::trajectory::State;
 use crate::{Axes, Sample};
 
@@ -498,7 +500,7 @@ impl Servo {
         let Rate { value, slope } = self.rate;
         point.position = planned.position;
         point.tag = planned.tag;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let (v, a) = (planned.velocity[axis], planned.acceleration[axis]);
             point.velocity[axis] = v * value;
             point.acceleration[axis] = a * value * value + v * slope;

@@ -1,6 +1,8 @@
 //! A window: some tenths of a second of planned motion with everything that the pull side needs
 //! to walk through it and to stop in it.
 
+use chordal_geometry::AXES;
+
 use crate::reader::Reader;
 use crate::trajectory::{Along, Phase, State};
 use crate::{Axes, Piece, Sample};
@@ -76,7 +78,7 @@ impl Window {
             phases: Vec::new(),
             pieces: Vec::new(),
             blocks: Vec::new(),
-            fastest: [0.0; 6],
+            fastest: [0.0; AXES],
             stop: Stop::Unknown,
             wait: None,
             last: false,
@@ -89,7 +91,7 @@ impl Window {
         self.phases.clear();
         self.pieces.clear();
         self.blocks.clear();
-        self.fastest = [0.0; 6];
+        self.fastest = [0.0; AXES];
         self.stop = Stop::Unknown;
         self.wait = None;
         self.last = false;
@@ -167,7 +169,7 @@ impl Place {
         self.on(window, 0, t, out);
         if main < leg {
             let after = self.next(window, t);
-            for axis in 0..6 {
+            for axis in 0..AXES {
                 out.position[axis] += after.position[axis];
                 out.velocity[axis] += after.velocity[axis];
                 out.acceleration[axis] += after.acceleration[axis];

@@ -1,7 +1,7 @@
 //! Paths of which the least time is known, and such times.
 
 use super::law::piece;
-use chordal_geometry::{Arc, Plane};
+use chordal_geometry::{AXES, Arc, Plane};
 use chordal_motion::Piece;
 use core::f64::consts::TAU;
 
@@ -43,7 +43,7 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
         .map(|index| {
             let h = lengths[index];
             let (p0, p1) = (point(index), point(index + 1));
-            let mut start = [[0.0; 6]; 4];
+            let mut start = [[0.0; AXES]; 4];
             for axis in 0..2 {
                 let (m0, m1) = (second[index][axis], second[(index + 1) % count][axis]);
                 start[0][axis] = p0[axis];
@@ -60,7 +60,7 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
 /// length and, by axis, the turn: the second derivative at its end times its length or the next
 /// one's, whichever is longer.
 pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<Piece> {
-    let mut jet = [[0.0; 6]; 4];
+    let mut jet = [[0.0; AXES]; 4];
     jet[1][0] = 1.0;
     let mut pieces = Vec::new();
     for (index, (length, turns)) in steps.iter().enumerate() {

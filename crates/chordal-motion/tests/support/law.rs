@@ -1,7 +1,7 @@
 //! Stretches made by hand: pieces of path, and the seven phases of a law from rest to rest.
 
 use super::line;
-use chordal_geometry::{Arc, Curve, ParamCurve, Plane};
+use chordal_geometry::{AXES, Arc, Curve, ParamCurve, Plane};
 use chordal_motion::{Axes, Phase, Piece, Stretch};
 
 /// Largest speed, acceleration and jerk along the path.
@@ -92,19 +92,19 @@ impl Law {
 
 /// A straight piece in a direction of all axes.
 pub fn straight(from: Axes, direction: Axes, length: f64, tag: u64) -> Piece {
-    Piece { length, base: None, start: [from, direction, [0.0; 6], [0.0; 6]], tag }
+    Piece { length, base: None, start: [from, direction, [0.0; AXES], [0.0; AXES]], tag }
 }
 
 /// The piece of path of a curve, with straight lines as polynomials.
 pub fn piece(curve: Curve, tag: u64) -> Piece {
     let length = curve.length();
     if let Curve::Line(_) = curve {
-        let mut axes = [[0.0; 6]; 2];
+        let mut axes = [[0.0; AXES]; 2];
         axes[0][..3].copy_from_slice(&curve.start().to_array());
         axes[1][..3].copy_from_slice(&curve.tangent_at(0.0).to_array());
         return straight(axes[0], axes[1], length, tag);
     }
-    Piece { length, base: Some((curve, 0.0)), start: [[0.0; 6]; 4], tag }
+    Piece { length, base: Some((curve, 0.0)), start: [[0.0; AXES]; 4], tag }
 }
 
 /// The piece of a straight line.

@@ -8,7 +8,7 @@ pub mod law;
 pub mod random;
 pub mod watch;
 
-use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
+use chordal_geometry::{AXES, Curve, Line, ParamCurve, Vec3};
 use chordal_motion::{
     Axes, AxisLimit, Corner, Jet, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Sample,
     Sampler, Step, Stretch,
@@ -16,7 +16,7 @@ use chordal_motion::{
 
 /// Every axis with the same limits, in mm or in rad.
 pub fn limits(velocity: f64, acceleration: f64, jerk: f64) -> Limits {
-    Limits::new([Some(AxisLimit { velocity, acceleration, jerk }); 6]).expect("positive limits")
+    Limits::new([Some(AxisLimit { velocity, acceleration, jerk }); AXES]).expect("positive limits")
 }
 
 /// A straight line from place to place.
@@ -72,7 +72,7 @@ pub fn samples(stretches: &[Stretch], period_s: f64) -> Vec<Sample> {
 
 /// Largest difference of two jets' first rows.
 pub fn jump(a: &Jet, b: &Jet, order: usize) -> f64 {
-    (0..6).map(|axis| (a[order][axis] - b[order][axis]).abs()).fold(0.0, f64::max)
+    (0..AXES).map(|axis| (a[order][axis] - b[order][axis]).abs()).fold(0.0, f64::max)
 }
 
 /// Distance of a point from the moves near a guess, and the index of the nearest.

@@ -1,9 +1,10 @@
 //! What setpoints ask of the axes.
 
+use chordal_geometry::AXES;
 use chordal_motion::{Axes, Limits, Setpoint};
 
 /// What rounding does to coordinates of some hundred mm or rad.
-pub const ROUNDING: Axes = [1e-13; 6];
+pub const ROUNDING: Axes = [1e-13; AXES];
 
 /// Largest differences of setpoints by time, over limits.
 #[derive(Debug, Default)]
@@ -25,7 +26,7 @@ impl Watch {
             let at = self.last.len().checked_sub(1 + count)?;
             Some(self.last[at][axis])
         };
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let Some(limit) = limits.axis(axis) else { continue };
             let [a, b, c, d] = [3, 2, 1, 0].map(|count| back(axis, count));
             let mut take = |row: usize, value: Option<f64>, limit: f64| {

@@ -2,6 +2,7 @@
 
 use chordal_control::{ArcShape, Command, CommandKind, Feed, Interference, Move, Side};
 use chordal_geometry::Vec2;
+use chordal_machine::PerAxis;
 
 use super::corner::Corner;
 use super::plane::{NOTHING_MM, PlaneCurve, offset_between};
@@ -30,7 +31,7 @@ impl Compensator {
         }
     }
 
-    fn place(&self, position: &mut [f64; 6], at: Vec2) {
+    fn place(&self, position: &mut PerAxis<f64>, at: Vec2) {
         let (a, b, _) = self.plane.axes();
         position[a] = at.a;
         position[b] = at.b;
@@ -200,7 +201,7 @@ impl Compensator {
         &mut self,
         block: &Block,
         link: &PlaneCurve,
-        place: Option<[f64; 6]>,
+        place: Option<PerAxis<f64>>,
         out: &mut P,
     ) {
         let Some(place) = place else { return };

@@ -25,6 +25,7 @@ use chordal_control::{
 };
 use chordal_diagnostics::{Diagnostic, Shift};
 use chordal_geometry::{Plane, Vec2};
+use chordal_machine::PerAxis;
 
 pub use plane::PlaneCurve;
 use queue::Block;
@@ -375,7 +376,7 @@ impl Compensator {
 
     /// The program coordinates move against the machine: the tool stands still, and the
     /// contour goes on from there.
-    fn shift<P: PathSink>(&mut self, command: &Command, position: &[f64; 6], out: &mut P) {
+    fn shift<P: PathSink>(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut P) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
             if self.parameters.compensation.coordinate_change == Allowance::Refused {

@@ -4,6 +4,7 @@ use chordal_control::{ArcShape, Move};
 use chordal_geometry::{
     Circle2, Line2, Meeting, Plane, Vec2, circle_circle, line_circle, line_line,
 };
+use chordal_machine::PerAxis;
 
 /// A line or an arc in the plane of compensation, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -98,7 +99,7 @@ impl PlaneCurve {
 }
 
 /// The plane coordinates of a position.
-pub(super) fn ab(position: &[f64; 6], plane: Plane) -> Vec2 {
+pub(super) fn ab(position: &PerAxis<f64>, plane: Plane) -> Vec2 {
     let (a, b, _) = plane.axes();
     Vec2::new(position[a], position[b])
 }

@@ -4,7 +4,7 @@ use chordal::control::{
     AxisMask, Command, CommandKind, Move, Position, WorkName, initial_offset, initial_work_offset,
 };
 use chordal::geometry::{Aabb, ParamCurve};
-use chordal::machine::Axis;
+use chordal::machine::{AXES, Axis, PerAxis};
 use chordal::path::{Frame, curve_of};
 use chordal::{Job, Machine};
 
@@ -43,8 +43,8 @@ struct System {
     /// Where it came into force.
     line: u32,
     moves: bool,
-    all: [Range; 6],
-    cuts: [Range; 6],
+    all: PerAxis<Range>,
+    cuts: PerAxis<Range>,
 }
 
 /// Watches the tool centre go by.
@@ -55,7 +55,7 @@ pub struct Travels {
     /// The one in force, where it is one of those that are kept.
     at: Option<usize>,
     left_out: u64,
-    machine: [Range; 6],
+    machine: PerAxis<Range>,
     unknown: AxisMask,
 }
 
@@ -67,7 +67,7 @@ impl Travels {
             systems: Vec::new(),
             at: None,
             left_out: 0,
-            machine: [Range::EMPTY; 6],
+            machine: [Range::EMPTY; AXES],
             unknown: AxisMask::NONE,
         };
         travels.select(initial_work_offset(job.control()), offset, known, 0);
@@ -105,7 +105,7 @@ impl Travels {
             return;
         }
         self.at = Some(self.systems.len());
-        let (all, cuts) = ([Range::EMPTY; 6], [Range::EMPTY; 6]);
+        let (all, cuts) = ([Range::EMPTY; AXES], [Range::EMPTY; AXES]);
         self.systems.push(System { name, offset, known, line, moves: false, all, cuts });
     }
 
@@ -119,7 +119,7 @@ impl Travels {
                 *mask = known;
             }
         }
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let stands = motion.from[axis] == motion.to[axis] && bounds.is_none();
             // An axis that turns is told when it turns.
             if axis >= 3 && stands {
@@ -251,7 +251,7 @@ fn is_moved(system: &System, machine: &Machine, extended: &str) -> bool {
     }
     let of = |name: &str, axis: usize| machine.work_offsets.get(name).and_then(|o| o.values[axis]);
     let key = name(system, extended);
-    (0..6).any(|axis| {
+    (0..AXES).any(|axis| {
         let own = of(&key, axis).unwrap_or(0.0) + of("EXT", axis).unwrap_or(0.0);
         (system.offset[axis] - own).abs() > SAME
     })

@@ -1,5 +1,6 @@
 //! What is set before the run: offsets, tools, travel.
 
+use chordal::machine::AXIS_LETTERS;
 use chordal_export::numbers::{Units, duration, grouped, short};
 use maud::{Markup, PreEscaped, html};
 
@@ -51,7 +52,7 @@ fn is_unset(register: &Register) -> bool {
 fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
     let mut axes: Vec<char> =
         offsets.iter().flat_map(|offset| offset.values.iter().map(|value| value.axis)).collect();
-    axes.sort_by_key(|axis| "XYZABC".find(*axis));
+    axes.sort_by_key(|axis| AXIS_LETTERS.find(*axis));
     axes.dedup();
     html! {
         div {

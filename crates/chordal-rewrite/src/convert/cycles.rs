@@ -134,7 +134,7 @@ fn places_alone(
     let lines = holes.iter().map(|hole| {
         let text = |mm| numbers::length(mm, run.after.units, digits, style);
         let [x, y] = hole.map(text);
-        format!("{}{x}{gap}{}{y}", AXES[a], AXES[b])
+        format!("{}{x}{gap}{}{y}", LINEAR_AXES[a], LINEAR_AXES[b])
     });
     let mut lines: Vec<String> = lines.collect();
     if run.after.incremental {
@@ -154,7 +154,7 @@ fn places_alone(
     Ok(true)
 }
 
-const AXES: [char; 3] = ['X', 'Y', 'Z'];
+const LINEAR_AXES: [char; 3] = ['X', 'Y', 'Z'];
 
 /// The place of the first hole, where the new control drills only at a place that is named.
 fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
@@ -178,7 +178,7 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
                 let value = if run.after.incremental { 0.0 } else { run.before.position[axis] };
                 let text = numbers::length(value, run.after.units, digits, context.style());
                 draft.append(
-                    format!("{}{text}", AXES[axis]),
+                    format!("{}{text}", LINEAR_AXES[axis]),
                     format!("{title} drills only at a place that is named"),
                 );
             }

@@ -6,6 +6,7 @@ use chordal::control::{
     SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
+use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind};
 
 use super::Refusal;
@@ -251,7 +252,7 @@ impl<'a> Emitter<'a> {
     /// The axis words of a move; an end that is not known relative to the part cannot be written.
     fn axes(&self, motion: &Move) -> Result<Vec<String>, Refused> {
         let mut words = Vec::new();
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);
             let is_new = motion.to_known.has(axis) && !motion.from_known.has(axis);
             if from == to && !is_new {
@@ -260,7 +261,7 @@ impl<'a> Emitter<'a> {
             if !motion.to_known.has(axis) {
                 return Err("a place that is not known relative to the part".into());
             }
-            let letter = b"XYZABC"[axis] as char;
+            let letter = AXIS_LETTERS.as_bytes()[axis] as char;
             let value = if axis < 3 {
                 self.length(to)
             } else {
@@ -338,9 +339,10 @@ impl<'a> Emitter<'a> {
         // Where an axis of the plane stays, the end may be left out; both left out is a full circle.
         let turn = std::f64::consts::TAU;
         let is_full = (shape.sweep.abs() - turn).abs() < 1e-9;
-        let in_plane = |word: &String| [a, b].iter().any(|axis| word.starts_with(AXES[*axis]));
+        let in_plane =
+            |word: &String| [a, b].iter().any(|axis| word.starts_with(LINEAR_AXES[*axis]));
         if !is_full && !words.iter().any(in_plane) {
-            words.push(format!("{}{}", AXES[a], self.length(motion.to[a])));
+            words.push(format!("{}{}", LINEAR_AXES[a], self.length(motion.to[a])));
         }
         let absolute = self.to.parameters.arc_center == chordal::control::ArcCenter::Absolute;
         let back = self.to.parameters.arc_center == chordal::control::ArcCenter::FromCenter;
@@ -485,7 +487,7 @@ impl<'a> Emitter<'a> {
     }
 }
 
-const AXES: [char; 3] = ['X', 'Y', 'Z'];
+const LINEAR_AXES: [char; 3] = ['X', 'Y', 'Z'];
 const CENTERS: [char; 3] = ['I', 'J', 'K'];
 
 pub(crate) fn plane_action(plane: Plane) -> Action {

@@ -1,6 +1,7 @@
 //! What holds at power-on on the old control and is not said by the program.
 
 use chordal::control::table::{Action, Group};
+use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
 use super::codes;
@@ -12,7 +13,7 @@ use crate::Change;
 
 /// Words whose meaning depends on inch and millimetres.
 const LENGTHS: Letters = Letters::of("XYZIJKRFQ");
-const AXES: Letters = Letters::of("XYZABC");
+const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 /// Puts a line before the first block of each main program, where the new control would begin
 /// otherwise.
@@ -48,12 +49,12 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             words.push(if inch { Action::Inch } else { Action::Millimetre });
         }
         if parameters[0].starts_incremental != parameters[1].starts_incremental
-            && is_silent(context, &runs, Group::Distance, AXES)
+            && is_silent(context, &runs, Group::Distance, AXIS_WORDS)
         {
             words.push(distance_action(parameters[0].starts_incremental));
         }
         if parameters[0].starts_linear != parameters[1].starts_linear
-            && is_silent(context, &runs, Group::Motion, AXES)
+            && is_silent(context, &runs, Group::Motion, AXIS_WORDS)
         {
             words.push(if parameters[0].starts_linear { Action::Linear } else { Action::Rapid });
         }

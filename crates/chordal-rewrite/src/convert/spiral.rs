@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use chordal::control::{ArcShape, Feed, FeedAlong, Move};
 use chordal::geometry::{Arc, Vec3};
+use chordal::machine::{AXES, PerAxis};
 use libm::{atan2, cos, sin};
 
 /// A piece of an arc command.
@@ -64,9 +65,9 @@ fn turns_of(motion: &Move, shape: &ArcShape, count: usize) -> Vec<Piece> {
 }
 
 /// A point of the command at a part of its way.
-fn point(motion: &Move, shape: &ArcShape, s: f64) -> [f64; 6] {
+fn point(motion: &Move, shape: &ArcShape, s: f64) -> PerAxis<f64> {
     let (a, b, _) = shape.plane.axes();
-    let mut at = [0.0; 6];
+    let mut at = [0.0; AXES];
     for (axis, value) in at.iter_mut().enumerate() {
         *value = motion.from[axis] + (motion.to[axis] - motion.from[axis]) * s;
     }
@@ -83,7 +84,7 @@ fn point(motion: &Move, shape: &ArcShape, s: f64) -> [f64; 6] {
 /// tolerance.
 fn chain(motion: &Move, shape: &ArcShape, count: usize, tolerance_mm: f64) -> Option<Vec<Piece>> {
     let (a, b, _) = shape.plane.axes();
-    let flat = |at: &[f64; 6]| Vec3::new(at[a], at[b], 0.0);
+    let flat = |at: &PerAxis<f64>| Vec3::new(at[a], at[b], 0.0);
     let mut pieces = Vec::with_capacity(count);
     let mut from = motion.from;
     for index in 0..count {

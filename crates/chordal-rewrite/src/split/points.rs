@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use chordal::control::table::Action;
 use chordal::control::{CallPath, Modal, Origin, Side};
+use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
 
@@ -122,7 +123,10 @@ impl Walk<'_, '_> {
             let Some(row) = self.control.row_of(word) else { continue };
             match row.action {
                 Action::LocalShift | Action::PresetPosition | Action::RestorePreset => {
-                    let axes = block.words.iter().filter(|word| b"XYZABC".contains(&word.letter));
+                    let axes = block
+                        .words
+                        .iter()
+                        .filter(|word| AXIS_LETTERS.as_bytes().contains(&word.letter));
                     let is_zero = |number: chordal::syntax::Decimal| number.is_zero();
                     let ends = row.action == Action::LocalShift
                         && axes.clone().count() > 0

@@ -3,6 +3,7 @@
 use chordal::control::table::Action;
 use chordal::control::{Modal, SpindleState, Units};
 use chordal::diagnostics::TextRange;
+use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
@@ -315,7 +316,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     /// The word of an axis, with as many digits as it takes.
     fn place(&self, modal: &Modal, axis: usize, rounded_mm: &mut f64) -> String {
         let (value, style) = (modal.position[axis], self.source.style);
-        let letter = char::from(b"XYZABC"[axis]);
+        let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
         if axis > 2 {
             return format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style));
         }

@@ -5,6 +5,7 @@ use chordal::control::table::Action;
 use chordal::control::{ArcCenter, ArcShape, FeedMode, Side, Units};
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
+use chordal::machine::PerAxis;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
 use super::edit::{Edit, Refusal};
@@ -278,7 +279,7 @@ impl<'a> Arcs<'a> {
 
 /// The corners of an arc's chords, mm.
 fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, String> {
-    let point = |at: [f64; 6]| Vec3::new(at[0], at[1], at[2]);
+    let point = |at: PerAxis<f64>| Vec3::new(at[0], at[1], at[2]);
     let center = (shape.center[0], shape.center[1]);
     let fit =
         spiral_from_center(shape.plane, point(run.from), point(run.to), center, shape.sweep, 0.0);
@@ -291,7 +292,7 @@ fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, Str
 pub(super) fn center_words(
     writer: &Writer,
     shape: &ArcShape,
-    from: [f64; 6],
+    from: PerAxis<f64>,
     rule: ArcCenter,
     units: Units,
 ) -> Words {

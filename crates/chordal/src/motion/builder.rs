@@ -5,7 +5,7 @@ use chordal_control::{
 };
 use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
-use chordal_machine::{FeedLimits, Machine, Times};
+use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};
 use chordal_path::{PathBuilder, PathCommand, PathSink, Segment, SegmentKind};
 
@@ -83,7 +83,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             spindle_rpm: 0.0,
             tool: 0,
             at: None,
-            shift: [0.0; 6],
+            shift: [0.0; AXES],
             number: 0,
             held: None,
             report,
@@ -258,7 +258,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             return Some(f64::INFINITY);
         }
         let (from, to) = (motion.from(), motion.to());
-        let seconds = (0..6)
+        let seconds = (0..AXES)
             .map(|axis| (to[axis] - from[axis]).abs() / self.rapid_speeds[axis])
             .fold(0.0, f64::max);
         Some(if seconds > 0.0 { length / seconds * part } else { f64::INFINITY })
@@ -269,12 +269,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let from = motion.from();
         if let Some(at) = self.at {
             let away = |axis: usize| (from[axis] + self.shift[axis] - at[axis]).abs();
-            if (0..6).any(|axis| away(axis) > SAME_POINT) {
+            if (0..AXES).any(|axis| away(axis) > SAME_POINT) {
                 self.shift = std::array::from_fn(|axis| at[axis] - from[axis]);
             }
         }
         let shift = self.shift;
-        if shift == [0.0; 6] {
+        if shift == [0.0; AXES] {
             return;
         }
         let by = Vec3::new(shift[0], shift[1], shift[2]);

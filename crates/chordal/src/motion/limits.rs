@@ -1,4 +1,4 @@
-use chordal_machine::{Axis, AxisLimits, Machine};
+use chordal_machine::{AXES, Axis, AxisLimits, Machine};
 use chordal_motion::{AxisLimit, LimitError, Limits, Quantity};
 
 /// A limit that the machine file does not give.
@@ -38,8 +38,8 @@ impl MachineLimits {
     /// The first limit that is not a positive number.
     pub fn of(machine: &Machine) -> Result<MachineLimits, LimitError> {
         let mut assumed = Vec::new();
-        let mut cut = [None; 6];
-        let mut rapid = [None; 6];
+        let mut cut = [None; AXES];
+        let mut rapid = [None; AXES];
         for axis in Axis::ALL {
             let Some(given) = machine.axis(axis) else { continue };
             let limit = of_axis(axis, given, &mut assumed);

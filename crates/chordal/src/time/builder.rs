@@ -289,6 +289,7 @@ mod tests {
     use super::*;
     use chordal_diagnostics::{FileId, TextRange};
     use chordal_geometry::{Direction, Line, Plane, arc_from_center};
+    use chordal_machine::AXES;
     use chordal_motion::{Phase, Piece};
     use chordal_path::SegmentKind;
 
@@ -338,7 +339,7 @@ mod tests {
                     known: true,
                     length: 0.0,
                     nominal_s,
-                    shift: [0.0; 6],
+                    shift: [0.0; AXES],
                     operation: begins.then_some(OperationMark::Begins(None)),
                 },
             );
@@ -357,7 +358,7 @@ mod tests {
     }
 
     fn piece(length: f64, tag: u64) -> Piece {
-        Piece { length, base: None, start: [[0.0; 6]; 4], tag }
+        Piece { length, base: None, start: [[0.0; AXES]; 4], tag }
     }
 
     /// From rest over a cruise at a speed to rest, all ramps without jerk: enough for a sum.

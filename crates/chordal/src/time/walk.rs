@@ -56,11 +56,12 @@ pub(super) fn walk<P: PathPart>(stretch: &Stretch<P>, mut take: impl FnMut(Part)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use chordal_machine::AXES;
     use chordal_motion::{Phase, Piece};
     use proptest::prelude::*;
 
     fn piece(length: f64, tag: u64) -> Piece {
-        Piece { length, base: None, start: [[0.0; 6]; 4], tag }
+        Piece { length, base: None, start: [[0.0; AXES]; 4], tag }
     }
 
     /// Seven phases from rest to rest: jerk up, hold, down, cruise, and the same back.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use chordal::control::Side;
+use chordal::machine::PerAxis;
 use chordal::{CommandKind, Job, Machine, PathCommand, Segment, Source, SourceMap, Watch};
 
 use crate::part::Piece;
@@ -57,7 +58,7 @@ impl Watch for Cuts {
             return;
         };
         let [a, b] = self.axes;
-        let inch = |position: &[f64; 6]| [position[a] / 25.4, position[b] / 25.4];
+        let inch = |position: &PerAxis<f64>| [position[a] / 25.4, position[b] / 25.4];
         let (from, to) = (inch(&motion.from), inch(&motion.to));
         let piece = match kind.shape() {
             None => Piece::Line(from, to),

@@ -1,6 +1,7 @@
 //! Compares what a program expects with what happened.
 
 use chordal::Severity;
+use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 
 use crate::grammar::{self, Motion, Number, Place, Program};
 use crate::runner::{Made, Ran, Told, run, short};
@@ -102,14 +103,16 @@ fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64)
             found.push(format!("{what} is {}, not {}", short(is), short(number.value)));
         }
     };
-    let place =
-        |place: &Place, is: &[f64; 6], what: &str, compare: &mut dyn FnMut(&str, Number, f64)| {
-            for (&letter, &number) in place {
-                let axis = "XYZABC".find(letter).unwrap_or(0);
-                let is = if axis < 3 { is[axis] / unit } else { is[axis].to_degrees() };
-                compare(&format!("{what} {letter}"), number, is);
-            }
-        };
+    let place = |place: &Place,
+                 is: &PerAxis<f64>,
+                 what: &str,
+                 compare: &mut dyn FnMut(&str, Number, f64)| {
+        for (&letter, &number) in place {
+            let axis = AXIS_LETTERS.find(letter).unwrap_or(0);
+            let is = if axis < 3 { is[axis] / unit } else { is[axis].to_degrees() };
+            compare(&format!("{what} {letter}"), number, is);
+        }
+    };
     place(&expected.from, &made.from, "start", &mut compare);
     place(&expected.to, &made.to, "end", &mut compare);
     if let Some(length) = expected.length {
@@ -129,7 +132,7 @@ fn differences(expected: &Motion, before: Option<&Made>, made: &Made, unit: f64)
     match made.shape {
         Some(shape) => {
             let (a, b, _) = shape.plane.axes();
-            let mut center = [f64::NAN; 6];
+            let mut center = [f64::NAN; AXES];
             (center[a], center[b]) = (shape.center[0], shape.center[1]);
             place(&expected.center, &center, "centre", &mut compare);
             if let Some((from, to)) = expected.radius {

@@ -20,6 +20,8 @@
 
 use std::collections::BTreeMap;
 
+use chordal::machine::AXIS_LETTERS;
+
 use crate::runner::short;
 
 /// A number and the unit of its last digit: the real one is off by half of it at most.
@@ -263,7 +265,7 @@ impl<'a> Tokens<'a> {
 
     fn place(&mut self) -> Result<Place, String> {
         let mut place = Place::new();
-        while let Some(word) = self.words.next_if(|w| w.starts_with(|c| "XYZABC".contains(c))) {
+        while let Some(word) = self.words.next_if(|w| w.starts_with(|c| AXIS_LETTERS.contains(c))) {
             let (letter, value) = word.split_at(1);
             place.insert(letter.chars().next().unwrap_or('X'), number(value)?);
         }

@@ -2,6 +2,7 @@
 
 use chordal::control::{ArcShape, FeedAlong, FeedMode, PathMode, SpindleState, Units};
 use chordal::geometry::{ParamCurve, Plane, Vec3};
+use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
 use chordal::{
     Command, CommandKind, Diagnostic, Job, Machine, PathCommand, Report, Segment, Severity, Source,
@@ -15,8 +16,8 @@ use crate::grammar::Program;
 pub struct Made {
     pub line: u32,
     pub kind: &'static str,
-    pub from: [f64; 6],
-    pub to: [f64; 6],
+    pub from: PerAxis<f64>,
+    pub to: PerAxis<f64>,
     pub shape: Option<ArcShape>,
     pub length: f64,
     /// In mm/min (or deg/min, 1/min, mm per revolution); `None` for rapids.
@@ -224,7 +225,7 @@ impl Made {
     pub fn contradiction(&self) -> Option<String> {
         let shape = self.shape?;
         let (a, b, _) = shape.plane.axes();
-        let arm = |p: &[f64; 6]| (p[a] - shape.center[0], p[b] - shape.center[1]);
+        let arm = |p: &PerAxis<f64>| (p[a] - shape.center[0], p[b] - shape.center[1]);
         let (from, to) = (arm(&self.from), arm(&self.to));
         let radii = (from.0.hypot(from.1), to.0.hypot(to.1));
         let off = (radii.0 - shape.radius_from).abs().max((radii.1 - shape.radius_to).abs());
@@ -264,11 +265,11 @@ impl Made {
         text
     }
 
-    fn place(&self, position: &[f64; 6], unit: f64) -> String {
-        let axes = (0..6).filter(|&axis| axis < 3 || self.from[axis] != self.to[axis]);
+    fn place(&self, position: &PerAxis<f64>, unit: f64) -> String {
+        let axes = (0..AXES).filter(|&axis| axis < 3 || self.from[axis] != self.to[axis]);
         axes.map(|axis| {
             let value = if axis < 3 { position[axis] / unit } else { position[axis].to_degrees() };
-            format!(" {}{}", "XYZABC".as_bytes()[axis] as char, short(value))
+            format!(" {}{}", AXIS_LETTERS.as_bytes()[axis] as char, short(value))
         })
         .collect()
     }

@@ -1,6 +1,7 @@
 //! Haas mill, NGC.
 
 use chordal_diagnostics::Code;
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Lexicon, MacroGrammar};
 
 mod codes;
@@ -36,7 +37,7 @@ pub static HAAS: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::Anywhere,
     subroutines: Subroutines::None,
-    axis_letters: "XYZABC",
+    axis_letters: AXIS_LETTERS,
     work_offset_by_e: false,
     arc_turns: ArcTurns::None,
     strict_center_words: true,

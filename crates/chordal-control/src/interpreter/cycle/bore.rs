@@ -1,6 +1,7 @@
 //! Boring with a standing or oriented spindle: G86, G88, G76, G87 (Haas G77).
 
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_machine::PerAxis;
 use chordal_syntax::Block;
 
 use super::super::Interpreter;
@@ -172,7 +173,7 @@ impl Interpreter<'_> {
         })
     }
 
-    fn aside(&self, hole: &Hole, shift: [f64; 2]) -> ([f64; 6], AxisMask) {
+    fn aside(&self, hole: &Hole, shift: [f64; 2]) -> (PerAxis<f64>, AxisMask) {
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
         for (axis, part) in plane_axes(hole.axis).into_iter().zip(shift) {

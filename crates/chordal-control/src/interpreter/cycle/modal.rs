@@ -2,13 +2,14 @@
 //! the subroutine that G66 runs at every position.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
 
 use super::super::Interpreter;
 use crate::cycle_rules::TapFeed;
 use crate::table::{Action, CodeRow, Group};
 
-const AXES: Letters = Letters::of("XYZABC");
+const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// Codes of two groups that this control holds for one.
@@ -58,7 +59,7 @@ impl Interpreter<'_> {
 
     /// The hole of a block that also calls a subroutine: L is not its repeat.
     pub(in super::super) fn next_hole_beside_call(&mut self, block: &Block) {
-        if block.letters().meets(AXES) {
+        if block.letters().meets(AXIS_WORDS) {
             let (target, _) = self.target(block);
             self.fire_hole_at(block, target);
         }
@@ -101,7 +102,7 @@ impl Interpreter<'_> {
         block: &Block,
         times: u32,
     ) {
-        if times < 2 || self.macros.active == 0 || !block.letters().meets(AXES) {
+        if times < 2 || self.macros.active == 0 || !block.letters().meets(AXIS_WORDS) {
             return;
         }
         let span = self.words_span(block, Letters::of("L"));

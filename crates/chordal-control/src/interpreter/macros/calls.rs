@@ -1,6 +1,7 @@
 //! Macro calls: G65, G66, G66.1, G67, and codes that call macros by a setting.
 
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
 use super::super::shop::Given;
@@ -42,7 +43,7 @@ enum Call {
 }
 
 /// Letters whose words move.
-const AXES: Letters = Letters::of("XYZABC");
+const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// True when a block calls a macro with its words as arguments.
@@ -215,7 +216,7 @@ impl Interpreter<'_> {
 
     /// After a block that moved: the call in force.
     pub(in super::super) fn modal_call_after(&mut self, block: &Block, flow: Flow) -> Flow {
-        let moved = block.letters().meets(AXES) && matches!(flow, Flow::Next);
+        let moved = block.letters().meets(AXIS_WORDS) && matches!(flow, Flow::Next);
         if !moved || self.calls_every_block() || self.takes_axes_alone(block) {
             return flow;
         }

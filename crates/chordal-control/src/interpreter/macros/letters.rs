@@ -2,6 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_geometry::Direction;
+use chordal_machine::AXIS_LETTERS;
 
 use super::super::Interpreter;
 use super::words::decimal;
@@ -21,7 +22,7 @@ const LAST_TOOL: u32 = 99;
 
 /// The axis of a variable's second letter.
 fn axis_of(name: &str) -> Option<usize> {
-    name.chars().nth(1).and_then(|letter| "XYZABC".find(letter))
+    name.chars().nth(1).and_then(|letter| AXIS_LETTERS.find(letter))
 }
 
 impl Interpreter<'_> {

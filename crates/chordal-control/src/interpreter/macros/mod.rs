@@ -21,7 +21,7 @@ mod words;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
-use chordal_machine::Machine;
+use chordal_machine::{AXES, Machine};
 use chordal_syntax::{Expression, ExpressionParser, Op, Position as TextPosition, Target, Word};
 
 pub(super) use memory::MacroMemory;
@@ -110,7 +110,7 @@ impl MacroState<'_> {
             active: 0,
             in_alias: 0,
             last_words: [None; 26],
-            skip: [0.0; 6],
+            skip: [0.0; AXES],
             port_open: false,
             printed: 0,
             names: Names::default(),

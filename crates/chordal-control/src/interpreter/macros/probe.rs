@@ -1,7 +1,7 @@
 //! Probe and skip moves: G31, G38.2 to G38.5. Where they touch is what the machine file says.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_machine::ProbeHit;
+use chordal_machine::{AXES, AXIS_LETTERS, ProbeHit};
 use chordal_syntax::Block;
 
 use super::super::Interpreter;
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
         }
         let from = self.state.position;
         let mut nearest = f64::INFINITY;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             let Some(plane) = probe.planes[axis] else { continue };
             let way = target[axis] - from[axis];
             let part = (plane - from[axis]) / way;
@@ -90,7 +90,7 @@ impl Interpreter<'_> {
             return (target, false);
         }
         let mut end = target;
-        for axis in 0..6 {
+        for axis in 0..AXES {
             end[axis] = match probe.planes[axis] {
                 // Exactly on the plane that is touched, not beside it by a rounding.
                 Some(plane) if plane == from[axis] + nearest * (target[axis] - from[axis]) => plane,
@@ -114,10 +114,10 @@ impl Interpreter<'_> {
 
     fn report_assumption(&mut self, span: chordal_diagnostics::Span) {
         let probe = &self.machine.probe;
-        let planes: Vec<String> = (0..6)
+        let planes: Vec<String> = (0..AXES)
             .filter_map(|axis| probe.planes[axis].map(|plane| (axis, plane)))
             .map(|(axis, plane)| {
-                let letter = b"XYZABC"[axis] as char;
+                let letter = AXIS_LETTERS.as_bytes()[axis] as char;
                 let unit = if self.state.units == Units::Inch && axis < 3 { 25.4 } else { 1.0 };
                 let shown = if axis < 3 { plane / unit } else { plane.to_degrees() };
                 format!("{letter}{}", trim(shown, 4))

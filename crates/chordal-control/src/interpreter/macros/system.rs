@@ -2,6 +2,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_geometry::{Direction, Plane};
+use chordal_machine::AXES;
 
 use super::super::{EndReason, Interpreter};
 use crate::command::{CommandKind, FeedMode, Side, Units, WorkName};
@@ -180,7 +181,7 @@ impl Interpreter<'_> {
         let key = self.state.offsets.key(name);
         match axis {
             0..3 => self.state.offsets.work_value(&key, axis).unwrap_or(0.0),
-            3..6 => self.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
+            3..AXES => self.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
             _ => 0.0,
         }
     }

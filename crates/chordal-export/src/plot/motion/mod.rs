@@ -4,6 +4,7 @@ mod buckets;
 mod chart;
 mod sheet;
 
+use chordal::machine::PerAxis;
 use chordal::motion::{Limits, Sample, Sampler, Sources, Step, StepSource};
 
 use self::buckets::Buckets;
@@ -108,7 +109,7 @@ impl MotionPlot {
         } else if self.direction == [0.0; 3] {
             self.direction = unit(&sample.jerk);
         }
-        let along = |axes: &[f64; 6]| {
+        let along = |axes: &PerAxis<f64>| {
             axes.iter().zip(&self.direction).map(|(value, part)| value * part).sum::<f64>()
         };
         let mut values = [0.0; VALUES];
@@ -142,7 +143,7 @@ impl MotionPlot {
 }
 
 /// The direction of X, Y and Z; zero where there is none.
-fn unit(axes: &[f64; 6]) -> [f64; 3] {
+fn unit(axes: &PerAxis<f64>) -> [f64; 3] {
     let length = axes[..3].iter().map(|value| value * value).sum::<f64>().sqrt();
     if length > 0.0 { [axes[0] / length, axes[1] / length, axes[2] / length] } else { [0.0; 3] }
 }

@@ -1,5 +1,7 @@
 //! The sheet: caption, legend, four charts.
 
+use chordal::machine::{AXES, AXIS_NAMES, PerAxis};
+
 use super::super::PlotOptions;
 use super::super::frame::INCH;
 use super::super::layout::{Layout, MARGIN};
@@ -10,7 +12,6 @@ use super::super::view::Rect;
 use super::chart::{Chart, Scale, Series};
 use super::{ACCELERATION, ALONG_ACCELERATION, ALONG_JERK, JERK, MotionPlot, SPEED};
 
-const LETTERS: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
 /// Units: room for the caption and the legend.
 const HEADER: f64 = 98.0;
 /// Room to the left of the charts for numbers, and to their right for units.
@@ -98,7 +99,7 @@ struct OfAxes {
     /// The first axis and the path in a cell.
     axes: usize,
     along: usize,
-    limits: [f64; 6],
+    limits: PerAxis<f64>,
 }
 
 impl Sheet<'_> {
@@ -137,8 +138,8 @@ impl Sheet<'_> {
         let y = (MARGIN + 76.0) * unit;
         let mut x = MARGIN * unit;
         let mut entries = vec![("along the path".to_string(), self.colors.faint, 3.0, "")];
-        for axis in (0..6).filter(|axis| self.moves(*axis)) {
-            let name = LETTERS[axis];
+        for axis in (0..AXES).filter(|axis| self.moves(*axis)) {
+            let name = AXIS_NAMES[axis];
             let name = if axis < 3 { name.into() } else { format!("{name} in degrees") };
             entries.push((name, self.colors.tool(axis), 2.0, ""));
         }
@@ -235,7 +236,7 @@ impl Sheet<'_> {
         what: &OfAxes,
     ) {
         let (unit, scale) = what.unit;
-        let axes: Vec<usize> = (0..6).filter(|axis| self.moves(*axis)).collect();
+        let axes: Vec<usize> = (0..AXES).filter(|axis| self.moves(*axis)).collect();
         // A rotary axis has degrees where the others have the chart's unit.
         let factor_of = |axis: usize| if axis < 3 { scale } else { 1f64.to_degrees() };
         let values = axes.iter().map(|axis| (what.axes + axis, factor_of(*axis)));
@@ -341,8 +342,8 @@ fn told(limits: &[(usize, f64)], scale: &Scale) -> String {
     let mut groups: Vec<(f64, String)> = Vec::new();
     for (axis, limit) in limits {
         match groups.iter_mut().find(|(value, _)| value == limit) {
-            Some((_, names)) => names.push_str(&format!(" {}", LETTERS[*axis])),
-            None => groups.push((*limit, LETTERS[*axis].to_string())),
+            Some((_, names)) => names.push_str(&format!(" {}", AXIS_NAMES[*axis])),
+            None => groups.push((*limit, AXIS_NAMES[*axis].to_string())),
         }
     }
     let texts: Vec<String> =

@@ -1,5 +1,7 @@
 //! How the servo changes the rate: it draws up courses and follows the first that is proved safe.
 
+use chordal_geometry::PerAxis;
+
 use crate::Axes;
 
 use super::{MOST, Servo, Under};
@@ -13,7 +15,7 @@ const STEEPNESS: [f64; 9] = [0.96, 0.5, 0.96, 0.6, 0.35, 0.2, 0.1, 0.06, 0.03];
 /// How many belong to the next blocks, and how many blocks those are.
 const NEAR: (usize, usize) = (2, 12);
 /// Shares of the way to the wanted rate that are tried, all of it first.
-const SHARES: [f64; 6] = [1.0, 0.5, 0.2, 0.05, 0.01, 0.001];
+const SHARES: PerAxis<f64> = [1.0, 0.5, 0.2, 0.05, 0.01, 0.001];
 /// Courses that are drawn up, and that are checked, in one period at most.
 const DRAFTS: usize = 9;
 const CHECKS: usize = 2;
