@@ -1,4 +1,4 @@
-use chordal_command::{AxisMask, Command, CommandKind, Origin, Sink};
+use chordal_command::{AxisMask, Command, CommandKind, Origin};
 use chordal_diagnostics::{
     Code, Collector, Counts, Diagnostic, FileId, Severity, Source, SourceMap, Span,
 };

@@ -4,7 +4,7 @@ use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::CenterAndRadius;
 use chordal_dialect::table::ArcTurns;
-use chordal_geometry::{Direction, Plane, Vec3};
+use chordal_geometry::{Direction, Plane};
 use chordal_kernel::ArcWords;
 use chordal_kernel::Motion;
 use chordal_kernel::rules::SpiralForm;

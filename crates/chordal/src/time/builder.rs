@@ -1,5 +1,4 @@
 use chordal_command::Origin;
-use chordal_machine::AXES;
 use std::collections::{BTreeMap, VecDeque};
 
 use chordal_diagnostics::Span;
