@@ -17,6 +17,7 @@ mod names;
 mod outline;
 mod place;
 mod program;
+pub mod reference;
 mod rests;
 mod scan;
 mod setup;
