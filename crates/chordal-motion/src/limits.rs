@@ -1,3 +1,5 @@
+//! Velocity, acceleration and jerk of the axes.
+
 use crate::Axes;
 
 /// What one axis can do.

@@ -1,3 +1,5 @@
+//! The velocity profile: phases of constant jerk along the path.
+
 use crate::Axes;
 use crate::piece::{Piece, SIXTH};
 use crate::reader::Reader;

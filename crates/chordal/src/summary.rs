@@ -1,3 +1,5 @@
+//! The summary of a run: counts, lengths, travel, tools, times.
+
 use std::collections::BTreeMap;
 
 use chordal_control::{AxisMask, Command, CommandKind, Control, FeedMode, Units};

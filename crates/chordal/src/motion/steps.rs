@@ -1,3 +1,5 @@
+//! The steps of motion: moves, waits and their reasons.
+
 use chordal_control::{Command, Origin, Outcome};
 use chordal_diagnostics::Diagnostic;
 use chordal_motion::{Axes, Move, MoveError};

@@ -1,3 +1,5 @@
+//! Adds planned times up by block, tool and operation.
+
 use std::collections::{BTreeMap, VecDeque};
 
 use chordal_control::Origin;

@@ -1,3 +1,5 @@
+//! The answer of the time question: times, costliest blocks, reasons.
+
 use std::fmt;
 
 use chordal_control::Origin;
