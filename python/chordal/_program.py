@@ -279,13 +279,38 @@ class Program:
         strip_comments: bool = False,
         shrink: int | None = None,
     ) -> Transformed:
-        """The program moved by ``shift`` (X, Y, Z), turned by ``rotate`` degrees, mirrored, scaled, in other
-        units, at other feeds, with arcs as chords or chords as arcs; each word changed by what it means where
-        it stands, and the new program held against the path that is meant: see ``proved``.
+        """The program changed in place, and the proof that its motion is the one meant: see ``proved``.
 
-        Lengths are millimetres, ``feed`` and ``speed`` factors; ``renumber`` is the first number and the step.
-        What ``chordal transform`` does, in its order; a program that no change would be right for raises
-        :class:`~chordal.UsageError`, which names the line."""
+        What ``chordal transform`` does, in its order: units, mirror, rotate, scale, shift, feed and speed,
+        chords, simplify, fit, arcs, comments, numbers, shrink. Each word is changed by what it means where it
+        stands; then the new program runs and its path is compared with the path that is meant. Lengths are
+        millimetres, whatever units the program has. Keywords that are not given change nothing.
+
+        ``shift``: distance along X, Y and Z, mm.
+        ``rotate``: angle about Z, degrees, counter-clockwise.
+        ``about``: centre of ``rotate``, X and Y, mm.
+        ``mirror``: ``"x"`` or ``"y"``, the axis that changes its sign.
+        ``scale``: factor of every length.
+        ``units``: ``"mm"`` or ``"inch"`` for every length, feeds too.
+        ``feed``: factor of the feeds of cuts.
+        ``speed``: factor of spindle speeds, and of the feeds of taps with them.
+        ``arcs``: ``"radius"`` or ``"center"``, how arcs are written.
+        ``chords``: arcs and spirals as chords within this distance, mm.
+        ``simplify``: fewer chords, the path within this distance, mm.
+        ``fit``: chords as lines and tangent arcs within this distance, mm.
+        ``renumber``: first N number and step.
+        ``no_numbers``: ``True`` takes out the N numbers that nothing refers to.
+        ``strip_comments``: ``True`` takes out comments.
+        ``shrink``: most bytes of the text; blanks, digits, N numbers and comments go as far as they must.
+
+        A program that no change is right for raises :class:`~chordal.UsageError`, which names the line.
+
+        >>> import chordal
+        >>> text = "G21 G90 S900 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
+        >>> moved = chordal.loads(text, "haas-vf2").transform(shift=(5, 0, 0))
+        >>> moved.proved, moved.text.splitlines()[2]
+        (True, b'G1 X14. F50.')
+        """
         wanted = _transform.steps(
             shift,
             rotate,

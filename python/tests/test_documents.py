@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import os
 import re
 import subprocess
 import sys
@@ -14,25 +15,41 @@ import pytest
 from nbclient import NotebookClient
 
 import chordal
-from chordal import _machine, geometry, motion
+from chordal import _machine, _program, geometry, motion
 from conftest import ROOT
 
-EXAMPLES = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
+# An example, and what it prints where the page shows that.
+EXAMPLES = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
+PAGES = ["README.md", "docs/python.md", "docs/getting-started/python.md"]
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
-def test_pages(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    codes = EXAMPLES.findall((ROOT / page).read_text())
-    assert codes, f"{page} has no example"
+@pytest.mark.parametrize("page", PAGES)
+def test_pages(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (ROOT / page).read_text()
+    examples = list(EXAMPLES.finditer(text))
+    assert examples, f"{page} has no example"
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     # The examples of a page go on from each other.
     names: dict[str, object] = {}
-    for code in codes:
-        exec(compile(code, page, "exec"), names)
+    written, at = "", 0
+    for example in examples:
+        capsys.readouterr()
+        exec(compile(example[1], page, "exec"), names)
+        printed = capsys.readouterr().out
+        if example[2] is not None:
+            written += text[at : example.start(2)] + printed
+            at = example.end(2)
+    written += text[at:]
+    if os.environ.get("DOCUMENTS_PAGE") == "write":
+        (ROOT / page).write_text(written)
+    else:
+        assert written == text, f"{page} shows something else: DOCUMENTS_PAGE=write writes it anew"
 
 
-@pytest.mark.parametrize("module", [chordal, _machine, geometry, motion])
+@pytest.mark.parametrize("module", [chordal, _machine, _program, geometry, motion])
 def test_docstrings(module: types.ModuleType) -> None:
     result = doctest.testmod(module)
     assert result.attempted > 0 and result.failed == 0

@@ -1,3 +1,5 @@
+//! Why an archive could not be checked at all.
+
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -5,6 +5,39 @@
 //! the files are done. What is done stands in a [`Journal`]; [`Journal::finish`] brings all of it
 //! into one Parquet file in the order of paths. [`check_all`] does the rest with the threads of one
 //! machine; who has several machines hands files to [`check_file`] and records to the journal.
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use chordal::Machine;
+//! use chordal_archive::{Loader, Options, Prepared, check_file};
+//!
+//! /// Every file is the same program.
+//! struct Memory;
+//!
+//! impl Loader for Memory {
+//!     fn is_other_by_name(&self, _: &Path) -> bool {
+//!         false
+//!     }
+//!     fn read(&mut self, _: &Path) -> Result<Vec<u8>, String> {
+//!         Ok(b"G21 G90 S900 M3\nG1 X0 Y0 F100.\nX10.\nM30\n".to_vec())
+//!     }
+//!     fn may_be_program(&self, _: &[u8]) -> bool {
+//!         true
+//!     }
+//!     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
+//!         Ok(Prepared {
+//!             texts: vec![(path.display().to_string(), bytes)],
+//!             machine: Machine::from_builtin("haas-vf2").map_err(|_| "no machine")?,
+//!             chosen: "haas-vf2".into(),
+//!             options: Default::default(),
+//!         })
+//!     }
+//! }
+//!
+//! let record = check_file(&mut Memory, Path::new("part.nc"), Options { plan: true }, |_| false);
+//! assert_eq!(record.unwrap().rows.len(), 1);
+//! ```
 
 #![forbid(unsafe_code)]
 #![allow(

@@ -1,3 +1,5 @@
+//! Numbers that no drawing has, and what is said of them.
+
 use crate::numbers::Units;
 
 /// Numbers that contradict each other.

@@ -1,3 +1,5 @@
+//! `chordal check`: the problems of programs in four formats.
+
 use std::path::PathBuf;
 
 use chordal::{Report, Severity};

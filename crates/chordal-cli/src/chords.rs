@@ -1,3 +1,5 @@
+//! `chordal chords`: the path as straight chords.
+
 use std::io;
 use std::path::PathBuf;
 

@@ -1,3 +1,5 @@
+//! `chordal commands`: the canonical commands of a program.
+
 use std::io;
 use std::path::PathBuf;
 

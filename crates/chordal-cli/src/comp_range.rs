@@ -1,3 +1,5 @@
+//! `chordal comp-range`: the offsets that each compensated contour allows.
+
 use std::path::PathBuf;
 
 use chordal::ContourRange;

@@ -1,3 +1,5 @@
+//! `chordal compare`: two programs, or one on two machines.
+
 use std::path::{Path, PathBuf};
 
 use chordal::Job;

@@ -1,3 +1,5 @@
+//! `chordal completions`: the script by which a shell completes the command.
+
 use clap::CommandFactory;
 use clap_complete::Shell;
 

@@ -1,3 +1,5 @@
+//! `chordal convert`: a program for another machine.
+
 use std::collections::{BTreeMap, HashMap};
 use std::io::Write;
 use std::path::{Path, PathBuf};

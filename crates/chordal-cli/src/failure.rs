@@ -1,3 +1,5 @@
+//! Exit codes, and why a command could not do its work.
+
 use std::io;
 
 use chordal::machine::MachineError;

@@ -3,6 +3,11 @@
 //! The command is a library, so that another shell can offer it and can load programs as it does
 //! ([`load`]). One file per subcommand; `input` finds and reads programs, `machine` chooses what runs
 //! them, `beside` looks for subprograms, `output` writes files whole or not at all.
+//!
+//! ```
+//! let words = ["chordal", "explain", "G83", "--machine", "haas-vf2"];
+//! assert_eq!(chordal_cli::run(words.map(Into::into)), 0);
+//! ```
 
 #![allow(
     clippy::disallowed_methods,

@@ -1,3 +1,5 @@
+//! `chordal machines`: the list of machines, and one with its settings.
+
 use chordal::Machine;
 use chordal::control::{COMMON_SETTINGS, Certainty, Control};
 use chordal::machine::{Axis, builtin_names, schema_reference};

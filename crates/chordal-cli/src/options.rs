@@ -1,3 +1,5 @@
+//! Arguments that several commands share.
+
 use std::path::PathBuf;
 
 use chordal::machine::{Dimension, QuantityError, parse_quantity};

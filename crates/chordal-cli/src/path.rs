@@ -1,3 +1,5 @@
+//! `chordal path`: the commands of the tool centre.
+
 use std::path::PathBuf;
 
 use crate::command_rows::CommandRows;

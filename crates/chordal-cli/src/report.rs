@@ -1,3 +1,5 @@
+//! `chordal report`: the setup sheet.
+
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -1,3 +1,5 @@
+//! `chordal run`: the summary of a program and its picture.
+
 use std::path::PathBuf;
 
 use chordal::Severity;

@@ -1,3 +1,5 @@
+//! `chordal sample`: the setpoints of the axes.
+
 use std::io;
 use std::path::PathBuf;
 

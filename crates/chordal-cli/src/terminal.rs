@@ -1,3 +1,5 @@
+//! What the output streams can show, and writing to them.
+
 use std::fmt::Display;
 use std::io::{self, Write};
 

@@ -60,34 +60,3 @@ fn what_is_not_proved_is_not_written() {
     assert!(!folder.names().contains(&"out.nc".to_string()));
     folder.run(&["convert", "part.nc", "--to", "no-such-machine"]).ends(2);
 }
-
-/// `docs/from-fadal-to-haas.md` says what the commands say.
-#[test]
-fn from_a_fadal_to_a_haas() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    #[allow(clippy::disallowed_methods, reason = "a test of a page")]
-    let text = |path: &str| std::fs::read_to_string(root.join(path)).unwrap();
-    let page = text("docs/from-fadal-to-haas.md");
-    let folder = Folder::new();
-    for name in ["bracket.nc", "bracket.toml"] {
-        folder.write(name, text(&format!("examples/fadal/{name}")));
-    }
-    let own = ["convert", "bracket.nc", "--machine", "bracket.toml", "--to", "haas-vf2"];
-    let told = folder.run(&own).ends(0).out;
-    assert!(page.contains(&format!("```text\n{told}```")), "{told}");
-    let written = ["--picture", "both.png", "-o", "bracket-haas.nc"];
-    folder.run(&[&own[..], &written[..]].concat()).ends(0);
-    let program = folder.read("bracket-haas.nc");
-    let shown = page.split("```text\n").find(|part| part.contains("…\nM2")).expect("the program");
-    for part in shown.split("```").next().unwrap().split("…\n") {
-        assert!(program.contains(part), "{part}");
-    }
-    let tools = ["--set", "tools.1.diameter=0.5 in", "--set", "tools.2.diameter=0.25 in"];
-    let both =
-        ["compare", "bracket.nc", "bracket-haas.nc", "--as", "bracket.toml", "--as", "haas-vf2"];
-    let compared = folder.run(&[&both[..], &tools[..]].concat()).ends(1).out;
-    assert!(page.contains(&format!("```text\n{compared}```")), "{compared}");
-    let back = ["convert", "bracket-haas.nc", "--machine", "haas-vf2", "--to", "fadal-4020"];
-    let told = folder.run(&[&back[..], &tools[..], &["-o", "back.nc"]].concat()).ends(0);
-    told.says(&["M97 P200 -> L201", "G154 -> E7", "R.1 -> R0+.1", "proof: same: 66 moves"]);
-}

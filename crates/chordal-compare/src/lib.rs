@@ -9,6 +9,20 @@
 //! they are made: two who walk the paths from beginning to end without going back are never further
 //! apart than this. It is exact for straight lines and for equal arcs and spirals, else found within
 //! [`Options::precision_mm`].
+//!
+//! ```
+//! use chordal::{Job, Machine, Source, SourceMap};
+//! use chordal_compare::{Options, Verdict, compare};
+//!
+//! let job = |text: &'static [u8]| {
+//!     let mut sources = SourceMap::new();
+//!     sources.add(Source::new("part.nc", text));
+//!     Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap()
+//! };
+//! let whole = job(b"G21 G90 S900 M3\nG0 X0 Y0 Z5.\nG1 X10. F100.\nM30\n");
+//! let cut_in_two = job(b"G21 G90 S900 M3\nG0 X0 Y0 Z5.\nG1 X4. F100.\nX10.\nM30\n");
+//! assert_eq!(compare(&whole, &cut_in_two, &Options::default()).verdict, Verdict::Same);
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -1,3 +1,5 @@
+//! Diagnostics of a run, collected within bounded memory.
+
 use std::collections::{BTreeMap, HashSet};
 
 use crate::{Code, Diagnostic, Severity, Span};

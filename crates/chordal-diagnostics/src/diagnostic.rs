@@ -1,3 +1,5 @@
+//! A diagnostic and its parts: severity, labels, notes, fixes.
+
 use crate::{Code, Span};
 
 /// How bad it is. The order is from mild to grave.

@@ -3,6 +3,19 @@
 //! Nothing here draws, reads or writes: a [`Diagnostic`] says *where* (spans into a
 //! [`SourceMap`]), *what* (a message with the measured numbers), what the user's own
 //! control would show, and what to do about it. How it looks is the business of a shell.
+//!
+//! ```
+//! use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span, TextRange};
+//!
+//! let mut sources = SourceMap::new();
+//! let file = sources.add(Source::new("part.nc", b"G21\nG1 X1..5\n".as_slice()));
+//! let span = Span { file, range: TextRange { start: 7, end: 12 } };
+//! let problem = Diagnostic::new(Code::BadNumber, span, "two decimal points")
+//!     .help("leave one of them out");
+//! assert_eq!(problem.severity, Severity::Error);
+//! assert_eq!(sources.words(span), "X1..5");
+//! assert_eq!(sources.get(file).unwrap().line_column(span.range.start).line, 2);
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -1,3 +1,5 @@
+//! Texts by name, and the lines and columns in them.
+
 use std::borrow::Cow;
 use std::sync::OnceLock;
 

@@ -1,3 +1,5 @@
+//! Ranges of bytes in a text and in a file.
+
 use std::fmt;
 
 /// A file of a [`SourceMap`](crate::SourceMap).

@@ -3,6 +3,17 @@
 //!
 //! Plain data out; protocols and sockets are the business of the shells. Places are bytes of the
 //! program's text, half open; lines count from 1.
+//!
+//! ```
+//! use chordal::Machine;
+//! use chordal_editor::Program;
+//!
+//! let machine = Machine::from_builtin("haas-vf2").unwrap();
+//! let text = b"T1 M6 (DRILL)\nG83 Z-1. R.1 Q.2 F5.\nM30\n".to_vec();
+//! let program = Program::new("part.nc", text, machine).unwrap();
+//! assert!(program.hover(15, None).unwrap().text.contains("deep drilling"));
+//! assert!(!program.outline().is_empty());
+//! ```
 
 #![forbid(unsafe_code)]
 
@@ -18,6 +29,7 @@ mod names;
 mod outline;
 mod place;
 mod program;
+pub mod reference;
 mod scan;
 mod setup;
 mod tokens;

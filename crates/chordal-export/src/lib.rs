@@ -16,6 +16,21 @@
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
 //! format converts on the way out. Writers stream: they take any [`std::io::Write`], hold
 //! a line at a time, and open no file.
+//!
+//! ```
+//! use chordal::{Job, Machine, Source, SourceMap};
+//! use chordal_export::{Canon, report};
+//!
+//! let mut sources = SourceMap::new();
+//! sources.add(Source::new("part.nc", b"G21 G90 S900 M3\nG1 X10. F100.\nM30\n".as_slice()));
+//! let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
+//!
+//! let mut canon = Canon::new(Vec::new(), &job).unwrap();
+//! let found = job.report_of_commands(|command| canon.command(command).unwrap());
+//! let text = String::from_utf8(canon.finish().unwrap()).unwrap();
+//! assert!(text.contains("STRAIGHT_FEED(10.000000"));
+//! assert!(report::json(&found, job.sources(), "part.nc").contains("chordal.diagnostics/1"));
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -1,3 +1,5 @@
+//! Problems of a machine file as text.
+
 use annotate_snippets::{Group, Level, Origin};
 use chordal::diagnostics::FileId;
 use chordal::machine::MachineError;

@@ -3,6 +3,28 @@
 //!
 //! What is answered comes from `chordal-editor`; this crate knows the protocol and nothing of
 //! programs. How a file gets its machine and its subprograms is the caller's [`Opener`].
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use chordal::Machine;
+//! use chordal_editor::Setup;
+//! use chordal_lsp::Opener;
+//!
+//! /// Every text is for one machine, unless the editor says another.
+//! struct OneMachine;
+//!
+//! impl Opener for OneMachine {
+//!     fn open(&self, _: Option<&Path>, _: &[u8], machine: Option<&str>) -> Result<Setup, String> {
+//!         let machine = Machine::from_builtin(machine.unwrap_or("haas-vf2"));
+//!         machine.map(Setup::of).map_err(|errors| errors[0].message.clone())
+//!     }
+//! }
+//!
+//! assert!(OneMachine.open(None, b"M30", Some("fanuc-30i")).is_ok());
+//! // let (connection, threads) = lsp_server::Connection::stdio();
+//! // chordal_lsp::serve(&connection, &OneMachine)?;
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -56,6 +56,6 @@ pub use machine::{
 pub use motion::Motion;
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
-pub use schema::schema_reference;
+pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use tool_tbl::read_tool_tbl;
 pub use value::{Setting, SettingValue};

@@ -18,6 +18,34 @@
 //! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`Sample`] | `sampler.rs` |
 //! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
+//!
+//! ```
+//! use chordal_geometry::{Curve, Line, Vec3};
+//! use chordal_motion::{
+//!     AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Sampler,
+//! };
+//!
+//! let axis = Some(AxisLimit { velocity: 400.0, acceleration: 3000.0, jerk: 100_000.0 });
+//! let limits = Limits::new([axis, axis, axis, None, None, None]).unwrap();
+//! let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
+//! let mut sampler = Sampler::new(0.001);
+//! let mut last = None;
+//! let line = Move {
+//!     curve: Curve::Line(Line { start: Vec3::new(0.0, 0.0, 0.0), end: Vec3::new(50.0, 0.0, 0.0) }),
+//!     rotary_from: [0.0; 3],
+//!     rotary_to: [0.0; 3],
+//!     speed: 100.0,
+//!     corner: Corner::Stop,
+//!     kind: MoveKind::Cut,
+//!     tag: 1,
+//! };
+//! planner.push(&line, |step| sampler.push(step, |sample| last = Some(*sample))).unwrap();
+//! planner.finish(|step| sampler.push(step, |sample| last = Some(*sample)));
+//! sampler.finish(|sample| last = Some(*sample));
+//! let last = last.unwrap();
+//! assert_eq!(last.position[0], 50.0);
+//! assert!(last.time_s > 0.5 && last.time_s < 0.6);
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -1,3 +1,5 @@
+//! Velocity, acceleration and jerk of the axes.
+
 use chordal_geometry::{AXIS_LETTERS, PerAxis};
 
 use crate::Axes;

@@ -1,3 +1,5 @@
+//! A piece of the smoothed path: a polynomial on every axis, with an arc under it or not.
+
 use chordal_geometry::{Curve, ParamCurve};
 
 use crate::Axes;

@@ -1,3 +1,5 @@
+//! The planner: takes moves, emits steps; its levels and options.
+
 use crate::Axes;
 use crate::bound::{Run, bound};
 use crate::cell::{AxisArrays, Cell};

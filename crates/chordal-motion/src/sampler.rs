@@ -1,3 +1,5 @@
+//! Setpoints at a fixed period from the steps of a planner.
+
 use crate::Axes;
 use crate::trajectory::{Cursor, Step, Stretch};
 

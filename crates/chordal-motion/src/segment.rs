@@ -1,3 +1,5 @@
+//! A move as the planner takes it, and how its end is passed.
+
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;

@@ -1,3 +1,5 @@
+//! What a planner keeps of the path: the whole piece, or its length and speed only.
+
 use crate::piece::Piece;
 
 /// A piece of path of which only the extent is known. Times need no more.

@@ -1,3 +1,5 @@
+//! The velocity profile: phases of constant jerk along the path.
+
 use chordal_geometry::AXES;
 
 use crate::Axes;

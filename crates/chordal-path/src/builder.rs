@@ -1,3 +1,5 @@
+//! Commands into segments of path in one frame.
+
 use chordal_command::{AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::{AXES, Machine};

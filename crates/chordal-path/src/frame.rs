@@ -1,3 +1,5 @@
+//! Offsets and lengths between program and machine coordinates.
+
 use chordal_command::{AxisMask, Command, CommandKind, Position};
 
 /// What lies between program and machine coordinates while commands go by.

@@ -3,6 +3,30 @@
 //! [`PathBuilder`] turns each motion command into exact curves in one frame for the whole
 //! run; [`Checks`] watches travel, rapids and tangency as the commands go by. Both keep a
 //! bounded state: nothing is collected here.
+//!
+//! ```
+//! use chordal_control::{
+//!     AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Origin,
+//! };
+//! use chordal_machine::Machine;
+//! use chordal_path::PathBuilder;
+//!
+//! let (all, to) = (AxisMask::ALL, [3.0, 4.0, 0.0, 0.0, 0.0, 0.0]);
+//! let motion = Move { from: [0.0; 6], to, from_known: all, to_known: all };
+//! let feed = Feed {
+//!     value: 10.0, // mm/s
+//!     mode: FeedMode::PerTime,
+//!     along: FeedAlong::Path,
+//!     spindle_rev_per_s: 0.0,
+//! };
+//! let command = Command { kind: CommandKind::Line { motion, feed }, origin: Origin::default() };
+//!
+//! let machine = Machine::from_builtin("haas-vf2").unwrap();
+//! let mut path = PathBuilder::new(&machine, [0.0; 6], AxisMask::ALL);
+//! let mut segments = Vec::new();
+//! path.command(&command, |segment| segments.push(segment.clone()));
+//! assert_eq!((segments[0].length_mm, segments[0].duration_s), (5.0, 0.5));
+//! ```
 
 #![forbid(unsafe_code)]
 

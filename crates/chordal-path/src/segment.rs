@@ -1,3 +1,5 @@
+//! A segment of path: an exact curve of the tool tip with its block.
+
 use chordal_command::{ArcShape, AxisMask, Move, Origin, Position};
 use chordal_geometry::{Curve, Line, Vec3, spiral_from_center};
 

@@ -4,6 +4,18 @@
 //! degrees. [`html`] makes one page of it that needs nothing else, in the program's own units, and
 //! [`json`] the same as data. Whatever the program, both are of bounded size: rows beyond a table's
 //! most are counted. The same program on the same machine gives the same bytes.
+//!
+//! ```
+//! use chordal::{Job, Machine, Source, SourceMap};
+//! use chordal_report::{About, gather, html};
+//!
+//! let mut sources = SourceMap::new();
+//! sources.add(Source::new("part.nc", b"G21 G90 T1 M6\nS900 M3\nG1 X10. F100.\nM30\n".as_slice()));
+//! let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
+//! let about = About { file: "part.nc", program: None, recognized: None, date: Some("2024-05-17") };
+//! let found = gather(&job, &about);
+//! assert!(html(&found.document).contains("part.nc"));
+//! ```
 
 #![forbid(unsafe_code)]
 

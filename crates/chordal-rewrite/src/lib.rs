@@ -3,6 +3,23 @@
 //! The old text is run, the new one is written from what it does and from how it is written, and
 //! both are held against each other move by move. What comes out is the text, a list of
 //! [`Change`]s with their reasons, and a [`Certificate`] of how far the two are apart.
+//!
+//! ```
+//! use chordal::{Job, Machine, Source, SourceMap};
+//! use chordal_rewrite::{Step, convert, transform};
+//!
+//! let mut sources = SourceMap::new();
+//! let text = b"T1 M6\nG21 G90 G0 E1 X0 Y0 S900 M3\nH1 Z5.\nG1 X10. F100.\nM2\n";
+//! sources.add(Source::new("part.nc", text.as_slice()));
+//! let job = Job::new(sources, Machine::from_builtin("fadal-4020").unwrap()).unwrap();
+//!
+//! let haas = Machine::from_builtin("haas-vf2").unwrap();
+//! let converted = convert::convert(&job, &haas, &convert::Options::default());
+//! assert!(converted.holds() && converted.text.contains("G43 H1"));
+//!
+//! let moved = transform(&job, &[Step::Shift([5.0, 0.0, 0.0])]).unwrap();
+//! assert!(moved.certificate.holds() && String::from_utf8(moved.text).unwrap().contains("X15."));
+//! ```
 
 #![forbid(unsafe_code)]
 

@@ -6,6 +6,13 @@
 //! asks, `document` the text as it is edited, `file` the one on disk, `run` and `times` make
 //! columns of a path and of its time, `stream` and `frame` pack them, `other` holds it against another program,
 //! `words` asks what an editor asks.
+//!
+//! ```
+//! let server = chordal_server::Server::listen(0).unwrap();
+//! // The address has a token, so that only who knows it sees the page.
+//! assert!(server.url().starts_with("http://127.0.0.1:"));
+//! // server.serve(programs)?;
+//! ```
 
 #![allow(
     clippy::disallowed_methods,

@@ -1,3 +1,5 @@
+//! Blocks, words, their values, and sets of letters.
+
 use chordal_diagnostics::{Diagnostic, TextRange};
 
 use crate::Decimal;

@@ -1,3 +1,5 @@
+//! Numbers as they were written, to the last digit.
+
 use std::fmt;
 
 /// A number as it was written: sign, digits, and whether there was a decimal point.

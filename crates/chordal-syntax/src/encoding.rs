@@ -1,3 +1,5 @@
+//! The encoding of a file, found by its content.
+
 use std::borrow::Cow;
 
 /// How the bytes of a file stood for characters.

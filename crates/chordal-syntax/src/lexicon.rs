@@ -1,3 +1,5 @@
+//! How a control writes its text: comments, semicolons, registers.
+
 use crate::expression::MacroGrammar;
 
 /// How a `(` comment ends.

@@ -3,6 +3,17 @@
 //! Blocks are read on demand into a buffer that is used again, so a text costs no memory
 //! beyond itself. Reading never fails: what cannot be read becomes a diagnostic of the
 //! block, and the rest of the block is there.
+//!
+//! ```
+//! use chordal_diagnostics::FileId;
+//! use chordal_syntax::{Block, BlockReader, Lexicon};
+//!
+//! let mut reader = BlockReader::new(b"N10 G1 X-1.50 (CUT)\nM30\n", FileId(0), Lexicon::FANUC_STYLE);
+//! let mut block = Block::default();
+//! assert!(reader.read(&mut block));
+//! let x = block.word(b'X').unwrap().number().unwrap();
+//! assert_eq!((x.mantissa, x.scale, x.has_point), (-150, 2, true));
+//! ```
 
 #![forbid(unsafe_code)]
 

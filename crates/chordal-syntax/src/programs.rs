@@ -1,3 +1,5 @@
+//! The programs of a file, found by their heads.
+
 use chordal_diagnostics::TextRange;
 
 use crate::lexicon::Lexicon;

@@ -1,3 +1,5 @@
+//! A [`Job`]: a program on a machine, and every question about it.
+
 use chordal_command::{AxisMask, Command, CommandKind, Origin};
 use chordal_diagnostics::{
     Code, Collector, Counts, Diagnostic, FileId, Severity, Source, SourceMap, Span,
@@ -31,6 +33,32 @@ pub enum JobError {
 pub(crate) const KEPT_PER_CODE: usize = 200;
 
 /// A program and a machine.
+///
+/// ```
+/// use chordal::{CommandKind, Job, Machine, Severity, Source, SourceMap};
+///
+/// let mut sources = SourceMap::new();
+/// let text = b"G21 G90 S900 M3\nG1 X0 Y0 F600.\nX60.\nG2 X80. Y0 I9. J0\nM30\n";
+/// sources.add(Source::new("part.nc", text.as_slice()));
+/// let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
+///
+/// // Problems, as `chordal check` reports them: the arc's radii differ.
+/// let errors: Vec<_> =
+///     job.check().diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect();
+/// assert_eq!(errors[0].code.info().id, "CH401");
+///
+/// // Every command, with the block it comes from.
+/// let mut lines = 0_u32;
+/// let report = job.report_of_commands(|command| {
+///     lines += u32::from(matches!(command.kind, CommandKind::Line { .. }));
+/// });
+/// assert_eq!((report.summary.lines, lines), (2, 2));
+///
+/// // The path as exact curves.
+/// let mut length_mm = 0.0;
+/// job.path(|segment| length_mm += segment.length_mm);
+/// assert!(length_mm > 60.0);
+/// ```
 #[derive(Debug)]
 pub struct Job<'a> {
     sources: SourceMap<'a>,

@@ -1,3 +1,5 @@
+//! The summary of a run: counts, lengths, travel, tools, times.
+
 use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Units};
 use chordal_dialect::Control;
 use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};

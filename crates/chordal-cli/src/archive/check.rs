@@ -1,3 +1,5 @@
+//! `chordal archive check`: its arguments and what it prints.
+
 use std::path::{Path, PathBuf};
 
 use chordal_archive::{ArchiveError, Done, Journal, Options, check_all, walk};

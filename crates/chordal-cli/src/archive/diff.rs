@@ -1,3 +1,5 @@
+//! `chordal archive diff`: its arguments and what it prints.
+
 use std::path::PathBuf;
 
 use chordal_archive::diff::{DiffRow, Status, compare_all, write_table};

@@ -1,3 +1,5 @@
+//! The files of an archive on disk.
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

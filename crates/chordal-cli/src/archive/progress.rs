@@ -1,3 +1,5 @@
+//! How far an archive is: a bar on a terminal, lines elsewhere.
+
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 

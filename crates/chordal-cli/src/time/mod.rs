@@ -1,3 +1,5 @@
+//! `chordal time`: how long a program takes, where and why.
+
 mod corners;
 mod least;
 mod picture;

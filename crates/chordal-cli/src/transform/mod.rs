@@ -1,3 +1,5 @@
+//! `chordal transform`: a program changed in place, with a proof.
+
 mod split;
 
 use std::io::Write;

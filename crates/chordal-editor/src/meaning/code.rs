@@ -123,7 +123,7 @@ pub fn dwell_text(word: &DwellWord) -> String {
     }
 }
 
-fn target_name(target: DataTarget) -> &'static str {
+pub(crate) fn target_name(target: DataTarget) -> &'static str {
     match target {
         DataTarget::WorkOffset => "work offset P",
         DataTarget::WorkOffsetFromPosition => {
@@ -173,7 +173,7 @@ fn fields_of(action: Action) -> &'static [Field] {
 }
 
 /// `ToolLength` → `tool length`.
-fn group_name(group: Group) -> String {
+pub fn group_name(group: Group) -> String {
     let mut name = String::new();
     for letter in format!("{group:?}").chars() {
         if letter.is_uppercase() && !name.is_empty() {

@@ -9,7 +9,8 @@ use crate::meaning::{View, own_value, sections, settings, some};
 /// The letter on each control; `None` when it has a meaning nowhere.
 pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
     sections(&char::from(letter).to_string(), views, |view| {
-        let meanings = meanings(letter, view);
+        let mut meanings = letter_meanings(letter, view);
+        meanings.extend(takers(letter, view));
         match meanings.as_slice() {
             [] => None,
             [one] => Some(format!(" {one}\n")),
@@ -18,7 +19,8 @@ pub fn letter_text(letter: u8, views: &[View]) -> Option<String> {
     })
 }
 
-fn meanings(letter: u8, view: &View) -> Vec<String> {
+/// What a letter means by itself on a control, whichever code stands in its block.
+pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
     let View { table, parameters } = view;
     let name = char::from(letter);
     let mut meanings: Vec<String> = Vec::new();
@@ -89,6 +91,12 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
     if table.call_start_label == Some(letter) {
         add("with M98: the N number at which the subprogram begins");
     }
+    meanings
+}
+
+/// The codes that take the letter.
+fn takers(letter: u8, view: &View) -> Option<String> {
+    let table = view.table;
     let takers: Vec<String> = [b'G', b'M']
         .into_iter()
         .flat_map(|code| codes(table, code).iter().map(move |row| (code, row)))
@@ -96,10 +104,7 @@ fn meanings(letter: u8, view: &View) -> Vec<String> {
         .filter(|(_, row)| !matches!(row.action, Action::NotSimulated | Action::NoEffect))
         .map(|(code, row)| code_name(code, row.code))
         .collect();
-    if !takers.is_empty() {
-        add(&format!("taken by {}", some(&takers)));
-    }
-    meanings
+    (!takers.is_empty()).then(|| format!("taken by {}", some(&takers)))
 }
 
 fn axis_of(letter: u8) -> char {

@@ -3,6 +3,7 @@
 
 mod code;
 mod letter;
+mod word;
 
 use chordal::Code;
 use chordal::control::table::ControlTable;
@@ -11,8 +12,10 @@ use chordal::control::{
 };
 
 pub use chordal::control::table::code_name;
-pub use code::{code_brief, code_text, codes};
-pub use letter::letter_text;
+pub(crate) use code::target_name;
+pub use code::{code_brief, code_text, codes, group_name};
+pub use letter::{letter_meanings, letter_text};
+pub use word::word_meaning;
 
 /// A control to explain on.
 #[derive(Clone, Debug)]
@@ -54,7 +57,7 @@ pub fn diagnostic_text(code: Code) -> String {
 }
 
 /// `N={n}` → `N=…`: the control fills in a number.
-fn without_places(alarm: &str) -> String {
+pub(crate) fn without_places(alarm: &str) -> String {
     let mut parts = alarm.split('{');
     let mut text = parts.next().unwrap_or_default().to_string();
     for part in parts {

@@ -282,6 +282,34 @@ const fn example(dimension: Dimension) -> &'static str {
     }
 }
 
+/// A key of a machine file, for a reference.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SchemaKey {
+    /// Where it is; names in angle brackets vary: `axes.<axis>.travel`.
+    pub path: &'static str,
+    /// What it takes, in words, with an example.
+    pub takes: String,
+    /// What it means.
+    pub meaning: &'static str,
+    /// What holds without it, where its row says so.
+    pub default: Option<&'static str>,
+    /// It is a table with keys of its own, not a value.
+    pub is_table: bool,
+}
+
+/// The keys of a machine file, in the order of the reference.
+pub fn schema_keys() -> Vec<SchemaKey> {
+    let key = |row: &Row| {
+        let (meaning, default) = match row.doc.split_once("; otherwise ") {
+            Some((meaning, default)) => (meaning, Some(default)),
+            None => (row.doc, None),
+        };
+        let is_table = matches!(row.slot, Slot::Table(_) | Slot::Axis);
+        SchemaKey { path: row.path, takes: row.takes(), meaning, default, is_table }
+    };
+    ROWS.iter().map(key).collect()
+}
+
 /// The keys of a machine file, as a table in Markdown.
 pub fn schema_reference() -> String {
     let mut text = String::from(

@@ -107,7 +107,7 @@ pub(crate) const ROWS: &[Row] = &[
                     [Turns::Table, Turns::Head].into_iter().find(|turns| turns.as_str() == word);
             },
         },
-        doc: "what A, B or C turns: the part (`table`) or the tool (`head`); otherwise it is not known, and pictures are drawn without. Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A",
+        doc: "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without",
     },
     Row {
         path: "rotary.<rotary>.reversed",
@@ -384,7 +384,7 @@ pub(crate) const ROWS: &[Row] = &[
                 });
             },
         },
-        doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; without it they touch where they end",
+        doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; otherwise they touch where they end",
     },
     quantity(
         "probe.hit.<axis>",

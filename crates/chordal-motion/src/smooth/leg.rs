@@ -1,3 +1,5 @@
+//! A leg of the path: straight moves on one line, or one arc or spiral.
+
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;

@@ -1,3 +1,5 @@
+//! How a control writes expressions: brackets, operators, functions.
+
 use super::{Function, Operator};
 
 /// The brackets of expressions.

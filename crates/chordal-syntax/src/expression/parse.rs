@@ -1,3 +1,5 @@
+//! Expressions of one line into steps.
+
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 
 use super::{Brackets, Expression, Function, MacroGrammar, Op, Step};

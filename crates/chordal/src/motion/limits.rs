@@ -1,3 +1,5 @@
+//! The limits of a machine's axes, with typical values for what its file does not give.
+
 use chordal_machine::{AXES, Axis, AxisLimits, Machine};
 use chordal_motion::{AxisLimit, LimitError, Limits, Quantity};
 

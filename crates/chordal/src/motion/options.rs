@@ -1,3 +1,5 @@
+//! What the caller may set for motion, and the numbers in force.
+
 use chordal_command::PathMode;
 use chordal_machine::Machine;
 use chordal_motion::Level;

@@ -1,3 +1,5 @@
+//! The planned motion of a run, given to a sink with the block of each step.
+
 use chordal_command::Command;
 use std::collections::VecDeque;
 

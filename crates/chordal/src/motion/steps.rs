@@ -1,3 +1,5 @@
+//! The steps of motion: moves, waits and their reasons.
+
 use chordal_command::{Command, Origin};
 use chordal_diagnostics::Diagnostic;
 use chordal_gcode::Outcome;

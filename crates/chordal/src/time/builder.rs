@@ -1,3 +1,5 @@
+//! Adds planned times up by block, tool and operation.
+
 use chordal_command::Origin;
 use std::collections::{BTreeMap, VecDeque};
 
@@ -286,6 +288,8 @@ fn ride_on(ride: &mut Ride, seconds: f64, part: &super::walk::Part, speed: f64) 
 
 #[cfg(test)]
 mod tests {
+    use chordal_machine::AXES;
+
     use super::*;
     use chordal_diagnostics::{FileId, TextRange};
     use chordal_geometry::{Direction, Line, Plane, arc_from_center};

@@ -1,3 +1,5 @@
+//! The answer of the time question: times, costliest blocks, reasons.
+
 use chordal_command::Origin;
 use std::fmt;
 

@@ -1,0 +1,290 @@
+//! What a word means in the block of a G or M code: Q of G83 is a peck, Q of G76 a shift.
+
+use chordal::control::table::{Action, ArcTurns, CodeRow, DataTarget};
+use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
+use chordal::control::{CycleKind, Pattern};
+
+use crate::meaning::View;
+use crate::meaning::code::dwell_text;
+
+/// The meaning of a letter in the block of a code; `None` where it is accepted and does nothing to the path.
+pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
+    let text = match row.action {
+        Action::Dwell => return dwell(letter, view),
+        Action::ArcCw | Action::ArcCcw => return arc(letter, view),
+        Action::SpiralCw | Action::SpiralCcw => match letter {
+            b'P' => "whole turns beyond the angle from start to end, 0 to 99",
+            b'I' | b'J' | b'K' => return center(letter, view),
+            _ => return None,
+        },
+        Action::SetData => return set_data(letter, view),
+        Action::ReturnToReference { second: true } => match letter {
+            b'P' => "number of the reference point: 2, 3 or 4; without P the second",
+            _ => return None,
+        },
+        Action::CompensationOff => match letter {
+            b'I' | b'J' | b'K' => {
+                "direction of the next wall, for the end of the last contour block"
+            }
+            _ => return None,
+        },
+        Action::CompensationLeft | Action::CompensationRight => match letter {
+            b'D' => "number of the radius offset; D0 is a radius of zero",
+            b'I' | b'J' | b'K' => "direction of the offset at the end of this block",
+            _ => return None,
+        },
+        Action::CornerArc { .. } => match letter {
+            b'I' | b'J' | b'K' => "direction at which the corner arc ends",
+            _ => return None,
+        },
+        Action::LengthPlus | Action::LengthMinus => match letter {
+            b'H' => "number of the length offset",
+            _ => return None,
+        },
+        Action::WorkOffsetExtended => match letter {
+            b'P' => "number of the extended work offset",
+            _ => return None,
+        },
+        Action::CallProgram => return call(letter, view),
+        Action::CallLabel => match letter {
+            b'P' => "N number at which the call begins",
+            b'L' => "how often it runs",
+            _ => return None,
+        },
+        Action::Return => match letter {
+            b'P' => "N number in the caller at which the program goes on",
+            _ => return None,
+        },
+        Action::MacroCall | Action::ModalMacroCall { .. } => match letter {
+            b'P' => "number of the macro program",
+            b'L' => "how often it runs",
+            _ => "argument: a local variable of the macro",
+        },
+        Action::ModalSubroutine => match letter {
+            b'L' => "number of the subroutine that runs after each move",
+            _ => return None,
+        },
+        Action::SpindleOrient => match letter {
+            b'R' | b'P' => "angle, in degrees; it does not change the path",
+            _ => return None,
+        },
+        Action::OverridesByP => match letter {
+            b'P' => "0 switches the overrides off, everything else on",
+            _ => return None,
+        },
+        Action::PathContinuous => match letter {
+            b'P' => "largest distance from the programmed path at corners",
+            b'Q' => {
+                "the control may join nearly straight lines within this distance; Chordal does not"
+            }
+            _ => return None,
+        },
+        Action::LookAhead { letter: own, on } if own == letter => {
+            return Some(format!("{on} switches look-ahead on, 0 off"));
+        }
+        Action::Smoothness => match letter {
+            b'P' => "1 rough, 2 medium, 3 finish",
+            b'E' => "largest distance from the programmed path at corners",
+            _ => return None,
+        },
+        Action::CircularPocketCw | Action::CircularPocketCcw => match letter {
+            b'I' => "radius of the first circle; of the finished circle where K is not given",
+            b'K' => "radius of the finished circle",
+            b'Q' => "step from one circle to the next, with K",
+            b'L' => "how often the pocket is cut; in G91 each pass goes down by Z",
+            b'D' => "number of the radius offset",
+            _ => return None,
+        },
+        Action::GeneralPocket => match letter {
+            b'P' => "number of the subprogram that holds the outline",
+            b'R' => "R level: where feeding begins",
+            b'Q' => "depth of one level",
+            b'I' => "step between rows along X",
+            b'J' => "step between rows along Y",
+            b'K' => "finish allowance that the last pass cuts",
+            b'D' => "number of the radius offset",
+            b'S' => "spindle speed",
+            _ => return None,
+        },
+        Action::Pattern(pattern) => return holes(pattern, letter),
+        Action::Cycle(kind) => return cycle(kind, letter, view),
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn dwell(letter: u8, view: &View) -> Option<String> {
+    let word = view.table.dwell.iter().find(|word| word.letter == letter)?;
+    Some(format!("time: {}", dwell_text(word)))
+}
+
+/// I, J and K: centre of an arc along X, Y or Z.
+fn center(letter: u8, view: &View) -> Option<String> {
+    let axis = match letter {
+        b'I' => 'X',
+        b'J' => 'Y',
+        _ => 'Z',
+    };
+    let from = chordal::control::value_text(&view.parameters, chordal::control::Field::ArcCenter);
+    Some(format!("centre along {axis}, `{from}`"))
+}
+
+fn arc(letter: u8, view: &View) -> Option<String> {
+    let form = view.parameters.rules.arc.spiral;
+    let text = match (letter, form) {
+        (b'I' | b'J' | b'K', _) => return center(letter, view),
+        (b'R', _) => "radius; negative for an arc of more than half a turn",
+        (b'P', _) => match view.table.arc_turns {
+            ArcTurns::None => return None,
+            ArcTurns::Extra => "full turns in addition to the arc's own",
+            ArcTurns::Total => "all turns, the arc's own counted as one",
+        },
+        (b'Q', SpiralForm::IncrementCount) => {
+            "spiral: change of the radius in one turn, with its sign"
+        }
+        (b'Q', SpiralForm::IncrementHeightCount) => "spiral: change of the radius in one turn",
+        (b'L', SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount) => {
+            "spiral: number of turns, a part of a turn counted as one"
+        }
+        (b'Q' | b'L', SpiralForm::Pitches | SpiralForm::None) => return None,
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn call(letter: u8, view: &View) -> Option<String> {
+    let text = match letter {
+        b'P' if view.parameters.packed_calls => {
+            "program number; with more than four digits the repeats come first: P51000 runs O1000 five times"
+        }
+        b'P' => "program number",
+        b'L' => "how often it runs",
+        _ if view.table.call_start_label == Some(letter) => {
+            "N number at which the subprogram begins"
+        }
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn set_data(letter: u8, view: &View) -> Option<String> {
+    let targets = view.table.set_data;
+    let writes = |wanted: DataTarget| targets.iter().any(|(_, target)| *target == wanted);
+    let name = char::from(letter);
+    let text = match letter {
+        b'L' => "what is written: see the list after this table",
+        b'P' => "number of the work offset or of the tool",
+        b'R' if writes(DataTarget::ToolTable) => "radius of the tool",
+        b'R' => "value of the tool offset or of the register",
+        b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' if view.table.axis_letters.contains(name) => {
+            "value of the work offset along this axis"
+        }
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn holes(pattern: Pattern, letter: u8) -> Option<String> {
+    let text = match (pattern, letter) {
+        (Pattern::Circle | Pattern::Arc, b'I') => "radius of the circle",
+        (Pattern::Circle | Pattern::Arc, b'J') => {
+            "angle of the first hole, from X+ counter-clockwise"
+        }
+        (Pattern::Arc, b'K') => "angle from one hole to the next",
+        (Pattern::Line, b'I') => "distance from one hole to the next",
+        (Pattern::Line, b'J') => "angle of the line, from X+ counter-clockwise",
+        (_, b'L') => "number of holes",
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn cycle(kind: CycleKind, letter: u8, view: &View) -> Option<String> {
+    let rules = &view.parameters.rules.cycles;
+    let text = match letter {
+        b'R' if view.table.lexicon.registers => "R level, written R0+…: where feeding begins",
+        b'R' => "R level: where feeding begins, and to where G99 returns",
+        _ if letter == rules.repeat_letter => "number of holes; in G91 each one further on",
+        b'E' if throws_chips(kind) => {
+            "speed at which the spindle throws off the chips after the hole"
+        }
+        b'P' => return time(kind, rules),
+        b'Q' => return q(kind, rules),
+        b'I' | b'J' | b'K' => return vector(kind, letter, rules),
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+/// The cycles after which a Haas turns the spindle for the chips.
+const fn throws_chips(kind: CycleKind) -> bool {
+    matches!(kind, CycleKind::Drill | CycleKind::DrillDwell | CycleKind::Peck | CycleKind::Tap)
+}
+
+fn time(kind: CycleKind, rules: &CycleRules) -> Option<String> {
+    let text = match kind {
+        CycleKind::ChipBreak if rules.peck.p_is_lift => "lift after each peck",
+        CycleKind::Peck if rules.peck.p_is_clearance => "clearance above the last peck",
+        CycleKind::ChipBreak | CycleKind::Peck => match rules.peck.dwell {
+            PeckDwell::None => return None,
+            PeckDwell::EachPeck if kind == CycleKind::ChipBreak => {
+                "dwell at the bottom of each peck"
+            }
+            PeckDwell::EachPeck => return None,
+            PeckDwell::Bottom => "dwell at the bottom of the hole",
+        },
+        CycleKind::Drill | CycleKind::BoreFeedOut | CycleKind::BoreInOut => return None,
+        _ => "dwell at the bottom of the hole",
+    };
+    let unit = |seconds: f64| if seconds == 1.0 { "1 s" } else { "0.001 s" };
+    let (whole, point) = (rules.dwell_integer_s, rules.dwell_point_s);
+    Some(match text.starts_with("dwell") {
+        false => text.into(),
+        true if whole == point => format!("{text}; P1 is {}", unit(whole)),
+        true => format!("{text}; P1 is {}, P1. is {}", unit(whole), unit(point)),
+    })
+}
+
+fn q(kind: CycleKind, rules: &CycleRules) -> Option<String> {
+    let text = match kind {
+        CycleKind::ChipBreak | CycleKind::Peck => "depth of each peck",
+        _ if kind.is_tap() && rules.tap.feed == TapFeed::SpeedWithLeadQ => "lead of the thread",
+        _ if kind.is_tap() && rules.tap.pecks_by_q => "depth of each peck of the tap",
+        CycleKind::FineBore => match rules.bore.shift {
+            ShiftWords::Vector => return None,
+            _ => "how far the tool steps away from the wall before it goes out",
+        },
+        CycleKind::BackBore if rules.bore.back != BackBore::UpAndDown => match rules.bore.shift {
+            ShiftWords::Vector => return None,
+            _ => "how far the tool steps aside on its way past the bore",
+        },
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<String> {
+    let pecks = kind.is_peck() && rules.peck.decreasing;
+    let shifts = matches!(kind, CycleKind::FineBore | CycleKind::BackBore)
+        && rules.bore.shift != ShiftWords::Q;
+    let text = match letter {
+        b'I' if pecks => "depth of the first peck, in place of Q",
+        b'J' if pecks => "how much less each further peck is",
+        b'K' if kind == CycleKind::ChipBreak && rules.peck.return_after_k => {
+            "with I: smallest peck; with Q: depth after which the tool returns to R"
+        }
+        b'K' if pecks => "smallest peck",
+        b'J' if kind.is_tap() && rules.tap.out_factor_by_j => {
+            "speed of the way out, as a multiple of the way in"
+        }
+        b'K' if kind == CycleKind::BackBore && rules.bore.back == BackBore::UpAndDown => {
+            "top of the bore"
+        }
+        b'I' | b'J' if kind == CycleKind::BackBore && rules.bore.back == BackBore::UpAndDown => {
+            "how far the tool steps aside on its way past the bore"
+        }
+        b'I' | b'J' | b'K' if shifts => "how far the tool steps away from the wall, as a vector",
+        _ => return None,
+    };
+    Some(text.into())
+}

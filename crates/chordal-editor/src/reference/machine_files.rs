@@ -1,0 +1,265 @@
+//! `docs/machine-files.md`: every table and key of a machine file, with an example of each.
+
+use chordal::machine::{SchemaKey, schema_keys};
+
+use crate::reference::{HEAD, cell, table_row};
+
+/// A table of a machine file.
+struct Section {
+    /// What its keys begin with; empty for those outside of tables.
+    table: &'static str,
+    about: &'static str,
+    /// In TOML, with every key.
+    example: &'static str,
+}
+
+/// The page.
+pub(super) fn page() -> String {
+    let mut text = format!("# Machine files\n\n{HEAD}{INTRODUCTION}");
+    let keys = schema_keys();
+    let mut tables: Vec<&str> = Vec::new();
+    for key in &keys {
+        if !tables.contains(&table_of(key)) {
+            tables.push(table_of(key));
+        }
+    }
+    for table in tables {
+        let title =
+            if table.is_empty() { "Outside of tables".into() } else { format!("`[{table}]`") };
+        text.push_str(&format!("\n## {title}\n\n"));
+        let section = SECTIONS.iter().find(|section| section.table == table);
+        if let Some(about) = section.map(|section| section.about).filter(|about| !about.is_empty())
+        {
+            text.push_str(&format!("{about}\n\n"));
+        }
+        text.push_str("| key | takes | meaning | without it |\n|---|---|---|---|\n");
+        for key in keys.iter().filter(|key| table_of(key) == table) {
+            let default = key.default.unwrap_or_else(|| default_of(key.path));
+            text.push_str(&table_row(&[
+                format!("`{}`", key.path),
+                cell(&key.takes),
+                cell(key.meaning),
+                cell(default),
+            ]));
+        }
+        if let Some(section) = section {
+            text.push_str(&format!("\n```toml\n{}\n```\n", section.example.trim()));
+        }
+    }
+    text
+}
+
+/// The first name of a key in a table; empty outside of tables.
+fn table_of(key: &SchemaKey) -> &'static str {
+    key.path.split_once('.').map_or("", |(table, _)| table)
+}
+
+const INTRODUCTION: &str = "
+A machine file says what Chordal cannot read in a program: the control, the axes, tools and offsets. It is
+TOML. Most begin with a built-in machine and say what differs:
+
+```toml
+inherits = \"haas-vf2\"
+[tools.1]
+diameter = \"0.75 in\"
+[work_offsets.G54]
+X = \"-15.2 in\"
+```
+
+```sh
+chordal machines                            # the built-in machines
+chordal machines haas-vf2                   # one of them, with the settings of its control
+chordal machines haas-vf2 --toml > shop.toml   # as a file to change
+chordal run part.nc --machine shop.toml
+chordal run part.nc --machine haas-vf2 --set tools.1.diameter=\"0.75 in\"
+```
+
+A `chordal.toml` next to the programs names their machine, so that `--machine` is not needed:
+`machine = \"shop.toml\"`.
+
+**Units.** A quantity is a text with its unit; a number without one is refused. Lengths: `mm`, `cm`, `m`,
+`um`, `in` (also `inch` or `\"`), `ft`. Times: `s`, `ms`, `min`. Angles: `deg`, `rad`, `rev`. Rates are per
+`s` or `min`: `in/min`, `mm/s^2`, `m/s³`; `ipm` and `rpm` for short.
+
+**Names that vary** stand in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
+work offset; `<code>` an M code such as `M120`; `<setting>` a parameter by the name in the control's manual.
+The settings of each control: [Fadal](reference/controls/fadal.md#settings),
+[Haas](reference/controls/haas.md#settings), [Fanuc](reference/controls/fanuc.md#settings),
+[Mitsubishi](reference/controls/mitsubishi.md#settings), [LinuxCNC](reference/controls/linuxcnc.md#settings).
+";
+
+/// What holds without a key, where its row does not say it.
+fn default_of(path: &str) -> &'static str {
+    match path {
+        "inherits" => "nothing is inherited",
+        "title" => "the name",
+        "control" => "an error, where nothing is inherited",
+        "axes.<axis>" => "X, Y and Z without limits",
+        "axes.<axis>.travel" => "travel is not checked",
+        "axes.<axis>.max_velocity" => "24 m/min, 100 deg/s; reported as assumed",
+        "axes.<axis>.max_acceleration" => "3 m/s^2, 500 deg/s^2; reported as assumed",
+        "axes.<axis>.max_jerk" => "100 m/s^3, 10000 deg/s^3; reported as assumed",
+        "axes.<axis>.rapid_acceleration" => "`max_acceleration`",
+        "axes.<axis>.rapid_jerk" => "`max_jerk`",
+        "rotary.<rotary>.reversed" | "switches.optional_stop" => "`false`",
+        "feed.max" | "feed.max_rotary" | "spindle.max" => "not checked",
+        "tools.<tool>.diameter" => "not known: compensation with it is reported",
+        "tools.<tool>.length" => "0 for the numbers; the height is not known",
+        "tools.<tool>.diameter_wear" | "tools.<tool>.length_wear" => "0",
+        "work_offsets.<offset>" | "work_offsets.<offset>.<axis>" => {
+            "0 for the numbers; the machine position is not known, and travel is not checked"
+        }
+        "home.<axis>" | "reference_points.<point>.<axis>" => "not known",
+        "switches.block_delete" => "`false`: every block runs",
+        "program.clearance" => "Z0 of the work offset",
+        "times.tool_change"
+        | "times.spindle_per_1000_rpm"
+        | "times.spindle_orient"
+        | "times.probe"
+        | "times.m_code"
+        | "shop_codes.<code>.time" => "no time",
+        "macros.variables.<variable>" => "vacant, as at power-on",
+        "macros.inputs" => "nothing is typed",
+        "settings.<setting>" => "the default of the control",
+        _ => "–",
+    }
+}
+
+const SECTIONS: &[Section] = &[
+    Section {
+        table: "",
+        about: "",
+        example: "
+inherits = \"fanuc-30i\"
+name = \"line-3\"
+title = \"Line 3, machining centre\"
+notes = [\"acceleration measured in March\"]
+control = \"fanuc\"",
+    },
+    Section {
+        table: "axes",
+        about: "Machine coordinates, as the control shows them. `chordal calibrate` fits acceleration and jerk to \
+                measured cycle times.",
+        example: "
+[axes.X]
+travel = [\"-762 mm\", \"0 mm\"]
+max_velocity = \"25.4 m/min\"
+max_acceleration = \"3 m/s^2\"
+max_jerk = \"100 m/s^3\"
+rapid_acceleration = \"5 m/s^2\"
+rapid_jerk = \"150 m/s^3\"
+
+[axes.A]
+max_velocity = \"100 deg/s\"",
+    },
+    Section {
+        table: "rotary",
+        about: "Only pictures need this table.",
+        example: "
+[rotary.A]
+turns = \"table\"
+reversed = false
+center.Y = \"0 mm\"
+center.Z = \"-50 mm\"",
+    },
+    Section {
+        table: "feed",
+        about: "",
+        example: "
+[feed]
+max = \"650 in/min\"
+max_rotary = \"5000 deg/min\"",
+    },
+    Section { table: "rapid", about: "", example: "[rapid]\nshape = \"dog-leg\"" },
+    Section { table: "spindle", about: "", example: "[spindle]\nmax = \"8100 rpm\"" },
+    Section {
+        table: "tools",
+        about: "A table for each tool, or `--tools tool.tbl` with a tool table of LinuxCNC.",
+        example: "
+[tools.1]
+diameter = \"0.5 in\"
+diameter_wear = \"-0.002 in\"
+length = \"4.2 in\"
+length_wear = \"0 in\"
+corner_radius = \"0.03 in\"
+kind = \"end mill\"
+comment = \"3 flutes\"",
+    },
+    Section {
+        table: "work_offsets",
+        about: "",
+        example: "
+[work_offsets.G54]
+X = \"-15.2 in\"
+Y = \"-8 in\"
+Z = \"-20.5 in\"
+
+[work_offsets.\"G154 P1\"]
+X = \"-3 in\"",
+    },
+    Section {
+        table: "home",
+        about: "",
+        example: "[home]\nX = \"0 mm\"\nY = \"0 mm\"\nZ = \"0 mm\"",
+    },
+    Section {
+        table: "reference_points",
+        about: "",
+        example: "[reference_points.2]\nX = \"-381 mm\"\nZ = \"0 mm\"",
+    },
+    Section {
+        table: "switches",
+        about: "The switches of the operator's panel.",
+        example: "[switches]\nblock_delete = [1, 3]\noptional_stop = true",
+    },
+    Section { table: "program", about: "", example: "[program]\nclearance = \"0.1 in\"" },
+    Section {
+        table: "motion",
+        about: "How the machine moves, where neither the program nor a setting of the control says it.",
+        example: "
+[motion]
+servo_period = \"1 ms\"
+feed_override = \"80 %\"
+rapid_override = 0.5
+corner_tolerance = \"0.02 mm\"
+exact_path_tolerance = \"0.001 mm\"
+rapid_corner_tolerance = \"5 mm\"
+rotary_tolerance = \"0.01 deg\"",
+    },
+    Section {
+        table: "times",
+        about: "What takes time besides moving.",
+        example: "
+[times]
+tool_change = \"4.5 s\"
+spindle_per_1000_rpm = \"0.25 s\"
+spindle_orient = \"1 s\"
+probe = \"0.1 s\"
+m_code = \"0.2 s\"",
+    },
+    Section {
+        table: "macros",
+        about: "What macro programs find when the program starts.",
+        example: "
+[macros]
+date = \"2024-05-17\"
+time = \"13:45:00\"
+inputs = [2, 0.5]
+variables.500 = 12.7",
+    },
+    Section {
+        table: "shop_codes",
+        about: "Custom M codes. NC blocks and refusals as answers: [from Python](python.md#custom-m-codes-and-programs).",
+        example: "[shop_codes.M120]\ntime = \"2.5 s\"\nlabel = \"part flip\"",
+    },
+    Section {
+        table: "probe",
+        about: "",
+        example: "[probe]\nhit = \"end\"\n\n# or planes\n[probe.hit]\nZ = \"0 mm\"",
+    },
+    Section {
+        table: "settings",
+        about: "",
+        example: "[settings]\n\"No. 3410\" = \"0.02 mm\"\nradius_offsets = \"diameter\"",
+    },
+];

@@ -1,0 +1,43 @@
+//! The reference pages of `docs/`, written from the tables that the program itself goes by.
+//!
+//! A page is its path below the folder of the project and its text in Markdown. A test of `chordal-cli`
+//! holds the files against these texts and writes them anew.
+
+mod control;
+mod diagnostics;
+mod machine_files;
+mod not_carried_out;
+
+use chordal::control::CONTROLS;
+
+/// A page: its path below the root of the project, and its text.
+pub type Page = (String, String);
+
+/// All pages that are written from tables.
+pub fn pages() -> Vec<Page> {
+    let mut pages = vec![
+        ("docs/machine-files.md".to_string(), machine_files::page()),
+        ("docs/reference/diagnostics.md".to_string(), diagnostics::page()),
+    ];
+    for table in CONTROLS {
+        pages.push((format!("docs/reference/controls/{}.md", table.name), control::page(table)));
+    }
+    pages
+}
+
+pub use not_carried_out::codes_not_carried_out;
+
+/// What a generated page says under its title.
+const HEAD: &str =
+    "This page is written from the tables of the program; a test holds it against them.\n";
+
+/// A text in a cell of a table: one line, no bar.
+fn cell(text: &str) -> String {
+    let line: Vec<&str> = text.split_whitespace().collect();
+    line.join(" ").replace('|', "\\|")
+}
+
+/// A row of a table.
+fn table_row(cells: &[String]) -> String {
+    format!("| {} |\n", cells.join(" | "))
+}
