@@ -160,6 +160,8 @@ struct Interpreter<'a> {
     options: &'a RunOptions,
     sink: &'a mut (dyn Sink + 'a),
     state: State,
+    /// What a word of an axis is multiplied by to be a place: 1, or a half of a diameter.
+    per_word: PerAxis<f64>,
     reader: BlockReader<'a>,
     program: usize,
     file: FileId,
@@ -280,6 +282,7 @@ impl<'a> Interpreter<'a> {
             options,
             sink,
             state: State::new(&control.parameters, offsets, home),
+            per_word: machine.written_factors().map(f64::recip),
             reader: library.reader(library.programs()[program], control.table.lexicon),
             program,
             file: library.programs()[program].file,

@@ -100,8 +100,18 @@ impl Interpreter<'_> {
                 format!("set it with --set tools.{number}.length=\"…\""),
             );
         }
-        let known = self.state.offsets.known();
-        self.emit(CommandKind::ToolLength { number: length.number, length_mm, known });
+        self.emit_tool_length();
+    }
+
+    pub(super) fn emit_tool_length(&mut self) {
+        let offsets = &self.state.offsets;
+        let kind = CommandKind::ToolLength {
+            number: offsets.length().number,
+            length_mm: offsets.length_in_force(),
+            offset: offsets.tool_in_force(),
+            known: offsets.known(),
+        };
+        self.emit(kind);
     }
 
     /// Told once for each offset.
@@ -476,8 +486,8 @@ impl Interpreter<'_> {
         self.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);
             let (field, value) = match target {
-                DataTarget::Length => (&mut tool.length_mm, value),
-                DataTarget::LengthWear => (&mut tool.length_wear_mm, value),
+                DataTarget::Length => (&mut tool.offset[2], value),
+                DataTarget::LengthWear => (&mut tool.offset_wear[2], value),
                 DataTarget::Radius => (&mut tool.diameter_mm, value * diameter),
                 _ => (&mut tool.diameter_wear_mm, value * diameter),
             };
@@ -485,14 +495,16 @@ impl Interpreter<'_> {
         });
     }
 
-    /// LinuxCNC G10 L1: Z is the length, R the radius.
+    /// LinuxCNC G10 L1: the axis words are the offsets, Z the length, R the radius.
     fn write_tool_table(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'P') else { return };
-        let length = self.length_of(block, b'Z');
+        let words = self.axis_words(block);
         let radius = self.length_of(block, b'R');
         self.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);
-            tool.length_mm = length.or(tool.length_mm);
+            for (offset, word) in tool.offset.iter_mut().zip(words) {
+                *offset = word.or(*offset);
+            }
             tool.diameter_mm = radius.map(|r| 2.0 * r).or(tool.diameter_mm);
         });
     }

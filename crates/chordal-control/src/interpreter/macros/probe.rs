@@ -119,7 +119,8 @@ impl Interpreter<'_> {
             .map(|(axis, plane)| {
                 let letter = AXIS_LETTERS.as_bytes()[axis] as char;
                 let unit = if self.state.units == Units::Inch && axis < 3 { 25.4 } else { 1.0 };
-                let shown = if axis < 3 { plane / unit } else { plane.to_degrees() };
+                let written = plane / self.per_word[axis];
+                let shown = if axis < 3 { written / unit } else { written.to_degrees() };
                 format!("{letter}{}", trim(shown, 4))
             })
             .collect();
