@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use chordal_control::{AxisMask, Command, CommandKind, Control, FeedMode, Units};
 use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
-use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
+use chordal_machine::{AXES, AXIS_LETTERS, Machine, PerAxis};
 use chordal_path::{Segment, SegmentKind};
 
 /// What one tool does.
@@ -25,7 +25,8 @@ pub struct ToolUse {
     pub speeds_rpm: Vec<f64>,
 }
 
-/// Where an axis goes, in the frame of the run.
+/// Where an axis goes, in the frame of the run. Places are diameters where the axis is programmed
+/// so; ways are ways of the slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisTravel {
     /// Letter of the axis.
@@ -97,10 +98,11 @@ pub(crate) struct SummaryBuilder {
     order: Vec<u32>,
     tool: u32,
     axes: PerAxis<Extent>,
+    written: PerAxis<f64>,
 }
 
 impl SummaryBuilder {
-    pub fn new(control: &Control) -> SummaryBuilder {
+    pub fn new(control: &Control, machine: &Machine) -> SummaryBuilder {
         let empty = Extent {
             low: f64::INFINITY,
             high: f64::NEG_INFINITY,
@@ -115,6 +117,7 @@ impl SummaryBuilder {
             order: Vec::new(),
             tool: 0,
             axes: [empty; AXES],
+            written: machine.written_factors(),
         }
     }
 
@@ -245,10 +248,11 @@ impl SummaryBuilder {
         for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
             if extent.low <= extent.high {
-                let cut = (extent.cut_low, extent.cut_high);
+                let factor = self.written[axis];
+                let cut = (extent.cut_low * factor, extent.cut_high * factor);
                 summary.axes.push(AxisTravel {
                     letter,
-                    range: (extent.low, extent.high),
+                    range: (extent.low * factor, extent.high * factor),
                     cut_range: (cut.0 <= cut.1).then_some(cut),
                     way: extent.way,
                 });
