@@ -223,7 +223,7 @@ fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
 /// `T5 end mill`, as the machine file calls it.
 pub fn tool_name(number: u32, job: &Job) -> String {
     let known = job.machine().tools.get(&number);
-    let known = known.and_then(|known| known.comment.as_deref().or(known.kind.as_deref()));
+    let known = known.and_then(|known| known.label());
     match (number, known) {
         (0, _) => "none yet".to_string(),
         (number, Some(known)) => format!("T{number} {known}"),

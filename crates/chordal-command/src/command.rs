@@ -70,6 +70,8 @@ pub enum CommandKind {
         number: Option<u32>,
         /// What is added to Z, mm; `None` when the table has no value.
         length_mm: Option<f64>,
+        /// What is added on every axis, the length with it, mm and rad; zero where the table has no value.
+        offset: Position,
         /// The axes whose way from program to machine coordinates is known now.
         known: AxisMask,
     },

@@ -75,7 +75,8 @@ impl Program {
                 text: format!("T{number}"),
                 detail: [
                     tool.diameter_mm.map(|mm| format!("⌀ {} mm", number_text(mm, 3))),
-                    tool.kind.clone(),
+                    tool.shape.map(|shape| shape.as_str().to_string()),
+                    tool.description.clone(),
                     tool.comment.clone(),
                 ]
                 .into_iter()

@@ -84,9 +84,9 @@ impl Program {
             let name = tool.map_or("tool change".into(), |number| format!("T{number}"));
             let mut entry = self.make(block, EntryKind::Tool, name);
             let known = tool.and_then(|number| self.machine().tools.get(&number));
-            let said = known.and_then(|tool| tool.comment.as_ref().or(tool.kind.as_ref()));
+            let said = known.and_then(|tool| tool.label());
             if let (Some(said), true) = (said, entry.detail.is_empty()) {
-                entry.detail = said.clone();
+                entry.detail = said.to_string();
             }
             return Some((TOOL, entry));
         }

@@ -272,9 +272,8 @@ fn simple(kind: &CommandKind) -> Option<String> {
         CommandKind::Dwell { seconds, .. } => format!("DWELL({seconds:.6})"),
         CommandKind::Tool { number } => format!("CHANGE_TOOL({number})"),
         CommandKind::ToolSelect { number } => format!("SELECT_TOOL({number})"),
-        CommandKind::ToolLength { length_mm, .. } => {
-            let length = length_mm.unwrap_or(0.0);
-            format!("USE_TOOL_LENGTH_OFFSET(0.000000, 0.000000, {length:.6})")
+        CommandKind::ToolLength { offset: [x, y, z, ..], .. } => {
+            format!("USE_TOOL_LENGTH_OFFSET({x:.6}, {y:.6}, {z:.6})")
         }
         CommandKind::Compensation { side: Side::Off, .. } => {
             "STOP_CUTTER_RADIUS_COMPENSATION()".into()

@@ -7,7 +7,7 @@ use chordal::geometry::ParamCurve;
 use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand};
 
-use crate::motion::{direction_word, path_feed, plane_word, side_word, spindle_word};
+use crate::motion::{Written, direction_word, path_feed, plane_word, side_word, spindle_word};
 use crate::number::number;
 
 const COLUMNS: [&str; 30] = [
@@ -64,6 +64,7 @@ const COMPENSATION: usize = 27;
 pub struct CommandCsv<W: Write> {
     out: csv::Writer<W>,
     axes: AxisMask,
+    written: Written,
     columns: usize,
     row: [String; COLUMNS.len()],
 }
@@ -90,7 +91,7 @@ impl<W: Write> CommandCsv<W> {
         let mut out = csv::Writer::from_writer(out);
         out.write_record(&COLUMNS[..columns])?;
         let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
-        Ok(Self { out, axes, columns, row: Default::default() })
+        Ok(Self { out, axes, written: Written::of(job), columns, row: Default::default() })
     }
 
     /// Writes a command of the tool centre.
@@ -182,16 +183,16 @@ impl<W: Write> CommandCsv<W> {
     fn position(&mut self, column: usize, position: &Position) {
         for (axis, value) in position.iter().enumerate() {
             if self.axes.has(axis) {
-                self.row[column + axis] =
-                    number(if axis < 3 { *value } else { value.to_degrees() });
+                self.row[column + axis] = number(self.written.place(axis, *value));
             }
         }
     }
 
     fn shape(&mut self, shape: &ArcShape) {
+        let center = self.written.center(shape);
         self.row[PLANE] = plane_word(shape.plane).into();
-        self.row[PLANE + 1] = number(shape.center[0]);
-        self.row[PLANE + 2] = number(shape.center[1]);
+        self.row[PLANE + 1] = number(center[0]);
+        self.row[PLANE + 2] = number(center[1]);
         self.row[PLANE + 3] = direction_word(shape.sweep).into();
         self.row[PLANE + 4] = number(shape.sweep.abs().to_degrees());
         self.row[PLANE + 5] = number(shape.radius_from);

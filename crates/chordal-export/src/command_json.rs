@@ -7,12 +7,12 @@ use chordal::control::{
     Units, WorkName,
 };
 use chordal::diagnostics::FileId;
-use chordal::machine::AXES;
+use chordal::machine::{AXES, AXIS_NAMES};
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
 use crate::motion::{
-    curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, side_word,
+    Written, curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, side_word,
     spindle_word,
 };
 
@@ -20,7 +20,8 @@ use crate::motion::{
 /// object for each command. Lengths are mm, angles degrees, feeds mm/min along the path
 /// whatever F counts; the feed of rotary axes alone is deg/min, and says so by `feed_unit`.
 ///
-/// Positions are work coordinates. `from_unknown` and `to_unknown` list the axes that the
+/// Positions are work coordinates, diameters of the axes that the header lists under `diameter`.
+/// `from_unknown` and `to_unknown` list the axes that the
 /// program has not placed relative to the part yet: their numbers mean nothing.
 #[derive(Debug)]
 pub struct CommandJsonLines<'a, W> {
@@ -30,9 +31,8 @@ pub struct CommandJsonLines<'a, W> {
     naming: chordal::control::WorkNaming,
     /// X, Y and Z always, and the rotary axes of the machine.
     axes: AxisMask,
+    written: Written,
 }
-
-const LETTERS: [&str; AXES] = ["X", "Y", "Z", "A", "B", "C"];
 
 impl<'a, W: Write> CommandJsonLines<'a, W> {
     /// Writes the header.
@@ -46,6 +46,7 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
             sources: job.sources(),
             naming: job.control().table.work_names,
             axes: job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
+            written: Written::of(job),
         };
         let mut header = Object::open(&mut writer.line);
         header.word("schema", "chordal.commands/1");
@@ -55,6 +56,10 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
         header.text("program", job.sources().get(FileId(0)).map_or("", |source| source.name()));
         header.text("machine", &job.machine().name);
         header.text("control", job.machine().control.as_str());
+        let diameters = writer.written.diameters();
+        if !diameters.is_empty() {
+            header.letters("diameter", diameters.chars());
+        }
         header.close();
         writer.flush_line()?;
         Ok(writer)
@@ -89,7 +94,12 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
     fn write(&mut self, command: &Command, more: impl FnOnce(&mut Object)) -> io::Result<()> {
         let mut object = Object::open(&mut self.line);
         write_origin(&mut object, &command.origin, self.sources);
-        let context = Context { sources: self.sources, naming: self.naming, axes: self.axes };
+        let context = Context {
+            sources: self.sources,
+            naming: self.naming,
+            axes: self.axes,
+            written: self.written,
+        };
         context.write(&mut object, command);
         more(&mut object);
         object.close();
@@ -127,6 +137,7 @@ struct Context<'a> {
     sources: &'a SourceMap<'a>,
     naming: chordal::control::WorkNaming,
     axes: AxisMask,
+    written: Written,
 }
 
 impl Context<'_> {
@@ -178,7 +189,7 @@ impl Context<'_> {
         self.ends(object, motion);
         let (curve, length) = curve_and_length(motion, shape);
         if let Some(shape) = shape {
-            write_shape(object, shape);
+            write_shape(object, shape, self.written.center(shape));
         }
         object.number("length", length);
         let path_feed = path_feed(feed, motion, &curve, length);
@@ -212,7 +223,7 @@ impl Context<'_> {
     fn position(&self, object: &mut Object, position: &Position) {
         for (axis, value) in position.iter().enumerate() {
             if self.axes.has(axis) {
-                object.number(LETTERS[axis], if axis < 3 { *value } else { value.to_degrees() });
+                object.number(AXIS_NAMES[axis], self.written.place(axis, *value));
             }
         }
     }
@@ -232,12 +243,12 @@ fn unknown(object: &mut Object, name: &str, axes: AxisMask) {
     }
 }
 
-fn write_shape(object: &mut Object, shape: &ArcShape) {
+fn write_shape(object: &mut Object, shape: &ArcShape, center: [f64; 2]) {
     object.word("plane", plane_word(shape.plane));
     let (first, second, _) = shape.plane.axes();
     object.object("center", |inner| {
-        inner.number(LETTERS[first], shape.center[0]);
-        inner.number(LETTERS[second], shape.center[1]);
+        inner.number(AXIS_NAMES[first], center[0]);
+        inner.number(AXIS_NAMES[second], center[1]);
     });
     object.word("direction", direction_word(shape.sweep));
     object.number("sweep_deg", shape.sweep.abs().to_degrees());

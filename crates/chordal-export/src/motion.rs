@@ -1,8 +1,9 @@
 //! What the writers of commands tell of a move beside its ends.
 
+use chordal::Job;
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
 use chordal::geometry::{Curve, ParamCurve, Plane, Spiral};
-use chordal::machine::AXES;
+use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
 
 /// A feed in the unit of [`PathFeed::per_minute`].
@@ -90,5 +91,35 @@ pub(crate) const fn side_word(side: Side) -> &'static str {
         Side::Off => "off",
         Side::Left => "left",
         Side::Right => "right",
+    }
+}
+
+/// How places of a program are written: mm, the diameter on an axis that is programmed so, and degrees.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Written {
+    factors: PerAxis<f64>,
+}
+
+impl Written {
+    pub(crate) fn of(job: &Job) -> Written {
+        Written { factors: job.machine().written_factors() }
+    }
+
+    /// A place of an axis.
+    #[inline]
+    pub(crate) fn place(&self, axis: usize, value: f64) -> f64 {
+        if axis < 3 { value * self.factors[axis] } else { value.to_degrees() }
+    }
+
+    /// The centre of an arc.
+    pub(crate) fn center(&self, shape: &ArcShape) -> [f64; 2] {
+        let (first, second, _) = shape.plane.axes();
+        [self.place(first, shape.center[0]), self.place(second, shape.center[1])]
+    }
+
+    /// The letters of the axes that are written as diameters; empty on a mill.
+    pub(crate) fn diameters(&self) -> String {
+        let written = AXIS_LETTERS.chars().zip(self.factors);
+        written.filter(|(_, factor)| *factor != 1.0).map(|(letter, _)| letter).collect()
     }
 }

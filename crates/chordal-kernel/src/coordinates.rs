@@ -59,8 +59,19 @@ impl Kernel<'_> {
                 format!("set it with --set tools.{number}.length=\"…\""),
             );
         }
-        let known = self.state.offsets.known();
-        self.emit(CommandKind::ToolLength { number: length.number, length_mm, known });
+        self.emit_tool_length();
+    }
+
+    /// Pushes the tool offset in force.
+    pub fn emit_tool_length(&mut self) {
+        let offsets = &self.state.offsets;
+        let kind = CommandKind::ToolLength {
+            number: offsets.length().number,
+            length_mm: offsets.length_in_force(),
+            offset: offsets.tool_in_force(),
+            known: offsets.known(),
+        };
+        self.emit(kind);
     }
 
     /// Reported once for each offset.
@@ -117,8 +128,8 @@ impl Kernel<'_> {
         self.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);
             let (field, mm) = match value {
-                ToolValue::Length => (&mut tool.length_mm, mm),
-                ToolValue::LengthWear => (&mut tool.length_wear_mm, mm),
+                ToolValue::Length => (&mut tool.offset[2], mm),
+                ToolValue::LengthWear => (&mut tool.offset_wear[2], mm),
                 ToolValue::Radius => (&mut tool.diameter_mm, mm * diameter),
                 ToolValue::RadiusWear => (&mut tool.diameter_wear_mm, mm * diameter),
             };

@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 
 use chordal_command::{AxisMask, Position, WorkName, WorkNaming};
-use chordal_machine::{AXES, Machine, PerAxis, Tool};
+use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
+
+/// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
+const Z: usize = Axis::Z as usize;
 
 /// The offset tables and which of them are in force.
 #[derive(Clone, PartialEq, Debug)]
@@ -178,14 +181,12 @@ impl Offsets {
 
     /// Length with wear, where the table has one.
     pub fn length_mm(&self, number: u32) -> Option<f64> {
-        let tool = self.tools.get(&number)?;
-        Some(tool.length_mm? + tool.length_wear_mm.unwrap_or(0.0))
+        self.tools.get(&number)?.offset_of(Z)
     }
 
     /// Radius with wear, where the table has one.
     pub fn radius_mm(&self, number: u32) -> Option<f64> {
-        let tool = self.tools.get(&number)?;
-        Some((tool.diameter_mm? + tool.diameter_wear_mm.unwrap_or(0.0)) / 2.0)
+        self.tools.get(&number)?.radius_mm()
     }
 
     /// What the tool length adds to Z, where it is known.
@@ -199,6 +200,15 @@ impl Offsets {
         }
     }
 
+    /// What the tool's offsets add on every axis, zero where the table has none.
+    pub fn tool_in_force(&self) -> Position {
+        let Some(tool) = self.length.number.and_then(|number| self.tools.get(&number)) else {
+            return [0.0; AXES];
+        };
+        let sign = if self.length.minus { -1.0 } else { 1.0 };
+        std::array::from_fn(|axis| tool.offset_of(axis).map_or(0.0, |value| sign * value))
+    }
+
     /// Computes total and known anew; to be called after any change.
     pub fn update(&mut self) {
         let machine = self.active == WorkName::Machine;
@@ -207,17 +217,17 @@ impl Offsets {
         } else {
             self.systems.get(&self.key(self.active)).copied()
         };
-        let length = self.length_in_force();
+        let length_known = self.length_in_force().is_some();
+        let tool = self.tool_in_force();
         let mut known = AxisMask::NONE;
         for axis in 0..AXES {
             let base = system.and_then(|values| values[axis]);
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
             self.work[axis] = base.unwrap_or(0.0) + external + self.shift[axis] + self.preset[axis];
             let mut is_known = self.preset_known[axis].unwrap_or(base.is_some());
-            self.total[axis] = self.work[axis];
-            if axis == 2 {
-                self.total[axis] += length.unwrap_or(0.0);
-                is_known &= length.is_some();
+            self.total[axis] = self.work[axis] + tool[axis];
+            if axis == Z {
+                is_known &= length_known;
             }
             if is_known {
                 known.insert(axis);

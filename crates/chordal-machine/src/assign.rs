@@ -41,7 +41,15 @@ impl Machine {
         let source = Source { shift: start, ..source };
         let wants_text = matches!(
             at.row().map(|row| &row.slot),
-            Some(Slot::Text(_) | Slot::OptionalText(_) | Slot::Word { .. } | Slot::Quantity { .. })
+            Some(
+                Slot::Text(_)
+                    | Slot::OptionalText(_)
+                    | Slot::Word { .. }
+                    | Slot::Quantity { .. }
+                    | Slot::Position(_)
+                    | Slot::Kind
+                    | Slot::Programmed
+            )
         );
         let value = value(written, wants_text, &source)?;
         let mut changed = self.clone();

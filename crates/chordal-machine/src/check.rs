@@ -1,5 +1,7 @@
 //! Keys and values against the schema, and the good ones into the machine.
 
+mod tools;
+
 use std::ops::Range;
 
 use toml::Spanned;
@@ -194,8 +196,8 @@ fn is_a_table(
 
 fn set_axis(machine: &mut Machine, keys: &Keys, there: bool) {
     if let Some(axis) = keys.axis {
-        let slot = &mut machine.axes[axis as usize];
-        *slot = there.then(|| slot.unwrap_or_default());
+        let old = machine.axes[axis as usize];
+        machine.change_axis(axis, there.then(|| old.unwrap_or_default()));
     }
 }
 
@@ -215,9 +217,22 @@ impl Value<'_> {
             Slot::Quantity { dimension, sign, place } => {
                 *place(machine, keys) = Some(self.quantity(self.value, *dimension, *sign)?);
             }
-            Slot::Range { dimension, place } => {
-                *place(machine, keys) = Some(self.range(*dimension)?);
+            Slot::Position(place) => {
+                let written = self.quantity(self.value, Dimension::Length, Sign::Any)?;
+                *place(machine, keys) = Some(written / self.written_factor(machine));
             }
+            Slot::Range { dimension, place } => {
+                let (low, high) = self.range(*dimension)?;
+                let factor = self.written_factor(machine);
+                *place(machine, keys) = Some((low / factor, high / factor));
+            }
+            Slot::Count { from, to, place } => {
+                *place(machine, keys) = Some(self.count(*from, *to)?);
+            }
+            Slot::Solids(place) => *place(machine, keys) = self.solids()?,
+            Slot::Profile(place) => *place(machine, keys) = self.profile()?,
+            Slot::Kind => self.take_kind(machine)?,
+            Slot::Programmed => self.take_programmed(machine)?,
             Slot::Text(place) => *place(machine, keys) = self.text(self.value)?,
             Slot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
             Slot::TextList(place) => {

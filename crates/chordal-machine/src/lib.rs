@@ -41,6 +41,7 @@ mod quantity;
 mod read;
 mod schema;
 mod suggest;
+mod tool;
 mod tool_tbl;
 mod value;
 mod write;
@@ -50,12 +51,13 @@ pub use builtin::{builtin, builtin_names};
 pub use control::{ControlName, UnknownControl};
 pub use error::{Location, MachineError};
 pub use machine::{
-    AxisLimits, FeedLimits, Machine, Macros, Probe, ProbeHit, RapidShape, Rotary, ShopCode,
-    Switches, Times, Tool, Turns, WorkOffset,
+    AxisLimits, FeedLimits, Machine, Macros, Notices, Probe, ProbeHit, Programmed, RapidShape,
+    Rotary, ShopCode, Switches, Times, Turns, WorkOffset,
 };
 pub use motion::Motion;
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
+pub use tool::{Cutter, Solid, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
 pub use value::{Setting, SettingValue};

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
+use crate::error::MachineError;
 use crate::motion::Motion;
+use crate::tool::Tool;
 use crate::value::Setting;
 
 /// A machine and what its shop has set on it.
@@ -52,11 +54,25 @@ pub struct Machine {
     pub probe: Probe,
     /// M codes that the shop has of its own, by number.
     pub shop_codes: BTreeMap<u16, ShopCode>,
+    /// What was read from its file otherwise than it was written.
+    pub notices: Notices,
+}
+
+/// What is to be told about a machine file that was read; machines are equal whatever it is.
+#[derive(Clone, Debug, Default)]
+pub struct Notices(pub Vec<MachineError>);
+
+impl PartialEq for Notices {
+    fn eq(&self, _: &Notices) -> bool {
+        true
+    }
 }
 
 /// The limits of an axis: millimetres, or radians on a rotary axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AxisLimits {
+    /// What its words and offsets say. Here and everywhere inside a place is a radius.
+    pub programmed: Programmed,
     /// The lowest and the highest position, machine coordinates, mm or rad.
     pub travel: Option<(f64, f64)>,
     /// Rapid speed, mm/s or rad/s.
@@ -69,6 +85,35 @@ pub struct AxisLimits {
     pub rapid_acceleration: Option<f64>,
     /// The jerk of rapids where it is another, mm/s³ or rad/s³.
     pub rapid_jerk: Option<f64>,
+}
+
+/// What the words, offsets and limits of a linear axis say, on the control and in the machine file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Programmed {
+    /// How far the slide is from its zero.
+    #[default]
+    Radius,
+    /// Twice that, as X of a lathe.
+    Diameter,
+}
+
+impl Programmed {
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Programmed::Radius => "radius",
+            Programmed::Diameter => "diameter",
+        }
+    }
+
+    /// What a place is multiplied by to be written: 1, or 2 of a diameter. A power of two, so that
+    /// nothing is rounded either way.
+    pub const fn factor(self) -> f64 {
+        match self {
+            Programmed::Radius => 1.0,
+            Programmed::Diameter => 2.0,
+        }
+    }
 }
 
 /// What a rotary axis turns, as far as pictures need it.
@@ -129,25 +174,6 @@ impl RapidShape {
             RapidShape::Straight => "straight",
         }
     }
-}
-
-/// A tool and its offsets.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tool {
-    /// The diameter.
-    pub diameter_mm: Option<f64>,
-    /// What is added to the diameter.
-    pub diameter_wear_mm: Option<f64>,
-    /// The length offset.
-    pub length_mm: Option<f64>,
-    /// What is added to the length.
-    pub length_wear_mm: Option<f64>,
-    /// The radius of the corner between side and end.
-    pub corner_radius_mm: Option<f64>,
-    /// Free text, as `end mill`.
-    pub kind: Option<String>,
-    /// Free text.
-    pub comment: Option<String>,
 }
 
 /// A work offset: where the zero of a work coordinate system is, in machine coordinates.
@@ -253,6 +279,7 @@ impl Machine {
             macros: Macros::default(),
             probe: Probe::default(),
             shop_codes: BTreeMap::new(),
+            notices: Notices::default(),
         }
     }
 
@@ -262,6 +289,45 @@ impl Machine {
             for axis in [Axis::X, Axis::Y, Axis::Z] {
                 self.axes[axis as usize] = Some(AxisLimits::default());
             }
+        }
+    }
+
+    /// What a place of an axis is multiplied by to be written in a program: 1, or 2 of a diameter.
+    pub fn written_factor(&self, axis: usize) -> f64 {
+        self.axes[axis].map_or(1.0, |limits| limits.programmed.factor())
+    }
+
+    /// The same for every axis.
+    pub fn written_factors(&self) -> PerAxis<f64> {
+        std::array::from_fn(|axis| self.written_factor(axis))
+    }
+
+    /// Puts an axis there, or takes it away. The numbers of the file stay what they are: where they
+    /// become diameters, or cease to be, the places that they give change.
+    pub(crate) fn change_axis(&mut self, axis: Axis, limits: Option<AxisLimits>) {
+        let index = axis as usize;
+        let before = self.written_factor(index);
+        self.axes[index] = limits;
+        let by = before / self.written_factor(index);
+        if by != 1.0 {
+            self.scale_places(index, by);
+        }
+    }
+
+    /// Multiplies every place of an axis that the file gives.
+    fn scale_places(&mut self, axis: usize, by: f64) {
+        if let Some((low, high)) = self.axes[axis].as_mut().and_then(|axis| axis.travel.as_mut()) {
+            *low *= by;
+            *high *= by;
+        }
+        let offsets = self.work_offsets.values_mut().map(|offset| &mut offset.values[axis]);
+        let tools = self.tools.values_mut();
+        let tools = tools.flat_map(|tool| [&mut tool.offset[axis], &mut tool.offset_wear[axis]]);
+        let points = self.reference_points.iter_mut().map(|point| &mut point[axis]);
+        let centers = self.rotary.iter_mut().filter_map(|rotary| rotary.center_mm.get_mut(axis));
+        let own = [&mut self.home[axis], &mut self.probe.planes[axis]];
+        for place in offsets.chain(tools).chain(points).chain(centers).chain(own) {
+            *place = place.map(|value| value * by);
         }
     }
 

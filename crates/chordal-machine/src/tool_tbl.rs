@@ -2,16 +2,18 @@
 
 use std::collections::BTreeMap;
 
+use crate::axis::Axis;
 use crate::error::{MachineError, Source};
-use crate::machine::Tool;
 use crate::quantity::length_of_bare;
+use crate::tool::Tool;
 
 /// What errors call the table.
 const NAME: &str = "tool.tbl";
 
 /// Reads LinuxCNC's `tool.tbl`: a tool per line, words in any order, a comment after `;`
-/// (`T1 P1 X0 Z+0.511 D+0.125 ;1/8 end mill`). Z is the length, D the diameter; the pocket, the
-/// lathe's words and offsets along other axes are read and left out. Every bad line is reported.
+/// (`T1 P1 X0 Z+0.511 D+0.125 ;1/8 end mill`). X Y Z A B C are the offsets, Z the
+/// length of a mill; D is the diameter, or twice the nose radius, Q the tip direction. The pocket, I, J, U, V
+/// and W are read and left out. Every bad line is reported.
 pub fn read_tool_tbl(
     text: &str,
     millimetres: bool,
@@ -56,6 +58,8 @@ fn read_line(
         match letter {
             'T' | 'P' | 'Q' => match value.parse::<u32>() {
                 Ok(whole) if letter == 'T' => number = Some((whole, span)),
+                // 0 is the default that every mill's line may have.
+                Ok(tip @ 1..=9) if letter == 'Q' => tool.tip = Some(tip),
                 Ok(_) => {}
                 // LinuxCNC's own files write `P-1` for "in no pocket".
                 Err(_) if letter == 'P' && value.parse::<i32>().is_ok() => {}
@@ -67,8 +71,7 @@ fn read_line(
             'D' | 'Z' | 'X' | 'Y' | 'A' | 'B' | 'C' | 'U' | 'V' | 'W' | 'I' | 'J' => {
                 match length_of_bare(value, millimetres) {
                     Some(mm) if letter == 'D' => tool.diameter_mm = Some(mm),
-                    Some(mm) if letter == 'Z' => tool.length_mm = Some(mm),
-                    Some(_) => {}
+                    Some(mm) => set_offset(&mut tool, letter, mm, value),
                     None => {
                         let message = format!("`{letter}` takes a number, not `{value}`");
                         errors.push(source.error(Some(span), message, None));
@@ -100,6 +103,14 @@ fn read_line(
             tools.insert(number, tool);
         }
     }
+}
+
+/// Lengths are mm; LinuxCNC counts rotary axes in degrees whatever the units are.
+fn set_offset(tool: &mut Tool, letter: char, mm: f64, number: &str) {
+    let axis = u8::try_from(letter).ok().and_then(Axis::from_letter);
+    let Some(axis) = axis else { return };
+    let degrees = || number.parse::<f64>().ok().map(f64::to_radians);
+    tool.offset[axis as usize] = if axis.is_rotary() { degrees() } else { Some(mm) };
 }
 
 /// The words between white space, each with its place.

@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use crate::axis::{Axis, PerAxis};
 use crate::check::{key_text, string_text};
-use crate::machine::{Machine, ProbeHit, Rotary};
+use crate::machine::{Machine, ProbeHit, Programmed, Rotary};
 use crate::quantity::Dimension;
+use crate::tool::Tool;
 use crate::value::SettingValue;
 
 impl Machine {
@@ -13,6 +14,7 @@ impl Machine {
     /// seconds and radians: reading it back gives the same bits.
     pub fn to_toml(&self) -> String {
         let mut out = Out(String::new());
+        let factors = self.written_factors();
         out.line("name", &string_text(&self.name));
         out.line("title", &string_text(&self.title));
         if !self.notes.is_empty() {
@@ -34,9 +36,9 @@ impl Machine {
             out.table("spindle");
             out.quantity("max", self.spindle_max_rpm, Dimension::SpindleSpeed);
         }
-        out.positions("home", &self.home);
+        out.positions("home", &self.home, &factors);
         for (at, point) in self.reference_points.iter().enumerate() {
-            out.positions(&format!("reference_points.{}", at + 2), point);
+            out.positions(&format!("reference_points.{}", at + 2), point, &factors);
         }
         self.write_switches(&mut out);
         if self.clearance_mm.is_some() {
@@ -59,12 +61,12 @@ impl Machine {
                 let word = if hit == ProbeHit::End { "end" } else { "none" };
                 out.line("hit", &string_text(word));
             }
-            None => out.positions("probe.hit", &self.probe.planes),
+            None => out.positions("probe.hit", &self.probe.planes, &factors),
         }
-        self.write_tools(&mut out);
+        self.write_tools(&mut out, &factors);
         for (name, offset) in &self.work_offsets {
             out.table(&format!("work_offsets.{}", key_text(name)));
-            out.values(&offset.values);
+            out.values(&offset.values, &factors);
         }
         if !self.settings.is_empty() {
             out.table("settings");
@@ -90,7 +92,12 @@ impl Machine {
                 true => dimension.of_rotary(),
                 false => dimension,
             };
+            if limits.programmed != Programmed::default() {
+                out.line("programmed", &string_text(limits.programmed.as_str()));
+            }
             if let Some((low, high)) = limits.travel {
+                let factor = limits.programmed.factor();
+                let (low, high) = (low * factor, high * factor);
                 let unit = of(Dimension::Length).inside();
                 out.line("travel", &format!("[\"{low} {unit}\", \"{high} {unit}\"]"));
             }
@@ -112,7 +119,8 @@ impl Machine {
             if rotary.reversed {
                 out.line("reversed", "true");
             }
-            for (axis, mm) in ["X", "Y", "Z"].into_iter().zip(rotary.center_mm) {
+            for (axis, mm) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(rotary.center_mm) {
+                let mm = mm.map(|mm| mm * self.written_factor(axis as usize));
                 out.quantity(&format!("center.{axis}"), mm, Dimension::Length);
             }
         }
@@ -191,21 +199,63 @@ impl Machine {
         }
     }
 
-    fn write_tools(&self, out: &mut Out) {
+    fn write_tools(&self, out: &mut Out, factors: &PerAxis<f64>) {
         for (number, tool) in &self.tools {
             out.table(&format!("tools.{number}"));
-            out.quantity("diameter", tool.diameter_mm, Dimension::Length);
-            out.quantity("diameter_wear", tool.diameter_wear_mm, Dimension::Length);
-            out.quantity("length", tool.length_mm, Dimension::Length);
-            out.quantity("length_wear", tool.length_wear_mm, Dimension::Length);
-            out.quantity("corner_radius", tool.corner_radius_mm, Dimension::Length);
-            for (key, text) in [("kind", &tool.kind), ("comment", &tool.comment)] {
-                if let Some(text) = text {
-                    out.line(key, &string_text(text));
-                }
-            }
+            write_tool(out, tool, factors);
         }
     }
+}
+
+/// The keys of a tool.
+fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
+    out.quantity("diameter", tool.diameter_mm, Dimension::Length);
+    out.quantity("diameter_wear", tool.diameter_wear_mm, Dimension::Length);
+    // A mill has its length and no more: the key that people know.
+    for (key, length, values) in
+        [("offset", "length", &tool.offset), ("offset_wear", "length_wear", &tool.offset_wear)]
+    {
+        for axis in Axis::ALL {
+            let written = written(values, axis, factors);
+            let name = match axis {
+                Axis::Z => length.to_string(),
+                _ => format!("{key}.{axis}"),
+            };
+            out.quantity(&name, written, dimension_of(axis));
+        }
+    }
+    if let Some(shape) = tool.shape {
+        out.line("shape", &string_text(shape.as_str()));
+    }
+    out.quantity("corner_radius", tool.corner_radius_mm, Dimension::Length);
+    out.quantity("point_angle", tool.point_angle_rad, Dimension::Angle);
+    out.quantity("tip_diameter", tool.tip_diameter_mm, Dimension::Length);
+    out.quantity("pitch", tool.pitch_mm, Dimension::Length);
+    out.quantity("nose_radius", tool.nose_radius_mm, Dimension::Length);
+    for (key, count) in [("teeth", tool.teeth), ("tip", tool.tip)] {
+        if let Some(count) = count {
+            out.line(key, &count.to_string());
+        }
+    }
+    out.lengths("profile", tool.profile.iter().map(|point| point.to_vec()));
+    out.quantity("flute_length", tool.flute_length_mm, Dimension::Length);
+    for (key, solids) in [("shank", &tool.shank), ("holder", &tool.holder)] {
+        out.lengths(key, solids.iter().map(|s| vec![s.height_mm, s.lower_mm, s.upper_mm]));
+    }
+    for (key, text) in [("description", &tool.description), ("comment", &tool.comment)] {
+        if let Some(text) = text {
+            out.line(key, &string_text(text));
+        }
+    }
+}
+
+/// A place as the file has it: a diameter on an axis that is programmed so.
+fn written(values: &PerAxis<Option<f64>>, axis: Axis, factors: &PerAxis<f64>) -> Option<f64> {
+    Some(values[axis as usize]? * factors[axis as usize])
+}
+
+const fn dimension_of(axis: Axis) -> Dimension {
+    if axis.is_rotary() { Dimension::Angle } else { Dimension::Length }
 }
 
 struct Out(String);
@@ -232,17 +282,30 @@ impl Out {
     }
 
     /// A table of positions, if there are any.
-    fn positions(&mut self, name: &str, values: &PerAxis<Option<f64>>) {
+    fn positions(&mut self, name: &str, values: &PerAxis<Option<f64>>, factors: &PerAxis<f64>) {
         if values.iter().any(Option::is_some) {
             self.table(name);
-            self.values(values);
+            self.values(values, factors);
         }
     }
 
-    fn values(&mut self, values: &PerAxis<Option<f64>>) {
+    fn values(&mut self, values: &PerAxis<Option<f64>>, factors: &PerAxis<f64>) {
         for axis in Axis::ALL {
-            let dimension = if axis.is_rotary() { Dimension::Angle } else { Dimension::Length };
-            self.quantity(&axis.to_string(), values[axis as usize], dimension);
+            let written = written(values, axis, factors);
+            self.quantity(&axis.to_string(), written, dimension_of(axis));
+        }
+    }
+
+    /// Lists of lengths, if there are any.
+    fn lengths(&mut self, key: &str, rows: impl Iterator<Item = Vec<f64>>) {
+        let rows: Vec<String> = rows
+            .map(|row| {
+                let row: Vec<String> = row.iter().map(|mm| format!("\"{mm} mm\"")).collect();
+                format!("[{}]", row.join(", "))
+            })
+            .collect();
+        if !rows.is_empty() {
+            self.line(key, &format!("[{}]", rows.join(", ")));
         }
     }
 

@@ -103,7 +103,7 @@ mine.toml:4: `axes.X` has no key `max_velocty`
   = did you mean `axes.X.max_velocity`?
 mine.toml:5: `axes.X` has no key `colour`
   ^ colour
-  = it takes `travel`, `max_velocity`, `max_acceleration`, `max_jerk`, `rapid_acceleration`, `rapid_jerk`
+  = it takes `travel`, `programmed`, `max_velocity`, `max_acceleration`, `max_jerk`, `rapid_acceleration`, `rapid_jerk`
 mine.toml:6: `U` is not an axis
   ^ U
   = the axes are X, Y, Z, A, B and C

@@ -5,8 +5,8 @@ mod common;
 use std::f64::consts::{FRAC_PI_6, PI};
 
 use chordal_machine::{
-    Axis, ControlName, Machine, RapidShape, SettingValue, ShopCode, Tool, WorkOffset, builtin,
-    builtin_names,
+    Axis, ControlName, Machine, RapidShape, SettingValue, ShopCode, Tool, ToolShape, WorkOffset,
+    builtin, builtin_names,
 };
 use common::{machine, no_files, shown};
 use proptest::prelude::*;
@@ -146,8 +146,9 @@ fn every_key() {
         Tool {
             diameter_mm: Some(19.05),
             diameter_wear_mm: Some(-0.01),
-            length_mm: Some(100.0),
-            kind: Some("end mill".into()),
+            offset: [None, None, Some(100.0), None, None, None],
+            shape: Some(ToolShape::Flat),
+            description: Some("end mill".into()),
             ..Tool::default()
         }
     );
@@ -216,7 +217,7 @@ Y = "2 mm"
     let m = machine.expect("a good file");
     assert_eq!(m.name, "vmc");
     assert_eq!(m.tools[&5].diameter_mm, Some(6.35));
-    assert_eq!(m.tools[&5].length_mm, Some(76.2));
+    assert_eq!(m.tools[&5].length_mm(), Some(76.2));
     assert_eq!(m.work_offsets["G54"].values[..2], [Some(1.0), Some(2.0)]);
     let settings: Vec<&str> = m.settings.keys().map(String::as_str).collect();
     assert_eq!(settings, ["SETTING 58", "Setting 40"]);
@@ -269,7 +270,9 @@ proptest! {
         // An empty title is none.
         machine.title = format!("t{title}");
         for (number, (length, comment)) in tools {
-            machine.tools.insert(number, Tool { length_mm: length, comment, ..Tool::default() });
+            let mut tool = Tool { comment, ..Tool::default() };
+            tool.offset[Axis::Z as usize] = length;
+            machine.tools.insert(number, tool);
         }
         for (number, values) in offsets {
             machine.work_offsets.insert(format!("E{number}"), WorkOffset { values });

@@ -2,7 +2,7 @@
 
 mod common;
 
-use chordal_machine::{Tool, read_tool_tbl};
+use chordal_machine::{Axis, Tool, read_tool_tbl};
 
 #[test]
 fn lines_as_the_manual_has_them() {
@@ -19,19 +19,23 @@ T2 P17
     assert_eq!(
         tools[&1],
         Tool {
-            length_mm: Some(12.9794),
+            offset: [Some(0.0), Some(0.0), Some(12.9794), Some(0.0), None, None],
             diameter_mm: Some(3.175),
             comment: Some("1/8 end mill".into()),
             ..Tool::default()
         }
     );
-    assert_eq!(tools[&3].length_mm, Some(-25.4));
+    assert_eq!(tools[&3].length_mm(), Some(-25.4));
     assert_eq!(tools[&3].diameter_mm, Some(12.7));
     assert_eq!(tools[&99999].comment.as_deref(), Some("; spot ; drill"));
     assert_eq!(tools[&2], Tool::default());
     let millimetres = read_tool_tbl("T1 D6.35 Z100", true).expect("a good table");
     assert_eq!(millimetres[&1].diameter_mm, Some(6.35));
-    assert_eq!(millimetres[&1].length_mm, Some(100.0));
+    assert_eq!(millimetres[&1].length_mm(), Some(100.0));
+    let lathe = read_tool_tbl("T7 X-1 Z2 B90 D.0625 Q3", false).expect("a good table");
+    assert_eq!(lathe[&7].offset[Axis::X as usize], Some(-25.4));
+    assert_eq!(lathe[&7].offset[Axis::B as usize], Some(std::f64::consts::FRAC_PI_2));
+    assert_eq!(lathe[&7].tip, Some(3));
     assert!(read_tool_tbl("", false).is_ok_and(|tools| tools.is_empty()));
 }
 

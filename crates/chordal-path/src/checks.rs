@@ -259,7 +259,7 @@ impl<'a> Checks<'a> {
         if axis.is_rotary() {
             return format!("{} deg", number_text(value.to_degrees(), 3));
         }
-        self.now.units.length_text(value)
+        self.now.units.length_text(value * self.machine.written_factor(axis as usize))
     }
 
     /// A rapid that ends below the clearance plane. Without a model of the stock, three

@@ -1,14 +1,15 @@
 //! Offsets and lengths between program and machine coordinates.
 
 use chordal_command::{AxisMask, Command, CommandKind, Position};
+use chordal_machine::AXES;
 
 /// What lies between program and machine coordinates while commands go by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Added to program coordinates, without tool length, mm and rad.
     pub work: Position,
-    /// Added to Z by the tool length, mm.
-    pub length: f64,
+    /// Added by the offsets of the tool, the length with them, mm and rad.
+    pub tool: Position,
     /// The axes for which the way to machine coordinates is known.
     pub known: AxisMask,
 }
@@ -16,7 +17,7 @@ pub struct Frame {
 impl Frame {
     /// The frame before the first command.
     pub fn new(offset: Position, known: AxisMask) -> Frame {
-        Frame { work: offset, length: 0.0, known }
+        Frame { work: offset, tool: [0.0; AXES], known }
     }
 
     /// Follows a command; true when the frame changed.
@@ -26,8 +27,8 @@ impl Frame {
                 self.work = *offset;
                 self.known = *known;
             }
-            CommandKind::ToolLength { length_mm, known, .. } => {
-                self.length = length_mm.unwrap_or(0.0);
+            CommandKind::ToolLength { offset, known, .. } => {
+                self.tool = *offset;
                 self.known = *known;
             }
             _ => return false,
@@ -37,7 +38,6 @@ impl Frame {
 
     /// A program coordinate in machine coordinates.
     pub fn machine(&self, position: &Position, axis: usize) -> f64 {
-        let length = if axis == 2 { self.length } else { 0.0 };
-        position[axis] + self.work[axis] + length
+        position[axis] + self.work[axis] + self.tool[axis]
     }
 }

@@ -2,7 +2,7 @@
 
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::{Axis, Turns};
+use chordal::machine::{Axis, ToolShape, Turns};
 use chordal::time::{TimeReport, Times};
 use chordal::{Diagnostic, Job, Report, SourceMap};
 use chordal_editor::line_and_column;
@@ -107,9 +107,9 @@ pub fn machine(job: &Job) -> Value {
         json!({
             "number": number,
             "diameter_mm": tool.diameter_mm,
-            "length_mm": tool.length_mm,
+            "length_mm": tool.length_mm(),
             "corner_radius_mm": tool.corner_radius_mm,
-            "kind": tool.kind,
+            "kind": tool.description.as_deref().or(tool.shape.map(ToolShape::as_str)),
             "comment": tool.comment,
         })
     });

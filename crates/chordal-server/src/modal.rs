@@ -171,8 +171,7 @@ impl ModalTrack {
             .iter()
             .map(|(name, at)| json!({ "name": name.key(self.naming), "at": [at.x, at.y, at.z] }));
         let base = self.base.as_ref().map(|base| {
-            let length = [0.0, 0.0, base.length];
-            [0, 1, 2].map(|axis| base.known.has(axis).then(|| base.work[axis] + length[axis]))
+            [0, 1, 2].map(|axis| base.known.has(axis).then(|| base.work[axis] + base.tool[axis]))
         });
         json!({ "zeros": zeros.collect::<Vec<_>>(), "machine": base })
     }

@@ -560,7 +560,7 @@ impl<'m, 'w, W> ReportSink<'m, 'w, W> {
         ReportSink {
             builder: PathBuilder::new(&job.machine, offset, known),
             checks: Checks::new(&job.machine, offset, known, units),
-            summary: SummaryBuilder::new(&job.control),
+            summary: SummaryBuilder::new(&job.control, &job.machine),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
             segments: Vec::new(),

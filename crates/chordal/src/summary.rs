@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Units};
 use chordal_dialect::Control;
-use chordal_machine::{AXES, AXIS_LETTERS, PerAxis};
+use chordal_machine::{AXES, AXIS_LETTERS, Machine, PerAxis};
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::FileId;
@@ -28,7 +28,8 @@ pub struct ToolUse {
     pub speeds_rpm: Vec<f64>,
 }
 
-/// Where an axis goes, in the frame of the run.
+/// Where an axis goes, in the frame of the run. Places are diameters where the axis is programmed
+/// so; ways are ways of the slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisTravel {
     /// Letter of the axis.
@@ -100,10 +101,11 @@ pub(crate) struct SummaryBuilder {
     order: Vec<u32>,
     tool: u32,
     axes: PerAxis<Extent>,
+    written: PerAxis<f64>,
 }
 
 impl SummaryBuilder {
-    pub fn new(control: &Control) -> SummaryBuilder {
+    pub fn new(control: &Control, machine: &Machine) -> SummaryBuilder {
         let empty = Extent {
             low: f64::INFINITY,
             high: f64::NEG_INFINITY,
@@ -118,6 +120,7 @@ impl SummaryBuilder {
             order: Vec::new(),
             tool: 0,
             axes: [empty; AXES],
+            written: machine.written_factors(),
         }
     }
 
@@ -248,10 +251,11 @@ impl SummaryBuilder {
         for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
             if extent.low <= extent.high {
-                let cut = (extent.cut_low, extent.cut_high);
+                let factor = self.written[axis];
+                let cut = (extent.cut_low * factor, extent.cut_high * factor);
                 summary.axes.push(AxisTravel {
                     letter,
-                    range: (extent.low, extent.high),
+                    range: (extent.low * factor, extent.high * factor),
                     cut_range: (cut.0 <= cut.1).then_some(cut),
                     way: extent.way,
                 });

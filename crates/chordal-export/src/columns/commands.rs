@@ -8,9 +8,9 @@ use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
-use super::field::{Cell, Column, axes_of, of_axis, places, schema};
+use super::field::{Cell, Column, axes_of, places, schema};
 use super::file::Rows;
-use crate::motion::{feed_mode_word, path_feed, plane_word, side_word, spindle_word};
+use crate::motion::{Written, feed_mode_word, path_feed, plane_word, side_word, spindle_word};
 
 /// Name and version of the columns of commands as programmed.
 pub const COMMAND_COLUMNS: &str = "chordal.command-columns/1";
@@ -55,6 +55,7 @@ pub struct CommandColumns<'a> {
     sources: &'a SourceMap<'a>,
     naming: chordal::control::WorkNaming,
     axes: Vec<usize>,
+    written: Written,
     of_path: bool,
     rows: usize,
     line: Integers,
@@ -147,6 +148,7 @@ impl<'a> CommandColumns<'a> {
         CommandColumns {
             schema: schema(job, name, &columns(axes, of_path), &[]),
             sources: job.sources(),
+            written: Written::of(job),
             naming: job.control().table.work_names,
             of_path,
             rows: 0,
@@ -220,7 +222,7 @@ impl<'a> CommandColumns<'a> {
         self.ends(motion);
         let row = self.rows;
         if let Some(shape) = shape {
-            self.arc.put(row, shape);
+            self.arc.put(row, shape, self.written.center(shape));
         }
         let curve = curve_of(motion, shape);
         let length = curve.length();
@@ -235,10 +237,10 @@ impl<'a> CommandColumns<'a> {
 
     #[inline]
     fn ends(&mut self, motion: &Move) {
-        let row = self.rows;
+        let (row, written) = (self.rows, self.written);
         let put = |columns: &mut [Numbers], position: &Position| {
             for (column, axis) in columns.iter_mut().zip(&self.axes) {
-                column.put(row, of_axis(*axis, position[*axis]));
+                column.put(row, written.place(*axis, position[*axis]));
             }
         };
         put(&mut self.from, &motion.from);
@@ -403,10 +405,10 @@ impl ArcCells {
         }
     }
 
-    fn put(&mut self, row: usize, shape: &ArcShape) {
+    fn put(&mut self, row: usize, shape: &ArcShape, center: [f64; 2]) {
         self.plane.put_word(row, plane_word(shape.plane));
-        self.center[0].put(row, shape.center[0]);
-        self.center[1].put(row, shape.center[1]);
+        self.center[0].put(row, center[0]);
+        self.center[1].put(row, center[1]);
         self.direction.put(row, usize::from(shape.sweep >= 0.0));
         self.sweep.put(row, shape.sweep.abs().to_degrees());
         self.radii[0].put(row, shape.radius_from);

@@ -8,6 +8,7 @@ use chordal::Job;
 use chordal::control::AxisMask;
 use chordal::diagnostics::FileId;
 
+use crate::motion::Written;
 use crate::samples::sha256_hex;
 
 /// What a column holds.
@@ -113,7 +114,11 @@ pub(super) fn schema(
         ("machine", job.machine().name.clone()),
         ("control", job.machine().control.as_str().to_string()),
     ];
-    schema_of(name, about, columns, more)
+    // A key of its own, so that nothing changes for a machine without diameters.
+    let diameters = Written::of(job).diameters();
+    let diameters = (!diameters.is_empty()).then_some(("diameter", diameters));
+    let more: Vec<_> = more.iter().cloned().chain(diameters).collect();
+    schema_of(name, about, columns, &more)
 }
 
 /// The same where the program, its digest, the machine and the control are known otherwise.

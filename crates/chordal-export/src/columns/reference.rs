@@ -18,7 +18,8 @@ This page is made from the code (`chordal_export::column_reference`); a test hol
 
 Every field carries its unit in the metadata key `unit`. The schema carries, under `chordal.` keys,
 `schema` (name and version, as below), `version` of Chordal, `program` and `program_sha256` (the name and the
-SHA-256 of its text), `machine` and `control`; setpoints also `period_s`, chords `tolerance_mm` and `placement`. Rotary
+SHA-256 of its text), `machine` and `control`; `diameter` lists the axes that are programmed as diameters, as X of a
+lathe: in the two tables of commands their places and centres are diameters, everywhere else radii; setpoints also `period_s`, chords `tolerance_mm` and `placement`. Rotary
 axes A, B and C are columns only where the machine has them. A gap is null in Arrow; in a NumPy array of numbers it is NaN.
 
 | command | file of |

@@ -161,6 +161,8 @@ struct Interpreter<'a> {
     kernel: Kernel<'a>,
     /// How literals become millimetres in the units in force.
     scale: Scale,
+    /// What a word of an axis is multiplied by to be a place: 1, or a half of a diameter.
+    per_word: PerAxis<f64>,
     /// Registers R0 to R9 (Fadal).
     registers: [Decimal; 10],
     reader: BlockReader<'a>,
@@ -277,6 +279,7 @@ impl<'a> Interpreter<'a> {
             options,
             kernel,
             scale: Scale::new(control.parameters.rules.units, &control.parameters),
+            per_word: machine.written_factors().map(f64::recip),
             registers: [Decimal::integer(0); 10],
             reader: library.reader(library.programs()[program], control.table.lexicon),
             program,

@@ -352,14 +352,16 @@ impl Interpreter<'_> {
         self.kernel.store_tool_value(of, number, value, self.kernel.state.incremental);
     }
 
-    /// LinuxCNC G10 L1: Z is the length, R the radius.
+    /// LinuxCNC G10 L1: the axis words are the offsets, Z the length, R the radius.
     fn write_tool_table(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'P') else { return };
-        let length = self.length_of(block, b'Z');
+        let words = self.axis_words(block);
         let radius = self.length_of(block, b'R');
         self.kernel.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);
-            tool.length_mm = length.or(tool.length_mm);
+            for (offset, word) in tool.offset.iter_mut().zip(words) {
+                *offset = word.or(*offset);
+            }
             tool.diameter_mm = radius.map(|r| 2.0 * r).or(tool.diameter_mm);
         });
     }

@@ -122,11 +122,11 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A word of an axis: mm, or rad for rotary axes.
+    /// A word of an axis: mm, or rad for rotary axes; half of a diameter.
     #[inline(always)]
     pub(super) fn axis_value(&mut self, word: &Word, axis: usize) -> Option<f64> {
         if axis < 3 {
-            return self.length(word);
+            return Some(self.length(word)? * self.per_word[axis]);
         }
         Some(self.scale.angle(self.literal(word)?))
     }
@@ -190,6 +190,12 @@ impl Interpreter<'_> {
     pub(super) fn count_of(&mut self, block: &Block, letter: u8) -> Option<u32> {
         let word = *block.last(letter)?;
         self.count(&word)
+    }
+
+    /// The place that an axis letter of the block gives, if it is there.
+    pub(super) fn axis_value_of(&mut self, block: &Block, axis: usize) -> Option<f64> {
+        let word = *block.last(AXIS_LETTERS.as_bytes()[axis])?;
+        self.axis_value(&word, axis)
     }
 
     /// The length of a letter of the block, if it is there.

@@ -3,11 +3,12 @@
 
 mod rows;
 
-pub(crate) use self::rows::ROWS;
+pub(crate) use self::rows::{ROWS, tool};
 use crate::axis::Axis;
-use crate::machine::Machine;
+use crate::machine::{Machine, Programmed};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
+use crate::tool::Solid;
 
 /// The field of a machine that a key fills.
 pub(crate) type Place<T> = for<'m, 'k> fn(&'m mut Machine, &'k Keys) -> &'m mut T;
@@ -38,10 +39,27 @@ pub(crate) enum Slot {
         sign: Sign,
         place: Place<Option<f64>>,
     },
+    /// A place of an axis, which is halved where the axis is programmed as a diameter.
+    Position(Place<Option<f64>>),
+    /// Two places of an axis, the same.
     Range {
         dimension: Dimension,
         place: Place<Option<(f64, f64)>>,
     },
+    /// A whole number of a range.
+    Count {
+        from: u32,
+        to: u32,
+        place: Place<Option<u32>>,
+    },
+    /// Cylinders and cones, one above the other.
+    Solids(Place<Vec<Solid>>),
+    /// Points: height and radius.
+    Profile(Place<Vec<[f64; 2]>>),
+    /// What a tool is, in words of old files.
+    Kind,
+    /// Whether the words of an axis are radii or diameters.
+    Programmed,
     Text(Place<String>),
     OptionalText(Place<Option<String>>),
     TextList(Place<Vec<String>>),
@@ -238,6 +256,15 @@ impl Row {
                         Sign::NotNegative => "; not negative",
                         Sign::Positive => "; more than zero",
                     }
+            }
+            Slot::Position(_) => kind(Dimension::Length),
+            Slot::Count { from, to, .. } => format!("a whole number from {from} to {to}"),
+            Slot::Solids(_) => "a list of `[\"height\", \"diameter\"]`, of a cone `[\"height\", \"lower diameter\", \"upper diameter\"]`".into(),
+            Slot::Profile(_) => "a list of `[\"height\", \"radius\"]`, from the end up".into(),
+            Slot::Kind => "a text".into(),
+            Slot::Programmed => {
+                let [radius, diameter] = [Programmed::Radius, Programmed::Diameter];
+                format!("`\"{}\"` or `\"{}\"`", radius.as_str(), diameter.as_str())
             }
             Slot::Range { .. } => {
                 "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"

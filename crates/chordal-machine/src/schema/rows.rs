@@ -1,10 +1,11 @@
 //! The rows of the table of keys.
 
 use super::{Keys, Place, Row, Sign, Slot, Stamp};
-use crate::axis::{AXES, PerAxis};
+use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
-use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Tool, Turns, WorkOffset};
+use crate::machine::{AxisLimits, Machine, ProbeHit, RapidShape, Rotary, Turns, WorkOffset};
 use crate::quantity::Dimension;
+use crate::tool::{Tool, ToolShape};
 
 const fn quantity(
     path: &'static str,
@@ -15,6 +16,20 @@ const fn quantity(
 ) -> Row {
     Row { path, slot: Slot::Quantity { dimension, sign, place }, doc }
 }
+
+const fn position(path: &'static str, place: Place<Option<f64>>, doc: &'static str) -> Row {
+    Row { path, slot: Slot::Position(place), doc }
+}
+
+const SHAPES: &[&str] = &{
+    let mut words = [""; ToolShape::ALL.len()];
+    let mut at = 0;
+    while at < words.len() {
+        words[at] = ToolShape::ALL[at].as_str();
+        at += 1;
+    }
+    words
+};
 
 const CONTROLS: &[&str] = &{
     let mut words = [""; ControlName::ALL.len()];
@@ -61,6 +76,11 @@ pub(crate) const ROWS: &[Row] = &[
         path: "axes.<axis>.travel",
         slot: Slot::Range { dimension: Dimension::Length, place: |m, k| &mut axis(m, k).travel },
         doc: "the lowest and the highest position, machine coordinates",
+    },
+    Row {
+        path: "axes.<axis>.programmed",
+        slot: Slot::Programmed,
+        doc: "what the words of the axis say: how far the slide is from zero (`radius`, which holds without this key), or twice that (`diameter`), as X of a lathe. Every place of a diameter axis in this file is a diameter too, as on the control's pages: `travel`, `home`, `reference_points`, `work_offsets`, `tools.<tool>.offset` with its wear, `probe.hit`. Speeds, accelerations, `I` and `R` of arcs are never doubled. Linear axes only",
     },
     quantity(
         "axes.<axis>.max_velocity",
@@ -114,10 +134,8 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Flag(|m, k| &mut rotary(m, k).reversed),
         doc: "`true`: it counts the other way than ISO 841, where a positive angle turns the tool about the part as a right-hand screw goes along X, Y or Z",
     },
-    quantity(
+    position(
         "rotary.<rotary>.center.<axis>",
-        Dimension::Length,
-        Sign::Any,
         |m, k| &mut rotary(m, k).center_mm[k.axis.map_or(0, |axis| axis as usize % 3)],
         "a place that its axis goes through: X, Y and Z, program coordinates; otherwise the program's zero",
     ),
@@ -176,20 +194,37 @@ pub(crate) const ROWS: &[Row] = &[
         |m, k| &mut tool(m, k).diameter_wear_mm,
         "added to the diameter",
     ),
-    quantity(
+    position(
         "tools.<tool>.length",
-        Dimension::Length,
-        Sign::Any,
-        |m, k| &mut tool(m, k).length_mm,
-        "its length offset",
+        |m, k| &mut tool(m, k).offset[Axis::Z as usize],
+        "its length offset: the same as `offset.Z`",
     ),
-    quantity(
+    position(
         "tools.<tool>.length_wear",
-        Dimension::Length,
-        Sign::Any,
-        |m, k| &mut tool(m, k).length_wear_mm,
-        "added to the length offset",
+        |m, k| &mut tool(m, k).offset_wear[Axis::Z as usize],
+        "added to the length offset: the same as `offset_wear.Z`",
     ),
+    position(
+        "tools.<tool>.offset.<axis>",
+        |m, k| by_axis(&mut tool(m, k).offset, k),
+        "its geometry offset along an axis: X and Z of a turning tool; a diameter on an axis that is programmed so",
+    ),
+    position(
+        "tools.<tool>.offset_wear.<axis>",
+        |m, k| by_axis(&mut tool(m, k).offset_wear, k),
+        "added to the geometry offset, counted as that is",
+    ),
+    Row {
+        path: "tools.<tool>.shape",
+        slot: Slot::Word {
+            what: "tool shape",
+            words: SHAPES,
+            set: |m, k, word| {
+                tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
+            },
+        },
+        doc: "what it is. A shape wants its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
+    },
     quantity(
         "tools.<tool>.corner_radius",
         Dimension::Length,
@@ -197,10 +232,75 @@ pub(crate) const ROWS: &[Row] = &[
         |m, k| &mut tool(m, k).corner_radius_mm,
         "the radius between its side and its end",
     ),
+    quantity(
+        "tools.<tool>.point_angle",
+        Dimension::Angle,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).point_angle_rad,
+        "the whole angle of the point of a drill or chamfer mill, side to side",
+    ),
+    quantity(
+        "tools.<tool>.tip_diameter",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, k| &mut tool(m, k).tip_diameter_mm,
+        "the flat at the end of a chamfer mill; otherwise it has a sharp point",
+    ),
+    quantity(
+        "tools.<tool>.pitch",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).pitch_mm,
+        "the pitch of a tap or thread mill",
+    ),
+    Row {
+        path: "tools.<tool>.teeth",
+        slot: Slot::Count { from: 1, to: 1000, place: |m, k| &mut tool(m, k).teeth },
+        doc: "its teeth around; of a thread mill those along its axis",
+    },
+    quantity(
+        "tools.<tool>.nose_radius",
+        Dimension::Length,
+        Sign::NotNegative,
+        |m, k| &mut tool(m, k).nose_radius_mm,
+        "the nose radius of an insert",
+    ),
+    Row {
+        path: "tools.<tool>.tip",
+        slot: Slot::Count { from: 0, to: 9, place: |m, k| &mut tool(m, k).tip },
+        doc: "where the programmed point lies as seen from the nose of an insert, by the number that the control gives that direction",
+    },
+    Row {
+        path: "tools.<tool>.profile",
+        slot: Slot::Profile(|m, k| &mut tool(m, k).profile),
+        doc: "the outline of a form tool: heights above its end with the radius there",
+    },
+    quantity(
+        "tools.<tool>.flute_length",
+        Dimension::Length,
+        Sign::Positive,
+        |m, k| &mut tool(m, k).flute_length_mm,
+        "how far up from its end it cuts",
+    ),
+    Row {
+        path: "tools.<tool>.shank",
+        slot: Slot::Solids(|m, k| &mut tool(m, k).shank),
+        doc: "the shank above the edges: cylinders and cones, the lowest first",
+    },
+    Row {
+        path: "tools.<tool>.holder",
+        slot: Slot::Solids(|m, k| &mut tool(m, k).holder),
+        doc: "the holder above the shank, the same",
+    },
     Row {
         path: "tools.<tool>.kind",
-        slot: Slot::OptionalText(|m, k| &mut tool(m, k).kind),
-        doc: "free text, as `end mill`",
+        slot: Slot::Kind,
+        doc: "the old way to say what it is. A word for a shape is read as `shape`, any other text as `description`",
+    },
+    Row {
+        path: "tools.<tool>.description",
+        slot: Slot::OptionalText(|m, k| &mut tool(m, k).description),
+        doc: "a name for people, as `roughing end mill`",
     },
     Row {
         path: "tools.<tool>.comment",
@@ -214,24 +314,18 @@ pub(crate) const ROWS: &[Row] = &[
         }),
         doc: "a work offset: `G54` to `G59`, `\"G59.1\"` to `\"G59.3\"`, `\"G54.1 P1\"`, `\"G154 P1\"` (also `G110`), `E1` to `E48`, `G52`, `EXT`. A name with a point or a space needs its quotes",
     },
-    quantity(
+    position(
         "work_offsets.<offset>.<axis>",
-        Dimension::Length,
-        Sign::Any,
         |m, k| by_axis(&mut work_offset(m, k).values, k),
-        "where its zero is, machine coordinates",
+        "where its zero is, machine coordinates; a diameter on an axis that is programmed so",
     ),
-    quantity(
+    position(
         "home.<axis>",
-        Dimension::Length,
-        Sign::Any,
         |m, k| by_axis(&mut m.home, k),
         "reference point 1, machine coordinates",
     ),
-    quantity(
+    position(
         "reference_points.<point>.<axis>",
-        Dimension::Length,
-        Sign::Any,
         |m, k| by_axis(&mut m.reference_points[(k.number as usize).clamp(2, 4) - 2], k),
         "reference points 2, 3 and 4, machine coordinates",
     ),
@@ -386,10 +480,8 @@ pub(crate) const ROWS: &[Row] = &[
         },
         doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; otherwise they touch where they end",
     },
-    quantity(
+    position(
         "probe.hit.<axis>",
-        Dimension::Length,
-        Sign::Any,
         |m, k| {
             m.probe.hit = None;
             by_axis(&mut m.probe.planes, k)
@@ -411,7 +503,7 @@ fn rotary<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Rotary {
     &mut machine.rotary[(keys.number as usize).min(2)]
 }
 
-fn tool<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Tool {
+pub(crate) fn tool<'m>(machine: &'m mut Machine, keys: &Keys) -> &'m mut Tool {
     machine.tools.entry(keys.number).or_default()
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal::control::{Command, CommandKind, Coolant, Feed, FeedMode, Origin, Side, SpindleState};
+use chordal::machine::Axis;
 use chordal::time::TimeReport;
 use chordal::{Job, Summary};
 
@@ -205,7 +206,7 @@ impl Tools {
             }
             let time = time.and_then(|time| time.tools.iter().find(|t| t.number == seen.number));
             let table = job.machine().tools.get(&seen.number);
-            let words = table.and_then(|tool| tool.comment.as_deref().or(tool.kind.as_deref()));
+            let words = table.and_then(|tool| tool.label());
             let coolant = seen.coolant;
             let valves = [
                 (coolant.flood, "flood"),
@@ -241,17 +242,13 @@ impl Tools {
     pub fn registers(&self, job: &Job) -> Rows<Register> {
         let of_register = |(number, uses): (&u32, &Use)| {
             let table = job.machine().tools.get(number);
-            let with_wear = |value: Option<f64>, wear: Option<f64>| {
-                value.map(|value| value + wear.unwrap_or(0.0))
-            };
-            let length_mm = table.and_then(|tool| with_wear(tool.length_mm, tool.length_wear_mm));
-            let diameter_mm =
-                table.and_then(|tool| with_wear(tool.diameter_mm, tool.diameter_wear_mm));
+            let length_mm = table.and_then(|tool| tool.offset_of(Axis::Z as usize));
+            let radius_mm = table.and_then(chordal::machine::Tool::radius_mm);
+            let diameter_mm = radius_mm.map(|radius| 2.0 * radius);
             let other = |used: Option<f64>, own: Option<f64>| match (used, own) {
                 (Some(used), Some(own)) => (used.abs() - own.abs()).abs() > SAME_MM,
                 (used, _) => used.is_some(),
             };
-            let radius_mm = diameter_mm.map(|diameter| diameter / 2.0);
             Register {
                 number: *number,
                 tools: uses.tools.iter().copied().filter(|tool| *tool > 0).collect(),

@@ -168,9 +168,13 @@ impl Travels {
                 let limits = limits.filter(|_| unset && axis != Axis::Z);
                 Some(AxisRange {
                     axis: axis.letter(),
-                    all: for_people(axis, all),
-                    cuts: system.cuts[index].get().map(|cuts| for_people(axis, cuts)),
-                    zero_may_lie: limits.map(|(low, high)| (low - all.0, high - all.1)),
+                    all: for_people(job.machine(), axis, all),
+                    cuts: system.cuts[index]
+                        .get()
+                        .map(|cuts| for_people(job.machine(), axis, cuts)),
+                    zero_may_lie: limits.map(|(low, high)| {
+                        for_people(job.machine(), axis, (low - all.0, high - all.1))
+                    }),
                 })
             });
             Travel {
@@ -212,7 +216,8 @@ impl Travels {
                     && offset.values.iter().all(|value| value.axis != letter)
                 {
                     let value = values.and_then(|values| values[axis as usize]);
-                    let value = value.map(|value| for_people(axis, (value, value)).0);
+                    let value =
+                        value.map(|value| for_people(job.machine(), axis, (value, value)).0);
                     offset.values.push(AxisValue { axis: letter, value });
                 }
             }
@@ -232,8 +237,8 @@ impl Travels {
             let partly_unknown = self.unknown.has(index);
             (goes.is_some() || partly_unknown).then(|| MachineTravel {
                 axis: axis.letter(),
-                limits: for_people(axis, limits),
-                goes: goes.map(|goes| for_people(axis, goes)),
+                limits: for_people(job.machine(), axis, limits),
+                goes: goes.map(|goes| for_people(job.machine(), axis, goes)),
                 partly_unknown,
             })
         };
@@ -258,7 +263,11 @@ fn is_moved(system: &System, machine: &Machine, naming: WorkNaming) -> bool {
     })
 }
 
-/// Millimetres, or degrees.
-fn for_people(axis: Axis, (low, high): (f64, f64)) -> (f64, f64) {
-    if axis.is_rotary() { (low.to_degrees(), high.to_degrees()) } else { (low, high) }
+/// Millimetres, as a diameter where the axis is programmed so, or degrees.
+fn for_people(machine: &Machine, axis: Axis, (low, high): (f64, f64)) -> (f64, f64) {
+    if axis.is_rotary() {
+        return (low.to_degrees(), high.to_degrees());
+    }
+    let factor = machine.written_factor(axis as usize);
+    (low * factor, high * factor)
 }

@@ -27,6 +27,24 @@ pub struct Made {
     pub along: Option<&'static str>,
     pub tangents: (Vec3, Vec3),
     pub mode: PathMode,
+    /// What its places are multiplied by, beside those of the slide.
+    written: PerAxis<f64>,
+}
+
+impl Made {
+    /// Makes its places what a program writes: diameters on axes that are programmed so.
+    fn write_as(&mut self, factors: &PerAxis<f64>) {
+        self.written = *factors;
+        for axis in 0..AXES {
+            self.from[axis] *= factors[axis];
+            self.to[axis] *= factors[axis];
+        }
+        if let Some(shape) = &mut self.shape {
+            let (first, second, _) = shape.plane.axes();
+            shape.center[0] *= factors[first];
+            shape.center[1] *= factors[second];
+        }
+    }
 }
 
 /// A diagnostic and the line it points at.
@@ -66,7 +84,9 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mode = job.control().parameters.rules.path.start_mode();
     let mut seen = Seen::new(program.of_path, mode);
     let report = job.report_watched(&mut seen);
-    let Seen { made, events, printed, .. } = seen;
+    let Seen { mut made, events, printed, .. } = seen;
+    let factors = job.machine().written_factors();
+    made.iter_mut().for_each(|made| made.write_as(&factors));
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
         None => job.control().parameters.rules.units == Units::Inch,
@@ -181,6 +201,7 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
     let curve = curve_of(motion, shape.as_ref());
     let length = curve.length();
     Some(Made {
+        written: [1.0; AXES],
         line: command.origin.line,
         kind,
         from: motion.from,
@@ -225,7 +246,9 @@ impl Made {
     pub fn contradiction(&self) -> Option<String> {
         let shape = self.shape?;
         let (a, b, _) = shape.plane.axes();
-        let arm = |p: &PerAxis<f64>| (p[a] - shape.center[0], p[b] - shape.center[1]);
+        let slide = |axis: usize, way: f64| way / self.written[axis];
+        let arm =
+            |p: &PerAxis<f64>| (slide(a, p[a] - shape.center[0]), slide(b, p[b] - shape.center[1]));
         let (from, to) = (arm(&self.from), arm(&self.to));
         let radii = (from.0.hypot(from.1), to.0.hypot(to.1));
         let off = (radii.0 - shape.radius_from).abs().max((radii.1 - shape.radius_to).abs());

@@ -48,7 +48,7 @@ impl Interpreter<'_> {
         let axis = self.kernel.drilling_axis();
         let letter = b"XYZ"[axis];
         if letters.has(letter)
-            && let Some(value) = self.length_of(block, letter)
+            && let Some(value) = self.axis_value_of(block, axis)
         {
             let relative = self.incremental_at(block, letter);
             if relative && rules.incremental == IncrementalLevels::Refused {

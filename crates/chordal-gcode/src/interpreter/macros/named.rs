@@ -61,10 +61,7 @@ impl Interpreter<'_> {
     fn predefined(&self, name: &str) -> Option<f64> {
         let state = &self.kernel.state;
         let flag = |value: bool| if value { 1.0 } else { 0.0 };
-        let axis = |axis: usize| match axis {
-            0..3 => state.position[axis] / self.unit(),
-            _ => state.position[axis].to_degrees(),
-        };
+        let axis = |axis: usize| self.axis_out(axis, state.position[axis]);
         let inch = state.units == Units::Inch;
         Some(match name.strip_prefix('_')? {
             "x" => axis(0),

@@ -120,7 +120,8 @@ impl Interpreter<'_> {
                 let letter = AXIS_LETTERS.as_bytes()[axis] as char;
                 let unit =
                     if self.kernel.state.units == Units::Inch && axis < 3 { 25.4 } else { 1.0 };
-                let shown = if axis < 3 { plane / unit } else { plane.to_degrees() };
+                let written = plane / self.per_word[axis];
+                let shown = if axis < 3 { written / unit } else { written.to_degrees() };
                 format!("{letter}{}", trim(shown, 4))
             })
             .collect();

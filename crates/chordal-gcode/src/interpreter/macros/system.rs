@@ -53,10 +53,9 @@ impl Interpreter<'_> {
                 self.axis_out(axis, self.kernel.state.position[axis] + length)
             }
             System::SkipPosition => self.axis_out(axis, self.macros.skip[axis]),
-            System::ActiveToolOffset if axis == 2 => {
-                self.axis_out(2, self.kernel.state.offsets.length_in_force().unwrap_or(0.0))
+            System::ActiveToolOffset => {
+                self.axis_out(axis, self.kernel.state.offsets.tool_in_force()[axis])
             }
-            System::ActiveToolOffset => 0.0,
             System::ModalGroup => match self.rules().modal_groups.get(axis) {
                 Some(group) => self.modal_code(*group),
                 None => 0.0,
@@ -128,7 +127,7 @@ impl Interpreter<'_> {
             | System::ExtendedOffsets
             | System::OffsetsOfAxis(_) => match self.offset_place(what, at) {
                 Some((key, axis)) => {
-                    let value = if axis < 3 { value * self.unit() } else { value.to_radians() };
+                    let value = self.axis_in(axis, value);
                     self.kernel.state.shift_coordinates(|offsets| {
                         offsets.write_work(&key, axis, value, false);
                     });
@@ -151,7 +150,14 @@ impl Interpreter<'_> {
 
     /// A coordinate as a variable shows it.
     pub(super) fn axis_out(&self, axis: usize, value: f64) -> f64 {
-        if axis < 3 { value / self.unit() } else { value.to_degrees() }
+        let written = value / self.per_word[axis];
+        if axis < 3 { written / self.unit() } else { written.to_degrees() }
+    }
+
+    /// A coordinate from the number that a variable got.
+    fn axis_in(&self, axis: usize, written: f64) -> f64 {
+        let value = if axis < 3 { written * self.unit() } else { written.to_radians() };
+        value * self.per_word[axis]
     }
 
     /// Key and axis of a work offset's variable.
@@ -197,8 +203,8 @@ impl Interpreter<'_> {
             OffsetKind::Radius => 2.0,
         };
         let mm = match what {
-            System::Length => tool.length_mm.unwrap_or(0.0),
-            System::LengthWear => tool.length_wear_mm.unwrap_or(0.0),
+            System::Length => tool.offset[2].unwrap_or(0.0),
+            System::LengthWear => tool.offset_wear[2].unwrap_or(0.0),
             System::Radius => tool.diameter_mm.unwrap_or(0.0) / per_radius,
             _ => tool.diameter_wear_mm.unwrap_or(0.0) / per_radius,
         };
@@ -210,9 +216,7 @@ impl Interpreter<'_> {
         self.kernel.store_tool_value(of, number, mm, false);
         let length = self.kernel.state.offsets.length();
         if length.number == Some(number) {
-            let length_mm = self.kernel.state.offsets.length_in_force();
-            let known = self.kernel.state.offsets.known();
-            self.kernel.emit(CommandKind::ToolLength { number: length.number, length_mm, known });
+            self.kernel.emit_tool_length();
         }
     }
 

@@ -176,8 +176,8 @@ impl Interpreter<'_> {
         let from = pen.place;
         let base = if pen.incremental { from } else { Vec2::ZERO };
         let to = Vec2::new(
-            self.length_of(block, b'X').map_or(from.a, |x| base.a + x),
-            self.length_of(block, b'Y').map_or(from.b, |y| base.b + y),
+            self.axis_value_of(block, 0).map_or(from.a, |x| base.a + x),
+            self.axis_value_of(block, 1).map_or(from.b, |y| base.b + y),
         );
         let is_arc = pen.motion != Action::Linear;
         let has_center = letters.has(b'I') || letters.has(b'J') || letters.has(b'R');

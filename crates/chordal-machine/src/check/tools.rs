@@ -1,0 +1,106 @@
+//! The values of keys of tools and of diameter axes.
+
+use std::ops::RangeInclusive;
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::{Value, integer};
+use crate::axis::Axis;
+use crate::error::MachineError;
+use crate::machine::{AxisLimits, Machine, Programmed};
+use crate::quantity::Dimension;
+use crate::schema::{self, Sign};
+use crate::suggest;
+use crate::tool::{Solid, ToolShape};
+
+impl Value<'_> {
+    /// What the number of a place is divided by: 2 on an axis that is programmed as a diameter.
+    pub(super) fn written_factor(&self, machine: &Machine) -> f64 {
+        let keys = &self.at.keys;
+        // `length` of a tool names no axis: it is Z.
+        machine.written_factor(keys.axis.unwrap_or(Axis::Z) as usize)
+    }
+
+    pub(super) fn take_programmed(&self, machine: &mut Machine) -> Result<(), MachineError> {
+        let words = [Programmed::Radius.as_str(), Programmed::Diameter.as_str()];
+        let word = self.word("way to program an axis", &words)?;
+        let diameter = word == Programmed::Diameter.as_str();
+        let Some(axis) = self.at.keys.axis else { return Ok(()) };
+        if diameter && axis.is_rotary() {
+            let message = format!("{axis} turns: its words are angles, not diameters");
+            return Err(self.error(message, Some("take the key out".to_string())));
+        }
+        let programmed = if diameter { Programmed::Diameter } else { Programmed::Radius };
+        let old = machine.axes[axis as usize].unwrap_or_default();
+        machine.change_axis(axis, Some(AxisLimits { programmed, ..old }));
+        Ok(())
+    }
+
+    /// The old key: told where it names no shape, since nothing that needs one knows this tool.
+    pub(super) fn take_kind(&self, machine: &mut Machine) -> Result<(), MachineError> {
+        let text = self.text(self.value)?;
+        if !schema::tool(machine, &self.at.keys).take_kind(&text) {
+            let shapes: Vec<String> =
+                ToolShape::ALL.iter().map(|shape| format!("\"{}\"", shape.as_str())).collect();
+            let message = format!("`{text}` names no tool shape; it is kept as the description");
+            let help = format!("a shape is `shape = …` with {}", suggest::or_list(&shapes));
+            machine.notices.0.push(self.error(message, Some(help)));
+        }
+        Ok(())
+    }
+
+    pub(super) fn count(&self, from: u32, to: u32) -> Result<u32, MachineError> {
+        let what = format!("a whole number from {from} to {to}");
+        let DeValue::Integer(_) = self.value.get_ref() else { return Err(self.takes(&what, None)) };
+        let number = integer(self.value.get_ref()).and_then(|number| u32::try_from(number).ok());
+        number.filter(|number| (from..=to).contains(number)).ok_or_else(|| {
+            let written = self.value.get_ref().as_integer().map(|number| number.as_str());
+            let written = written.unwrap_or_default();
+            self.error(format!("`{}` takes {what}; this is {written}", self.name()), None)
+        })
+    }
+
+    /// A list of lists of so many lengths.
+    fn lengths(
+        &self,
+        counts: RangeInclusive<usize>,
+        form: &str,
+    ) -> Result<Vec<Vec<f64>>, MachineError> {
+        let help = Some(format!("write it as `{form}`"));
+        let DeValue::Array(rows) = self.value.get_ref() else {
+            return Err(self.takes("a list of lists of lengths", help));
+        };
+        let row = |row: &Spanned<DeValue<'_>>| match row.get_ref() {
+            DeValue::Array(items) if counts.contains(&items.len()) => items
+                .iter()
+                .map(|item| self.quantity(item, Dimension::Length, Sign::NotNegative))
+                .collect(),
+            _ => {
+                let message = format!("`{}` takes a list of lists of lengths", self.name());
+                Err(self.source.error(Some(row.span()), message, help.clone()))
+            }
+        };
+        rows.iter().map(row).collect()
+    }
+
+    pub(super) fn solids(&self) -> Result<Vec<Solid>, MachineError> {
+        let form = "[[\"30 mm\", \"12 mm\"], [\"20 mm\", \"12 mm\", \"40 mm\"]]";
+        let rows = self.lengths(2..=3, form)?;
+        let solid = |row: Vec<f64>| Solid {
+            height_mm: row[0],
+            lower_mm: row[1],
+            upper_mm: row.get(2).copied().unwrap_or(row[1]),
+        };
+        Ok(rows.into_iter().map(solid).collect())
+    }
+
+    pub(super) fn profile(&self) -> Result<Vec<[f64; 2]>, MachineError> {
+        let rows = self.lengths(2..=2, "[[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]")?;
+        if let Some(at) = rows.windows(2).position(|pair| pair[1][0] < pair[0][0]) {
+            let message = format!("`{}` goes down after its point {}", self.name(), at + 1);
+            return Err(self.error(message, Some("begin at the end and go up".to_string())));
+        }
+        Ok(rows.into_iter().map(|row| [row[0], row[1]]).collect())
+    }
+}

@@ -1,0 +1,200 @@
+//! Tools as data: offsets along every axis, shapes with their dimensions, and files of old.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
+
+use chordal_machine::{Axis, Cutter, Machine, Solid, ToolShape};
+
+fn read(text: &str) -> Machine {
+    Machine::from_toml("m.toml", text, &|name| Err(format!("no {name}"))).expect("a good file")
+}
+
+fn refused(text: &str) -> String {
+    let errors = Machine::from_toml("m.toml", text, &|name| Err(format!("no {name}")));
+    errors.expect_err("a bad file").iter().map(|error| format!("{error}\n")).collect()
+}
+
+fn tool(keys: &str) -> chordal_machine::Tool {
+    read(&format!("control = 'haas'\n[tools.1]\n{keys}")).tools[&1].clone()
+}
+
+#[test]
+fn every_shape_wants_its_dimensions() {
+    let cutter = |keys: &str| format!("{:?}", tool(keys).cutter());
+    for (keys, expected) in [
+        ("shape = 'flat'\ndiameter = '10 mm'", Cutter::Flat { diameter_mm: 10.0 }),
+        ("shape = 'Ball'\ndiameter = '-0.5 in'", Cutter::Ball { diameter_mm: 12.7 }),
+        (
+            "shape = 'bull'\ndiameter = '10 mm'\ncorner_radius = '2 mm'",
+            Cutter::Bull { diameter_mm: 10.0, corner_radius_mm: 2.0 },
+        ),
+        (
+            "shape = 'chamfer'\ndiameter = '10 mm'\ntip_diameter = '1 mm'\npoint_angle = '90 deg'",
+            Cutter::Chamfer { diameter_mm: 10.0, tip_diameter_mm: 1.0, point_angle_rad: FRAC_PI_2 },
+        ),
+        (
+            "shape = 'drill'\ndiameter = '5 mm'\npoint_angle = '60 deg'",
+            Cutter::Drill { diameter_mm: 5.0, point_angle_rad: FRAC_PI_3 },
+        ),
+        (
+            "shape = 'tap'\ndiameter = '6 mm'\npitch = '1 mm'",
+            Cutter::Tap { diameter_mm: 6.0, pitch_mm: 1.0 },
+        ),
+        (
+            "shape = 'thread mill'\ndiameter = '8 mm'\npitch = '1.5 mm'\nteeth = 4",
+            Cutter::ThreadMill { diameter_mm: 8.0, pitch_mm: 1.5, teeth: 4 },
+        ),
+        (
+            "shape = 'form'\nprofile = [['0 mm', '3 mm'], ['5 mm', '8 mm']]",
+            Cutter::Form { profile: &[[0.0, 3.0], [5.0, 8.0]] },
+        ),
+        (
+            "shape = 'insert'\nnose_radius = '0.8 mm'\ntip = 3",
+            Cutter::Insert { nose_radius_mm: 0.8, tip: 3 },
+        ),
+    ] {
+        assert_eq!(cutter(keys), format!("{:?}", Some(expected)), "{keys}");
+    }
+    // Nothing is guessed for what is missing.
+    for keys in [
+        "diameter = '10 mm'",
+        "shape = 'flat'",
+        "shape = 'drill'\ndiameter = '5 mm'",
+        "shape = 'tap'\ndiameter = '6 mm'",
+        "shape = 'insert'\nnose_radius = '0.8 mm'",
+        "shape = 'form'",
+    ] {
+        assert_eq!(tool(keys).cutter(), None, "{keys}");
+    }
+}
+
+#[test]
+fn a_holder_is_cylinders_and_cones() {
+    let tool = tool("shank = [['30 mm', '0.5 in']]\nholder = [['20 mm', '12 mm', '40 mm']]");
+    assert_eq!(tool.shank, [Solid { height_mm: 30.0, lower_mm: 12.7, upper_mm: 12.7 }]);
+    assert_eq!(tool.holder, [Solid { height_mm: 20.0, lower_mm: 12.0, upper_mm: 40.0 }]);
+    assert_eq!(
+        refused("control = 'haas'\n[tools.1]\nholder = [['20 mm']]\nteeth = 0\ntip = 10"),
+        "m.toml:3: `holder` takes a list of lists of lengths\n\
+         m.toml:4: `teeth` takes a whole number from 1 to 1000; this is 0\n\
+         m.toml:5: `tip` takes a whole number from 0 to 9; this is 10\n"
+    );
+    assert_eq!(
+        refused("control = 'haas'\n[tools.1]\nprofile = [['5 mm', '1 mm'], ['0 mm', '1 mm']]"),
+        "m.toml:3: `profile` goes down after its point 1\n"
+    );
+}
+
+#[test]
+fn geometry_and_wear_on_every_axis() {
+    let tool = tool(
+        "length = '100 mm'\nlength_wear = '-0.1 mm'\noffset.X = '20 mm'\noffset_wear.X = '0.05 mm'\n\
+         diameter = '10 mm'\ndiameter_wear = '-0.02 mm'",
+    );
+    assert_eq!(tool.length_mm(), Some(100.0));
+    assert_eq!(tool.offset_of(Axis::Z as usize), Some(100.0 - 0.1));
+    assert_eq!(tool.offset_of(Axis::X as usize), Some(20.05));
+    assert_eq!(tool.offset_of(Axis::Y as usize), None);
+    assert_eq!(tool.radius_mm(), Some(4.99));
+    // `length` and `offset.Z` are one.
+    let other = self::tool("offset.Z = '100 mm'");
+    assert_eq!(other.length_mm(), Some(100.0));
+    // The radius offset of an insert is that of its nose.
+    assert_eq!(self::tool("nose_radius = '0.8 mm'").radius_mm(), Some(0.8));
+}
+
+#[test]
+fn kinds_of_old_files_are_read() {
+    for (kind, shape) in [
+        ("drill", Some(ToolShape::Drill)),
+        ("Spot Drill", Some(ToolShape::Drill)),
+        ("end mill", Some(ToolShape::Flat)),
+        ("ball end mill", Some(ToolShape::Ball)),
+        ("bull nose end mill", Some(ToolShape::Bull)),
+        ("face mill", Some(ToolShape::Flat)),
+        ("thread mill", Some(ToolShape::ThreadMill)),
+        ("90 deg chamfer mill", Some(ToolShape::Chamfer)),
+        ("M6 tap", Some(ToolShape::Tap)),
+        ("reamer", None),
+        ("boring bar", None),
+        ("the good one", None),
+    ] {
+        let machine = read(&format!("control = 'haas'\n[tools.1]\nkind = '{kind}'"));
+        let tool = &machine.tools[&1];
+        assert_eq!(tool.shape, shape, "{kind}");
+        let own_word = kind == "drill" || kind == "thread mill";
+        assert_eq!(tool.description.as_deref(), (!own_word).then_some(kind));
+        assert_eq!(machine.notices.0.len(), usize::from(shape.is_none()), "{kind}");
+    }
+    let machine = read("control = 'haas'\n[tools.1]\nkind = 'reamer'");
+    let notice = &machine.notices.0[0];
+    assert_eq!(
+        notice.to_string(),
+        "m.toml:3: `reamer` names no tool shape; it is kept as the description"
+    );
+    assert_eq!(
+        notice.help.as_deref(),
+        Some(
+            "a shape is `shape = …` with \"flat\", \"ball\", \"bull\", \"chamfer\", \"drill\", \"tap\", \
+             \"thread mill\", \"form\" or \"insert\""
+        )
+    );
+}
+
+const LATHE: &str = "
+control = 'fanuc'
+[work_offsets.G54]
+X = '10 mm'
+Z = '-100 mm'
+[axes.X]
+programmed = 'diameter'
+travel = ['-20 mm', '300 mm']
+max_velocity = '10 m/min'
+[axes.Z]
+[axes.C]
+[home]
+X = '280 mm'
+[tools.3]
+offset.X = '-60 mm'
+offset_wear.X = '0.2 mm'
+length = '40 mm'
+nose_radius = '0.4 mm'
+tip = 3
+shape = 'insert'
+";
+
+#[test]
+fn places_of_a_diameter_axis_are_diameters_in_the_file_and_radii_inside() {
+    let mut machine = read(LATHE);
+    let x = machine.axis(Axis::X).expect("an X axis");
+    assert_eq!(x.travel, Some((-10.0, 150.0)));
+    // A speed is that of the slide.
+    assert_eq!(x.max_velocity, Some(10_000.0 / 60.0));
+    assert_eq!(machine.work_offsets["G54"].values[..3], [Some(5.0), None, Some(-100.0)]);
+    assert_eq!(machine.home[0], Some(140.0));
+    assert_eq!(machine.tools[&3].offset[..3], [Some(-30.0), None, Some(40.0)]);
+    assert_eq!(machine.tools[&3].offset_wear[0], Some(0.1));
+    assert_eq!(machine.tools[&3].nose_radius_mm, Some(0.4));
+    // Written, it is the same file again.
+    let text = machine.to_toml();
+    assert!(
+        text.contains("programmed = \"diameter\"\ntravel = [\"-20 mm\", \"300 mm\"]"),
+        "{text}"
+    );
+    assert!(text.contains("offset.X = \"-60 mm\"\nlength = \"40 mm\""), "{text}");
+    assert_eq!(read(&text), machine);
+    // The numbers of the file stay when they are taken for radii.
+    machine.set("axes.X.programmed = radius").expect("a good word");
+    assert_eq!(machine.work_offsets["G54"].values[0], Some(10.0));
+    assert_eq!(machine.axis(Axis::X).and_then(|x| x.travel), Some((-20.0, 300.0)));
+    machine.set("axes.X.programmed = diameter").expect("a good word");
+    machine.set("work_offsets.G54.X = 30 mm").expect("a good length");
+    assert_eq!(machine.work_offsets["G54"].values[0], Some(15.0));
+}
+
+#[test]
+fn angles_are_no_diameters() {
+    assert_eq!(
+        refused("control = 'fanuc'\n[axes.C]\nprogrammed = 'diameter'"),
+        "m.toml:3: C turns: its words are angles, not diameters\n"
+    );
+}
