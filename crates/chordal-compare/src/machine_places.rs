@@ -1,10 +1,10 @@
 //! Places that belong to the machine and not to the program: where it stands at the start, and where
 //! G28 and G53 send it. When a path is meant to be moved, they stay.
 
+use chordal::control::{Action, OnceCode};
 use std::collections::HashMap;
 
 use chordal::Job;
-use chordal::control::table::Action;
 use chordal::diagnostics::Span;
 use chordal::syntax::{Block, BlockReader};
 
@@ -56,7 +56,8 @@ fn names(job: &Job) -> HashMap<(u32, u32), Names> {
                 row.is_some_and(|row| {
                     matches!(
                         row.action,
-                        Action::ReturnToReference { .. } | Action::MachineCoordinates
+                        Action::Once(OnceCode::ReturnToReference { .. })
+                            | Action::Once(OnceCode::MachineCoordinates)
                     )
                 })
             });

@@ -5,12 +5,13 @@ use chordal_kernel::Alarms;
 use chordal_machine::{AxisLimits, ControlName, Machine};
 use chordal_syntax::{Decimal, Word};
 
+use crate::action::Action;
 use crate::controls;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::scale::Scale;
 use crate::settings::{self, SettingError};
-use crate::table::{Action, CodeRow, ControlTable, code_number};
+use crate::table::{CodeRow, ControlTable, code_number};
 
 /// The table of a control.
 pub fn table(name: ControlName) -> &'static ControlTable {

@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+mod action;
 mod control;
 mod controls;
 pub mod macros;
@@ -15,6 +16,10 @@ mod settings;
 pub mod table;
 mod vocabulary;
 
+pub use action::{
+    Action, AfterCode, BeforeCode, CallCode, Called, LengthCode, ModeCode, MotionCode, OnceCode,
+    PathCode, ReadingCode,
+};
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;
 pub use parameters::*;
@@ -23,4 +28,4 @@ pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,
     SettingError, value_text,
 };
-pub use table::{Action, CodeRow, ControlTable, Group, code_name, code_number};
+pub use table::{CodeRow, ControlTable, Group, code_name, code_number};

@@ -1,12 +1,12 @@
 //! A control as data: its codes, its words, its alarms, its settings.
+
+use crate::action::Action;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::settings::Setting;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
-use chordal_geometry::Direction;
-use chordal_kernel::rules::{CycleKind, Pattern};
-use chordal_kernel::{MotionMode, ToolValue};
+use chordal_kernel::ToolValue;
 use chordal_syntax::{Decimal, Letters, Lexicon};
 
 /// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
@@ -38,178 +38,6 @@ pub enum Group {
     ToolChange,
     Calling,
     Auxiliary,
-}
-
-/// Stopping, turning, calling: what a code does. Closed, so that the interpreter answers
-/// for every one.
-#[derive(Clone, Copy, PartialEq, Debug)]
-#[allow(missing_docs, reason = "the names are the field's own")]
-pub enum Action {
-    Rapid,
-    Linear,
-    ArcCw,
-    ArcCcw,
-    SpiralCw,
-    SpiralCcw,
-    Dwell,
-    /// A stop at the end of this block.
-    ExactStopOnce,
-    SetData,
-    /// Over a point to reference point 1 (G28) or the one that P names (G30).
-    ReturnToReference {
-        second: bool,
-    },
-    ReturnFromReference,
-    MachineCoordinates,
-    LocalShift,
-    PresetPosition,
-    ClearPreset {
-        keep: bool,
-    },
-    RestorePreset,
-    PlaneXy,
-    PlaneZx,
-    PlaneYz,
-    Inch,
-    Millimetre,
-    Absolute,
-    Incremental,
-    ArcCenterAbsolute,
-    ArcCenterIncremental,
-    FeedPerTime,
-    FeedInverseTime,
-    FeedPerRevolution,
-    CompensationOff,
-    CompensationLeft,
-    CompensationRight,
-    /// An arc round an outside corner (G39), in a block of its own or beside a move.
-    CornerArc {
-        own_block: bool,
-    },
-    LengthPlus,
-    LengthMinus,
-    LengthCancel,
-    WorkOffset(u16),
-    WorkOffsetPoint(u16),
-    WorkOffsetExtended,
-    /// An extended work offset by a code of its own (Haas G110 is G154 P1).
-    WorkOffsetNumbered(u16),
-    ReturnInitial,
-    ReturnToR,
-    CancelCycle,
-    Cycle(CycleKind),
-    /// Holes of the cycle in force on a circle, an arc or a line.
-    Pattern(Pattern),
-    PathExact,
-    PathExactStop,
-    PathContinuous,
-    /// Corners rounded within the distance of high-accuracy control (Mitsubishi G61.1).
-    PathHighAccuracy,
-    /// Look-ahead control: on with this value of the letter, off with 0.
-    LookAhead {
-        letter: u8,
-        on: u32,
-    },
-    /// How far corners are rounded, by level P or distance E (Haas G187).
-    Smoothness,
-    /// Corners as in `PathContinuous`, and the feed override has no effect (G63).
-    PathTapping,
-    /// The panel's feed override acts or not (M48, M49), and with it that of rapids.
-    Overrides {
-        on: bool,
-        rapid: bool,
-    },
-    /// The same for feed and rapids by P: off with 0 (LinuxCNC M50).
-    OverridesByP,
-    ProgramStop,
-    OptionalStop,
-    ProgramEnd {
-        rewind: bool,
-    },
-    SpindleCw,
-    SpindleCcw,
-    SpindleStop,
-    SpindleOrient,
-    ToolChange,
-    CoolantMist,
-    CoolantFlood,
-    CoolantThroughTool,
-    CoolantThroughToolOff,
-    CoolantOff,
-    CallProgram,
-    CallLabel,
-    Return,
-    SubroutineEnd,
-    RunCycleHere,
-    /// G65: calls a program with its words as arguments.
-    MacroCall,
-    /// G66: the same after every move; G66.1: for every block.
-    ModalMacroCall {
-        every_block: bool,
-    },
-    /// Fadal G66: calls a subroutine after every move.
-    ModalSubroutine,
-    ModalCallOff,
-    /// A round pocket by one block, clockwise.
-    CircularPocketCw,
-    CircularPocketCcw,
-    /// A pocket of any outline by one block.
-    GeneralPocket,
-    /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
-    Probe {
-        must_hit: bool,
-    },
-    /// A code that the table does not have and the shop does.
-    ShopCode,
-    /// Carried out without effect on path or time.
-    NoEffect,
-    /// The control carries it out and Chordal does not.
-    NotSimulated,
-}
-
-impl Action {
-    /// The code takes the axis words of its block for itself.
-    pub const fn takes_axes(self) -> bool {
-        matches!(
-            self,
-            Action::Dwell
-                | Action::SetData
-                | Action::ReturnToReference { .. }
-                | Action::ReturnFromReference
-                | Action::MachineCoordinates
-                | Action::LocalShift
-                | Action::PresetPosition
-                | Action::ClearPreset { .. }
-                | Action::RestorePreset
-                | Action::CircularPocketCw
-                | Action::CircularPocketCcw
-                | Action::GeneralPocket
-                | Action::Pattern(_)
-                | Action::Probe { .. }
-                | Action::CornerArc { own_block: true }
-                | Action::NotSimulated
-        )
-    }
-
-    /// A motion code that every control has: G0 to G3.
-    pub const fn is_plain_motion(self) -> bool {
-        matches!(self, Action::Rapid | Action::Linear | Action::ArcCw | Action::ArcCcw)
-    }
-}
-
-impl From<MotionMode> for Action {
-    /// What the code of a motion in force does.
-    fn from(motion: MotionMode) -> Action {
-        match motion {
-            MotionMode::Rapid => Action::Rapid,
-            MotionMode::Linear => Action::Linear,
-            MotionMode::Arc(Direction::Cw) => Action::ArcCw,
-            MotionMode::Arc(Direction::Ccw) => Action::ArcCcw,
-            MotionMode::Spiral(Direction::Cw) => Action::SpiralCw,
-            MotionMode::Spiral(Direction::Ccw) => Action::SpiralCcw,
-            MotionMode::Cycle(kind) => Action::Cycle(kind),
-        }
-    }
 }
 
 /// One G or M code of a control.

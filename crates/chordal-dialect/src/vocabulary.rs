@@ -13,3 +13,20 @@ pub(crate) use crate::settings::{
     setting,
 };
 pub(crate) use crate::table::*;
+
+/// The words that tables of codes are written in.
+pub(crate) mod codes {
+    pub(crate) use chordal_kernel::rules::{CycleKind, HolePattern};
+
+    pub(crate) use crate::action::Action::{self, *};
+    pub(crate) use crate::action::AfterCode::*;
+    pub(crate) use crate::action::BeforeCode::*;
+    pub(crate) use crate::action::CallCode::*;
+    pub(crate) use crate::action::LengthCode::*;
+    pub(crate) use crate::action::ModeCode::*;
+    pub(crate) use crate::action::MotionCode::*;
+    pub(crate) use crate::action::OnceCode::*;
+    pub(crate) use crate::action::PathCode;
+    pub(crate) use crate::action::ReadingCode::*;
+    pub(crate) use crate::table::{ANY_WORDS, CodeRow, Group, row};
+}

@@ -1,7 +1,8 @@
 //! What may stand next.
 
 use chordal::control::number_text;
-use chordal::control::table::{Action, code_name};
+use chordal::control::table::code_name;
+use chordal::control::{Action, Called};
 use chordal::syntax::Block;
 
 use crate::Program;
@@ -95,12 +96,8 @@ impl Program {
         self.blocks(line, line + 1, |block| {
             let rows = block.words.iter().filter_map(|word| self.control().row_of(word));
             for row in rows {
-                match row.action {
-                    Action::CallProgram | Action::MacroCall | Action::ModalMacroCall { .. } => {
-                        calls = Some(true);
-                    }
-                    Action::CallLabel | Action::Return => calls = Some(false),
-                    _ => {}
+                if let Action::Call(code) = row.action {
+                    calls = code.called().map(|called| called == Called::Program).or(calls);
                 }
             }
         });

@@ -1,8 +1,8 @@
 //! Programs, labels and variables: where each is made and used, and other names for variables.
 
+use chordal::control::{Action, Called, OnceCode};
 use std::collections::HashMap;
 
-use chordal::control::table::Action;
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind, Value, Word};
 
@@ -290,12 +290,20 @@ impl<'a> Finder<'a> {
         let control = self.program.control();
         let rows = block.words.iter().filter_map(|word| control.row_of(word));
         rows.into_iter().find_map(|row| match row.action {
-            Action::CallProgram
-            | Action::MacroCall
-            | Action::ModalMacroCall { .. }
-            | Action::GeneralPocket => Some(Call::Program),
-            Action::CallLabel | Action::Return => Some(Call::Label),
-            _ => None,
+            Action::Call(code) => code.called().map(|called| match called {
+                Called::Program => Call::Program,
+                Called::Label => Call::Label,
+            }),
+            Action::Once(code) => (code == OnceCode::GeneralPocket).then_some(Call::Program),
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Mode(_)
+            | Action::Length(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::After(_)
+            | Action::NoEffect
+            | Action::NotSimulated => None,
         })
     }
 

@@ -1,6 +1,6 @@
 //! The programs, tools and operations of a text.
 
-use chordal::control::table::Action;
+use chordal::control::{Action, BeforeCode};
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind};
 
@@ -78,7 +78,9 @@ impl Program {
             return Some((PROGRAM, self.make(block, EntryKind::Program, format!("O{number}"))));
         }
         let changes = block.words.iter().any(|word| {
-            self.control().row_of(word).is_some_and(|row| row.action == Action::ToolChange)
+            self.control()
+                .row_of(word)
+                .is_some_and(|row| row.action == Action::Before(BeforeCode::ToolChange))
         });
         if changes {
             let name = tool.map_or("tool change".into(), |number| format!("T{number}"));

@@ -1,10 +1,11 @@
 //! The old text as blocks, and which part of it each belongs to.
 
+use chordal::control::{Action, AfterCode, CallCode};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use chordal::Job;
-use chordal::control::table::{Action, Subroutines};
+use chordal::control::table::Subroutines;
 use chordal::control::{Control, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
@@ -111,7 +112,7 @@ impl<'a> Source<'a> {
                     continue;
                 }
                 let ends = self.has_action(at, control, |action| {
-                    matches!(action, Action::ProgramEnd { rewind: true })
+                    matches!(action, Action::After(AfterCode::ProgramEnd { rewind: true }))
                 });
                 let head = subroutine_head(block);
                 if open.is_none() && head.is_none() {
@@ -134,7 +135,7 @@ impl<'a> Source<'a> {
     fn find_labels(&mut self, control: &Control) {
         let mut labels = BTreeMap::new();
         for at in 0..self.blocks.len() {
-            if !self.has_action(at, control, |action| action == Action::CallLabel) {
+            if !self.has_action(at, control, |action| action == Action::Call(CallCode::CallLabel)) {
                 continue;
             }
             let Some(label) = whole(self.blocks[at].word(b'P')) else { continue };
@@ -145,12 +146,15 @@ impl<'a> Source<'a> {
         }
         for (label, main) in labels {
             let end = main.clone().find(|at| {
-                self.has_action(*at, control, |action| matches!(action, Action::ProgramEnd { .. }))
+                self.has_action(*at, control, |action| {
+                    matches!(action, Action::After(AfterCode::ProgramEnd { .. }))
+                })
             });
             let start = main.clone().find(|at| whole(self.blocks[*at].word(b'N')) == Some(label));
             let (Some(end), Some(start)) = (end, start) else { continue };
-            let back = (start..main.end)
-                .find(|at| self.has_action(*at, control, |action| action == Action::Return));
+            let back = (start..main.end).find(|at| {
+                self.has_action(*at, control, |action| action == Action::Call(CallCode::Return))
+            });
             if let Some(back) = back
                 && start > end
             {

@@ -2,9 +2,9 @@
 
 use chordal::control::Field;
 use chordal::control::table::{
-    Action, ArcTurns, CodeRow, ControlTable, DataTarget, DwellWord, Group, MotionModality,
-    code_name,
+    ArcTurns, CodeRow, ControlTable, DataTarget, DwellWord, Group, MotionModality, code_name,
 };
+use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{CycleKind, ToolValue};
 use chordal::syntax::Letters;
 
@@ -34,22 +34,22 @@ pub fn code_brief(letter: u8, code: u16, view: &View) -> Option<String> {
 /// What a code does on a control; in few words where there are `several`.
 fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     let mut facts = Facts::new(row.title);
-    match row.action {
-        Action::NotSimulated => {
-            facts.add(
-                "note",
-                "the control carries it out; Chordal does not, and says so where it stands",
-            );
-            return facts.text;
-        }
-        Action::NoEffect => facts.add("effect", "none on the path or the time"),
-        _ => {}
+    if row.action == Action::NotSimulated {
+        let note = "the control carries it out; Chordal does not, and says so where it stands";
+        facts.add("note", note);
+        return facts.text;
+    }
+    if row.action == Action::NoEffect {
+        facts.add("effect", "none on the path or the time");
     }
     if row.words != Letters::NONE {
         let letters: Vec<String> = row.words.iter().map(String::from).collect();
         facts.add("takes", &format!("{}, beside the axes and F", letters.join(" ")));
     }
-    let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
+    let arc = matches!(
+        row.action,
+        Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
+    );
     match row.group {
         Group::OneShot => facts.add("holds", "in its own block only"),
         Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
@@ -84,32 +84,31 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
 
 /// What the table says of an action beside its settings.
 fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
-    match action {
-        Action::Dwell => {
-            for word in view.table.dwell {
-                facts.add("time", &dwell_text(word));
+    if action == Action::Once(OnceCode::Dwell) {
+        for word in view.table.dwell {
+            facts.add("time", &dwell_text(word));
+        }
+    }
+    if action == Action::Once(OnceCode::SetData) {
+        // One line for all numbers that write the same.
+        let mut targets: Vec<(&str, Vec<String>)> = Vec::new();
+        for (number, target) in view.table.set_data {
+            let (name, number) = (target_name(*target), format!("L{number}"));
+            match targets.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, numbers)) => numbers.push(number),
+                None => targets.push((name, vec![number])),
             }
         }
-        Action::SetData => {
-            // One line for all numbers that write the same.
-            let mut targets: Vec<(&str, Vec<String>)> = Vec::new();
-            for (number, target) in view.table.set_data {
-                let (name, number) = (target_name(*target), format!("L{number}"));
-                match targets.iter_mut().find(|(other, _)| *other == name) {
-                    Some((_, numbers)) => numbers.push(number),
-                    None => targets.push((name, vec![number])),
-                }
-            }
-            for (name, numbers) in targets {
-                facts.add("writes", &format!("{}: {name}", numbers.join(" ")));
-            }
+        for (name, numbers) in targets {
+            facts.add("writes", &format!("{}: {name}", numbers.join(" ")));
         }
-        Action::ArcCw | Action::ArcCcw => match view.table.arc_turns {
+    }
+    if matches!(action, Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw)) {
+        match view.table.arc_turns {
             ArcTurns::None => {}
             ArcTurns::Extra => facts.add("turns", "P: full turns beside the arc's own"),
             ArcTurns::Total => facts.add("turns", "P: all turns, the arc's own counted as one"),
-        },
-        _ => {}
+        }
     }
 }
 
@@ -144,31 +143,72 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
 fn fields_of(action: Action) -> &'static [Field] {
     use Field as F;
     match action {
-        Action::Rapid => &[F::Rapid],
-        Action::ArcCw | Action::ArcCcw => &[
-            F::ArcCenter,
-            F::RadiusErrorTolerance,
-            F::ArcMismatch,
-            F::SemicircleTolerance,
-            F::CenterAndRadius,
-            F::FullCircleByRadius,
-            F::HelixFeed,
-            F::MaxRadius,
-            F::Spiral,
-        ],
-        Action::SpiralCw | Action::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
-        Action::PlaneXy | Action::PlaneZx | Action::PlaneYz => &[F::PlaneCodes],
-        Action::Inch | Action::Millimetre => &[F::Units, F::UnitCodes],
-        Action::Absolute | Action::Incremental => &[F::StartDistance],
-        Action::CompensationLeft | Action::CompensationRight => {
-            &[F::RadiusOffsets, F::MaxRadiusCompensated]
+        Action::Motion(code) => match code {
+            MotionCode::Rapid => &[F::Rapid],
+            MotionCode::Linear => &[],
+            MotionCode::ArcCw | MotionCode::ArcCcw => &[
+                F::ArcCenter,
+                F::RadiusErrorTolerance,
+                F::ArcMismatch,
+                F::SemicircleTolerance,
+                F::CenterAndRadius,
+                F::FullCircleByRadius,
+                F::HelixFeed,
+                F::MaxRadius,
+                F::Spiral,
+            ],
+            MotionCode::SpiralCw | MotionCode::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
+        },
+        Action::Reading(code) => match code {
+            ReadingCode::Inch | ReadingCode::Millimetre => &[F::Units, F::UnitCodes],
+            ReadingCode::Absolute | ReadingCode::Incremental => &[F::StartDistance],
+            ReadingCode::ArcCenterAbsolute
+            | ReadingCode::ArcCenterIncremental
+            | ReadingCode::FeedPerTime
+            | ReadingCode::FeedInverseTime
+            | ReadingCode::FeedPerRevolution => &[],
+        },
+        Action::Mode(code) => settings_of_mode(code),
+        Action::Length(code) => match code {
+            LengthCode::Plus | LengthCode::Minus => &[F::LengthMustMatchTool, F::LengthByHAlone],
+            LengthCode::Cancel => &[],
+        },
+        Action::Cycle(kind) if kind == CycleKind::ChipBreak => &[F::ChipBreak],
+        Action::Cycle(kind) if kind == CycleKind::Peck => &[F::PeckClearance],
+        Action::Cycle(_) => &[],
+        Action::Call(code) => match code {
+            CallCode::CallProgram | CallCode::CallLabel => &[F::Nesting, F::PackedCalls],
+            CallCode::Return => &[F::ReturnLabelInCallee],
+            CallCode::SubroutineEnd | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => &[],
+        },
+        Action::Before(_)
+        | Action::Once(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated => &[],
+    }
+}
+
+fn settings_of_mode(code: ModeCode) -> &'static [Field] {
+    match code {
+        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[Field::PlaneCodes],
+        ModeCode::CompensationLeft | ModeCode::CompensationRight => {
+            &[Field::RadiusOffsets, Field::MaxRadiusCompensated]
         }
-        Action::LengthPlus | Action::LengthMinus => &[F::LengthMustMatchTool, F::LengthByHAlone],
-        Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
-        Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
-        Action::CallProgram | Action::CallLabel => &[F::Nesting, F::PackedCalls],
-        Action::Return => &[F::ReturnLabelInCallee],
-        _ => &[],
+        ModeCode::CompensationOff
+        | ModeCode::CornerArc
+        | ModeCode::WorkOffset(_)
+        | ModeCode::WorkOffsetPoint(_)
+        | ModeCode::WorkOffsetExtended
+        | ModeCode::WorkOffsetNumbered(_)
+        | ModeCode::ReturnInitial
+        | ModeCode::ReturnToR
+        | ModeCode::CancelCycle
+        | ModeCode::Path(_)
+        | ModeCode::Overrides { .. }
+        | ModeCode::OverridesByP
+        | ModeCode::ModalSubroutine
+        | ModeCode::ModalCallOff => &[],
     }
 }
 

@@ -1,7 +1,8 @@
 //! What an address letter means on a control, gathered from its table.
 
+use chordal::control::Action;
 use chordal::control::Field;
-use chordal::control::table::{Action, ArcTurns, LineRepeat, Subroutines, code_name};
+use chordal::control::table::{ArcTurns, LineRepeat, Subroutines, code_name};
 
 use crate::meaning::code::{codes, dwell_text};
 use crate::meaning::{View, own_value, sections, settings, some};

@@ -1,93 +1,52 @@
 //! What a word means in the block of a G or M code: Q of G83 is a peck, Q of G76 a shift.
 
-use chordal::control::table::{Action, ArcTurns, CodeRow, DataTarget};
+use chordal::control::table::{ArcTurns, CodeRow, DataTarget};
+use chordal::control::{
+    Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
+};
 use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
-use chordal::control::{CycleKind, Pattern};
+use chordal::control::{CycleKind, HolePattern};
 
 use crate::meaning::View;
 use crate::meaning::code::dwell_text;
 
 /// The meaning of a letter in the block of a code; `None` where it is accepted and does nothing to the path.
 pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
-    let text = match row.action {
-        Action::Dwell => return dwell(letter, view),
-        Action::ArcCw | Action::ArcCcw => return arc(letter, view),
-        Action::SpiralCw | Action::SpiralCcw => match letter {
-            b'P' => "whole turns beyond the angle from start to end, 0 to 99",
-            b'I' | b'J' | b'K' => return center(letter, view),
+    match row.action {
+        Action::Once(code) => once(code, letter, view),
+        Action::Motion(code) => motion(code, letter, view),
+        Action::Mode(code) => mode(code, letter),
+        Action::Length(code) => length(code, letter).map(str::to_string),
+        Action::Call(code) => called(code, letter, view),
+        Action::Before(code) => before(code, letter).map(str::to_string),
+        Action::Cycle(kind) => cycle(kind, letter, view),
+        Action::Reading(_) | Action::After(_) | Action::NoEffect | Action::NotSimulated => None,
+    }
+}
+
+fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
+    match code {
+        MotionCode::Rapid | MotionCode::Linear => None,
+        MotionCode::ArcCw | MotionCode::ArcCcw => arc(letter, view),
+        MotionCode::SpiralCw | MotionCode::SpiralCcw => match letter {
+            b'P' => Some("whole turns beyond the angle from start to end, 0 to 99".into()),
+            b'I' | b'J' | b'K' => center(letter, view),
+            _ => None,
+        },
+    }
+}
+
+fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
+    let text = match code {
+        OnceCode::Dwell => return dwell(letter, view),
+        OnceCode::SetData => return set_data(letter, view),
+        OnceCode::Pattern(pattern) => return holes(pattern, letter),
+        OnceCode::ReturnToReference { second } => match letter {
+            b'P' if second => "number of the reference point: 2, 3 or 4; without P the second",
             _ => return None,
         },
-        Action::SetData => return set_data(letter, view),
-        Action::ReturnToReference { second: true } => match letter {
-            b'P' => "number of the reference point: 2, 3 or 4; without P the second",
-            _ => return None,
-        },
-        Action::CompensationOff => match letter {
-            b'I' | b'J' | b'K' => {
-                "direction of the next wall, for the end of the last contour block"
-            }
-            _ => return None,
-        },
-        Action::CompensationLeft | Action::CompensationRight => match letter {
-            b'D' => "number of the radius offset; D0 is a radius of zero",
-            b'I' | b'J' | b'K' => "direction of the offset at the end of this block",
-            _ => return None,
-        },
-        Action::CornerArc { .. } => match letter {
-            b'I' | b'J' | b'K' => "direction at which the corner arc ends",
-            _ => return None,
-        },
-        Action::LengthPlus | Action::LengthMinus => match letter {
-            b'H' => "number of the length offset",
-            _ => return None,
-        },
-        Action::WorkOffsetExtended => match letter {
-            b'P' => "number of the extended work offset",
-            _ => return None,
-        },
-        Action::CallProgram => return call(letter, view),
-        Action::CallLabel => match letter {
-            b'P' => "N number at which the call begins",
-            b'L' => "how often it runs",
-            _ => return None,
-        },
-        Action::Return => match letter {
-            b'P' => "N number in the caller at which the program goes on",
-            _ => return None,
-        },
-        Action::MacroCall | Action::ModalMacroCall { .. } => match letter {
-            b'P' => "number of the macro program",
-            b'L' => "how often it runs",
-            _ => "argument: a local variable of the macro",
-        },
-        Action::ModalSubroutine => match letter {
-            b'L' => "number of the subroutine that runs after each move",
-            _ => return None,
-        },
-        Action::SpindleOrient => match letter {
-            b'R' | b'P' => "angle, in degrees; it does not change the path",
-            _ => return None,
-        },
-        Action::OverridesByP => match letter {
-            b'P' => "0 switches the overrides off, everything else on",
-            _ => return None,
-        },
-        Action::PathContinuous => match letter {
-            b'P' => "largest distance from the programmed path at corners",
-            b'Q' => {
-                "the control may join nearly straight lines within this distance; Chordal does not"
-            }
-            _ => return None,
-        },
-        Action::LookAhead { letter: own, on } if own == letter => {
-            return Some(format!("{on} switches look-ahead on, 0 off"));
-        }
-        Action::Smoothness => match letter {
-            b'P' => "1 rough, 2 medium, 3 finish",
-            b'E' => "largest distance from the programmed path at corners",
-            _ => return None,
-        },
-        Action::CircularPocketCw | Action::CircularPocketCcw => match letter {
+        OnceCode::CornerArcAlone => return corner_arc(letter).map(str::to_string),
+        OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw => match letter {
             b'I' => "radius of the first circle; of the finished circle where K is not given",
             b'K' => "radius of the finished circle",
             b'Q' => "step from one circle to the next, with K",
@@ -95,7 +54,7 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
             b'D' => "number of the radius offset",
             _ => return None,
         },
-        Action::GeneralPocket => match letter {
+        OnceCode::GeneralPocket => match letter {
             b'P' => "number of the subprogram that holds the outline",
             b'R' => "R level: where feeding begins",
             b'Q' => "depth of one level",
@@ -106,9 +65,129 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
             b'S' => "spindle speed",
             _ => return None,
         },
-        Action::Pattern(pattern) => return holes(pattern, letter),
-        Action::Cycle(kind) => return cycle(kind, letter, view),
-        _ => return None,
+        OnceCode::ReturnFromReference
+        | OnceCode::MachineCoordinates
+        | OnceCode::LocalShift
+        | OnceCode::PresetPosition
+        | OnceCode::ClearPreset { .. }
+        | OnceCode::RestorePreset
+        | OnceCode::Probe { .. } => return None,
+    };
+    Some(text.into())
+}
+
+fn corner_arc(letter: u8) -> Option<&'static str> {
+    matches!(letter, b'I' | b'J' | b'K').then_some("direction at which the corner arc ends")
+}
+
+fn mode(code: ModeCode, letter: u8) -> Option<String> {
+    let text = match code {
+        ModeCode::Path(code) => return path_mode(code, letter),
+        ModeCode::CornerArc => return corner_arc(letter).map(str::to_string),
+        ModeCode::CompensationOff => match letter {
+            b'I' | b'J' | b'K' => {
+                "direction of the next wall, for the end of the last contour block"
+            }
+            _ => return None,
+        },
+        ModeCode::CompensationLeft | ModeCode::CompensationRight => match letter {
+            b'D' => "number of the radius offset; D0 is a radius of zero",
+            b'I' | b'J' | b'K' => "direction of the offset at the end of this block",
+            _ => return None,
+        },
+        ModeCode::WorkOffsetExtended => match letter {
+            b'P' => "number of the extended work offset",
+            _ => return None,
+        },
+        ModeCode::ModalSubroutine => match letter {
+            b'L' => "number of the subroutine that runs after each move",
+            _ => return None,
+        },
+        ModeCode::OverridesByP => match letter {
+            b'P' => "0 switches the overrides off, everything else on",
+            _ => return None,
+        },
+        ModeCode::PlaneXy
+        | ModeCode::PlaneZx
+        | ModeCode::PlaneYz
+        | ModeCode::WorkOffset(_)
+        | ModeCode::WorkOffsetPoint(_)
+        | ModeCode::WorkOffsetNumbered(_)
+        | ModeCode::ReturnInitial
+        | ModeCode::ReturnToR
+        | ModeCode::CancelCycle
+        | ModeCode::Overrides { .. }
+        | ModeCode::ModalCallOff => return None,
+    };
+    Some(text.into())
+}
+
+fn path_mode(code: PathCode, letter: u8) -> Option<String> {
+    let text = match code {
+        PathCode::Continuous => match letter {
+            b'P' => "largest distance from the programmed path at corners",
+            b'Q' => {
+                "the control may join nearly straight lines within this distance; Chordal does not"
+            }
+            _ => return None,
+        },
+        PathCode::LookAhead { letter: own, on } => {
+            return (own == letter).then(|| format!("{on} switches look-ahead on, 0 off"));
+        }
+        PathCode::Smoothness => match letter {
+            b'P' => "1 rough, 2 medium, 3 finish",
+            b'E' => "largest distance from the programmed path at corners",
+            _ => return None,
+        },
+        PathCode::Exact
+        | PathCode::ExactStop
+        | PathCode::ExactStopOnce
+        | PathCode::HighAccuracy
+        | PathCode::Tapping => return None,
+    };
+    Some(text.into())
+}
+
+fn length(code: LengthCode, letter: u8) -> Option<&'static str> {
+    match code {
+        LengthCode::Plus | LengthCode::Minus => {
+            (letter == b'H').then_some("number of the length offset")
+        }
+        LengthCode::Cancel => None,
+    }
+}
+
+fn before(code: BeforeCode, letter: u8) -> Option<&'static str> {
+    match code {
+        BeforeCode::SpindleOrient => matches!(letter, b'R' | b'P')
+            .then_some("angle, in degrees; it does not change the path"),
+        BeforeCode::ToolChange
+        | BeforeCode::SpindleCw
+        | BeforeCode::SpindleCcw
+        | BeforeCode::CoolantMist
+        | BeforeCode::CoolantFlood
+        | BeforeCode::CoolantThroughTool => None,
+    }
+}
+
+fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
+    let text = match code {
+        CallCode::CallProgram => return call(letter, view),
+        CallCode::CallLabel => match letter {
+            b'P' => "N number at which the call begins",
+            b'L' => "how often it runs",
+            _ => return None,
+        },
+        CallCode::Return => match letter {
+            b'P' => "N number in the caller at which the program goes on",
+            _ => return None,
+        },
+        CallCode::MacroCall | CallCode::ModalMacroCall { .. } => match letter {
+            b'P' => "number of the macro program",
+            b'L' => "how often it runs",
+            _ => "argument: a local variable of the macro",
+        },
+        CallCode::SubroutineEnd => return None,
     };
     Some(text.into())
 }
@@ -184,15 +263,15 @@ fn set_data(letter: u8, view: &View) -> Option<String> {
     Some(text.into())
 }
 
-fn holes(pattern: Pattern, letter: u8) -> Option<String> {
+fn holes(pattern: HolePattern, letter: u8) -> Option<String> {
     let text = match (pattern, letter) {
-        (Pattern::Circle | Pattern::Arc, b'I') => "radius of the circle",
-        (Pattern::Circle | Pattern::Arc, b'J') => {
+        (HolePattern::Circle | HolePattern::Arc, b'I') => "radius of the circle",
+        (HolePattern::Circle | HolePattern::Arc, b'J') => {
             "angle of the first hole, from X+ counter-clockwise"
         }
-        (Pattern::Arc, b'K') => "angle from one hole to the next",
-        (Pattern::Line, b'I') => "distance from one hole to the next",
-        (Pattern::Line, b'J') => "angle of the line, from X+ counter-clockwise",
+        (HolePattern::Arc, b'K') => "angle from one hole to the next",
+        (HolePattern::Line, b'I') => "distance from one hole to the next",
+        (HolePattern::Line, b'J') => "angle of the line, from X+ counter-clockwise",
         (_, b'L') => "number of holes",
         _ => return None,
     };

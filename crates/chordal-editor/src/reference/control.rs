@@ -1,7 +1,8 @@
 //! `docs/reference/controls/<control>.md`: codes, words, settings and alarms of one control.
 
 use chordal::Code;
-use chordal::control::table::{Action, CodeRow, ControlTable, DataTarget, Group, code_name};
+use chordal::control::Action;
+use chordal::control::table::{CodeRow, ControlTable, DataTarget, Group, code_name};
 use chordal::control::{COMMON_SETTINGS, Certainty, Setting};
 
 use crate::meaning::{

@@ -1,7 +1,8 @@
 //! The codes that a control has and Chordal does not carry out.
 
+use chordal::control::Action;
 use chordal::control::CONTROLS;
-use chordal::control::table::{Action, ControlTable, DataTarget, code_name};
+use chordal::control::table::{ControlTable, DataTarget, code_name};
 
 use crate::meaning::codes;
 use crate::reference::{cell, table_row};

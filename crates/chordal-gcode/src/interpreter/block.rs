@@ -2,7 +2,8 @@
 
 use chordal_command::AxisMask;
 use chordal_dialect::table::{LineRepeat, Subroutines};
-use chordal_dialect::{Action, CodeRow, Group, UnitCodes, code_number};
+use chordal_dialect::{Action, OnceCode};
+use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
 use chordal_syntax::{Block, Letters};
 
 use super::judge::ALWAYS;
@@ -51,12 +52,13 @@ impl Interpreter<'_> {
             Some(word) => {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
-                let Some(row) = row.filter(|row| row.group == Group::Motion) else { return false };
+                let Some(row) = row else { return false };
+                let Action::Motion(motion) = row.action else { return false };
                 // `G2.0` is judged with the codes.
                 if word.number().is_some_and(|number| number.scale > 0) {
                     return false;
                 }
-                (self.words_of(row), Some(row.action))
+                (self.words_of(row), Some(motion))
             }
         };
         if !letters.within(ALWAYS.union(words)) {
@@ -151,7 +153,8 @@ impl Interpreter<'_> {
         self.take_registers(block);
         self.take_letters(block, codes);
         // G41 beside a pocket names its side; the cycle offsets by itself.
-        let own_side = codes.iter().any(|(row, _)| row.action == Action::GeneralPocket);
+        let own_side =
+            codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::GeneralPocket));
         for (row, at) in codes {
             if !(own_side && row.group == Group::Compensation) {
                 self.take_mode(block, row, *at);
@@ -162,12 +165,15 @@ impl Interpreter<'_> {
         match one_shot {
             Some((row, at)) => {
                 self.modes_beside_one_shot(block, codes, row);
-                self.one_shot(block, row.action, *at);
+                // A code that is not simulated was reported with the modes; its axis words go with it.
+                if let Action::Once(code) = row.action {
+                    self.one_shot(block, code, *at);
+                }
             }
             None => {
-                let motion = codes.iter().rev().find(|(row, _)| row.group == Group::Motion);
-                let cycle = codes.iter().rev().find(|(row, _)| row.group == Group::Cycle);
-                self.motion_or_cycle(block, motion.map(|c| c.0.action), cycle.map(|c| c.0.action));
+                let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
+                let cycle = codes.iter().rev().find_map(|(row, _)| row.action.cycle());
+                self.motion_or_cycle(block, motion, cycle);
             }
         }
         self.take_after_motion(block, codes)

@@ -1,7 +1,7 @@
 //! Subprograms, subroutines, local calls, returns and their limits.
 
-use chordal_dialect::Action;
 use chordal_dialect::table::Subroutines;
+use chordal_dialect::{Action, AfterCode};
 use std::collections::HashMap;
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
@@ -60,8 +60,9 @@ impl Interpreter<'_> {
     fn ends_section(&self, block: &Block) -> bool {
         block.all(b'M').any(|word| {
             let code = word.number().and_then(chordal_dialect::code_number);
-            code.and_then(|code| self.control.m_code(code))
-                .is_some_and(|row| matches!(row.action, Action::ProgramEnd { rewind: true }))
+            code.and_then(|code| self.control.m_code(code)).is_some_and(|row| {
+                matches!(row.action, Action::After(AfterCode::ProgramEnd { rewind: true }))
+            })
         })
     }
 

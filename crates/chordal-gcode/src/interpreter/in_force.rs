@@ -1,7 +1,8 @@
 //! The codes in force, by the control's own numbers.
 
 use chordal_command::{FeedMode, Side, Units};
-use chordal_dialect::{Action, Control};
+use chordal_dialect::Control;
+use chordal_dialect::{Action, ModeCode, ReadingCode};
 use chordal_geometry::Plane;
 use chordal_kernel::State;
 
@@ -11,27 +12,35 @@ pub(super) fn codes_in_force(state: &State, control: &Control) -> Vec<String> {
     let mut actions = Vec::new();
     actions.extend(state.motion_mode().map(Action::from));
     actions.push(match state.plane {
-        Plane::Xy => Action::PlaneXy,
-        Plane::Zx => Action::PlaneZx,
-        Plane::Yz => Action::PlaneYz,
+        Plane::Xy => Action::Mode(ModeCode::PlaneXy),
+        Plane::Zx => Action::Mode(ModeCode::PlaneZx),
+        Plane::Yz => Action::Mode(ModeCode::PlaneYz),
     });
-    actions.push(if state.incremental { Action::Incremental } else { Action::Absolute });
+    actions.push(if state.incremental {
+        Action::Reading(ReadingCode::Incremental)
+    } else {
+        Action::Reading(ReadingCode::Absolute)
+    });
     actions.push(match state.feed_mode {
-        FeedMode::PerTime => Action::FeedPerTime,
-        FeedMode::InverseTime => Action::FeedInverseTime,
-        FeedMode::PerRevolution => Action::FeedPerRevolution,
+        FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
+        FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
+        FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
     });
     actions.push(match state.units {
-        Units::Inch => Action::Inch,
-        Units::Millimetre => Action::Millimetre,
+        Units::Inch => Action::Reading(ReadingCode::Inch),
+        Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     });
     actions.push(match state.side {
-        Side::Off => Action::CompensationOff,
-        Side::Left => Action::CompensationLeft,
-        Side::Right => Action::CompensationRight,
+        Side::Off => Action::Mode(ModeCode::CompensationOff),
+        Side::Left => Action::Mode(ModeCode::CompensationLeft),
+        Side::Right => Action::Mode(ModeCode::CompensationRight),
     });
     if state.cycle.is_some() {
-        actions.push(if state.return_to_r { Action::ReturnToR } else { Action::ReturnInitial });
+        actions.push(if state.return_to_r {
+            Action::Mode(ModeCode::ReturnToR)
+        } else {
+            Action::Mode(ModeCode::ReturnInitial)
+        });
     }
     let rows = control.table.g_codes;
     let code = |action| rows.iter().find(|row| row.action == action).map(|row| row.name(b'G'));

@@ -3,7 +3,8 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::table::MotionModality;
-use chordal_dialect::{Action, CodeRow, Group};
+use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{CodeRow, Group};
 use chordal_kernel::Motion;
 use chordal_kernel::rules::SpiralForm;
 use chordal_syntax::{Block, Letters};
@@ -118,7 +119,10 @@ impl Interpreter<'_> {
     /// The letters a code takes with the parameters in force: Q and L on an arc only where
     /// they make it a spiral.
     pub(super) fn words_of(&self, row: &CodeRow) -> Letters {
-        let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
+        let arc = matches!(
+            row.action,
+            Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
+        );
         let spirals = matches!(
             self.control.parameters.rules.arc.spiral,
             SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount

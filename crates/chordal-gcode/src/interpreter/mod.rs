@@ -16,7 +16,6 @@ mod macros;
 mod modes;
 mod motion;
 mod offsets;
-mod overrides;
 mod path_modes;
 mod pocket;
 mod reference;

@@ -3,7 +3,10 @@
 
 use chordal_command::{CommandKind, FeedMode, Side, SpindleState, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_dialect::{Action, CodeRow, Group, PlaneCodes, Scale};
+use chordal_dialect::{
+    Action, AfterCode, BeforeCode, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
+};
+use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale};
 use chordal_geometry::Plane;
 use chordal_kernel::LengthOffset;
 use chordal_kernel::rules::ArcCenter;
@@ -14,21 +17,24 @@ use super::{EndReason, Flow, Interpreter};
 impl Interpreter<'_> {
     /// Modes that change how the numbers of this very block are read.
     pub(super) fn take_reading_mode(&mut self, action: Action) {
-        match action {
-            Action::Inch => self.set_units(Units::Inch),
-            Action::Millimetre => self.set_units(Units::Millimetre),
-            Action::Absolute if !self.control.table.distance_left_to_right => {
-                self.kernel.set_incremental(false);
+        let Action::Reading(code) = action else { return };
+        let by_place = self.control.table.distance_left_to_right;
+        match code {
+            ReadingCode::Inch => self.set_units(Units::Inch),
+            ReadingCode::Millimetre => self.set_units(Units::Millimetre),
+            ReadingCode::Absolute if by_place => {}
+            ReadingCode::Incremental if by_place => {}
+            ReadingCode::Absolute => self.kernel.set_incremental(false),
+            ReadingCode::Incremental => self.kernel.set_incremental(true),
+            ReadingCode::ArcCenterAbsolute => {
+                self.kernel.state.arc_center = ArcCenter::Absolute;
             }
-            Action::Incremental if !self.control.table.distance_left_to_right => {
-                self.kernel.set_incremental(true);
+            ReadingCode::ArcCenterIncremental => {
+                self.kernel.state.arc_center = ArcCenter::FromStart;
             }
-            Action::ArcCenterAbsolute => self.kernel.state.arc_center = ArcCenter::Absolute,
-            Action::ArcCenterIncremental => self.kernel.state.arc_center = ArcCenter::FromStart,
-            Action::FeedPerTime => self.kernel.set_feed_mode(FeedMode::PerTime),
-            Action::FeedInverseTime => self.kernel.set_feed_mode(FeedMode::InverseTime),
-            Action::FeedPerRevolution => self.kernel.set_feed_mode(FeedMode::PerRevolution),
-            _ => {}
+            ReadingCode::FeedPerTime => self.kernel.set_feed_mode(FeedMode::PerTime),
+            ReadingCode::FeedInverseTime => self.kernel.set_feed_mode(FeedMode::InverseTime),
+            ReadingCode::FeedPerRevolution => self.kernel.set_feed_mode(FeedMode::PerRevolution),
         }
     }
 
@@ -65,57 +71,72 @@ impl Interpreter<'_> {
             }
         }
         for (row, at) in codes {
-            match row.action {
-                Action::ToolChange => self.tool_change(block, *at),
-                Action::SpindleCw => self.kernel.set_spindle(SpindleState::Cw),
-                Action::SpindleCcw => self.kernel.set_spindle(SpindleState::Ccw),
-                Action::SpindleOrient => self.kernel.set_spindle(SpindleState::Oriented),
-                Action::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
-                Action::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
-                Action::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
-                _ => {}
+            if let Action::Before(code) = row.action {
+                self.take_before_motion(block, code, *at);
             }
+        }
+    }
+
+    /// Tool, spindle and coolant on.
+    fn take_before_motion(&mut self, block: &Block, code: BeforeCode, at: usize) {
+        match code {
+            BeforeCode::ToolChange => self.tool_change(block, at),
+            BeforeCode::SpindleCw => self.kernel.set_spindle(SpindleState::Cw),
+            BeforeCode::SpindleCcw => self.kernel.set_spindle(SpindleState::Ccw),
+            BeforeCode::SpindleOrient => self.kernel.set_spindle(SpindleState::Oriented),
+            BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
+            BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
+            BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
         }
     }
 
     /// Modes that the motion of this block obeys.
     pub(super) fn take_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
-        match row.action {
-            Action::PlaneXy => self.set_plane(block, at, Plane::Xy),
-            Action::PlaneZx => self.set_plane(block, at, Plane::Zx),
-            Action::PlaneYz => self.set_plane(block, at, Plane::Yz),
-            Action::CompensationOff | Action::CompensationLeft | Action::CompensationRight => {
-                self.set_compensation(block, at, row.action);
+        let code = match row.action {
+            Action::Mode(code) => code,
+            Action::NotSimulated => return self.not_simulated(&block.words[at], row),
+            // Each in its turn.
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Length(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::Once(_)
+            | Action::After(_)
+            | Action::Call(_)
+            | Action::NoEffect => return,
+        };
+        match code {
+            ModeCode::PlaneXy => self.set_plane(block, at, Plane::Xy),
+            ModeCode::PlaneZx => self.set_plane(block, at, Plane::Zx),
+            ModeCode::PlaneYz => self.set_plane(block, at, Plane::Yz),
+            ModeCode::CompensationOff => self.set_compensation(block, at, Side::Off),
+            ModeCode::CompensationLeft => self.set_compensation(block, at, Side::Left),
+            ModeCode::CompensationRight => self.set_compensation(block, at, Side::Right),
+            ModeCode::CornerArc => self.corner_arc(block, false),
+            ModeCode::WorkOffset(number) => self.kernel.select_work(WorkName::G(number)),
+            ModeCode::WorkOffsetPoint(number) => self.kernel.select_work(WorkName::G59(number)),
+            ModeCode::WorkOffsetNumbered(number) => {
+                self.kernel.select_work(WorkName::Extended(number));
             }
-            Action::CornerArc { own_block: false } => self.corner_arc(block, false),
-            Action::WorkOffset(number) => self.kernel.select_work(WorkName::G(number)),
-            Action::WorkOffsetPoint(number) => self.kernel.select_work(WorkName::G59(number)),
-            Action::WorkOffsetNumbered(number) => {
-                self.kernel.select_work(WorkName::Extended(number))
+            ModeCode::WorkOffsetExtended => self.select_extended_work(block, at),
+            ModeCode::Path(code) => self.take_path_mode(block, row, code, at),
+            ModeCode::Overrides { on, rapid } => {
+                self.kernel.set_overrides(Some(on), rapid.then_some(on));
             }
-            Action::WorkOffsetExtended => self.select_extended_work(block, at),
-            Action::PathExact
-            | Action::PathExactStop
-            | Action::ExactStopOnce
-            | Action::PathContinuous
-            | Action::PathHighAccuracy
-            | Action::PathTapping
-            | Action::LookAhead { .. }
-            | Action::Smoothness => self.take_path_mode(block, row, at),
-            Action::Overrides { .. } | Action::OverridesByP => {
-                self.take_overrides(block, row.action);
-            }
-            Action::ReturnInitial => self.kernel.state.return_to_r = false,
-            Action::ReturnToR => self.kernel.state.return_to_r = true,
-            Action::CancelCycle => self.kernel.cancel_cycle(),
-            Action::ModalSubroutine => self.begin_modal_subroutine(block, at),
-            Action::ModalCallOff => self.end_modal_call(),
-            Action::NotSimulated => {
-                let word = block.words[at];
-                self.not_simulated(&word, row);
-            }
-            _ => {}
+            ModeCode::OverridesByP => self.take_overrides_by_p(block),
+            ModeCode::ReturnInitial => self.kernel.state.return_to_r = false,
+            ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
+            ModeCode::CancelCycle => self.kernel.cancel_cycle(),
+            ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
+            ModeCode::ModalCallOff => self.end_modal_call(),
         }
+    }
+
+    /// M50: feed and rapid overrides by P.
+    fn take_overrides_by_p(&mut self, block: &Block) {
+        let on = !block.letters().has(b'P') || self.count_of(block, b'P') != Some(0);
+        self.kernel.set_overrides(Some(on), Some(on));
     }
 
     fn set_plane(&mut self, block: &Block, at: usize, plane: Plane) {
@@ -136,18 +157,18 @@ impl Interpreter<'_> {
             return;
         }
         let called = codes.iter().any(|(row, _)| row.group == Group::Calling)
-            || codes.iter().any(|(row, _)| row.action == Action::SetData);
+            || codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));
         if called {
             return;
         }
-        if by_code == Some(Action::LengthCancel) {
+        if by_code == Some(Action::Length(LengthCode::Cancel)) {
             return self
                 .kernel
                 .set_length(&self.at(block), LengthOffset { number: None, minus: false });
         }
         let in_force = self.kernel.state.offsets.length();
         let minus = match by_code {
-            Some(Action::LengthMinus) => true,
+            Some(Action::Length(LengthCode::Minus)) => true,
             Some(_) => false,
             None => in_force.minus,
         };
@@ -185,19 +206,27 @@ impl Interpreter<'_> {
     ) {
         for (row, at) in codes {
             match row.action {
-                Action::ArcCw | Action::ArcCcw | Action::SpiralCw | Action::SpiralCcw
-                    if self.has_arc_words(block) =>
-                {
+                Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
+                Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
+                Action::Motion(code) if code.is_curve() && self.has_arc_words(block) => {
                     self.arc_left_out(block, *at, row, taker);
-                    self.take_motion_code(row.action);
+                    self.take_motion_code(code);
                 }
-                Action::Absolute => self.kernel.set_incremental(false),
-                Action::Incremental => self.kernel.set_incremental(true),
-                action if row.group == Group::Motion => {
+                Action::Motion(code) => {
                     self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_motion);
-                    self.take_motion_code(action);
+                    self.take_motion_code(code);
                 }
-                _ => {}
+                // Nothing of the others waits for axis words.
+                Action::Reading(_)
+                | Action::Before(_)
+                | Action::Mode(_)
+                | Action::Length(_)
+                | Action::Cycle(_)
+                | Action::Once(_)
+                | Action::After(_)
+                | Action::Call(_)
+                | Action::NoEffect
+                | Action::NotSimulated => {}
             }
         }
     }
@@ -230,29 +259,64 @@ impl Interpreter<'_> {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or
                 // not the block had axis words to act on.
-                Action::Absolute => self.kernel.set_incremental(false),
-                Action::Incremental => self.kernel.set_incremental(true),
-                Action::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
-                Action::CoolantOff => self.kernel.set_coolant(|c| *c = Default::default()),
-                Action::CoolantThroughToolOff => {
-                    self.kernel.set_coolant(|c| c.through_tool = false)
+                Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
+                Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
+                Action::After(code) => {
+                    if let end @ Flow::End(_) = self.take_code_after_motion(block, codes, code, *at)
+                    {
+                        return end;
+                    }
                 }
-                Action::ProgramStop => self.kernel.emit(CommandKind::Stop { optional: false }),
-                Action::OptionalStop => self.kernel.emit(CommandKind::Stop { optional: true }),
-                Action::ProgramEnd { .. } => {
-                    self.kernel.set_spindle(SpindleState::Off);
-                    self.kernel.emit(CommandKind::End);
-                    return Flow::End(EndReason::ProgramEnd);
-                }
-                Action::ShopCode => self.carry_out_shop_code(block, codes, *at),
-                Action::RunCycleHere => self.run_cycle_here(block, *at),
-                Action::CallProgram => self.call_program(block, *at),
-                Action::CallLabel => self.call_label(block, *at),
-                Action::Return => return self.return_from_program(block, *at),
-                Action::SubroutineEnd => self.return_from_subroutine(block, *at),
-                _ => {}
+                Action::Call(CallCode::Return) => return self.return_from_program(block, *at),
+                Action::Call(code) => self.take_call(block, code, *at),
+                // Taken before the motion, or as the motion.
+                Action::Reading(_)
+                | Action::Before(_)
+                | Action::Mode(_)
+                | Action::Length(_)
+                | Action::Motion(_)
+                | Action::Cycle(_)
+                | Action::Once(_)
+                | Action::NoEffect
+                | Action::NotSimulated => {}
             }
         }
         Flow::Next
+    }
+
+    fn take_code_after_motion(
+        &mut self,
+        block: &Block,
+        codes: &[(&'static CodeRow, usize)],
+        code: AfterCode,
+        at: usize,
+    ) -> Flow {
+        match code {
+            AfterCode::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
+            AfterCode::CoolantOff => self.kernel.set_coolant(|c| *c = Default::default()),
+            AfterCode::CoolantThroughToolOff => self.kernel.set_coolant(|c| c.through_tool = false),
+            AfterCode::ProgramStop => self.kernel.emit(CommandKind::Stop { optional: false }),
+            AfterCode::OptionalStop => self.kernel.emit(CommandKind::Stop { optional: true }),
+            AfterCode::ProgramEnd { .. } => {
+                self.kernel.set_spindle(SpindleState::Off);
+                self.kernel.emit(CommandKind::End);
+                return Flow::End(EndReason::ProgramEnd);
+            }
+            AfterCode::ShopCode => self.carry_out_shop_code(block, codes, at),
+            AfterCode::RunCycleHere => self.run_cycle_here(block, at),
+        }
+        Flow::Next
+    }
+
+    fn take_call(&mut self, block: &Block, code: CallCode, at: usize) {
+        match code {
+            CallCode::CallProgram => self.call_program(block, at),
+            CallCode::CallLabel => self.call_label(block, at),
+            CallCode::SubroutineEnd => self.return_from_subroutine(block, at),
+            // The block ends with it.
+            CallCode::Return => {}
+            // Taken before the words of their block, which are arguments.
+            CallCode::MacroCall | CallCode::ModalMacroCall { .. } => {}
+        }
     }
 }

@@ -2,10 +2,11 @@
 
 use chordal_command::{AxisMask, CommandKind, FeedMode, Position, Units};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_dialect::Action;
 use chordal_dialect::table::MotionModality;
+use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
 use chordal_kernel::Motion;
+use chordal_kernel::rules::CycleKind;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
@@ -47,8 +48,8 @@ impl Interpreter<'_> {
             .and_then(chordal_dialect::code_number)
             .and_then(|code| self.control.g_code(code));
         match row.map(|row| row.action) {
-            Some(Action::Absolute) => self.kernel.set_incremental(false),
-            Some(Action::Incremental) => self.kernel.set_incremental(true),
+            Some(Action::Reading(ReadingCode::Absolute)) => self.kernel.set_incremental(false),
+            Some(Action::Reading(ReadingCode::Incremental)) => self.kernel.set_incremental(true),
             _ => {}
         }
     }
@@ -83,22 +84,22 @@ impl Interpreter<'_> {
     pub(super) fn motion_or_cycle(
         &mut self,
         block: &Block,
-        explicit: Option<Action>,
-        cycle: Option<Action>,
+        explicit: Option<MotionCode>,
+        cycle: Option<CycleKind>,
     ) {
         self.kernel.end_cycle_if(
             explicit.is_some() && self.control.parameters.rules.cycles.cancel.by_motion,
         );
-        let arc = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
+        let arc = matches!(explicit, Some(MotionCode::ArcCw | MotionCode::ArcCcw));
         match cycle {
-            Some(Action::Cycle(kind)) => self.start_cycle(block, kind),
+            Some(kind) => self.start_cycle(block, kind),
             _ if self.kernel.state.cycle.is_some() && !arc => self.next_hole(block),
             _ => self.motion_block(block, explicit),
         }
     }
 
     /// Takes the motion code, then moves as the words say.
-    pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<Action>) {
+    pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<MotionCode>) {
         if let Some(action) = explicit {
             self.take_motion_code(action);
         }
@@ -108,16 +109,15 @@ impl Interpreter<'_> {
         }
     }
 
-    pub(super) fn take_motion_code(&mut self, action: Action) {
+    pub(super) fn take_motion_code(&mut self, code: MotionCode) {
         let armed = self.control.table.motion == MotionModality::Armed;
-        let motion = match action {
-            Action::Rapid => Motion::Rapid,
-            Action::Linear => Motion::Linear,
-            Action::ArcCw => Motion::Arc(Direction::Cw),
-            Action::ArcCcw => Motion::Arc(Direction::Ccw),
-            Action::SpiralCw => Motion::Spiral(Direction::Cw),
-            Action::SpiralCcw => Motion::Spiral(Direction::Ccw),
-            _ => return,
+        let motion = match code {
+            MotionCode::Rapid => Motion::Rapid,
+            MotionCode::Linear => Motion::Linear,
+            MotionCode::ArcCw => Motion::Arc(Direction::Cw),
+            MotionCode::ArcCcw => Motion::Arc(Direction::Ccw),
+            MotionCode::SpiralCw => Motion::Spiral(Direction::Cw),
+            MotionCode::SpiralCcw => Motion::Spiral(Direction::Ccw),
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
@@ -167,10 +167,10 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Rapid { motion, path });
     }
 
-    fn armed_motion(&mut self, block: &Block, explicit: Option<Action>) {
+    fn armed_motion(&mut self, block: &Block, explicit: Option<MotionCode>) {
         let arc_words = self.has_arc_words(block);
         let (target, named) = self.target(block);
-        let arc_code = matches!(explicit, Some(Action::ArcCw | Action::ArcCcw));
+        let arc_code = matches!(explicit, Some(MotionCode::ArcCw | MotionCode::ArcCcw));
         // R0 in a block of its own only stores the register.
         let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);
         if arc_words && moves {

@@ -2,8 +2,9 @@
 
 use chordal_command::{CommandKind, Side, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::Group;
 use chordal_dialect::table::{DataTarget, MotionModality};
-use chordal_dialect::{Action, Group};
+use chordal_dialect::{Action, MotionCode};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
@@ -91,12 +92,7 @@ impl Interpreter<'_> {
     }
 
     /// G40, G41, G42.
-    pub(super) fn set_compensation(&mut self, block: &Block, at: usize, action: Action) {
-        let side = match action {
-            Action::CompensationLeft => Side::Left,
-            Action::CompensationRight => Side::Right,
-            _ => Side::Off,
-        };
+    pub(super) fn set_compensation(&mut self, block: &Block, at: usize, side: Side) {
         let before = self.kernel.state.side;
         if side == Side::Off && before == Side::Off {
             return;
@@ -258,7 +254,10 @@ impl Interpreter<'_> {
         });
         moves
             && match own.last() {
-                Some(action) => !matches!(action, Action::Rapid | Action::Linear),
+                Some(action) => !matches!(
+                    action,
+                    Action::Motion(MotionCode::Rapid) | Action::Motion(MotionCode::Linear)
+                ),
                 None => !matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear),
             }
     }

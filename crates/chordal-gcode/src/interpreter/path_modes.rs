@@ -2,21 +2,28 @@
 
 use chordal_command::{CommandKind, PathMode};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::{Action, CodeRow, Group};
+use chordal_dialect::PathCode;
+use chordal_dialect::{CodeRow, Group};
 use chordal_syntax::Block;
 
 use super::Interpreter;
 
 impl Interpreter<'_> {
     /// A code that changes how corners are passed.
-    pub(super) fn take_path_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
+    pub(super) fn take_path_mode(
+        &mut self,
+        block: &Block,
+        row: &'static CodeRow,
+        code: PathCode,
+        at: usize,
+    ) {
         let rules = self.control.parameters.rules.path;
         let path = &mut self.kernel.state.path;
-        match row.action {
-            Action::PathExact => path.set_mode(PathMode::ExactPath),
-            Action::PathExactStop => path.set_mode(PathMode::ExactStop),
-            Action::ExactStopOnce => path.once = true,
-            Action::PathContinuous | Action::PathTapping => {
+        match code {
+            PathCode::Exact => path.set_mode(PathMode::ExactPath),
+            PathCode::ExactStop => path.set_mode(PathMode::ExactStop),
+            PathCode::ExactStopOnce => path.once = true,
+            PathCode::Continuous | PathCode::Tapping => {
                 let own = if row.words.has(b'P') { self.length_of(block, b'P') } else { None };
                 if row.words.has(b'Q') {
                     self.tell_lines_stay(block);
@@ -24,11 +31,11 @@ impl Interpreter<'_> {
                 let tolerance_mm = own.or(rules.of_level(rules.level));
                 self.kernel.state.path.set_mode(PathMode::Continuous { tolerance_mm });
             }
-            Action::PathHighAccuracy => {
+            PathCode::HighAccuracy => {
                 let tolerance_mm = rules.look_ahead_mm.or(rules.of_level(rules.level));
                 path.set_mode(PathMode::Continuous { tolerance_mm });
             }
-            Action::LookAhead { letter, on } => {
+            PathCode::LookAhead { letter, on } => {
                 match self.count_of(block, letter) {
                     Some(0) => self.kernel.state.path.set_distance(None),
                     Some(value) if value == on => {
@@ -38,12 +45,11 @@ impl Interpreter<'_> {
                     _ => return self.not_simulated(&block.words[at], row),
                 }
             }
-            Action::Smoothness => self.smoothness(block),
-            _ => return,
+            PathCode::Smoothness => self.smoothness(block),
         }
         self.kernel.emit(CommandKind::PathMode(self.kernel.state.path.in_force()));
         if row.group == Group::PathMode {
-            self.kernel.set_tapping_mode(row.action == Action::PathTapping);
+            self.kernel.set_tapping_mode(code == PathCode::Tapping);
         }
     }
 

@@ -3,7 +3,7 @@
 
 use chordal_command::{AxisMask, CommandKind, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::Action;
+use chordal_dialect::OnceCode;
 use chordal_geometry::Direction;
 use chordal_kernel::rules::Allowance;
 use chordal_machine::{AXES, PerAxis};
@@ -13,48 +13,46 @@ use super::Interpreter;
 use super::values::AXIS_OF;
 
 impl Interpreter<'_> {
-    pub(super) fn one_shot(&mut self, block: &Block, action: Action, at: usize) {
+    pub(super) fn one_shot(&mut self, block: &Block, code: OnceCode, at: usize) {
         let to_machine = matches!(
-            action,
-            Action::ReturnToReference { .. }
-                | Action::ReturnFromReference
-                | Action::MachineCoordinates
+            code,
+            OnceCode::ReturnToReference { .. }
+                | OnceCode::ReturnFromReference
+                | OnceCode::MachineCoordinates
         );
         if to_machine && self.kernel.state.side != Side::Off {
             self.reference_in_compensation(block, at);
         }
-        match action {
-            Action::Dwell => self.dwell(block, at),
-            Action::SetData => self.set_data(block, at),
-            Action::ReturnToReference { second } => {
+        match code {
+            OnceCode::Dwell => self.dwell(block, at),
+            OnceCode::SetData => self.set_data(block, at),
+            OnceCode::ReturnToReference { second } => {
                 self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_reference);
                 self.return_to_reference(block, second);
             }
-            Action::ReturnFromReference => {
+            OnceCode::ReturnFromReference => {
                 self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_reference);
                 self.return_from_reference(block);
             }
-            Action::Pattern(pattern) => self.pattern(block, at, pattern),
-            Action::Probe { must_hit } => self.probe_move(block, at, must_hit),
-            Action::MachineCoordinates => self.machine_coordinates(block),
-            Action::LocalShift => {
+            OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
+            OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
+            OnceCode::MachineCoordinates => self.machine_coordinates(block),
+            OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);
             }
-            Action::PresetPosition => {
+            OnceCode::PresetPosition => {
                 let values = self.axis_words(block);
                 self.kernel.preset_position(&values);
             }
-            Action::ClearPreset { keep } => self.kernel.clear_preset(keep),
-            Action::RestorePreset => {
+            OnceCode::ClearPreset { keep } => self.kernel.clear_preset(keep),
+            OnceCode::RestorePreset => {
                 self.kernel.restore_preset();
             }
-            Action::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
-            Action::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
-            Action::GeneralPocket => self.general_pocket(block, at),
-            Action::CornerArc { .. } => self.corner_arc(block, true),
-            // Told when its mode was taken; its axis words belong to it.
-            _ => {}
+            OnceCode::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
+            OnceCode::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
+            OnceCode::GeneralPocket => self.general_pocket(block, at),
+            OnceCode::CornerArcAlone => self.corner_arc(block, true),
         }
     }
 

@@ -1,8 +1,9 @@
 //! How often a block or a call is carried out, and whether a subprogram comes back to where it began.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_dialect::code_number;
 use chordal_dialect::table::LineRepeat;
-use chordal_dialect::{Action, code_number};
+use chordal_dialect::{Action, ReadingCode};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -92,7 +93,8 @@ impl Interpreter<'_> {
                     .is_some_and(|row| row.action == action)
             })
         };
-        says(Action::Incremental) || self.kernel.state.incremental && !says(Action::Absolute)
+        says(Action::Reading(ReadingCode::Incremental))
+            || self.kernel.state.incremental && !says(Action::Reading(ReadingCode::Absolute))
     }
 
     /// A contour in G91 that leads in from where the subprogram was called: it should come back there.

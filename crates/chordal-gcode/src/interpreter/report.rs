@@ -2,7 +2,8 @@
 
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
-use chordal_dialect::{Action, CodeRow, Field};
+use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{CodeRow, Field};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -107,7 +108,7 @@ impl Interpreter<'_> {
         }
         let setting = table.settings.iter().find(|setting| setting.field == Field::Spiral)?;
         let here = match table.g_code(21).map(|row| row.action) {
-            Some(Action::SpiralCw) => "a spiral is G2.1 or G3.1 with P here; ",
+            Some(Action::Motion(MotionCode::SpiralCw)) => "a spiral is G2.1 or G3.1 with P here; ",
             _ => "",
         };
         let (letter, name) = (letter as char, setting.name);
@@ -119,8 +120,18 @@ impl Interpreter<'_> {
     pub(super) fn check_written_with_zero(&mut self, word: &Word, row: &CodeRow) {
         let spiral = self.control.table.g_code(row.code + 1);
         let spiral = spiral
-            .filter(|row| matches!(row.action, Action::SpiralCw | Action::SpiralCcw))
-            .filter(|_| matches!(row.action, Action::ArcCw | Action::ArcCcw));
+            .filter(|row| {
+                matches!(
+                    row.action,
+                    Action::Motion(MotionCode::SpiralCw) | Action::Motion(MotionCode::SpiralCcw)
+                )
+            })
+            .filter(|_| {
+                matches!(
+                    row.action,
+                    Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
+                )
+            });
         let (Some(spiral), Some(number)) = (spiral, self.literal(word)) else { return };
         let (arc, spiral) = (decimal_code(row.code), decimal_code(spiral.code));
         self.kernel.report(

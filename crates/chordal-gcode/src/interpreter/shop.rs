@@ -1,7 +1,8 @@
 //! Codes of a shop's own: who knows them is asked, and the answer is carried out.
 
 use chordal_command::{CommandKind, SpindleState};
-use chordal_dialect::{Action, CodeRow, Group};
+use chordal_dialect::{Action, AfterCode, CallCode};
+use chordal_dialect::{CodeRow, Group};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -16,7 +17,7 @@ use crate::shop::{ShopAnswer, ShopCall, ShopCode};
 static SHOP_CODE: CodeRow = CodeRow {
     code: 0,
     group: Group::Auxiliary,
-    action: Action::ShopCode,
+    action: Action::After(AfterCode::ShopCode),
     words: Letters::of("EIJKLPQRUVW"),
     title: "a code of the shop's own",
 };
@@ -270,10 +271,10 @@ impl Interpreter<'_> {
 fn goes_elsewhere(action: Action) -> bool {
     matches!(
         action,
-        Action::ProgramEnd { .. }
-            | Action::CallProgram
-            | Action::CallLabel
-            | Action::Return
-            | Action::SubroutineEnd
+        Action::After(AfterCode::ProgramEnd { .. })
+            | Action::Call(CallCode::CallProgram)
+            | Action::Call(CallCode::CallLabel)
+            | Action::Call(CallCode::Return)
+            | Action::Call(CallCode::SubroutineEnd)
     )
 }

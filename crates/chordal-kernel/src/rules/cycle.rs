@@ -67,7 +67,7 @@ impl CycleKind {
 
 /// Patterns of holes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum Pattern {
+pub enum HolePattern {
     /// L holes on a whole circle.
     Circle,
     /// L holes on an arc, K degrees apart.

@@ -1,6 +1,7 @@
 //! G and M codes of one control on another: by what they do.
 
-use chordal::control::table::{Action, CodeRow, Group, code_name, code_number};
+use chordal::control::table::{CodeRow, Group, code_name, code_number};
+use chordal::control::{Action, AfterCode, ModeCode, OnceCode, PathCode, ReadingCode};
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
@@ -28,11 +29,29 @@ pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow
 
 /// True when two actions do the same, so far as a program can tell.
 fn same(one: Action, other: Action) -> bool {
-    match (one, other) {
-        (Action::Overrides { on, .. }, Action::Overrides { on: other, .. }) => on == other,
-        (Action::NoEffect | Action::NotSimulated | Action::ShopCode, _) => false,
-        _ => one == other,
+    if is_own(one) {
+        return false;
     }
+    let overrides = |action: Action| match action {
+        Action::Mode(code) => code.overrides(),
+        Action::Reading(_)
+        | Action::Before(_)
+        | Action::Length(_)
+        | Action::Motion(_)
+        | Action::Cycle(_)
+        | Action::Once(_)
+        | Action::After(_)
+        | Action::Call(_)
+        | Action::NoEffect
+        | Action::NotSimulated => None,
+    };
+    let of_both = overrides(one).zip(overrides(other));
+    of_both.map_or(one == other, |(one, other)| one == other)
+}
+
+/// A code that means what its control or its machine makes of it.
+fn is_own(action: Action) -> bool {
+    matches!(action, Action::NoEffect | Action::NotSimulated | Action::After(AfterCode::ShopCode))
 }
 
 /// The code that does this, as the programmer writes codes.
@@ -41,7 +60,7 @@ pub(crate) fn name(action: Action, control: &Control, style: Style) -> Option<St
 }
 
 pub(crate) fn overrides(on: bool, control: &Control, style: Style) -> Option<String> {
-    name(Action::Overrides { on, rapid: false }, control, style)
+    name(Action::Mode(ModeCode::Overrides { on, rapid: false }), control, style)
 }
 
 /// What an action is, for people.
@@ -62,11 +81,15 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: Style) -> Op
     }
     match number {
         0 => None,
-        1..=6 => self::name(Action::WorkOffset(53 + number as u16), control, style),
+        1..=6 => self::name(Action::Mode(ModeCode::WorkOffset(53 + number as u16)), control, style),
         _ => {
-            let point = self::name(Action::WorkOffsetPoint(number as u16 - 6), control, style);
+            let point = self::name(
+                Action::Mode(ModeCode::WorkOffsetPoint(number as u16 - 6)),
+                control,
+                style,
+            );
             point.or_else(|| {
-                let code = self::name(Action::WorkOffsetExtended, control, style)?;
+                let code = self::name(Action::Mode(ModeCode::WorkOffsetExtended), control, style)?;
                 let gap = if style.spaced { " " } else { "" };
                 Some(format!("{code}{gap}P{}", number - 6))
             })
@@ -102,36 +125,48 @@ fn one(
     let letter = draft.block.words[at].letter;
     let there = if letter == b'G' { to.g_code(own.code) } else { to.m_code(own.code) };
     let title = to.table.title;
-    match own.action {
-        Action::WorkOffset(_)
-        | Action::WorkOffsetExtended
-        | Action::WorkOffsetNumbered(_)
-        | Action::WorkOffsetPoint(_) => {
-            return offset_code(draft, at, own.action, [from, to], style);
+    if is_own(own.action) {
+        if !there.is_some_and(|row| row.action == own.action && row.title == own.title) {
+            leave_out(draft, at, own, to);
         }
-        // What holes these make is looked at with their cycle.
-        Action::Pattern(_) | Action::RunCycleHere => return Ok(()),
-        Action::PlaneZx | Action::PlaneYz
-            if from.parameters.plane_codes != to.parameters.plane_codes =>
+        return Ok(());
+    }
+    match own.action {
+        Action::Mode(code) if code.is_work_offset() => {
+            return offset_code(draft, at, code, [from, to], style);
+        }
+        Action::Mode(code)
+            if code.is_other_plane()
+                && from.parameters.plane_codes != to.parameters.plane_codes =>
         {
-            let is_zx = own.action == Action::PlaneZx;
-            let other = if is_zx { Action::PlaneYz } else { Action::PlaneZx };
-            let new = name(other, to, style).ok_or_else(|| missing(own, to))?;
+            let other = match code == ModeCode::PlaneZx {
+                true => ModeCode::PlaneYz,
+                false => ModeCode::PlaneZx,
+            };
+            let new = name(Action::Mode(other), to, style).ok_or_else(|| missing(own, to))?;
             draft.replace(at, new, format!("{title} calls this plane so"));
             return Ok(());
         }
-        Action::NoEffect | Action::NotSimulated | Action::ShopCode => {
-            if there.is_some_and(|row| row.action == own.action && row.title == own.title) {
-                return Ok(());
-            }
-            leave_out(draft, at, own, to);
-            return Ok(());
-        }
-        Action::ExactStopOnce if row(own.action, to).is_none() => {
+        Action::Mode(code)
+            if code == ModeCode::Path(PathCode::ExactStopOnce) && row(own.action, to).is_none() =>
+        {
             exact_stop_once(draft, at, to, style);
             return Ok(());
         }
-        _ => {}
+        // What holes these make is looked at with their cycle.
+        Action::Once(code) if matches!(code, OnceCode::Pattern(_)) => return Ok(()),
+        Action::After(code) if code == AfterCode::RunCycleHere => return Ok(()),
+        Action::Reading(_)
+        | Action::Before(_)
+        | Action::Mode(_)
+        | Action::Length(_)
+        | Action::Motion(_)
+        | Action::Cycle(_)
+        | Action::Once(_)
+        | Action::After(_)
+        | Action::Call(_)
+        | Action::NoEffect
+        | Action::NotSimulated => {}
     }
     // The same number for the same thing is the rule.
     if there.is_some_and(|row| same(row.action, own.action) && is_chosen(row, to)) {
@@ -141,32 +176,93 @@ fn one(
         draft.replace(at, new, format!("{}: {title} has another code for it", own.title));
         return Ok(());
     }
+    without_such_a_code(draft, at, own, to, style)
+}
+
+/// A code whose like the new control does not have.
+fn without_such_a_code(
+    draft: &mut Draft,
+    at: usize,
+    own: &'static CodeRow,
+    to: &Control,
+    style: Style,
+) -> Result<(), Expand> {
+    let title = to.table.title;
     match own.action {
-        Action::PathExact if row(Action::PathExactStop, to).is_some() => {
-            let new = name(Action::PathExactStop, to, style).unwrap_or_default();
-            draft.replace(at, new, format!("{title} has no exact path without a stop"));
-        }
-        Action::PathExact
-        | Action::PathExactStop
-        | Action::PathContinuous
-        | Action::PathHighAccuracy
-        | Action::PathTapping
-        | Action::LookAhead { .. }
-        | Action::Smoothness
-        | Action::Overrides { .. }
-        | Action::OverridesByP => leave_out(draft, at, own, to),
+        Action::Mode(code) => return mode_without_a_code(draft, at, own, code, to, style),
         // Centres are written as the new control reads them.
-        Action::ArcCenterAbsolute | Action::ArcCenterIncremental => {
-            draft.remove(at, format!("centres are written as {title} reads them"));
-        }
-        Action::Probe { must_hit } => {
-            let new = name(Action::Probe { must_hit: !must_hit }, to, style);
+        Action::Reading(code) => match code {
+            ReadingCode::ArcCenterAbsolute | ReadingCode::ArcCenterIncremental => {
+                draft.remove(at, format!("centres are written as {title} reads them"));
+            }
+            ReadingCode::Inch
+            | ReadingCode::Millimetre
+            | ReadingCode::Absolute
+            | ReadingCode::Incremental
+            | ReadingCode::FeedPerTime
+            | ReadingCode::FeedInverseTime
+            | ReadingCode::FeedPerRevolution => return Err(missing(own, to)),
+        },
+        Action::Once(code) => {
+            let OnceCode::Probe { must_hit } = code else { return Err(missing(own, to)) };
+            let new = name(Action::Once(OnceCode::Probe { must_hit: !must_hit }), to, style);
             let Some(new) = new else { return Err(missing(own, to)) };
             draft.replace(at, new, format!("{title} tells a probe without touch another way"));
         }
-        _ => return Err(missing(own, to)),
+        Action::Before(_)
+        | Action::Length(_)
+        | Action::Motion(_)
+        | Action::Cycle(_)
+        | Action::After(_)
+        | Action::Call(_)
+        | Action::NoEffect
+        | Action::NotSimulated => return Err(missing(own, to)),
     }
     Ok(())
+}
+
+fn mode_without_a_code(
+    draft: &mut Draft,
+    at: usize,
+    own: &'static CodeRow,
+    code: ModeCode,
+    to: &Control,
+    style: Style,
+) -> Result<(), Expand> {
+    match code {
+        ModeCode::Path(path) => {
+            let stop = Action::Mode(ModeCode::Path(PathCode::ExactStop));
+            match name(stop, to, style).filter(|_| path == PathCode::Exact) {
+                Some(new) => {
+                    let title = to.table.title;
+                    draft.replace(at, new, format!("{title} has no exact path without a stop"));
+                }
+                None if path == PathCode::ExactStopOnce => return Err(missing(own, to)),
+                None => leave_out(draft, at, own, to),
+            }
+            Ok(())
+        }
+        ModeCode::Overrides { .. } | ModeCode::OverridesByP => {
+            leave_out(draft, at, own, to);
+            Ok(())
+        }
+        ModeCode::PlaneXy
+        | ModeCode::PlaneZx
+        | ModeCode::PlaneYz
+        | ModeCode::CompensationOff
+        | ModeCode::CompensationLeft
+        | ModeCode::CompensationRight
+        | ModeCode::CornerArc
+        | ModeCode::WorkOffset(_)
+        | ModeCode::WorkOffsetPoint(_)
+        | ModeCode::WorkOffsetExtended
+        | ModeCode::WorkOffsetNumbered(_)
+        | ModeCode::ReturnInitial
+        | ModeCode::ReturnToR
+        | ModeCode::CancelCycle
+        | ModeCode::ModalSubroutine
+        | ModeCode::ModalCallOff => Err(missing(own, to)),
+    }
 }
 
 fn is_chosen(row: &CodeRow, control: &Control) -> bool {
@@ -196,8 +292,8 @@ fn leave_out(draft: &mut Draft, at: usize, own: &CodeRow, to: &Control) {
 }
 
 fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
-    let stop = name(Action::PathExactStop, to, style);
-    let go_on = name(Action::PathContinuous, to, style);
+    let stop = name(Action::Mode(ModeCode::Path(PathCode::ExactStop)), to, style);
+    let go_on = name(Action::Mode(ModeCode::Path(PathCode::Continuous)), to, style);
     let (Some(stop), Some(go_on)) = (stop, go_on) else {
         return draft.remove(at, format!("{} stops at corners by its mode", to.table.title));
     };
@@ -212,16 +308,31 @@ fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
 fn offset_code(
     draft: &mut Draft,
     at: usize,
-    action: Action,
+    code: ModeCode,
     [from, to]: [&Control; 2],
     style: Style,
 ) -> Result<(), Expand> {
     let p = draft.place(b'P');
-    let name = match action {
-        Action::WorkOffset(number) => WorkName::G(number),
-        Action::WorkOffsetPoint(number) => WorkName::G59(number),
-        Action::WorkOffsetNumbered(number) => WorkName::Extended(number),
-        _ => {
+    let name = match code {
+        ModeCode::WorkOffset(number) => WorkName::G(number),
+        ModeCode::WorkOffsetPoint(number) => WorkName::G59(number),
+        ModeCode::WorkOffsetNumbered(number) => WorkName::Extended(number),
+        ModeCode::WorkOffsetExtended
+        | ModeCode::PlaneXy
+        | ModeCode::PlaneZx
+        | ModeCode::PlaneYz
+        | ModeCode::CompensationOff
+        | ModeCode::CompensationLeft
+        | ModeCode::CompensationRight
+        | ModeCode::CornerArc
+        | ModeCode::ReturnInitial
+        | ModeCode::ReturnToR
+        | ModeCode::CancelCycle
+        | ModeCode::Path(_)
+        | ModeCode::Overrides { .. }
+        | ModeCode::OverridesByP
+        | ModeCode::ModalSubroutine
+        | ModeCode::ModalCallOff => {
             let number = whole(p.map(|p| &draft.block.words[p]));
             let number = number.and_then(|number| u16::try_from(number).ok());
             let Some(number) = number else {

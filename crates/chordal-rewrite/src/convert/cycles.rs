@@ -2,7 +2,8 @@
 
 use chordal::CommandKind;
 use chordal::control::CycleKind;
-use chordal::control::table::{Action, DwellWord};
+use chordal::control::table::DwellWord;
+use chordal::control::{Action, AfterCode, ModeCode, OnceCode};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
 
 use super::codes;
@@ -17,15 +18,9 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     ending(context, draft, at);
     apart_from_motion(context, draft, at);
     let kind = context.source.blocks[at].words.iter().find_map(|word| {
-        match code_action(word, context.from)? {
-            Action::Cycle(kind) => Some(kind),
-            Action::CircularPocketCw | Action::CircularPocketCcw | Action::GeneralPocket
-                if !context.same_control() =>
-            {
-                Some(CycleKind::BackBore)
-            }
-            _ => None,
-        }
+        let action = code_action(word, context.from)?;
+        let pocket = action.once().is_some_and(OnceCode::is_pocket) && !context.same_control();
+        action.cycle().or(pocket.then_some(CycleKind::BackBore))
     });
     let Some(run) = context.run(at) else { return Ok(()) };
     if places_alone(context, draft, at, run)? {
@@ -106,7 +101,12 @@ fn places_alone(
     at: usize,
     run: &Exec,
 ) -> Result<bool, Expand> {
-    let is_pattern = |action| matches!(action, Action::Pattern(_) | Action::RunCycleHere);
+    let is_pattern = |action| {
+        matches!(
+            action,
+            Action::Once(OnceCode::Pattern(_)) | Action::After(AfterCode::RunCycleHere)
+        )
+    };
     let Some(word) = (0..draft.block.words.len())
         .find(|word| code_action(&draft.block.words[*word], context.from).is_some_and(is_pattern))
     else {
@@ -275,7 +275,9 @@ fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
         return;
     }
     for word in 0..draft.block.words.len() {
-        if code_action(&draft.block.words[word], context.from) == Some(Action::CancelCycle) {
+        if code_action(&draft.block.words[word], context.from)
+            == Some(Action::Mode(ModeCode::CancelCycle))
+        {
             let code = draft.now(word);
             let reason = format!("{code} excludes motion codes on {}", context.to.table.title);
             draft.replace(word, "", reason);
@@ -289,12 +291,17 @@ fn ending(context: &Context, draft: &mut Draft, at: usize) {
     let Some(run) = context.run(at) else { return };
     let was = matches!(run.before.motion, Some(Action::Cycle(_)));
     let is = matches!(run.after.motion, Some(Action::Cycle(_)));
-    let own = context.source.has_action(at, context.from, |action| action == Action::CancelCycle);
+    let own = context
+        .source
+        .has_action(at, context.from, |action| action == Action::Mode(ModeCode::CancelCycle));
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.cancel);
     if !was || is || own || one == other {
         return;
     }
-    let Some(code) = codes::name(Action::CancelCycle, context.to, context.style()) else { return };
+    let Some(code) = codes::name(Action::Mode(ModeCode::CancelCycle), context.to, context.style())
+    else {
+        return;
+    };
     let title = context.to.table.title;
     draft.note(String::new(), code.clone(), format!("ends the cycle, which runs on on {title}"));
     draft.before.push(code);

@@ -1,6 +1,10 @@
 //! Blocks written from what they do, where the new control has no form for how they were written.
 
-use chordal::control::table::{Action, CodeRow};
+use chordal::control::PathCode;
+use chordal::control::table::CodeRow;
+use chordal::control::{
+    Action, AfterCode, BeforeCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
+};
 use chordal::control::{
     ArcShape, Control, Coolant, Feed, FeedAlong, FeedMode, Move, Overrides, PathMode, Side,
     SpindleState, Units, WorkName,
@@ -109,7 +113,10 @@ impl<'a> Emitter<'a> {
         if let Some(action) = modes.motion
             && self.motion.is_some()
             && self.motion != Some(action)
-            && matches!(action, Action::Rapid | Action::Linear)
+            && matches!(
+                action,
+                Action::Motion(MotionCode::Rapid) | Action::Motion(MotionCode::Linear)
+            )
         {
             words.extend(self.code(action));
             self.motion = Some(action);
@@ -172,21 +179,21 @@ impl<'a> Emitter<'a> {
             CommandKind::Dwell { seconds, .. } => {
                 self.flush();
                 let word = numbers::dwell_word(*seconds, self.to.table);
-                let code = self.due(Action::Dwell)?;
+                let code = self.due(Action::Once(OnceCode::Dwell))?;
                 self.line(&[code, word.unwrap_or_default()]);
             }
             CommandKind::Tool { number } => {
                 self.flush();
-                let code = self.due(Action::ToolChange)?;
+                let code = self.due(Action::Before(BeforeCode::ToolChange))?;
                 self.line(&[format!("T{number}"), code]);
             }
             CommandKind::ToolSelect { .. } | CommandKind::Idle | CommandKind::Message(_) => {}
             CommandKind::ToolLength { number: None, .. } => {
-                let code = self.due(Action::LengthCancel)?;
+                let code = self.due(Action::Length(LengthCode::Cancel))?;
                 self.pending.push(code);
             }
             CommandKind::ToolLength { number: Some(number), .. } => {
-                let code = self.due(Action::LengthPlus)?;
+                let code = self.due(Action::Length(LengthCode::Plus))?;
                 self.pending.extend([code, format!("H{number}")]);
             }
             CommandKind::Compensation { side, number, toward, .. } => {
@@ -199,17 +206,25 @@ impl<'a> Emitter<'a> {
             CommandKind::Coolant(coolant) => self.coolant(*coolant)?,
             CommandKind::Stop { optional } => {
                 self.flush();
-                let action = if *optional { Action::OptionalStop } else { Action::ProgramStop };
+                let action = if *optional {
+                    Action::After(AfterCode::OptionalStop)
+                } else {
+                    Action::After(AfterCode::ProgramStop)
+                };
                 let code = self.due(action)?;
                 self.line(&[code]);
             }
             CommandKind::End => {
                 self.flush();
-                let code = self.due(Action::ProgramEnd { rewind: true })?;
+                let code = self.due(Action::After(AfterCode::ProgramEnd { rewind: true }))?;
                 self.line(&[code]);
             }
             CommandKind::Units(units) => {
-                let action = if *units == Units::Inch { Action::Inch } else { Action::Millimetre };
+                let action = if *units == Units::Inch {
+                    Action::Reading(ReadingCode::Inch)
+                } else {
+                    Action::Reading(ReadingCode::Millimetre)
+                };
                 let code = self.due(action)?;
                 self.pending.push(code);
                 self.units = *units;
@@ -276,11 +291,14 @@ impl<'a> Emitter<'a> {
     fn head(&mut self, action: Action) -> Result<Vec<String>, Refused> {
         let mut words = Vec::new();
         if self.incremental != Some(false) {
-            words.push(self.due(Action::Absolute)?);
+            words.push(self.due(Action::Reading(ReadingCode::Absolute))?);
             self.incremental = Some(false);
         }
         words.append(&mut self.pending);
-        let is_arc = matches!(action, Action::ArcCw | Action::ArcCcw);
+        let is_arc = matches!(
+            action,
+            Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
+        );
         if self.motion != Some(action) || is_arc {
             words.push(self.due(action)?);
         }
@@ -293,7 +311,7 @@ impl<'a> Emitter<'a> {
         if axes.is_empty() {
             return Ok(());
         }
-        let mut words = self.head(Action::Rapid)?;
+        let mut words = self.head(Action::Motion(MotionCode::Rapid))?;
         words.extend(axes);
         self.line(&words);
         Ok(())
@@ -304,7 +322,7 @@ impl<'a> Emitter<'a> {
         if axes.is_empty() {
             return Ok(());
         }
-        let mut words = self.head(Action::Linear)?;
+        let mut words = self.head(Action::Motion(MotionCode::Linear))?;
         words.extend(axes);
         self.feed(&mut words, feed, 1.0, motion.only_turns(None));
         self.line(&words);
@@ -333,7 +351,11 @@ impl<'a> Emitter<'a> {
         feed: &Feed,
         scale: f64,
     ) -> Result<(), Refused> {
-        let action = if shape.sweep < 0.0 { Action::ArcCw } else { Action::ArcCcw };
+        let action = if shape.sweep < 0.0 {
+            Action::Motion(MotionCode::ArcCw)
+        } else {
+            Action::Motion(MotionCode::ArcCcw)
+        };
         let mut words = self.axes(motion)?;
         let (a, b, _) = shape.plane.axes();
         // Where an axis of the plane stays, the end may be left out; both left out is a full circle.
@@ -386,7 +408,7 @@ impl<'a> Emitter<'a> {
         let mut line = self.head(tap.action())?;
         line.extend(words);
         self.line(&line);
-        let end = self.due(Action::CancelCycle)?;
+        let end = self.due(Action::Mode(ModeCode::CancelCycle))?;
         self.line(&[end]);
         self.motion = None;
         // What F is now depends on the control.
@@ -414,9 +436,9 @@ impl<'a> Emitter<'a> {
 
     fn compensation(&mut self, side: Side, number: Option<u32>) -> Result<(), Refused> {
         let action = match side {
-            Side::Off => Action::CompensationOff,
-            Side::Left => Action::CompensationLeft,
-            Side::Right => Action::CompensationRight,
+            Side::Off => Action::Mode(ModeCode::CompensationOff),
+            Side::Left => Action::Mode(ModeCode::CompensationLeft),
+            Side::Right => Action::Mode(ModeCode::CompensationRight),
         };
         let code = self.due(action)?;
         self.pending.push(code);
@@ -429,10 +451,10 @@ impl<'a> Emitter<'a> {
     fn spindle(&mut self, state: SpindleState, rpm: f64) -> Result<(), Refused> {
         self.flush();
         let action = match state {
-            SpindleState::Off => Action::SpindleStop,
-            SpindleState::Cw => Action::SpindleCw,
-            SpindleState::Ccw => Action::SpindleCcw,
-            SpindleState::Oriented => Action::SpindleOrient,
+            SpindleState::Off => Action::After(AfterCode::SpindleStop),
+            SpindleState::Cw => Action::Before(BeforeCode::SpindleCw),
+            SpindleState::Ccw => Action::Before(BeforeCode::SpindleCcw),
+            SpindleState::Oriented => Action::Before(BeforeCode::SpindleOrient),
         };
         let code = self.due(action)?;
         let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
@@ -448,16 +470,16 @@ impl<'a> Emitter<'a> {
     fn coolant(&mut self, coolant: Coolant) -> Result<(), Refused> {
         let mut words = Vec::new();
         if coolant.mist {
-            words.push(self.due(Action::CoolantMist)?);
+            words.push(self.due(Action::Before(BeforeCode::CoolantMist))?);
         }
         if coolant.flood {
-            words.push(self.due(Action::CoolantFlood)?);
+            words.push(self.due(Action::Before(BeforeCode::CoolantFlood))?);
         }
         if coolant.through_tool {
-            words.push(self.due(Action::CoolantThroughTool)?);
+            words.push(self.due(Action::Before(BeforeCode::CoolantThroughTool))?);
         }
         if words.is_empty() {
-            words.push(self.due(Action::CoolantOff)?);
+            words.push(self.due(Action::After(AfterCode::CoolantOff))?);
         }
         self.flush();
         self.line(&words);
@@ -467,9 +489,9 @@ impl<'a> Emitter<'a> {
     /// Where the control has no code for it, it has no other way of passing corners either.
     fn path_mode(&mut self, mode: PathMode) {
         let action = match mode {
-            PathMode::ExactPath => Action::PathExact,
-            PathMode::ExactStop => Action::PathExactStop,
-            PathMode::Continuous { .. } => Action::PathContinuous,
+            PathMode::ExactPath => Action::Mode(ModeCode::Path(PathCode::Exact)),
+            PathMode::ExactStop => Action::Mode(ModeCode::Path(PathCode::ExactStop)),
+            PathMode::Continuous { .. } => Action::Mode(ModeCode::Path(PathCode::Continuous)),
         };
         self.pending.extend(self.code(action));
     }
@@ -494,21 +516,25 @@ const CENTERS: [char; 3] = ['I', 'J', 'K'];
 
 pub(crate) fn plane_action(plane: Plane) -> Action {
     match plane {
-        Plane::Xy => Action::PlaneXy,
-        Plane::Zx => Action::PlaneZx,
-        Plane::Yz => Action::PlaneYz,
+        Plane::Xy => Action::Mode(ModeCode::PlaneXy),
+        Plane::Zx => Action::Mode(ModeCode::PlaneZx),
+        Plane::Yz => Action::Mode(ModeCode::PlaneYz),
     }
 }
 
 pub(crate) fn distance_action(incremental: bool) -> Action {
-    if incremental { Action::Incremental } else { Action::Absolute }
+    if incremental {
+        Action::Reading(ReadingCode::Incremental)
+    } else {
+        Action::Reading(ReadingCode::Absolute)
+    }
 }
 
 fn feed_action(mode: FeedMode) -> Action {
     match mode {
-        FeedMode::PerTime => Action::FeedPerTime,
-        FeedMode::InverseTime => Action::FeedInverseTime,
-        FeedMode::PerRevolution => Action::FeedPerRevolution,
+        FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
+        FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
+        FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What holds at power-on on the old control and is not said by the program.
 
-use chordal::control::table::{Action, Group};
+use chordal::control::table::Group;
+use chordal::control::{Action, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
@@ -46,7 +47,11 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             && start == Some(parameters[0].rules.units)
         {
             let inch = parameters[0].rules.units == chordal::control::Units::Inch;
-            words.push(if inch { Action::Inch } else { Action::Millimetre });
+            words.push(if inch {
+                Action::Reading(ReadingCode::Inch)
+            } else {
+                Action::Reading(ReadingCode::Millimetre)
+            });
         }
         if parameters[0].rules.starts_incremental != parameters[1].rules.starts_incremental
             && is_silent(context, &runs, Group::Distance, AXIS_WORDS)
@@ -57,9 +62,9 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             && is_silent(context, &runs, Group::Motion, AXIS_WORDS)
         {
             words.push(if parameters[0].rules.starts_linear {
-                Action::Linear
+                Action::Motion(MotionCode::Linear)
             } else {
-                Action::Rapid
+                Action::Motion(MotionCode::Rapid)
             });
         }
         let style = context.style();
@@ -95,19 +100,22 @@ fn begin_flat(
     let is_inch = first.after.units == chordal::control::Units::Inch;
     let style = context.style();
     let actions = [
-        if is_inch { Action::Inch } else { Action::Millimetre },
+        if is_inch {
+            Action::Reading(ReadingCode::Inch)
+        } else {
+            Action::Reading(ReadingCode::Millimetre)
+        },
         plane_action(runs[0].before.plane),
-        Action::Absolute,
-        Action::CompensationOff,
-        Action::CancelCycle,
+        Action::Reading(ReadingCode::Absolute),
+        Action::Mode(ModeCode::CompensationOff),
+        Action::Mode(ModeCode::CancelCycle),
     ];
     let mut words: Vec<String> =
         actions.into_iter().filter_map(|action| codes::name(action, context.to, style)).collect();
     let says_work = main.clone().any(|at| {
-        context
-            .source
-            .has_action(at, context.from, |action| matches!(action, Action::WorkOffset(_)))
-            || context.from.table.work_names.by_e && context.source.blocks[at].letters().has(b'E')
+        context.source.has_action(at, context.from, |action| {
+            matches!(action, Action::Mode(ModeCode::WorkOffset(_)))
+        }) || context.from.table.work_names.by_e && context.source.blocks[at].letters().has(b'E')
     });
     let work = codes::work_offset(first.after.work, context.to, style);
     words.extend(work.filter(|_| says_work));

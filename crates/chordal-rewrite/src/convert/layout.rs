@@ -1,8 +1,8 @@
 //! The new text: the blocks in the places where the new control wants them.
 
+use chordal::control::{Action, AfterCode, CallCode};
 use std::ops::Range;
 
-use chordal::control::table::Action;
 use chordal::control::{Control, referenced_programs};
 use chordal::syntax::{BlockKind, Semicolon};
 
@@ -122,7 +122,11 @@ fn lay_out_all(
             target.0 == Form::Letter && main.contains(&sub.blocks.start) && is_there(sub)
         });
         if has_sections {
-            let end = codes::name(Action::ProgramEnd { rewind: true }, to, source.style);
+            let end = codes::name(
+                Action::After(AfterCode::ProgramEnd { rewind: true }),
+                to,
+                source.style,
+            );
             layout.push(&end.unwrap_or_default(), "\n", source.section_end);
         }
         for at in body..main.end {
@@ -205,11 +209,17 @@ impl Writer<'_> {
 
     /// The end of a subprogram that ended where the next began.
     fn close(&self, blocks: Range<usize>, form: Form, from: &Control, layout: &mut Layout) {
-        let is_end = |action| matches!(action, Action::SubroutineEnd | Action::Return);
+        let is_end = |action| {
+            matches!(action, Action::Call(CallCode::SubroutineEnd) | Action::Call(CallCode::Return))
+        };
         if blocks.clone().any(|at| self.source.has_action(at, from, is_end)) {
             return;
         }
-        let action = if form == Form::Letter { Action::SubroutineEnd } else { Action::Return };
+        let action = if form == Form::Letter {
+            Action::Call(CallCode::SubroutineEnd)
+        } else {
+            Action::Call(CallCode::Return)
+        };
         let name = codes::name(action, self.to, self.source.style);
         layout.push(&name.unwrap_or_default(), "\n", Some(blocks.end.saturating_sub(1)));
     }

@@ -22,9 +22,9 @@ mod tap;
 mod trace;
 mod translate;
 
+use chordal::control::Action;
 use std::collections::BTreeMap;
 
-use chordal::control::table::Action;
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
 use chordal::syntax::{Block, BlockReader};

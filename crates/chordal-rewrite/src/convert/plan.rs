@@ -1,9 +1,9 @@
 //! Which blocks keep their words and which are written out, and the lines of each.
 
+use chordal::control::{Action, CallCode, OnceCode};
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::CommandKind;
-use chordal::control::table::Action;
 use chordal::syntax::BlockKind;
 
 use super::comments;
@@ -177,7 +177,8 @@ impl<'c, 'a> Plan<'c, 'a> {
                 }
             }
             // A jump back carries out again what stands between.
-            let jumps = source.has_action(at, self.context.from, |a| a == Action::Return)
+            let jumps = source
+                .has_action(at, self.context.from, |a| a == Action::Call(CallCode::Return))
                 && source.blocks[at].letters().has(b'P');
             if jumps {
                 return Some((at, reason.clone()));
@@ -302,7 +303,7 @@ impl<'c, 'a> Plan<'c, 'a> {
             })
         };
         // What no command tells would be lost.
-        let writes = has(Action::SetData);
+        let writes = has(Action::Once(OnceCode::SetData));
         let is_hidden = writes || has(Action::NotSimulated);
         if commands.is_empty() && !is_hidden {
             return Ok(());

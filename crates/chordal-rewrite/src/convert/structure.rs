@@ -1,8 +1,9 @@
 //! Subprograms of one control in the forms of another.
 
+use chordal::control::{Action, AfterCode, CallCode, ModeCode, OnceCode};
 use std::collections::BTreeSet;
 
-use chordal::control::table::{Action, Subroutines};
+use chordal::control::table::Subroutines;
 use chordal::control::{Control, subroutine_head};
 
 use super::codes;
@@ -26,14 +27,14 @@ impl Structure {
         let mut labels: BTreeSet<u32> =
             source.blocks.iter().filter_map(|block| whole(block.word(b'N'))).collect();
         let largest = to.table.program_numbers.largest;
-        let has_labels = codes::row(Action::CallLabel, to).is_some();
+        let has_labels = codes::row(Action::Call(CallCode::CallLabel), to).is_some();
         let has_sections = to.table.subroutines == Subroutines::LetterL;
         let calls_inside = source.subs.iter().any(|sub| {
             sub.form == Form::Program
-                && sub
-                    .blocks
-                    .clone()
-                    .any(|at| source.has_action(at, from, |action| action == Action::CallLabel))
+                && sub.blocks.clone().any(|at| {
+                    source
+                        .has_action(at, from, |action| action == Action::Call(CallCode::CallLabel))
+                })
         });
         let mut sections: BTreeSet<u32> = source
             .subs
@@ -119,11 +120,15 @@ impl Places<'_> {
         self.letter_call(draft, at)?;
         for word in 0..draft.block.words.len() {
             match code_action(&draft.block.words[word], self.from) {
-                Some(Action::CallProgram) => self.program_call(draft, word)?,
-                Some(Action::CallLabel) => self.label_call(draft, at, word)?,
-                Some(Action::Return) => self.back(draft, at, word, Form::Letter)?,
-                Some(Action::SubroutineEnd) => self.back(draft, at, word, Form::Program)?,
-                Some(Action::ProgramEnd { rewind: true }) => self.end(draft, at, word),
+                Some(Action::Call(CallCode::CallProgram)) => self.program_call(draft, word)?,
+                Some(Action::Call(CallCode::CallLabel)) => self.label_call(draft, at, word)?,
+                Some(Action::Call(CallCode::Return)) => self.back(draft, at, word, Form::Letter)?,
+                Some(Action::Call(CallCode::SubroutineEnd)) => {
+                    self.back(draft, at, word, Form::Program)?
+                }
+                Some(Action::After(AfterCode::ProgramEnd { rewind: true })) => {
+                    self.end(draft, at, word)
+                }
                 _ => {}
             }
         }
@@ -190,7 +195,9 @@ impl Places<'_> {
         };
         let is_call = self.from.table.subroutines == Subroutines::LetterL
             && subroutine_head(draft.block).is_none()
-            && !self.source.has_action(at, self.from, |action| action == Action::SetData);
+            && !self
+                .source
+                .has_action(at, self.from, |action| action == Action::Once(OnceCode::SetData));
         let Some(value) = whole(Some(&draft.block.words[word])).filter(|value| *value >= 100)
         else {
             return Ok(());
@@ -198,7 +205,10 @@ impl Places<'_> {
         if !is_call {
             return Ok(());
         }
-        if self.source.has_action(at, self.from, |action| action == Action::ModalSubroutine) {
+        if self
+            .source
+            .has_action(at, self.from, |action| action == Action::Mode(ModeCode::ModalSubroutine))
+        {
             return self.only_there("a subroutine after each move (G66)");
         }
         let sub = self
@@ -249,8 +259,8 @@ impl Places<'_> {
                 let parts = in_parts(times, 99);
                 return Ok(parts.map(|times| format!("L{}", number * 100 + times)).collect());
             }
-            Form::Label => Action::CallLabel,
-            Form::Program => Action::CallProgram,
+            Form::Label => Action::Call(CallCode::CallLabel),
+            Form::Program => Action::Call(CallCode::CallProgram),
         };
         let code = codes::name(action, self.to, self.style)
             .ok_or_else(|| Expand(format!("{} has no code for calls", self.to.table.title)))?;
@@ -346,7 +356,11 @@ impl Places<'_> {
         if draft.block.letters().has(b'P') {
             return Err(Expand("a return to an N number (M99 P)".into()));
         }
-        let action = if is_letter { Action::SubroutineEnd } else { Action::Return };
+        let action = if is_letter {
+            Action::Call(CallCode::SubroutineEnd)
+        } else {
+            Action::Call(CallCode::Return)
+        };
         let name = codes::name(action, self.to, self.style);
         let name = name.ok_or_else(|| Expand("there is no code for the return".into()))?;
         draft.replace(word, name, format!("subprograms end so on {}", self.to.table.title));
@@ -362,8 +376,11 @@ impl Places<'_> {
             }
         } else if self.to.table.subroutines == Subroutines::LetterL
             && self.from.table.subroutines != Subroutines::LetterL
-            && let Some(name) =
-                codes::name(Action::ProgramEnd { rewind: false }, self.to, self.style)
+            && let Some(name) = codes::name(
+                Action::After(AfterCode::ProgramEnd { rewind: false }),
+                self.to,
+                self.style,
+            )
         {
             draft.replace(word, name, format!("M30 closes the subroutines on {title}"));
         }

@@ -1,8 +1,8 @@
 //! Taps from what they do: a cycle of the new control for each thread, since plain moves would leave the
 //! spindle behind.
 
+use chordal::control::Action;
 use chordal::control::CycleKind;
-use chordal::control::table::Action;
 use chordal::control::{Control, Feed, FeedMode, SpindleState, TapFeed, Units};
 use chordal::{Command, CommandKind};
 

@@ -1,9 +1,9 @@
 //! The run of the old text, block by block.
 
 use chordal::RunSink;
+use chordal::control::Action;
 use std::ops::Range;
 
-use chordal::control::table::Action;
 use chordal::control::{CallPath, FeedMode, Modal, Origin, Position, Side, Units, WorkName};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};

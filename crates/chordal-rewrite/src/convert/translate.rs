@@ -1,7 +1,8 @@
 //! A block of one control as a block of another.
 
 use chordal::CommandKind;
-use chordal::control::table::{Action, DataTarget, Group, LineRepeat, MotionModality, Subroutines};
+use chordal::control::table::{DataTarget, Group, LineRepeat, MotionModality, Subroutines};
+use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName, subroutine_head};
 use chordal::syntax::{BlockKind, Letters};
 
@@ -125,7 +126,8 @@ impl<'a> Context<'a> {
             let in_machine = self.run(at).is_some_and(|run| run.after.work == WorkName::Machine);
             if in_machine
                 && draft.block.letters().meets(LENGTHS)
-                && let Some(code) = codes::name(Action::MachineCoordinates, self.to, self.style())
+                && let Some(code) =
+                    codes::name(Action::Once(OnceCode::MachineCoordinates), self.to, self.style())
             {
                 draft.lead(code, "the move goes to machine coordinates (E0)");
             }
@@ -140,7 +142,10 @@ impl<'a> Context<'a> {
 
     /// What G10 writes: L and P by what they mean.
     fn written_data(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
-        if !self.source.has_action(at, self.from, |action| action == Action::SetData) {
+        if !self
+            .source
+            .has_action(at, self.from, |action| action == Action::Once(OnceCode::SetData))
+        {
             return Ok(());
         }
         let place = |letter| draft.place(letter);
@@ -205,7 +210,10 @@ impl<'a> Context<'a> {
         let own = self.source.has_action(at, self.from, |action| {
             matches!(
                 action,
-                Action::LengthPlus | Action::LengthMinus | Action::LengthCancel | Action::SetData
+                Action::Length(LengthCode::Plus)
+                    | Action::Length(LengthCode::Minus)
+                    | Action::Length(LengthCode::Cancel)
+                    | Action::Once(OnceCode::SetData)
             )
         });
         let Some(h) = draft.place(b'H') else { return };
@@ -213,7 +221,8 @@ impl<'a> Context<'a> {
         let title = self.to.table.title;
         let written = draft.written(h);
         if number == 0 {
-            let Some(code) = codes::name(Action::LengthCancel, self.to, self.style()) else {
+            let Some(code) = codes::name(Action::Length(LengthCode::Cancel), self.to, self.style())
+            else {
                 return;
             };
             draft.replace(
@@ -224,7 +233,9 @@ impl<'a> Context<'a> {
                     self.from.table.title
                 ),
             );
-        } else if let Some(code) = codes::name(Action::LengthPlus, self.to, self.style()) {
+        } else if let Some(code) =
+            codes::name(Action::Length(LengthCode::Plus), self.to, self.style())
+        {
             let gap = if self.style().spaced { " " } else { "" };
             draft.replace(
                 h,
@@ -244,7 +255,11 @@ impl<'a> Context<'a> {
             };
             let is_on = side != chordal::control::Side::Off;
             let own = self.source.has_action(at, self.from, |action| {
-                matches!(action, Action::CompensationLeft | Action::CompensationRight)
+                matches!(
+                    action,
+                    Action::Mode(ModeCode::CompensationLeft)
+                        | Action::Mode(ModeCode::CompensationRight)
+                )
             });
             if is_on && own && !has_d && !self.same_control() {
                 draft.append(
@@ -374,7 +389,7 @@ impl<'a> Context<'a> {
     /// True when R is the radius or the level of the block's own move.
     fn uses_r(&self, at: usize) -> bool {
         let data = self.source.has_action(at, self.from, |action| {
-            matches!(action, Action::SetData | Action::Cycle(_))
+            matches!(action, Action::Once(OnceCode::SetData) | Action::Cycle(_))
         });
         let arc = self.run(at).is_some_and(|run| {
             self.trace.commands_of(run).iter().any(|command| command.kind.shape().is_some())
@@ -390,7 +405,12 @@ impl<'a> Context<'a> {
     fn numbers(&self, draft: &mut Draft, at: usize) {
         let units = self.run(at).map_or(Units::Inch, |run| run.after.units);
         let data = self.source.has_action(at, self.from, |action| {
-            matches!(action, Action::MacroCall | Action::ModalMacroCall { .. } | Action::Dwell)
+            matches!(
+                action,
+                Action::Call(CallCode::MacroCall)
+                    | Action::Call(CallCode::ModalMacroCall { .. })
+                    | Action::Once(OnceCode::Dwell)
+            )
         });
         for word in 0..draft.block.words.len() {
             let own = draft.block.words[word];
@@ -422,7 +442,8 @@ impl<'a> Context<'a> {
 
     /// The time of G4.
     fn dwell(&self, draft: &mut Draft, at: usize) {
-        if !self.source.has_action(at, self.from, |action| action == Action::Dwell) {
+        if !self.source.has_action(at, self.from, |action| action == Action::Once(OnceCode::Dwell))
+        {
             return;
         }
         let Some(run) = self.run(at) else { return };
@@ -462,7 +483,7 @@ impl<'a> Context<'a> {
             code_action(word, self.from).is_some_and(|action| {
                 // A move of G53 goes by G0 or G1 like any other.
                 action.is_plain_motion()
-                    || action.takes_axes() && action != Action::MachineCoordinates
+                    || action.takes_axes() && action != Action::Once(OnceCode::MachineCoordinates)
             })
         });
         let commands = self.trace.commands_of(run);
@@ -472,10 +493,16 @@ impl<'a> Context<'a> {
         }
         let title = self.to.table.title;
         let (action, reason) = match &first.kind {
-            CommandKind::Arc { shape, .. } if shape.sweep < 0.0 => (Action::ArcCw, "armed"),
-            CommandKind::Arc { .. } => (Action::ArcCcw, "armed"),
-            CommandKind::Line { .. } if self.trace.facts[at].after_arc => (Action::Linear, ""),
-            CommandKind::Rapid { .. } if self.trace.facts[at].after_arc => (Action::Rapid, ""),
+            CommandKind::Arc { shape, .. } if shape.sweep < 0.0 => {
+                (Action::Motion(MotionCode::ArcCw), "armed")
+            }
+            CommandKind::Arc { .. } => (Action::Motion(MotionCode::ArcCcw), "armed"),
+            CommandKind::Line { .. } if self.trace.facts[at].after_arc => {
+                (Action::Motion(MotionCode::Linear), "")
+            }
+            CommandKind::Rapid { .. } if self.trace.facts[at].after_arc => {
+                (Action::Motion(MotionCode::Rapid), "")
+            }
             _ => return,
         };
         let reason = match reason {
@@ -496,8 +523,13 @@ impl<'a> Context<'a> {
         let block = draft.block;
         let first_axis = block.words.iter().position(|word| LENGTHS.has(word.letter));
         let is_distance = |at: &usize| {
-            code_action(&block.words[*at], self.from)
-                .is_some_and(|action| matches!(action, Action::Absolute | Action::Incremental))
+            code_action(&block.words[*at], self.from).is_some_and(|action| {
+                matches!(
+                    action,
+                    Action::Reading(ReadingCode::Absolute)
+                        | Action::Reading(ReadingCode::Incremental)
+                )
+            })
         };
         let codes: Vec<usize> = (0..block.words.len()).filter(is_distance).collect();
         for at in codes {

@@ -1,11 +1,12 @@
 //! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
 
 use chordal::RunSink;
+use chordal::control::CodeRow;
+use chordal::control::{Action, AfterCode, BeforeCode, CallCode, ModeCode, OnceCode};
 use chordal::machine::AXIS_LETTERS;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use chordal::control::table::Action;
 use chordal::control::{CallPath, Modal, Origin, Side};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
@@ -123,26 +124,59 @@ impl Walk<'_, '_> {
         for word in &block.words {
             let Some(row) = self.control.row_of(word) else { continue };
             match row.action {
-                Action::LocalShift | Action::PresetPosition | Action::RestorePreset => {
-                    let axes = block
-                        .words
-                        .iter()
-                        .filter(|word| AXIS_LETTERS.as_bytes().contains(&word.letter));
-                    let is_zero = |number: chordal::syntax::Decimal| number.is_zero();
-                    let ends = row.action == Action::LocalShift
-                        && axes.clone().count() > 0
-                        && axes.clone().all(|word| word.number().is_some_and(is_zero));
-                    self.open.shift = !ends;
+                Action::Once(code) => self.follow_once(block, code),
+                Action::Call(code) => {
+                    self.open.call |= matches!(code, CallCode::ModalMacroCall { .. });
                 }
-                Action::ClearPreset { .. } => self.open.shift = false,
-                Action::ModalMacroCall { .. } | Action::ModalSubroutine => self.open.call = true,
-                Action::ModalCallOff => self.open.call = false,
+                Action::Mode(code) if code == ModeCode::ModalSubroutine => self.open.call = true,
+                Action::Mode(code) if code == ModeCode::ModalCallOff => self.open.call = false,
                 Action::NotSimulated if word.letter == b'G' => self.open.unknown = true,
-                Action::NotSimulated | Action::ShopCode => {
-                    self.survey.unknown.entry(row.name(word.letter)).or_insert(block.line);
+                Action::NotSimulated => self.note_unknown(row, word.letter, block.line),
+                Action::After(code) if code == AfterCode::ShopCode => {
+                    self.note_unknown(row, word.letter, block.line);
                 }
-                _ => {}
+                Action::Reading(_)
+                | Action::Before(_)
+                | Action::Mode(_)
+                | Action::Length(_)
+                | Action::Motion(_)
+                | Action::Cycle(_)
+                | Action::After(_)
+                | Action::NoEffect => {}
             }
+        }
+    }
+
+    fn note_unknown(&mut self, row: &CodeRow, letter: u8, line: u32) {
+        self.survey.unknown.entry(row.name(letter)).or_insert(line);
+    }
+
+    /// Shifts and presets open something that a part must not begin within.
+    fn follow_once(&mut self, block: &Block, code: OnceCode) {
+        match code {
+            OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset => {
+                let axes = block
+                    .words
+                    .iter()
+                    .filter(|word| AXIS_LETTERS.as_bytes().contains(&word.letter));
+                let is_zero = |number: chordal::syntax::Decimal| number.is_zero();
+                let ends = code == OnceCode::LocalShift
+                    && axes.clone().count() > 0
+                    && axes.clone().all(|word| word.number().is_some_and(is_zero));
+                self.open.shift = !ends;
+            }
+            OnceCode::ClearPreset { .. } => self.open.shift = false,
+            OnceCode::Dwell
+            | OnceCode::SetData
+            | OnceCode::ReturnToReference { .. }
+            | OnceCode::ReturnFromReference
+            | OnceCode::MachineCoordinates
+            | OnceCode::CircularPocketCw
+            | OnceCode::CircularPocketCcw
+            | OnceCode::GeneralPocket
+            | OnceCode::Pattern(_)
+            | OnceCode::Probe { .. }
+            | OnceCode::CornerArcAlone => {}
         }
     }
 
@@ -220,17 +254,18 @@ impl RunSink for Walk<'_, '_> {
         if let Some(at) = block {
             let block = &self.source.blocks[at];
             if is_main && self.main.contains(&at) {
-                let changes = block
-                    .words
-                    .iter()
-                    .any(|word| code_action(word, self.control) == Some(Action::ToolChange));
+                let changes = block.words.iter().any(|word| {
+                    code_action(word, self.control) == Some(Action::Before(BeforeCode::ToolChange))
+                });
                 if changes {
                     self.before(at, &modal);
                 }
             }
             self.follow(block);
             self.open.data |= modal.incremental
-                && self.source.has_action(at, self.control, |action| action == Action::SetData);
+                && self.source.has_action(at, self.control, |action| {
+                    action == Action::Once(OnceCode::SetData)
+                });
         }
         self.settled = modal.side == Side::Off && modal.cycle.is_none();
         match block {

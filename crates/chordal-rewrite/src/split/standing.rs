@@ -1,9 +1,10 @@
 //! What is in force at a place of a run, and how the program has said it.
 
 use chordal::RunSink;
+use chordal::control::{Action, AfterCode, BeforeCode, LengthCode, ModeCode, OnceCode, PathCode};
 use std::collections::BTreeMap;
 
-use chordal::control::table::{Action, Group};
+use chordal::control::table::Group;
 use chordal::control::{Modal, Origin};
 use chordal::syntax::{Block, Word};
 use chordal::{Command, Control, Diagnostic, Job, Sink};
@@ -63,11 +64,15 @@ pub(super) enum Slot {
 
 fn slot(group: Group, action: Action) -> Option<Slot> {
     Some(match (action, group) {
-        (Action::Smoothness, _) => Slot::Smoothness,
-        (Action::LookAhead { letter, .. }, _) => Slot::LookAhead(letter),
-        (Action::Overrides { .. } | Action::OverridesByP, _) => Slot::Overrides,
-        (Action::CompensationOff, _) => Slot::Compensation,
-        (Action::CancelCycle, _) => Slot::Cycle,
+        (Action::Mode(ModeCode::Path(PathCode::Smoothness)), _) => Slot::Smoothness,
+        (Action::Mode(ModeCode::Path(PathCode::LookAhead { letter, .. })), _) => {
+            Slot::LookAhead(letter)
+        }
+        (Action::Mode(ModeCode::Overrides { .. }) | Action::Mode(ModeCode::OverridesByP), _) => {
+            Slot::Overrides
+        }
+        (Action::Mode(ModeCode::CompensationOff), _) => Slot::Compensation,
+        (Action::Mode(ModeCode::CancelCycle), _) => Slot::Cycle,
         (_, Group::Units) => Slot::Units,
         (_, Group::Plane) => Slot::Plane,
         (_, Group::Distance) => Slot::Distance,
@@ -106,36 +111,68 @@ impl Said {
                 continue;
             }
             match row.action {
-                Action::WorkOffset(_)
-                | Action::WorkOffsetPoint(_)
-                | Action::WorkOffsetExtended
-                | Action::WorkOffsetNumbered(_) => self.work = true,
-                Action::LengthPlus | Action::LengthMinus => self.length = Some(text(word)),
-                Action::ToolChange => {
+                Action::Mode(code) => self.work |= code.is_work_offset(),
+                Action::Length(code) => {
+                    if code != LengthCode::Cancel {
+                        self.length = Some(text(word));
+                    }
+                }
+                Action::Before(code) if code == BeforeCode::ToolChange => {
                     let words = beside(word, &|letter| letter == b'T');
                     self.tool = Some(words.join(gap));
                     self.coolant.clear();
                 }
-                Action::SpindleCw | Action::SpindleCcw => self.spindle = Some(text(word)),
-                Action::CoolantMist | Action::CoolantFlood | Action::CoolantThroughTool => {
-                    let code = text(word);
-                    self.coolant.retain(|said| *said != code);
-                    self.coolant.push(code);
+                Action::Before(code) => self.follow_before(code, text(word)),
+                Action::After(code) => self.follow_after(code, control),
+                Action::Once(code) => {
+                    if code == OnceCode::SetData {
+                        self.keep_data(source, block);
+                    }
                 }
-                Action::CoolantThroughToolOff => self.coolant.retain(|said| {
-                    !control.table.m_codes.iter().any(|row| {
-                        row.action == Action::CoolantThroughTool && row.name(b'M') == *said
-                    })
-                }),
-                Action::CoolantOff => self.coolant.clear(),
-                Action::SetData => {
-                    let number = block.word(b'N').map_or(block.range.start, |word| word.range.end);
-                    let words = &source.text[number as usize..block.range.end as usize];
-                    self.data.push(String::from_utf8_lossy(words).trim().to_string());
-                }
-                _ => {}
+                Action::Reading(_)
+                | Action::Motion(_)
+                | Action::Cycle(_)
+                | Action::Call(_)
+                | Action::NoEffect
+                | Action::NotSimulated => {}
             }
         }
+    }
+
+    fn follow_before(&mut self, code: BeforeCode, text: String) {
+        match code {
+            BeforeCode::SpindleCw | BeforeCode::SpindleCcw => self.spindle = Some(text),
+            BeforeCode::CoolantMist | BeforeCode::CoolantFlood | BeforeCode::CoolantThroughTool => {
+                self.coolant.retain(|said| *said != text);
+                self.coolant.push(text);
+            }
+            BeforeCode::ToolChange | BeforeCode::SpindleOrient => {}
+        }
+    }
+
+    fn follow_after(&mut self, code: AfterCode, control: &Control) {
+        match code {
+            AfterCode::CoolantOff => self.coolant.clear(),
+            AfterCode::CoolantThroughToolOff => self.coolant.retain(|said| {
+                !control.table.m_codes.iter().any(|row| {
+                    row.action == Action::Before(BeforeCode::CoolantThroughTool)
+                        && row.name(b'M') == *said
+                })
+            }),
+            AfterCode::SpindleStop
+            | AfterCode::ProgramStop
+            | AfterCode::OptionalStop
+            | AfterCode::ProgramEnd { .. }
+            | AfterCode::ShopCode
+            | AfterCode::RunCycleHere => {}
+        }
+    }
+
+    /// The words of a G10, to be said again.
+    fn keep_data(&mut self, source: &Source, block: &Block) {
+        let number = block.word(b'N').map_or(block.range.start, |word| word.range.end);
+        let words = &source.text[number as usize..block.range.end as usize];
+        self.data.push(String::from_utf8_lossy(words).trim().to_string());
     }
 }
 

@@ -1,6 +1,6 @@
 //! The parts as texts.
 
-use chordal::control::table::Action;
+use chordal::control::{Action, AfterCode, MotionCode, ReadingCode};
 use chordal::control::{Modal, SpindleState, Units};
 use chordal::diagnostics::TextRange;
 use chordal::machine::AXIS_LETTERS;
@@ -214,12 +214,15 @@ impl<'w, 'a> Writer<'w, 'a> {
         let name = |action| codes::name(action, self.control, self.source.style);
         let mut lines = Vec::new();
         if standing.modal.coolant != Default::default() {
-            lines.extend(name(Action::CoolantOff));
+            lines.extend(name(Action::After(AfterCode::CoolantOff)));
         }
         if standing.modal.spindle != SpindleState::Off {
-            lines.extend(name(Action::SpindleStop));
+            lines.extend(name(Action::After(AfterCode::SpindleStop)));
         }
-        lines.extend(self.program_end().or_else(|| name(Action::ProgramEnd { rewind: true })));
+        lines.extend(
+            self.program_end()
+                .or_else(|| name(Action::After(AfterCode::ProgramEnd { rewind: true }))),
+        );
         lines
     }
 
@@ -227,7 +230,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     fn program_end(&self) -> Option<String> {
         let ends = |word: &&Word| {
             let row = self.control.row_of(word);
-            row.is_some_and(|row| matches!(row.action, Action::ProgramEnd { .. }))
+            row.is_some_and(|row| matches!(row.action, Action::After(AfterCode::ProgramEnd { .. })))
         };
         let word = self.source.blocks.get(self.survey.end)?.words.iter().find(ends)?;
         Some(String::from_utf8_lossy(word.range.slice(self.source.text)).into_owned())
@@ -244,13 +247,18 @@ impl<'w, 'a> Writer<'w, 'a> {
         let mut codes = said.codes.clone();
         let is_incremental = is_clear && modal.incremental;
         if is_incremental {
-            codes.extend(name(Action::Absolute).map(|code| (Slot::Distance, code)));
+            codes.extend(
+                name(Action::Reading(ReadingCode::Absolute)).map(|code| (Slot::Distance, code)),
+            );
         }
         lines.push(codes.into_values().collect::<Vec<String>>().join(gap));
         lines.extend(said.lines.values().cloned());
         lines.extend(said.data.iter().cloned());
         let work = codes::work_offset(modal.work, self.control, style).filter(|_| said.work);
-        let motion = modal.motion.map(Action::from).filter(|action| *action == Action::Linear);
+        let motion = modal
+            .motion
+            .map(Action::from)
+            .filter(|action| *action == Action::Motion(MotionCode::Linear));
         if is_clear {
             lines.extend(self.tool(standing));
             lines.extend(self.approach(standing, work, rounded_mm));
@@ -258,13 +266,13 @@ impl<'w, 'a> Writer<'w, 'a> {
             lines.extend(motion.and_then(name));
         } else {
             lines.extend(work);
-            lines.extend(motion.or(Some(Action::Rapid)).and_then(name));
+            lines.extend(motion.or(Some(Action::Motion(MotionCode::Rapid))).and_then(name));
         }
         let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
         lines.extend(ready.map(|tool| format!("T{tool}")));
         lines.extend(self.feed(modal));
         if is_incremental {
-            lines.extend(name(Action::Incremental));
+            lines.extend(name(Action::Reading(ReadingCode::Incremental)));
         }
         lines.retain(|line| !line.is_empty());
         lines
@@ -292,7 +300,8 @@ impl<'w, 'a> Writer<'w, 'a> {
         let gap = if style.spaced { " " } else { "" };
         let name = |action| codes::name(action, self.control, style);
         let mut place = |axis: usize| self.place(modal, axis, rounded_mm);
-        let mut over: Vec<String> = name(Action::Rapid).into_iter().chain(work).collect();
+        let mut over: Vec<String> =
+            name(Action::Motion(MotionCode::Rapid)).into_iter().chain(work).collect();
         // Rotary axes begin at zero.
         let is_said =
             |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);

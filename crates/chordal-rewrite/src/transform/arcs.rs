@@ -1,7 +1,7 @@
 //! Arcs in another form: by radius, by centre, as chords.
 
 use chordal::Job;
-use chordal::control::table::Action;
+use chordal::control::{Action, MotionCode};
 use chordal::control::{ArcCenter, ArcShape, FeedMode, Side, Units};
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
@@ -186,7 +186,7 @@ impl<'a> Arcs<'a> {
             ));
         }
         let linear = self.writer.control.table.g_codes.iter();
-        let linear = linear.clone().find(|row| row.action == Action::Linear);
+        let linear = linear.clone().find(|row| row.action == Action::Motion(MotionCode::Linear));
         let (Some(shape), Some(linear), Some(tail)) =
             (run.shape, linear, tail(self.writer.text, block))
         else {
@@ -205,7 +205,10 @@ impl<'a> Arcs<'a> {
         for (word, action) in actions(block, self.writer.control) {
             let is_arc = matches!(
                 action,
-                Action::ArcCw | Action::ArcCcw | Action::SpiralCw | Action::SpiralCcw
+                Action::Motion(MotionCode::ArcCw)
+                    | Action::Motion(MotionCode::ArcCcw)
+                    | Action::Motion(MotionCode::SpiralCw)
+                    | Action::Motion(MotionCode::SpiralCcw)
             );
             if is_arc {
                 is_coded = true;

@@ -1,7 +1,8 @@
 //! Rows of chords as arcs and lines, and as fewer chords.
 
 use chordal::Job;
-use chordal::control::table::{Action, MotionModality};
+use chordal::control::table::MotionModality;
+use chordal::control::{Action, ModeCode, MotionCode};
 use chordal::control::{ArcShape, Units};
 use chordal::diagnostics::TextRange;
 use chordal::geometry::{Curve, FitOptions, FitPiece, Plane, Vec2, Vec3, fit_path, simplify};
@@ -69,7 +70,7 @@ fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPi
         writer,
         units: context.units,
         at: row[0].from().to_array(),
-        motion: first.word(b'G').is_none().then_some(Action::Linear),
+        motion: first.word(b'G').is_none().then_some(Action::Motion(MotionCode::Linear)),
         plane: context.plane,
         rule: context.arc_center,
     };
@@ -124,7 +125,14 @@ impl Typist<'_> {
             Curve::Arc(arc) => {
                 self.plane(piece.plane, words);
                 let is_ccw = arc.sweep > 0.0;
-                self.motion(if is_ccw { Action::ArcCcw } else { Action::ArcCw }, words);
+                self.motion(
+                    if is_ccw {
+                        Action::Motion(MotionCode::ArcCcw)
+                    } else {
+                        Action::Motion(MotionCode::ArcCw)
+                    },
+                    words,
+                );
                 let from = self.at;
                 let (a, b, _) = piece.plane.axes();
                 let mut always = [false; 3];
@@ -150,7 +158,7 @@ impl Typist<'_> {
             }
             other => {
                 use chordal::geometry::ParamCurve;
-                self.motion(Action::Linear, words);
+                self.motion(Action::Motion(MotionCode::Linear), words);
                 self.axes(other.end(), [false; 3], words);
             }
         }
@@ -159,9 +167,9 @@ impl Typist<'_> {
     fn plane(&mut self, plane: Plane, words: &mut Words) {
         if self.plane != plane {
             words.push(self.code(match plane {
-                Plane::Xy => Action::PlaneXy,
-                Plane::Zx => Action::PlaneZx,
-                Plane::Yz => Action::PlaneYz,
+                Plane::Xy => Action::Mode(ModeCode::PlaneXy),
+                Plane::Zx => Action::Mode(ModeCode::PlaneZx),
+                Plane::Yz => Action::Mode(ModeCode::PlaneYz),
             }));
             self.plane = plane;
         }
@@ -187,19 +195,20 @@ impl Typist<'_> {
             let is_motion = |action| {
                 matches!(
                     action,
-                    Action::Rapid
-                        | Action::Linear
-                        | Action::ArcCw
-                        | Action::ArcCcw
+                    Action::Motion(MotionCode::Rapid)
+                        | Action::Motion(MotionCode::Linear)
+                        | Action::Motion(MotionCode::ArcCw)
+                        | Action::Motion(MotionCode::ArcCcw)
                         | Action::Cycle(_)
                 )
             };
             actions(block, self.writer.control).any(|(_, action)| is_motion(action))
         });
         let exclusive = self.writer.control.table.motion == MotionModality::Exclusive;
-        let is_arc = exclusive && self.motion != Some(Action::Linear) && !says_motion;
+        let is_arc =
+            exclusive && self.motion != Some(Action::Motion(MotionCode::Linear)) && !says_motion;
         if is_arc {
-            self.motion(Action::Linear, &mut words);
+            self.motion(Action::Motion(MotionCode::Linear), &mut words);
         }
         (is_changed || is_arc).then(|| words.join(self.writer.style.gap()))
     }

@@ -1,7 +1,7 @@
 //! Moving, turning, mirroring and scaling a program, word by word.
 
 use chordal::Job;
-use chordal::control::table::Action;
+use chordal::control::{Action, AfterCode, MotionCode, OnceCode};
 use chordal::control::{AxisMask, RapidPath};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Transform, Vec3};
@@ -203,31 +203,19 @@ impl Mapper<'_> {
         edits: &mut Vec<Edit>,
     ) -> Result<(), Refusal> {
         for (word, action) in actions(block, self.writer.control) {
-            let other = match action {
-                Action::Pattern(_)
-                | Action::CircularPocketCw
-                | Action::CircularPocketCcw
-                | Action::GeneralPocket
-                | Action::RunCycleHere
-                    if !self.map.is_shift() =>
-                {
-                    return Err(self.refuse(
-                        block,
-                        format!(
-                            "`{}` makes moves whose directions no word says",
-                            self.writer.word(word)
-                        ),
-                        "write the moves out, or turn by the control's own G68",
-                    ));
-                }
-                _ if !self.map.is_mirrored(context.plane) => continue,
-                Action::ArcCw => Action::ArcCcw,
-                Action::ArcCcw => Action::ArcCw,
-                Action::SpiralCw => Action::SpiralCcw,
-                Action::SpiralCcw => Action::SpiralCw,
-                Action::CompensationLeft => Action::CompensationRight,
-                Action::CompensationRight => Action::CompensationLeft,
-                _ => continue,
+            if makes_moves_of_its_own(action) && !self.map.is_shift() {
+                return Err(self.refuse(
+                    block,
+                    format!(
+                        "`{}` makes moves whose directions no word says",
+                        self.writer.word(word)
+                    ),
+                    "write the moves out, or turn by the control's own G68",
+                ));
+            }
+            let Some(other) = mirrored(action).filter(|_| self.map.is_mirrored(context.plane))
+            else {
+                continue;
             };
             let rows = self.writer.control.table.g_codes;
             let Some(row) = rows.iter().find(|row| row.action == other) else {
@@ -343,7 +331,7 @@ impl Mapper<'_> {
     fn missing(&self, block: &Block, runs: &Runs, axis: usize) -> Result<f64, Refusal> {
         let letter = ["X", "Y"][axis];
         let is_return = actions(block, self.writer.control)
-            .any(|(_, action)| matches!(action, Action::ReturnToReference { .. }));
+            .any(|(_, action)| matches!(action, Action::Once(OnceCode::ReturnToReference { .. })));
         let known: AxisMask = runs.first.known[1];
         if !runs.same_end {
             return Err(self.refuse(
@@ -360,5 +348,34 @@ impl Mapper<'_> {
             ));
         }
         Ok(runs.first.to[axis])
+    }
+}
+
+/// Moves whose directions no word says.
+fn makes_moves_of_its_own(action: Action) -> bool {
+    let once = |code: OnceCode| code.is_pocket() || matches!(code, OnceCode::Pattern(_));
+    action.once().is_some_and(once) || action == Action::After(AfterCode::RunCycleHere)
+}
+
+/// The code that does the same in a mirror; `None` where it is the same code.
+fn mirrored(action: Action) -> Option<Action> {
+    match action {
+        Action::Motion(code) => Some(Action::Motion(match code {
+            MotionCode::ArcCw => MotionCode::ArcCcw,
+            MotionCode::ArcCcw => MotionCode::ArcCw,
+            MotionCode::SpiralCw => MotionCode::SpiralCcw,
+            MotionCode::SpiralCcw => MotionCode::SpiralCw,
+            MotionCode::Rapid | MotionCode::Linear => return None,
+        })),
+        Action::Mode(code) => Some(Action::Mode(code.other_side()?)),
+        Action::Reading(_)
+        | Action::Before(_)
+        | Action::Length(_)
+        | Action::Cycle(_)
+        | Action::Once(_)
+        | Action::After(_)
+        | Action::Call(_)
+        | Action::NoEffect
+        | Action::NotSimulated => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use chordal::Control;
 use chordal::control::CycleKind;
-use chordal::control::table::Action;
+use chordal::control::{Action, CallCode, ModeCode, OnceCode, PathCode, ReadingCode};
 use chordal::control::{FeedMode, TapFeed};
 use chordal::syntax::{Block, Value, Word};
 
@@ -56,6 +56,45 @@ enum Sort {
     Pocket,
 }
 
+/// What the words of a block are to a code; `None` where it takes them as any move does.
+fn sort_of(action: Action) -> Option<Sort> {
+    match action {
+        Action::Once(code) => match code {
+            OnceCode::Dwell => Some(Sort::Dwell),
+            OnceCode::SetData => Some(Sort::Data),
+            OnceCode::MachineCoordinates => Some(Sort::Machine),
+            OnceCode::LocalShift => Some(Sort::Local),
+            OnceCode::Pattern(_) => Some(Sort::Pattern),
+            OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw | OnceCode::GeneralPocket => {
+                Some(Sort::Pocket)
+            }
+            OnceCode::ReturnToReference { .. }
+            | OnceCode::ReturnFromReference
+            | OnceCode::PresetPosition
+            | OnceCode::ClearPreset { .. }
+            | OnceCode::RestorePreset
+            | OnceCode::Probe { .. }
+            | OnceCode::CornerArcAlone => None,
+        },
+        Action::Call(code) => match code {
+            CallCode::MacroCall | CallCode::ModalMacroCall { .. } => Some(Sort::Arguments),
+            CallCode::CallProgram
+            | CallCode::CallLabel
+            | CallCode::Return
+            | CallCode::SubroutineEnd => None,
+        },
+        Action::Mode(code) => (code == ModeCode::ModalSubroutine).then_some(Sort::Arguments),
+        Action::Reading(_)
+        | Action::Before(_)
+        | Action::Length(_)
+        | Action::Motion(_)
+        | Action::Cycle(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated => None,
+    }
+}
+
 /// The role of each word of a block.
 pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<Role> {
     let mut sort = Sort::Move;
@@ -63,28 +102,18 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
     // Letters that are lengths beside a code that says how corners are passed.
     let mut corner_letters: &[u8] = b"";
     for (_, action) in actions(block, control) {
-        sort = match action {
-            Action::Dwell => Sort::Dwell,
-            Action::SetData => Sort::Data,
-            Action::MachineCoordinates => Sort::Machine,
-            Action::LocalShift => Sort::Local,
-            Action::MacroCall | Action::ModalMacroCall { .. } | Action::ModalSubroutine => {
-                Sort::Arguments
-            }
-            Action::Pattern(_) => Sort::Pattern,
-            Action::CircularPocketCw | Action::CircularPocketCcw | Action::GeneralPocket => {
-                Sort::Pocket
-            }
-            _ => sort,
-        };
-        corner_letters = match action {
-            Action::PathContinuous => b"PQ",
-            Action::Smoothness => b"E",
-            _ => corner_letters,
-        };
+        sort = sort_of(action).unwrap_or(sort);
+        if action == Action::Mode(ModeCode::Path(PathCode::Continuous)) {
+            corner_letters = b"PQ";
+        } else if action == Action::Mode(ModeCode::Path(PathCode::Smoothness)) {
+            corner_letters = b"E";
+        }
         starts_compensation |= matches!(
             action,
-            Action::CompensationLeft | Action::CompensationRight | Action::CornerArc { .. }
+            Action::Mode(ModeCode::CompensationLeft)
+                | Action::Mode(ModeCode::CompensationRight)
+                | Action::Mode(ModeCode::CornerArc)
+                | Action::Once(OnceCode::CornerArcAlone)
         );
     }
     let left_to_right = control.table.distance_left_to_right;
@@ -94,8 +123,8 @@ pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<
     for word in &block.words {
         if left_to_right && word.letter == b'G' {
             match control.row_of(word).map(|row| row.action) {
-                Some(Action::Absolute) => incremental = false,
-                Some(Action::Incremental) => incremental = true,
+                Some(Action::Reading(ReadingCode::Absolute)) => incremental = false,
+                Some(Action::Reading(ReadingCode::Incremental)) => incremental = true,
                 _ => {}
             }
         }

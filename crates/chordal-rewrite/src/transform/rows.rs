@@ -1,7 +1,7 @@
 //! Rows of straight cuts that stand behind one another in the text and nowhere else: what may be
 //! replaced as a whole.
 
-use chordal::control::table::Action;
+use chordal::control::{Action, MotionCode};
 use chordal::control::{FeedMode, Side};
 use chordal::diagnostics::FileId;
 use chordal::geometry::Vec3;
@@ -97,7 +97,8 @@ fn cut(
             && word.register.is_none()
             && (b"XYZNG".contains(&word.letter) || (word.letter == b'F' && is_first))
     });
-    let codes = actions(block, writer.control).all(|(_, action)| action == Action::Linear)
+    let codes = actions(block, writer.control)
+        .all(|(_, action)| action == Action::Motion(MotionCode::Linear))
         && block.all(b'G').count() == actions(block, writer.control).count();
     let follows = before.is_none_or(|before| {
         before.run.to == run.from

@@ -1,7 +1,7 @@
 //! A program in the other unit of length.
 
 use chordal::Job;
-use chordal::control::table::Action;
+use chordal::control::{Action, ReadingCode};
 use chordal::control::{FeedMode, Units};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader};
@@ -21,8 +21,8 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
     let record = Record::of(job);
     let writer = Writer::new(job);
     let wanted = match to {
-        Units::Inch => Action::Inch,
-        Units::Millimetre => Action::Millimetre,
+        Units::Inch => Action::Reading(ReadingCode::Inch),
+        Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     };
     let mut outcome = Outcome { feed_tolerance: 1e-3, ..Outcome::default() };
     let Some(code) = writer.control.table.g_codes.iter().find(|row| row.action == wanted) else {
@@ -50,7 +50,10 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
         };
         let mut says = false;
         for (word, action) in actions(&block, writer.control) {
-            if matches!(action, Action::Inch | Action::Millimetre) {
+            if matches!(
+                action,
+                Action::Reading(ReadingCode::Inch) | Action::Reading(ReadingCode::Millimetre)
+            ) {
                 says = true;
                 if action != wanted {
                     let text = writer.code(word, code.code);

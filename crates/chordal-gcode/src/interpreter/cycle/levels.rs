@@ -1,12 +1,12 @@
 //! The words of a cycle, and the levels they give.
 
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::{Action, ReadingCode};
 use chordal_kernel::CycleState;
 use chordal_kernel::rules::{CycleKind, IncrementalLevels, TapFeed};
 use chordal_syntax::{Block, Letters};
 
 use super::super::Interpreter;
-use chordal_dialect::Action;
 
 impl Interpreter<'_> {
     /// Whether a word of this block is read in G91; where G90 and G91 act from left to right
@@ -24,8 +24,8 @@ impl Interpreter<'_> {
                 .then(|| self.literal(word).and_then(chordal_dialect::code_number))
                 .flatten();
             match code.and_then(|code| self.control.g_code(code)).map(|row| row.action) {
-                Some(Action::Absolute) => incremental = false,
-                Some(Action::Incremental) => incremental = true,
+                Some(Action::Reading(ReadingCode::Absolute)) => incremental = false,
+                Some(Action::Reading(ReadingCode::Incremental)) => incremental = true,
                 _ => {}
             }
         }

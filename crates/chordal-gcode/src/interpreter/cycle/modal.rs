@@ -3,6 +3,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{Action, CodeRow, Group};
+use chordal_kernel::rules::CycleKind;
 use chordal_kernel::rules::TapFeed;
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters, Word};
@@ -39,10 +40,7 @@ impl Interpreter<'_> {
     pub(in super::super) fn tap_stands_in(&self, block: &Block) -> bool {
         let own = block.all(b'G').find_map(|word| {
             let code = word.number().and_then(chordal_dialect::code_number)?;
-            match self.control.g_code(code)?.action {
-                Action::Cycle(kind) => Some(kind.is_tap()),
-                _ => None,
-            }
+            self.control.g_code(code)?.action.cycle().map(CycleKind::is_tap)
         });
         own.unwrap_or_else(|| self.kernel.state.cycle.is_some_and(|cycle| cycle.kind.is_tap()))
     }

@@ -1,14 +1,14 @@
 //! Holes on a circle, an arc or a line: the cycle in force at computed places.
 
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_kernel::rules::Pattern;
+use chordal_kernel::rules::HolePattern;
 use chordal_syntax::Block;
 
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
     /// G70, G71, G72 of a Haas: I, J, K and L about the place where the tool stands.
-    pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: Pattern) {
+    pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: HolePattern) {
         let span = self.span(block.words[at].range);
         if self.kernel.state.cycle.is_none() {
             return self
@@ -21,18 +21,18 @@ impl Interpreter<'_> {
         let (Some(size), Some(count)) = (size, self.pattern_count(block)) else {
             return self.report_pattern_words(block, "I and L");
         };
-        if pattern == Pattern::Arc && step.is_none() {
+        if pattern == HolePattern::Arc && step.is_none() {
             return self.report_pattern_words(block, "K, the angle between two holes");
         }
         let turn = if count < 0 { -360.0 } else { 360.0 };
         let number = count.unsigned_abs();
         let start = start.unwrap_or(0.0);
         let step = match pattern {
-            Pattern::Circle => turn / number as f64,
-            Pattern::Arc => step.unwrap_or(0.0),
-            Pattern::Line => 0.0,
+            HolePattern::Circle => turn / number as f64,
+            HolePattern::Arc => step.unwrap_or(0.0),
+            HolePattern::Line => 0.0,
         };
-        let by_line = pattern == Pattern::Line;
+        let by_line = pattern == HolePattern::Line;
         self.kernel.holes_about_here(&self.at(block), number as u32, |index| {
             let along = if by_line { f64::from(index) * size } else { size };
             (along, start + f64::from(index) * step)

@@ -3,7 +3,8 @@
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::macros::ArgumentScale;
-use chordal_dialect::{Action, DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
+use chordal_dialect::{Action, CallCode, ModeCode, OnceCode};
+use chordal_dialect::{DecimalPoint, FIRST_ALIAS_SUBPROGRAM, Group, code_number};
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
@@ -66,10 +67,14 @@ impl Interpreter<'_> {
             if word.letter == b'M' {
                 return None;
             }
-            match self.control.g_code(code)?.action {
-                Action::MacroCall => Some((Call::Once, at)),
-                Action::ModalMacroCall { every_block } => Some((Call::Modal { every_block }, at)),
-                _ => None,
+            let Action::Call(call) = self.control.g_code(code)?.action else { return None };
+            match call {
+                CallCode::MacroCall => Some((Call::Once, at)),
+                CallCode::ModalMacroCall { every_block } => Some((Call::Modal { every_block }, at)),
+                CallCode::CallProgram
+                | CallCode::CallLabel
+                | CallCode::Return
+                | CallCode::SubroutineEnd => None,
             }
         })
     }
@@ -205,7 +210,7 @@ impl Interpreter<'_> {
             match word.letter {
                 b'G' => code
                     .and_then(|code| self.control.g_code(code))
-                    .is_some_and(|row| row.action == Action::ModalCallOff),
+                    .is_some_and(|row| row.action == Action::Mode(ModeCode::ModalCallOff)),
                 // A return or an end is no argument of a call that goes on.
                 b'M' => code
                     .and_then(|code| self.control.m_code(code))
@@ -234,7 +239,10 @@ impl Interpreter<'_> {
             row.is_some_and(|row| {
                 matches!(
                     row.action,
-                    Action::SetData | Action::LocalShift | Action::PresetPosition | Action::Dwell
+                    Action::Once(OnceCode::SetData)
+                        | Action::Once(OnceCode::LocalShift)
+                        | Action::Once(OnceCode::PresetPosition)
+                        | Action::Once(OnceCode::Dwell)
                 )
             })
         })

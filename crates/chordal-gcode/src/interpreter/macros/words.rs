@@ -2,7 +2,6 @@
 
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::Action;
 use chordal_syntax::{Block, Decimal, Letters, Value as Written, Word};
 
 use super::super::Interpreter;
@@ -58,11 +57,7 @@ impl Interpreter<'_> {
     fn units_of(&self, block: &Block) -> Units {
         let own = block.all(b'G').filter_map(|word| {
             let code = chordal_dialect::code_number(word.number()?)?;
-            match self.control.g_code(code)?.action {
-                Action::Inch => Some(Units::Inch),
-                Action::Millimetre => Some(Units::Millimetre),
-                _ => None,
-            }
+            self.control.g_code(code)?.action.units()
         });
         own.last().unwrap_or(self.kernel.state.units)
     }

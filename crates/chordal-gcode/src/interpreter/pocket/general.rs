@@ -6,7 +6,8 @@
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
-use chordal_dialect::{Action, code_number};
+use chordal_dialect::code_number;
+use chordal_dialect::{Action, ModeCode};
 use chordal_geometry::Vec2;
 use chordal_kernel::shapes::{Outline, RasterAlong};
 use chordal_syntax::{Block, Letters};
@@ -112,12 +113,9 @@ impl Interpreter<'_> {
     fn side_is_inside(&mut self, block: &Block, outline: &Outline) -> bool {
         let side = block.all(b'G').find_map(|word| {
             let row = self.control.g_code(self.literal(word).and_then(code_number)?)?;
-            let left = match row.action {
-                Action::CompensationLeft => true,
-                Action::CompensationRight => false,
-                _ => return None,
-            };
-            Some((*word, left))
+            let left = row.action == Action::Mode(ModeCode::CompensationLeft);
+            let right = row.action == Action::Mode(ModeCode::CompensationRight);
+            (left || right).then_some((*word, left))
         });
         let Some((word, left)) = side else {
             let span = self.span(block.range);

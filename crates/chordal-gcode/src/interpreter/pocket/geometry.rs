@@ -1,7 +1,8 @@
 //! The outline that P of a general pocket names: its blocks are read, not carried out.
 
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_dialect::{Action, code_number};
+use chordal_dialect::code_number;
+use chordal_dialect::{Action, AfterCode, CallCode, MotionCode, ReadingCode};
 use chordal_geometry::{Direction, Plane, Vec2, Vec3, arc_from_center, center_from_radius};
 use chordal_kernel::shapes::{Element, Outline, OutlineError};
 use chordal_syntax::{Block, BlockKind, BlockReader, Value};
@@ -98,7 +99,7 @@ impl Interpreter<'_> {
     ) -> Option<Vec<Element>> {
         let mut pen = Pen {
             place: start,
-            motion: Action::Linear,
+            motion: Action::Motion(MotionCode::Linear),
             incremental: self.kernel.state.incremental,
         };
         let mut moves = Vec::new();
@@ -143,12 +144,18 @@ impl Interpreter<'_> {
                 _ => continue,
             };
             match row.map(|row| row.action) {
-                Some(action @ (Action::Linear | Action::ArcCw | Action::ArcCcw)) => {
+                Some(
+                    action @ (Action::Motion(MotionCode::Linear)
+                    | Action::Motion(MotionCode::ArcCw)
+                    | Action::Motion(MotionCode::ArcCcw)),
+                ) => {
                     pen.motion = action;
                 }
-                Some(Action::Absolute) => pen.incremental = false,
-                Some(Action::Incremental) => pen.incremental = true,
-                Some(Action::Return | Action::ProgramEnd { .. }) => ends = true,
+                Some(Action::Reading(ReadingCode::Absolute)) => pen.incremental = false,
+                Some(Action::Reading(ReadingCode::Incremental)) => pen.incremental = true,
+                Some(
+                    Action::Call(CallCode::Return) | Action::After(AfterCode::ProgramEnd { .. }),
+                ) => ends = true,
                 _ => {
                     let letter = word.letter as char;
                     let number = self.literal(word).map_or(String::new(), |n| n.to_string());
@@ -179,7 +186,7 @@ impl Interpreter<'_> {
             self.axis_value_of(block, 0).map_or(from.a, |x| base.a + x),
             self.axis_value_of(block, 1).map_or(from.b, |y| base.b + y),
         );
-        let is_arc = pen.motion != Action::Linear;
+        let is_arc = pen.motion != Action::Motion(MotionCode::Linear);
         let has_center = letters.has(b'I') || letters.has(b'J') || letters.has(b'R');
         if to == from && !(is_arc && has_center) {
             return Reading::Nothing;
@@ -188,7 +195,11 @@ impl Interpreter<'_> {
         if !is_arc {
             return Reading::Move(Element::Line { from, to });
         }
-        let direction = if pen.motion == Action::ArcCw { Direction::Cw } else { Direction::Ccw };
+        let direction = if pen.motion == Action::Motion(MotionCode::ArcCw) {
+            Direction::Cw
+        } else {
+            Direction::Ccw
+        };
         self.outline_arc(block, from, to, direction)
     }
 

@@ -1,0 +1,343 @@
+//! What codes do, split by when they act.
+//!
+//! A block is carried out in one order, whatever the order of its words: modes that change how its
+//! numbers are read, then tools, spindle and coolant on, then modes that its motion obeys, then the
+//! motion or the one code that takes its axis words, then what ends with it, then calls. Each part
+//! is an enum of its own, and each place that acts on it matches it exhaustively: a new code does
+//! not compile until every such place answers for it.
+
+use chordal_command::Units;
+use chordal_geometry::Direction;
+use chordal_kernel::MotionMode;
+use chordal_kernel::rules::{CycleKind, HolePattern};
+
+/// What a code does.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Action {
+    /// Changes how the numbers of its own block are read.
+    Reading(ReadingCode),
+    /// Acts before the motion: tool, spindle and coolant on.
+    Before(BeforeCode),
+    /// A mode that the motion of its block obeys.
+    Mode(ModeCode),
+    /// Tool length.
+    Length(LengthCode),
+    /// Moves.
+    Motion(MotionCode),
+    /// A canned cycle.
+    Cycle(CycleKind),
+    /// Takes the axis words of its block for itself.
+    Once(OnceCode),
+    /// Acts after the motion: stops, ends, spindle and coolant off.
+    After(AfterCode),
+    /// Calls and returns.
+    Call(CallCode),
+    /// Carried out without effect on path or time.
+    NoEffect,
+    /// The control carries it out and Chordal does not.
+    NotSimulated,
+}
+
+/// How the numbers of a block are read.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum ReadingCode {
+    Inch,
+    Millimetre,
+    Absolute,
+    Incremental,
+    ArcCenterAbsolute,
+    ArcCenterIncremental,
+    FeedPerTime,
+    FeedInverseTime,
+    FeedPerRevolution,
+}
+
+/// What acts before the motion of its block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum BeforeCode {
+    ToolChange,
+    SpindleCw,
+    SpindleCcw,
+    SpindleOrient,
+    CoolantMist,
+    CoolantFlood,
+    CoolantThroughTool,
+}
+
+/// Modes that the motion of a block obeys.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum ModeCode {
+    PlaneXy,
+    PlaneZx,
+    PlaneYz,
+    CompensationOff,
+    CompensationLeft,
+    CompensationRight,
+    /// An arc round an outside corner (G39), with a move.
+    CornerArc,
+    /// G54 to G59.
+    WorkOffset(u16),
+    /// G59.1 to G59.3.
+    WorkOffsetPoint(u16),
+    WorkOffsetExtended,
+    /// An extended work offset by a code of its own (Haas G110 is G154 P1).
+    WorkOffsetNumbered(u16),
+    ReturnInitial,
+    ReturnToR,
+    CancelCycle,
+    /// How corners are passed.
+    Path(PathCode),
+    /// The panel's feed override acts or not (M48, M49), and with it that of rapids.
+    Overrides {
+        on: bool,
+        rapid: bool,
+    },
+    /// The same for feed and rapids by P: off with 0 (LinuxCNC M50).
+    OverridesByP,
+    /// Fadal G66: calls a subroutine after every move.
+    ModalSubroutine,
+    ModalCallOff,
+}
+
+/// How corners are passed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum PathCode {
+    Exact,
+    ExactStop,
+    /// A stop at the end of this block.
+    ExactStopOnce,
+    Continuous,
+    /// Corners rounded within the distance of high-accuracy control (Mitsubishi G61.1).
+    HighAccuracy,
+    /// Corners as in `Continuous`, and the feed override has no effect (G63).
+    Tapping,
+    /// Look-ahead control: on with this value of the letter, off with 0.
+    LookAhead {
+        letter: u8,
+        on: u32,
+    },
+    /// How far corners are rounded, by level P or distance E (Haas G187).
+    Smoothness,
+}
+
+/// Tool length.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LengthCode {
+    /// G43.
+    Plus,
+    /// G44.
+    Minus,
+    /// G49.
+    Cancel,
+}
+
+/// Moves.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum MotionCode {
+    Rapid,
+    Linear,
+    ArcCw,
+    ArcCcw,
+    SpiralCw,
+    SpiralCcw,
+}
+
+/// What takes the axis words of its block for itself.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum OnceCode {
+    Dwell,
+    SetData,
+    /// Over a point to reference point 1 (G28) or the one that P names (G30).
+    ReturnToReference {
+        second: bool,
+    },
+    ReturnFromReference,
+    MachineCoordinates,
+    LocalShift,
+    PresetPosition,
+    ClearPreset {
+        keep: bool,
+    },
+    RestorePreset,
+    /// A round pocket by one block, clockwise.
+    CircularPocketCw,
+    CircularPocketCcw,
+    /// A pocket of any outline by one block.
+    GeneralPocket,
+    /// Holes of the cycle in force on a circle, an arc or a line.
+    Pattern(HolePattern),
+    /// A move that ends where a probe touches; `must_hit`: without a touch it is an alarm.
+    Probe {
+        must_hit: bool,
+    },
+    /// An arc round an outside corner (G39), in a block of its own.
+    CornerArcAlone,
+}
+
+/// What acts after the motion of its block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum AfterCode {
+    SpindleStop,
+    CoolantOff,
+    CoolantThroughToolOff,
+    ProgramStop,
+    OptionalStop,
+    ProgramEnd {
+        rewind: bool,
+    },
+    /// A custom M code, which the table does not have.
+    ShopCode,
+    RunCycleHere,
+}
+
+/// Calls and returns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs, reason = "the names are the field's own")]
+pub enum CallCode {
+    CallProgram,
+    CallLabel,
+    Return,
+    SubroutineEnd,
+    /// G65: calls a program with its words as arguments.
+    MacroCall,
+    /// G66: the same after every move; G66.1: for every block.
+    ModalMacroCall {
+        every_block: bool,
+    },
+}
+
+impl ModeCode {
+    /// Whether the feed override acts, where the code says so for good.
+    pub const fn overrides(self) -> Option<bool> {
+        if let ModeCode::Overrides { on, .. } = self { Some(on) } else { None }
+    }
+
+    /// G41 for G42 and the other way round.
+    pub fn other_side(self) -> Option<ModeCode> {
+        if self == ModeCode::CompensationLeft {
+            return Some(ModeCode::CompensationRight);
+        }
+        (self == ModeCode::CompensationRight).then_some(ModeCode::CompensationLeft)
+    }
+
+    /// G18 or G19.
+    pub const fn is_other_plane(self) -> bool {
+        matches!(self, ModeCode::PlaneZx | ModeCode::PlaneYz)
+    }
+
+    /// Chooses a work offset.
+    pub const fn is_work_offset(self) -> bool {
+        matches!(
+            self,
+            ModeCode::WorkOffset(_)
+                | ModeCode::WorkOffsetPoint(_)
+                | ModeCode::WorkOffsetExtended
+                | ModeCode::WorkOffsetNumbered(_)
+        )
+    }
+}
+
+impl OnceCode {
+    /// A pocket by one block.
+    pub const fn is_pocket(self) -> bool {
+        matches!(
+            self,
+            OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw | OnceCode::GeneralPocket
+        )
+    }
+}
+
+/// What P of a call names.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Called {
+    /// A program.
+    Program,
+    /// A block number.
+    Label,
+}
+
+impl CallCode {
+    /// What P names; `None` where the code takes none.
+    pub const fn called(self) -> Option<Called> {
+        match self {
+            CallCode::CallProgram | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => {
+                Some(Called::Program)
+            }
+            CallCode::CallLabel | CallCode::Return => Some(Called::Label),
+            CallCode::SubroutineEnd => None,
+        }
+    }
+}
+
+impl MotionCode {
+    /// An arc or a spiral.
+    pub const fn is_curve(self) -> bool {
+        match self {
+            MotionCode::Rapid | MotionCode::Linear => false,
+            MotionCode::ArcCw | MotionCode::ArcCcw => true,
+            MotionCode::SpiralCw | MotionCode::SpiralCcw => true,
+        }
+    }
+}
+
+impl Action {
+    /// The code takes the axis words of its block for itself.
+    pub const fn takes_axes(self) -> bool {
+        matches!(self, Action::Once(_) | Action::NotSimulated)
+    }
+
+    /// The motion, where the code is one.
+    pub const fn motion(self) -> Option<MotionCode> {
+        if let Action::Motion(code) = self { Some(code) } else { None }
+    }
+
+    /// The canned cycle, where the code is one.
+    pub const fn cycle(self) -> Option<CycleKind> {
+        if let Action::Cycle(kind) = self { Some(kind) } else { None }
+    }
+
+    /// What the code takes the axis words for.
+    pub const fn once(self) -> Option<OnceCode> {
+        if let Action::Once(code) = self { Some(code) } else { None }
+    }
+
+    /// The units, where the code chooses them.
+    pub fn units(self) -> Option<Units> {
+        if self == Action::Reading(ReadingCode::Inch) {
+            return Some(Units::Inch);
+        }
+        (self == Action::Reading(ReadingCode::Millimetre)).then_some(Units::Millimetre)
+    }
+
+    /// A motion code that every control has: G0 to G3.
+    pub const fn is_plain_motion(self) -> bool {
+        let Action::Motion(motion) = self else { return false };
+        match motion {
+            MotionCode::Rapid | MotionCode::Linear | MotionCode::ArcCw | MotionCode::ArcCcw => true,
+            MotionCode::SpiralCw | MotionCode::SpiralCcw => false,
+        }
+    }
+}
+
+impl From<MotionMode> for Action {
+    /// What the code of a motion in force does.
+    fn from(motion: MotionMode) -> Action {
+        let code = match motion {
+            MotionMode::Rapid => MotionCode::Rapid,
+            MotionMode::Linear => MotionCode::Linear,
+            MotionMode::Arc(Direction::Cw) => MotionCode::ArcCw,
+            MotionMode::Arc(Direction::Ccw) => MotionCode::ArcCcw,
+            MotionMode::Spiral(Direction::Cw) => MotionCode::SpiralCw,
+            MotionMode::Spiral(Direction::Ccw) => MotionCode::SpiralCcw,
+            MotionMode::Cycle(kind) => return Action::Cycle(kind),
+        };
+        Action::Motion(code)
+    }
+}
