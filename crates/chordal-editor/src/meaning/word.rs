@@ -367,3 +367,30 @@ fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<String> {
     };
     Some(text.into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::meaning::codes;
+
+    /// What a letter means with a G code (ten times its number) on a control.
+    fn says(control: &str, code: u16, letter: u8) -> Option<String> {
+        let view = View::all().into_iter().find(|view| view.table.name == control).unwrap();
+        let row = codes(view.table, b'G').iter().find(|row| row.code == code).unwrap();
+        word_meaning(row, letter, &view)
+    }
+
+    #[test]
+    fn one_letter_means_what_its_code_makes_of_it() {
+        let text = |control, code, letter| says(control, code, letter).unwrap();
+        assert_eq!(text("haas", 830, b'Q'), "depth of each peck");
+        assert!(text("haas", 830, b'I').contains("first peck"));
+        assert!(text("fanuc", 760, b'Q').contains("away from the wall"));
+        assert!(text("fadal", 840, b'Q').contains("lead"));
+        assert!(text("fanuc", 830, b'K').contains("number of holes"));
+        assert!(text("linuxcnc", 870, b'K').contains("top of the bore"));
+        assert!(text("linuxcnc", 820, b'P').contains("P1 is 1 s"));
+        assert_eq!(says("fanuc", 830, b'L'), None);
+        assert_eq!(says("haas", 760, b'E'), None);
+    }
+}

@@ -84,7 +84,7 @@ fn words(row: &CodeRow, view: &View) -> String {
         .map(|(meaning, names)| format!("{} {}", names.join(" "), cell(&meaning)))
         .collect();
     if !ignored.is_empty() {
-        lines.push(format!("{} accepted, without effect", ignored.join(" ")));
+        lines.push(format!("{} accepted, without effect by default", ignored.join(" ")));
     }
     lines.join("<br>")
 }

@@ -45,7 +45,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "inherits",
         slot: Slot::Inherits,
-        doc: "a built-in machine, or a file relative to this one, whose keys hold where this file says nothing else",
+        doc: "a built-in machine, or a file relative to this one; its keys hold unless this file sets them",
     },
     Row {
         path: "name",
@@ -53,7 +53,7 @@ pub(crate) const ROWS: &[Row] = &[
         doc: "the name it is called by; otherwise the file's name without folder and ending",
     },
     Row { path: "title", slot: Slot::Text(|m, _| &mut m.title), doc: "a name for people" },
-    Row { path: "notes", slot: Slot::TextList(|m, _| &mut m.notes), doc: "remarks" },
+    Row { path: "notes", slot: Slot::TextList(|m, _| &mut m.notes), doc: "notes for people" },
     Row {
         path: "control",
         slot: Slot::Word {
@@ -137,7 +137,7 @@ pub(crate) const ROWS: &[Row] = &[
     position(
         "rotary.<rotary>.center.<axis>",
         |m, k| &mut rotary(m, k).center_mm[k.axis.map_or(0, |axis| axis as usize % 3)],
-        "a place that its axis goes through: X, Y and Z, program coordinates; otherwise the program's zero",
+        "a point on its axis: X, Y and Z, program coordinates; otherwise the program's zero",
     ),
     quantity(
         "feed.max",
@@ -351,7 +351,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Time,
         Sign::Positive,
         |m, _| &mut m.motion.servo_period_s,
-        "how often the control sends a place to the axes; otherwise 1 ms",
+        "how often the control sends a position to the axes; otherwise 1 ms",
     ),
     Row {
         path: "motion.feed_override",
@@ -368,7 +368,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::NotNegative,
         |m, _| &mut m.motion.corner_tolerance_mm,
-        "how far from the path a corner may be passed where corners are rounded and the control names no tolerance; otherwise 0.05 mm, which is a choice",
+        "how far from the path a corner may be passed if corners are rounded and the control names no tolerance; otherwise 0.05 mm, which is a choice",
     ),
     quantity(
         "motion.exact_path_tolerance",
@@ -403,21 +403,21 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.spindle_per_1000_rpm_s,
-        "how long the spindle takes to become 1000 rpm faster or slower",
+        "how long the spindle takes to change its speed by 1000 rpm",
     ),
     quantity(
         "times.spindle_orient",
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.spindle_orient_s,
-        "how long the spindle takes to find its mark (M19), beside its slowing down",
+        "how long the spindle takes to orient (M19), in addition to slowing down",
     ),
     quantity(
         "times.probe",
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.probe_s,
-        "how long the machine stands when a probe has touched",
+        "how long the machine stops when a probe has touched",
     ),
     quantity(
         "times.m_code",
@@ -429,7 +429,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "macros.variables.<variable>",
         slot: Slot::Number(|m, k| m.macros.variables.entry(k.number).or_default()),
-        doc: "value of a macro variable when the program starts: common variables, inputs, timers and others that a program alone does not tell",
+        doc: "value of a macro variable when the program starts: common variables, inputs, timers and others that the program does not set",
     },
     Row {
         path: "macros.date",
@@ -486,7 +486,7 @@ pub(crate) const ROWS: &[Row] = &[
             m.probe.hit = None;
             by_axis(&mut m.probe.planes, k)
         },
-        "a plane that probe moves touch, work coordinates; of several the nearest on the way",
+        "a plane that probe moves touch, work coordinates; of several planes the nearest on the move",
     ),
     Row {
         path: "settings.<setting>",
