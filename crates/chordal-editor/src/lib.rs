@@ -30,7 +30,6 @@ mod outline;
 mod place;
 mod program;
 pub mod reference;
-mod scan;
 mod setup;
 mod tokens;
 

@@ -7,7 +7,7 @@ use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind, Value, Word};
 
 use crate::Program;
-use crate::scan::{Mark, marks};
+use chordal::control::{Mark, marks};
 
 /// A thing with a name.
 #[derive(Clone, PartialEq, Eq, Debug, Hash)]

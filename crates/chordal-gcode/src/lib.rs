@@ -9,15 +9,20 @@
 mod interpreter;
 mod library;
 mod macros;
+mod marks;
 mod recognize;
 mod shop;
 mod subs;
+mod tokens;
+mod word_address;
 
 pub use interpreter::{
-    EndReason, Interrupt, Outcome, RunOptions, initial_offset, initial_work_offset, run, run_from,
-    subroutine_head,
+    Interrupt, RunOptions, initial_offset, initial_work_offset, run, run_from, subroutine_head,
 };
 pub use library::{Library, Program, referenced_programs};
+pub use marks::{Mark, marks};
 pub use recognize::{Recognition, recognize};
 pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
 pub use subs::called_subs;
+pub use tokens::{block_tokens, class_of};
+pub use word_address::WordAddress;

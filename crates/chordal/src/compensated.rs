@@ -3,7 +3,7 @@
 use chordal_command::{CallPath, Command, CommandKind, Origin, Side, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
 use chordal_dialect::Control;
-use chordal_gcode::Outcome;
+use chordal_kernel::Outcome;
 use chordal_kernel::RunSink;
 use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink, SideCheck};
 

@@ -6,9 +6,9 @@ use chordal_diagnostics::{
 };
 use chordal_dialect::Control;
 use chordal_dialect::SettingError;
-use chordal_gcode::{Interrupt, Library, Outcome, RunOptions, initial_offset, run_from};
-use chordal_kernel::Checkpoint;
-use chordal_kernel::RunSink;
+use chordal_gcode::{Interrupt, Library, RunOptions, WordAddress, initial_offset};
+use chordal_kernel::Outcome;
+use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 use chordal_syntax::ProgramHead;
@@ -151,9 +151,9 @@ impl<'a> Job<'a> {
     /// The programs of the first text in order, with those that a run begins with marked. A text
     /// without any head is one program.
     pub fn programs(&self) -> Vec<TextProgram> {
-        let lexicon = &self.control.table.lexicon;
-        let library = Library::new(&self.sources, lexicon);
-        let mains = library.mains(lexicon, &self.control.alias_programs());
+        let language = self.language();
+        let mains = language.mains();
+        let library = language.library();
         let programs = library.programs().iter().take_while(|program| program.file == FileId(0));
         programs
             .enumerate()
@@ -206,18 +206,11 @@ impl<'a> Job<'a> {
         if !self.is_readable(sink) {
             return Vec::new();
         }
-        let library = Library::new(&self.sources, &self.control.table.lexicon);
-        self.duplicates(&library).for_each(|diagnostic| sink.diagnostic(diagnostic));
+        let language = self.language();
+        self.duplicates(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
-        for program in self.mains(&library) {
-            let outcome = chordal_gcode::run(
-                &library,
-                program,
-                &self.machine,
-                &self.control,
-                &self.options,
-                sink,
-            );
+        for program in self.mains(&language) {
+            let Some(Ran { outcome, .. }) = language.run(program, None, sink) else { continue };
             ended(sink, &outcome);
             outcomes.push(outcome);
         }
@@ -330,7 +323,7 @@ impl<'a> Job<'a> {
     /// those of that check.
     pub fn check_again(&self, memory: &mut CheckMemory) -> Report {
         match self.single_main() {
-            Some((library, main)) => memory.check(self, &library, main),
+            Some((language, main)) => memory.check(self, &language, main),
             None => {
                 memory.forget();
                 self.check()
@@ -338,28 +331,34 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Runs, from a rest on where one is given, and tells the sink of rests. False, and nothing is
+    /// Runs, from a checkpoint on where one is given, and gives the sink checkpoints. False, and nothing is
     /// run, where there are several programs to run or the shop is asked: then there are none.
-    pub fn run_on(&self, rest: Option<&Checkpoint>, sink: &mut dyn RunSink) -> bool {
-        let Some((library, main)) = self.single_main() else { return false };
-        run_from(&library, main, &self.machine, &self.control, &self.options, sink, rest);
+    pub fn run_on(&self, from: Option<&Checkpoint>, sink: &mut dyn RunSink) -> bool {
+        let Some((language, main)) = self.single_main() else { return false };
+        language.run(main, from, sink);
         true
     }
 
     /// The program that is run, where it is one, and nobody is asked on the way.
-    fn single_main(&self) -> Option<(Library<'_>, usize)> {
+    fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
         if !readable || self.options.shop_codes.is_some() {
             return None;
         }
-        let library = Library::new(&self.sources, &self.control.table.lexicon);
-        match self.mains(&library)[..] {
-            [main] => Some((library, main)),
+        let language = self.language();
+        match self.mains(&language)[..] {
+            [main] => Some((language, main)),
             _ => None,
         }
     }
 
-    fn mains(&self, library: &Library) -> Vec<usize> {
+    /// The language of the programs, with the texts and the machine.
+    pub fn language(&self) -> WordAddress<'_> {
+        WordAddress::new(&self.sources, &self.machine, &self.control, &self.options)
+    }
+
+    fn mains(&self, language: &WordAddress<'_>) -> Vec<usize> {
+        let library = language.library();
         match self.program {
             Some(Chosen::Number(number)) => library.find(number, FileId(0)).into_iter().collect(),
             Some(Chosen::Place(place)) => {
@@ -367,7 +366,7 @@ impl<'a> Job<'a> {
                 let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
                 is_there.then_some(place).into_iter().collect()
             }
-            None => library.mains(&self.control.table.lexicon, &self.control.alias_programs()),
+            None => language.mains(),
         }
     }
 

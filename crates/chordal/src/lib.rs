@@ -25,7 +25,10 @@ pub mod control {
     pub use chordal_dialect::*;
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
-    pub use chordal_kernel::{Alarms, Checkpoint, Modal, MotionMode, RunSink, ToolValue};
+    pub use chordal_kernel::{
+        Alarms, Checkpoint, Class, EndReason, Language, Modal, MotionMode, Outcome, ProgramPlace,
+        Ran, RunSink, Token, ToolValue,
+    };
 }
 
 mod comp_range;
@@ -45,10 +48,8 @@ pub use chordal_syntax as syntax;
 pub use chordal_command::{Command, CommandKind, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_dialect::Control;
-pub use chordal_gcode::{
-    Outcome, RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord,
-};
-pub use chordal_kernel::RunSink;
+pub use chordal_gcode::{RunOptions, ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
+pub use chordal_kernel::{Language, Outcome, RunSink};
 pub use chordal_machine::Machine;
 pub use chordal_path::{
     ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,

@@ -6,9 +6,12 @@
 //! searches elsewhere in the text. So the answer is always that of a whole run.
 
 use chordal_command::{CallPath, Command, Sink};
-use chordal_gcode::{EndReason, Library, Outcome, run_from};
+use chordal_gcode::WordAddress;
 use chordal_kernel::Checkpoint;
+use chordal_kernel::Language;
+use chordal_kernel::Ran;
 use chordal_kernel::RunSink;
+use chordal_kernel::{EndReason, Outcome};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
@@ -193,19 +196,20 @@ impl CheckMemory {
     }
 
     /// Checks a job that runs one program, and remembers.
-    pub(crate) fn check(&mut self, job: &Job, library: &Library, main: usize) -> Report {
-        let here = library.programs().iter().take_while(|program| program.file == FileId(0));
+    pub(crate) fn check(&mut self, job: &Job, language: &WordAddress<'_>, main: usize) -> Report {
+        let here =
+            language.library().programs().iter().take_while(|program| program.file == FileId(0));
         let numbers: Vec<Option<u32>> = here.map(|program| program.head.number).collect();
         let before = self.run.take();
         let before = before.filter(|run| run.numbers == numbers && run.main == main);
         let bytes = self.stretch_bytes.max(job.text().len() / MOST_STRETCHES) as u32;
-        let run = before.and_then(|run| run.again(job, library, bytes));
-        let run = run.unwrap_or_else(|| Run::whole(job, library, numbers, main, bytes));
+        let run = before.and_then(|run| run.again(job, language, bytes));
+        let run = run.unwrap_or_else(|| Run::whole(job, language, numbers, main, bytes));
         let waiting = run.stretches.iter().map(|stretch| stretch.waiting.len()).sum::<usize>();
         if waiting >= MOST_WAITING {
             return job.check();
         }
-        let report = run.report(job, library);
+        let report = run.report(job, language);
         // Half a run is no beginning for the next.
         self.run = Some(run).filter(|run| run.outcome.end != EndReason::Interrupted);
         report
@@ -215,20 +219,20 @@ impl CheckMemory {
 impl Run {
     fn whole(
         job: &Job,
-        library: &Library,
+        language: &WordAddress<'_>,
         numbers: Vec<Option<u32>>,
         main: usize,
         bytes: u32,
     ) -> Run {
         let mut walk = Walk::new(job, bytes, None, &[], None);
-        let (outcome, end) = walk.run(job, library, main);
+        let (outcome, end) = walk.run(job, language, main);
         let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
         let (stretches, carried_out) = (walk.done, walk.blocks);
         Run { text: job.text().to_vec(), numbers, main, stretches, outcome, end, carried_out }
     }
 
     /// The run of a changed text with the same programs; `None` where nothing can be kept.
-    fn again(mut self, job: &Job, library: &Library, bytes: u32) -> Option<Run> {
+    fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<Run> {
         let shift = Shift::between(&self.text, job.text());
         let start_of = |stretch: &Stretch| stretch.start.as_ref().map_or(0, Start::offset);
         let same = |stretch: &&Stretch| {
@@ -253,7 +257,7 @@ impl Run {
         }
         let began = first.as_ref().map_or(0, |first| first.checkpoint.blocks());
         let mut walk = Walk::new(job, bytes, first, &tail, Some(&shift));
-        let (outcome, end) = walk.run(job, library, self.main);
+        let (outcome, end) = walk.run(job, language, self.main);
         let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
         self.carried_out = blocks - began;
         self.stretches.extend(done);
@@ -279,9 +283,9 @@ impl Run {
     }
 
     /// What a whole run tells.
-    fn report(&self, job: &Job, library: &Library) -> Report {
+    fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
-        job.duplicates(library).for_each(|diagnostic| collector.push(diagnostic));
+        job.duplicates(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
         for stretch in &self.stretches {
@@ -340,13 +344,12 @@ impl<'a, 'o> Walk<'a, 'o> {
     fn run(
         &mut self,
         job: &'a Job<'a>,
-        library: &Library,
+        language: &WordAddress<'_>,
         main: usize,
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
-        let (machine, control, options) = (job.machine(), job.control(), job.run_options());
-        let ended = run_from(library, main, machine, control, options, self, checkpoint.as_ref());
-        let outcome = ended.map(|(outcome, looked)| {
+        let ended = language.run(main, checkpoint.as_ref(), self);
+        let outcome = ended.map(|Ran { outcome, looked }| {
             self.run.finish();
             self.blocks = outcome.blocks;
             self.close(job.text().len() as u32, looked);

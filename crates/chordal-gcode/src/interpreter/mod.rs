@@ -41,7 +41,7 @@ use std::sync::Arc;
 
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::Scale;
-use chordal_kernel::{Checkpoint, Kernel, RunSink};
+use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
 
@@ -84,38 +84,6 @@ impl fmt::Debug for RunOptions {
 
 /// Words of a block; one with more counts as several against the budget.
 const USUAL_WORDS: usize = 12;
-
-/// How a run ended.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum EndReason {
-    /// M2 or M30.
-    ProgramEnd,
-    /// The text ended first.
-    EndOfText,
-    /// M99 in the main program: it would begin again.
-    Repeats,
-    /// A jump to a block that is not there.
-    LostJump,
-    /// The program stopped itself with an alarm (`#3000=1 (TEXT)`).
-    Alarm,
-    /// The budget was used up.
-    Budget,
-    /// Who ran it wanted it to end.
-    Interrupted,
-}
-
-/// What a run leaves beside its commands.
-#[derive(Clone, Debug)]
-pub struct Outcome {
-    /// How it ended.
-    pub end: EndReason,
-    /// Blocks carried out, repeats counted.
-    pub blocks: u64,
-    /// The chains of calls.
-    pub calls: CallPaths,
-    /// Numbers of called programs that were not there.
-    pub missing_programs: Vec<u32>,
-}
 
 /// What follows a block.
 enum Flow {
@@ -214,7 +182,7 @@ pub fn run<'a>(
     sink: &'a mut (dyn RunSink + 'a),
 ) -> Outcome {
     let outcome = Interpreter::new(library, program, machine, control, options, sink).outcome();
-    outcome.map(|(outcome, _)| outcome).unwrap_or_else(|| Outcome {
+    outcome.map(|ran| ran.outcome).unwrap_or_else(|| Outcome {
         end: EndReason::Interrupted,
         blocks: 0,
         calls: CallPaths::default(),
@@ -232,7 +200,7 @@ pub fn run_from<'a>(
     options: &'a RunOptions,
     sink: &'a mut (dyn RunSink + 'a),
     from: Option<&Checkpoint>,
-) -> Option<(Outcome, Option<TextRange>)> {
+) -> Option<Ran> {
     let mut interpreter = Interpreter::new(library, program, machine, control, options, sink);
     if let Some(checkpoint) = from {
         interpreter.take_up(checkpoint);
@@ -304,7 +272,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn outcome(mut self) -> Option<(Outcome, Option<TextRange>)> {
+    fn outcome(mut self) -> Option<Ran> {
         let end = self.run()?;
         self.finish(end);
         let outcome = Outcome {
@@ -313,7 +281,7 @@ impl<'a> Interpreter<'a> {
             calls: self.kernel.calls,
             missing_programs: self.missing,
         };
-        Some((outcome, self.looked.take()))
+        Some(Ran { outcome, looked: self.looked.take() })
     }
 
     /// Why it ended; nothing when the sink has ended it at a rest.

@@ -2,8 +2,8 @@
 
 use chordal_command::{Command, CommandKind, Origin, Overrides, PathMode, SpindleState};
 use chordal_diagnostics::Diagnostic;
-use chordal_gcode::Outcome;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_kernel::Outcome;
 use chordal_kernel::rules::PathRules;
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
 use chordal_motion::{Axes, Corner, Move, MoveKind};

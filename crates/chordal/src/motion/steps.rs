@@ -2,7 +2,7 @@
 
 use chordal_command::{Command, Origin};
 use chordal_diagnostics::Diagnostic;
-use chordal_gcode::Outcome;
+use chordal_kernel::Outcome;
 use chordal_motion::{Axes, Move, MoveError};
 use chordal_path::SegmentKind;
 

@@ -1,8 +1,8 @@
 //! The marks of a macro statement or expression: enough to colour it and to find its names. What
 //! a statement means is the business of `chordal-syntax`.
 
-use chordal::diagnostics::TextRange;
-use chordal::syntax::Lexicon;
+use chordal_diagnostics::TextRange;
+use chordal_syntax::Lexicon;
 
 /// What stands at a place of a macro statement.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,0 +1,77 @@
+//! The words of a block by what they are, for colours.
+
+use chordal_diagnostics::TextRange;
+use chordal_kernel::{Class, Token};
+use chordal_syntax::{Block, BlockKind, Lexicon, Value, Word};
+
+use crate::marks::{Mark, marks};
+
+/// The tokens of a block, in the order of the text.
+pub fn block_tokens(text: &[u8], lexicon: &Lexicon, block: &Block, tokens: &mut Vec<Token>) {
+    let first = tokens.len();
+    let comments = block.comments.iter();
+    tokens.extend(comments.map(|range| Token { range: *range, class: Class::Comment }));
+    match block.kind {
+        BlockKind::Percent | BlockKind::Folder => {
+            tokens.push(Token { range: block.range, class: Class::Mark });
+        }
+        BlockKind::Macro(range) => macro_tokens(text, lexicon, range, tokens),
+        BlockKind::Words => {}
+    }
+    if block.delete.is_some() {
+        let text = block.range.slice(text);
+        if let Some(at) = text.iter().position(|byte| *byte == b'/') {
+            let start = block.range.start + at as u32;
+            tokens.push(Token { range: TextRange::new(start, start + 1), class: Class::Mark });
+        }
+    }
+    for word in &block.words {
+        word_tokens(text, lexicon, word, tokens);
+    }
+    tokens[first..].sort_by_key(|token: &Token| token.range.start);
+}
+
+fn word_tokens(text: &[u8], lexicon: &Lexicon, word: &Word, tokens: &mut Vec<Token>) {
+    let class = class_of(word);
+    if let Value::Expression(range) = word.value {
+        let letter = TextRange::new(word.range.start, range.start);
+        tokens.push(Token { range: letter, class });
+        macro_tokens(text, lexicon, range, tokens);
+    } else {
+        tokens.push(Token { range: word.range, class });
+    }
+}
+
+/// The class of a word by its letter.
+pub fn class_of(word: &Word) -> Class {
+    if word.register.is_some() {
+        return Class::Variable;
+    }
+    if matches!(word.value, Value::Missing) {
+        return Class::Unknown;
+    }
+    match word.letter {
+        _ if word.comma => Class::Parameter,
+        b'O' => Class::Program,
+        b'N' => Class::Label,
+        b'G' => Class::GCode,
+        b'M' => Class::MCode,
+        b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => Class::Axis,
+        b'F' | b'S' => Class::Speed,
+        b'T' | b'D' | b'H' => Class::Tool,
+        _ => Class::Parameter,
+    }
+}
+
+fn macro_tokens(text: &[u8], lexicon: &Lexicon, range: TextRange, tokens: &mut Vec<Token>) {
+    for (mark, range) in marks(text, range, lexicon) {
+        let class = match mark {
+            Mark::Variable => Class::Variable,
+            Mark::Word => Class::Keyword,
+            Mark::Number => Class::Number,
+            Mark::Text => Class::Text,
+            Mark::Comment => Class::Comment,
+        };
+        tokens.push(Token { range, class });
+    }
+}
