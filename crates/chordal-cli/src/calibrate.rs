@@ -7,12 +7,13 @@ use chordal::Machine;
 use chordal::machine::{Axis, builtin};
 use chordal::motion::{LimitError, MotionOptions, WaitKind};
 use chordal::time::{Factors, Fit, Parameter, Prediction, Untold, fit};
+use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, duration, fixed, short};
 use crate::options::Common;
 use crate::output::write_whole;
-use crate::session::{Loaded, load_one};
+use crate::programs::load_one;
 use crate::summary::plain_table;
 use crate::terminal::say;
 use crate::time::wrong_limit;

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use chordal::{Report, Severity};
 use chordal_export::report::{self, Sarif};
+use chordal_load::Loaded;
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
 use crate::options::Common;
+use crate::programs::{Programs, recognized};
 use crate::readings;
-use crate::session::{Loaded, Session};
 use crate::terminal::{BOLD, Terminal, style};
 
 const EXAMPLES: &str = "\
@@ -79,12 +80,12 @@ impl FailOn {
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Args { files, format, fail_on, common } = args;
-    let session = Session::new(&files, common, terminal)?;
-    let called = session.called();
+    let programs = Programs::new(&files, &common, terminal)?;
+    let called = programs.called();
     let mut totals = Totals::default();
     let mut objects = Vec::new();
     let mut sarif = Sarif::new();
-    let mut handle = |session: &Session, loaded: &Loaded| {
+    let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
         let report = job.check();
         totals.add(&report);
@@ -92,26 +93,24 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             Format::Text => {
                 let problems = report.worst().is_some();
                 let asked = readings::asked(loaded, report.worst() >= Some(Severity::Warning));
-                let title = job.control().table.title;
                 match asked {
-                    Some(asked) => session.say(&asked)?,
+                    Some(asked) => programs.say(&asked)?,
                     None if problems => {
-                        session
-                            .say(&loaded.chosen.told(loaded.name(), title).unwrap_or_default())?;
+                        programs.say(&recognized(loaded))?;
                     }
                     None => {}
                 }
                 if problems {
-                    session.say(&report::text(&report, job.sources(), terminal.out))?;
+                    programs.say(&report::text(&report, job.sources(), terminal.out))?;
                 }
             }
-            Format::Github => session.say(&report::github(&report, job.sources()))?,
+            Format::Github => programs.say(&report::github(&report, job.sources()))?,
             Format::Json => objects.push(report::json(&report, job.sources(), loaded.name())),
             Format::Sarif => sarif.add(&report, job.sources()),
         }
         Ok(fail_on.verdict(report.worst()))
     };
-    let verdict = session.each(|session, _, loaded| handle(session, loaded))?;
+    let verdict = programs.each(|programs, _, loaded| handle(programs, loaded))?;
     totals.called = called;
     match format {
         Format::Text => terminal.tell(&totals.text(terminal)),

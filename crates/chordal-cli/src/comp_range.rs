@@ -7,7 +7,7 @@ use chordal_export::{contour_ranges_json, contour_ranges_text};
 
 use crate::failure::{Failure, Verdict};
 use crate::options::{AnswerFormat, Common};
-use crate::session::load_one;
+use crate::programs::load_one;
 
 const EXAMPLES: &str = "\
 Examples:

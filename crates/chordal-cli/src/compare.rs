@@ -13,7 +13,7 @@ use crate::failure::{Failure, Verdict};
 use crate::numbers::Units;
 use crate::options::{AnswerFormat, Common, quantity};
 use crate::output::write_whole;
-use crate::session::load_one;
+use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
@@ -94,9 +94,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let (a, b) = (load_one(a.0, &a.1)?, load_one(b.0, &b.1)?);
     let jobs = [a.job()?, b.job()?];
     let jobs = [&jobs[0], &jobs[1]];
-    for (loaded, job) in [&a, &b].into_iter().zip(jobs) {
-        let told = loaded.chosen.told(loaded.name(), job.control().table.title);
-        terminal.tell(&told.unwrap_or_default());
+    for loaded in [&a, &b] {
+        terminal.tell(&recognized(loaded));
     }
     let options = Options {
         tolerance_mm: args.tolerance,

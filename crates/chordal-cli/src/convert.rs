@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal_compare::{Category, Options as Comparing};
 use chordal_export::{comparison_headline, conversion_json, difference_text, length_text};
+use chordal_load::machine;
 use chordal_rewrite::convert::{Conversion, Options, convert};
 use chordal_rewrite::{Certificate, Change};
 
@@ -15,7 +16,7 @@ use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted};
 use crate::options::{AnswerFormat, Common};
 use crate::out::{Out, trouble};
-use crate::session::load_one;
+use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
 use crate::view::{self, Made};
 
@@ -87,11 +88,10 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let target = crate::machine::named(&args.to)?;
+    let target = machine::named(&args.to)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
-    terminal.tell(&told.unwrap_or_default());
+    terminal.tell(&recognized(&loaded));
     let options = Options {
         tolerance_mm: args.tolerance,
         digits: args.digits.map(usize::from),

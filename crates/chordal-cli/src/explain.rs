@@ -7,9 +7,9 @@ use chordal_editor::meaning::{
     View, code_name, code_of, code_text, codes, diagnostic_text, letter_text, one_letter,
     setting_text,
 };
+use chordal_load::machine;
 
 use crate::failure::{Failure, Verdict};
-use crate::machine;
 use crate::terminal::say;
 
 const EXAMPLES: &str = "\

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use chordal::machine::MachineError;
+use chordal_load::{LoadError, reason};
 
 /// How a command ended, from good to bad: its exit code.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -18,14 +18,9 @@ pub enum Verdict {
 /// Why something could not be done at all. Problems of programs are diagnostics, not this.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// A file or folder could not be read.
-    #[error("cannot read {file}: {reason}")]
-    Read {
-        /// Its name as the user gave it.
-        file: String,
-        /// The system's word, or ours.
-        reason: String,
-    },
+    /// A program or a machine could not be loaded, or another file not be read.
+    #[error(transparent)]
+    Load(#[from] LoadError),
     /// A file could not be written.
     #[error("cannot write {file}: {reason}")]
     Write {
@@ -37,9 +32,6 @@ pub enum Failure {
     /// Standard output went away or is full.
     #[error("cannot write to standard output: {}", reason(.0))]
     Out(#[from] io::Error),
-    /// A machine file, an assignment or a tool table is wrong.
-    #[error("the machine cannot be used")]
-    Machine(Vec<MachineError>),
     /// The command line asks for something that does not go.
     #[error("{message}")]
     Use {
@@ -53,7 +45,7 @@ pub enum Failure {
 impl Failure {
     /// A file that could not be read.
     pub fn read(file: impl Into<String>, error: &io::Error) -> Failure {
-        Failure::Read { file: file.into(), reason: reason(error) }
+        LoadError::read(file, error).into()
     }
 
     /// A file that could not be written.
@@ -75,12 +67,4 @@ impl Failure {
     pub fn verdict(&self) -> Verdict {
         if self.is_closed_pipe() { Verdict::Clean } else { Verdict::Trouble }
     }
-}
-
-/// The system's message without its number: "(os error 2)" helps nobody at a machine.
-fn reason(error: &io::Error) -> String {
-    let text = error.to_string();
-    let plain = text.rfind(" (os error ").map_or(text.as_str(), |at| &text[..at]);
-    let mut chars = plain.chars();
-    chars.next().map_or_else(String::new, |first| first.to_lowercase().chain(chars).collect())
 }

@@ -1,8 +1,8 @@
 //! The `chordal` command: arguments and files in, text and files out.
 //!
-//! The command is a library, so that another shell can offer it and can load programs as it does
-//! ([`load`]). One file per subcommand; `input` finds and reads programs, `machine` chooses what runs
-//! them, `beside` looks for subprograms, `output` writes files whole or not at all.
+//! The command is a library, so that another shell can offer it. One file per subcommand; `options`
+//! holds the arguments that several share, `programs` loads what they name (with `chordal-load`),
+//! `output` writes files whole or not at all.
 //!
 //! ```
 //! let words = ["chordal", "explain", "G83", "--machine", "haas-vf2"];
@@ -16,7 +16,6 @@
 )]
 
 mod archive;
-mod beside;
 mod calc;
 mod calibrate;
 mod check;
@@ -29,21 +28,18 @@ mod completions;
 mod convert;
 mod explain;
 mod failure;
-mod input;
-pub mod load;
 mod lsp;
-mod machine;
 mod machines;
 mod options;
 mod out;
 mod output;
 mod path;
+mod programs;
 mod readings;
 mod report;
 mod rows;
 mod run;
 mod sample;
-mod session;
 mod sheet;
 mod summary;
 mod terminal;

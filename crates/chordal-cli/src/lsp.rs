@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use chordal_editor::Setup;
+use chordal_load::{Given, Request, unsaved};
 use chordal_lsp::{Opener, serve};
 
 use crate::failure::{Failure, Verdict};
-use crate::load::{self, Request};
 use crate::options::Common;
 
 const EXAMPLES: &str = "\
@@ -28,7 +28,6 @@ pub struct Args {
 /// Loads texts of an editor as the other commands load files.
 struct Files {
     request: Request,
-    machine: Option<String>,
 }
 
 impl Opener for Files {
@@ -38,9 +37,11 @@ impl Opener for Files {
         text: &[u8],
         machine: Option<&str>,
     ) -> Result<Setup, String> {
-        let machine = machine.or(self.machine.as_deref()).map(load::machine).transpose();
-        let request = machine.map(|machine| Request { machine, ..self.request.clone() });
-        let loaded = request.and_then(|request| load::unsaved(path, text.to_vec(), &request));
+        let mut request = self.request.clone();
+        if let Some(name) = machine {
+            request.machine = Some(Given::Name(name.to_string()));
+        }
+        let loaded = unsaved(path, text.to_vec(), &request);
         let loaded = loaded.map_err(|failure| failure.to_string())?;
         let title = chordal::control::table(loaded.machine().control).title;
         let (why, program) = (loaded.chosen.why(title), loaded.program);
@@ -53,10 +54,8 @@ impl Opener for Files {
 
 pub fn run(args: Args) -> Result<Verdict, Failure> {
     let Args { stdio: _, common } = args;
-    let machine = common.machine.clone();
-    let request = Request::of(common);
     let (connection, threads) = lsp_server::Connection::stdio();
-    let served = serve(&connection, &Files { request, machine });
+    let served = serve(&connection, &Files { request: common.request() });
     drop(connection);
     threads.join()?;
     served.map_err(|error| Failure::Use { message: error.to_string(), help: None })?;

@@ -3,10 +3,10 @@
 use chordal::Machine;
 use chordal::control::{COMMON_SETTINGS, Certainty, Control};
 use chordal::machine::{Axis, builtin_names, schema_reference};
+use chordal_load::machine;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
 
 use crate::failure::{Failure, Verdict};
-use crate::machine;
 use crate::numbers::short;
 use crate::summary::plain_table;
 use crate::terminal::say;

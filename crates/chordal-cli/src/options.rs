@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal_load::{Given, Request};
 use clap::ValueEnum;
 
 /// How an answer is told that has no other form.
@@ -47,6 +48,21 @@ pub struct Common {
     /// Most blocks carried out in calls, repeats and jumps before a program counts as endless
     #[arg(long, value_name = "N")]
     pub max_blocks: Option<u64>,
+}
+
+impl Common {
+    /// What the arguments say, for loading.
+    pub fn request(&self) -> Request {
+        Request {
+            machine: self.machine.clone().map(Given::Name),
+            set: self.set.clone(),
+            tools: self.tools.clone(),
+            program: self.program,
+            block_delete: self.block_delete,
+            max_blocks: self.max_blocks,
+            ..Request::default()
+        }
+    }
 }
 
 /// `1000`, `O1000`, `o1000`, `:1000`.

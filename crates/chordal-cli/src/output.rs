@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 
 use chordal::{Command, CommandKind, Job, PathCommand, Report, Segment, Watch};
 use chordal_export::{Canon, CommandCsv, CommandJsonLines, Dxf, Plot, PlotOptions};
+use chordal_load::Input;
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
-use crate::input::Input;
 
 /// What the ending of an output's name asks for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

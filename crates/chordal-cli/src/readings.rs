@@ -5,10 +5,9 @@ use chordal::control::RunOptions;
 use chordal::diagnostics::FileId;
 use chordal::machine::ControlName;
 use chordal::syntax::{Block, BlockReader};
+use chordal_load::{Chosen, Loaded, machine};
 
-use crate::machine::{self, Chosen};
 use crate::numbers::counted;
-use crate::session::Loaded;
 
 /// A longer text is not run five times, bytes.
 const LONGEST: usize = 64 * 1024;
@@ -75,8 +74,8 @@ fn unit(inch: bool) -> &'static str {
 }
 
 fn reading(loaded: &Loaded, name: ControlName) -> Option<Reading> {
-    let machine = machine::builtin_of(name);
-    let shown = machine::builtin_name(name);
+    let machine = machine::typical(name);
+    let shown = machine::typical_name(name);
     let options = RunOptions { max_repeated_blocks: MOST_REPEATED, ..RunOptions::default() };
     let job = loaded.job_on(machine).ok()?.options(options);
     let report = job.report();

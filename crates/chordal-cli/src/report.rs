@@ -10,8 +10,8 @@ use clap::ValueEnum;
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::out::{self, Out, format_of, trouble};
+use crate::programs::load_one;
 use crate::rows::tell;
-use crate::session::load_one;
 use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\

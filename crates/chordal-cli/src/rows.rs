@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 
 use chordal::{Job, Report, Severity};
 use chordal_export::report;
+use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::out::{Format, Out, format_of, trouble};
-use crate::session::{Loaded, load_one};
+use crate::programs::{load_one, recognized};
 use crate::terminal::Terminal;
 
 /// Where rows go and how they are written.
@@ -52,8 +53,7 @@ impl<'p, F: Format> Output<'p, F> {
 
 /// What was recognized, and the problems, on standard error, where they are in nobody's way.
 pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: Terminal) -> Verdict {
-    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
-    terminal.tell(&told.unwrap_or_default());
+    terminal.tell(&recognized(loaded));
     terminal.tell(&report::text(report, job.sources(), terminal.err));
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }

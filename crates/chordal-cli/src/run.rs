@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use chordal::Severity;
 use chordal::motion::MotionOptions;
 use chordal_export::{PlotOptions, report};
+use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 use crate::output::{self, Outputs};
+use crate::programs::Programs;
 use crate::readings;
-use crate::session::{Loaded, Session};
 use crate::summary;
 use crate::terminal::{BOLD, Terminal, style};
 
@@ -56,13 +57,13 @@ pub struct Args {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let session = Session::new(&args.files, args.common, terminal)?;
-    let plan = output::plan(&args.outputs, session.inputs())?;
+    let programs = Programs::new(&args.files, &args.common, terminal)?;
+    let plan = output::plan(&args.outputs, programs.inputs())?;
     let mut first = true;
-    session.each(|session, index, loaded| {
+    programs.each(|programs, index, loaded| {
         let (text, verdict) = one(loaded, &plan[index], terminal)?;
-        session.say(if first { "" } else { "\n" })?;
-        session.say(&text)?;
+        programs.say(if first { "" } else { "\n" })?;
+        programs.say(&text)?;
         first = false;
         Ok(verdict)
     })

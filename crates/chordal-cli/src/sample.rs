@@ -15,7 +15,7 @@ use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted, duration, grouped, short};
 use crate::options::{Common, quantity};
 use crate::out::{Out, RowFormat, format_of, keep, trouble};
-use crate::session::load_one;
+use crate::programs::{load_one, recognized};
 use crate::terminal::{BOLD, Terminal, style};
 
 const EXAMPLES: &str = "\
@@ -169,8 +169,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     rows.writer.finish().map_err(told)?.put()?;
 
     let report = job.report();
-    terminal
-        .tell(&loaded.chosen.told(loaded.name(), job.control().table.title).unwrap_or_default());
+    terminal.tell(&recognized(&loaded));
     terminal.tell(&report::text(&report, job.sources(), terminal.err));
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
     let numbers = Numbers { count: rows.count, time_s, chord: rows.chord };

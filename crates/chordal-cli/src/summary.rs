@@ -6,12 +6,11 @@ use chordal::control::{EndReason, Library};
 use chordal::diagnostics::FileId;
 use chordal::time::Timed;
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
+use chordal_load::{Chosen, Loaded};
 use chordal_report::title;
 use comfy_table::{CellAlignment, Table};
 
-use crate::machine::Chosen;
 use crate::numbers::{Units, counted, duration, fixed, grouped, short};
-use crate::session::Loaded;
 use crate::sheet::Sheet;
 use crate::terminal::BOLD_RED;
 

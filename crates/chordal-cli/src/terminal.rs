@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::io::{self, Write};
 
 use anstream::{AutoStream, ColorChoice};
+use chordal_load::LoadError;
 
 use crate::failure::Failure;
 
@@ -43,11 +44,12 @@ impl Terminal {
     pub fn failure_text(self, failure: &Failure) -> String {
         let error = style(self.err, BOLD_RED, "error:");
         match failure {
-            Failure::Machine(errors) => errors
+            Failure::Load(LoadError::Machine(errors)) => errors
                 .iter()
                 .map(|error| chordal_export::machine_error_text(error, self.err))
                 .collect(),
-            Failure::Use { message, help: Some(help) } => {
+            Failure::Use { message, help: Some(help) }
+            | Failure::Load(LoadError::Request { message, help: Some(help) }) => {
                 format!("{error} {message}\n{} {help}\n", style(self.err, BOLD, "help:"))
             }
             other => format!("{error} {other}\n"),

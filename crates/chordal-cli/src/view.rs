@@ -8,15 +8,13 @@ use chordal::Machine;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
+use chordal_load::{Chosen, Given, Input, LoadError, Loader, Text};
 use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server};
 
-use crate::beside::Folders;
 use crate::compare::{length_mm, sides};
 use crate::failure::{Failure, Verdict};
-use crate::input::{Input, Text};
-use crate::machine::{self, Chosen};
 use crate::options::Common;
-use crate::session::{load_one, load_text};
+use crate::programs::load_one;
 use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
@@ -65,7 +63,7 @@ pub struct Args {
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Args { file, against, machines, tolerance, no_browser, port, common } = args;
     let program = match sides(&file, against.as_ref(), &machines, &common)? {
-        None => Shown::new(&file, common)?,
+        None => Shown::new(&file, &common)?,
         Some([_, (other, _)])
             if against.is_some() && [&file, other].iter().all(|it| is_stdin(it)) =>
         {
@@ -77,9 +75,9 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Some([(a, on_a), (b, on_b)]) => {
             let options = Options { tolerance_mm: tolerance, ..Options::default() };
             let other =
-                if against.is_some() { Shown::new(b, on_b)? } else { Shown::named(b, on_b)? };
+                if against.is_some() { Shown::new(b, &on_b)? } else { Shown::named(b, &on_b)? };
             let own_text = against.is_none();
-            Shown::new(a, on_a)?.against(Against { programs: Arc::new(other), own_text, options })
+            Shown::new(a, &on_a)?.against(Against { programs: Arc::new(other), own_text, options })
         }
     };
     serve(program, !no_browser, port, terminal)?;
@@ -112,12 +110,12 @@ pub fn beside(
     made: Made<'_>,
     terminal: Terminal,
 ) -> Result<(), Failure> {
-    let mut old = Shown::named(file, common.clone())?;
+    let mut old = Shown::named(file, common)?;
     if is_stdin(file) {
         old.held = Some(text.to_vec());
     }
-    let mut new = Shown::named(made.file.unwrap_or(file), common.clone())?;
-    new.given = Some(made.machine);
+    let mut new = Shown::named(made.file.unwrap_or(file), common)?;
+    new.loader = new.loader.on_exactly(made.machine);
     if made.file.is_none() {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         new.title = Some(format!("{} {name}", made.how));
@@ -151,21 +149,20 @@ struct Shown {
     held: Option<Vec<u8>>,
     /// The name for people, where it is not that of the file.
     title: Option<String>,
-    given: Option<Machine>,
-    common: Common,
+    loader: Loader,
     against: Option<Against>,
 }
 
 impl Shown {
     /// Reads the program once, so that what is wrong is told before a browser opens.
-    fn new(file: &Path, common: Common) -> Result<Shown, Failure> {
+    fn new(file: &Path, common: &Common) -> Result<Shown, Failure> {
         if is_stdin(file) {
             let shown = Shown::named(file, common)?;
             let held = Some(Text::read(&shown.input)?.bytes().to_vec());
             return Ok(Shown { held, ..shown });
         }
         if file.is_dir() {
-            return Err(load_one(&file.to_path_buf(), &common).err().unwrap_or_else(|| {
+            return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {
                 Failure::wrong(format!("{} is a folder", file.display()), "name one program")
             }));
         }
@@ -174,11 +171,11 @@ impl Shown {
     }
 
     /// A program whose text comes from elsewhere.
-    fn named(file: &Path, common: Common) -> Result<Shown, Failure> {
-        let given = machine::given(&common)?;
+    fn named(file: &Path, common: &Common) -> Result<Shown, Failure> {
+        let loader = Loader::new(common.request())?;
         let path = (!is_stdin(file)).then(|| file.to_path_buf());
         let input = Input { path, root: None };
-        Ok(Shown { input, held: None, title: None, given, common, against: None })
+        Ok(Shown { input, held: None, title: None, loader, against: None })
     }
 
     fn against(self, against: Against) -> Shown {
@@ -186,7 +183,7 @@ impl Shown {
     }
 
     fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Failure> {
-        let chosen = match machine {
+        let mut loader = match machine {
             // The page may choose of what it was told, and name no file.
             Some(name) if !builtin_names().contains(&name) => {
                 return Err(Failure::wrong(
@@ -194,12 +191,10 @@ impl Shown {
                     "choose one of the list, or start `chordal view` with --machine",
                 ));
             }
-            Some(name) => Some(machine::finish(machine::named(name)?, &self.common)?),
-            None => self.given.clone(),
+            Some(name) => self.loader.on(Given::Name(name.to_string()))?,
+            None => self.loader.again(),
         };
-        let text = Text::of(&self.name(), text)?;
-        let mut folders = Folders::default();
-        let loaded = load_text(text, &self.input, chosen.as_ref(), &self.common, &mut folders)?;
+        let loaded = loader.load_text(Text::of(&self.name(), text)?, &self.input)?;
         let title = loaded.machine().title.clone();
         let why = match &loaded.chosen {
             Chosen::Folder(path) => Some(format!("{} says so", path.display())),
@@ -256,14 +251,16 @@ impl Programs for Shown {
 /// A failure as the page shows it.
 fn refusal(failure: &Failure) -> Refusal {
     match failure {
-        Failure::Machine(errors) => {
+        Failure::Load(LoadError::Machine(errors)) => {
             let told: Vec<String> = errors
                 .iter()
                 .map(|error| chordal_export::machine_error_text(error, false))
                 .collect();
             Refusal { message: told.concat().trim_end().to_string(), help: None }
         }
-        Failure::Use { message, help } => Refusal { message: message.clone(), help: help.clone() },
+        Failure::Use { message, help } | Failure::Load(LoadError::Request { message, help }) => {
+            Refusal { message: message.clone(), help: help.clone() }
+        }
         other => Refusal { message: other.to_string(), help: None },
     }
 }

@@ -6,8 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use chordal::control::{called_subs, referenced_programs, table};
 use chordal::machine::ControlName;
-use chordal_archive::{ArchiveError, Done, FileRecord, Shard, check_file, record_of};
-use chordal_cli::load::Disk;
+use chordal_archive::{ArchiveError, Disk, Done, FileRecord, Shard, check_file, record_of};
 use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -72,8 +71,8 @@ impl ArchiveWorker {
         renamed: (String, String),
     ) -> PyResult<ArchiveWorker> {
         let request = options.request(py, &Signals::new())?;
-        let disk = py.detach(|| Disk::new(&request, &roots));
-        let disk = disk.map_err(|failure| error::of_failure(py, &failure))?;
+        let disk = py.detach(|| Disk::new(request, &roots));
+        let disk = disk.map_err(|error| error::of_loading(py, &error))?;
         let disk = Mutex::new(disk.renamed(renamed.0, renamed.1));
         Ok(ArchiveWorker { disk, plan })
     }

@@ -1,18 +1,16 @@
 //! From the errors of Rust to the exceptions of `chordal.errors`.
 
 use chordal::machine::MachineError;
-use chordal_cli::load::Failure;
+use chordal_load::LoadError;
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-/// A failure as the exception that says the same.
-pub fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
-    match failure {
-        Failure::Read { .. } | Failure::Write { .. } | Failure::Out(_) => {
-            PyOSError::new_err(failure.to_string())
-        }
-        Failure::Machine(errors) => of_machine(py, errors),
-        Failure::Use { message, help } => usage(py, message, help.as_deref()),
+/// What could not be loaded, as the exception that says the same.
+pub fn of_loading(py: Python<'_>, error: &LoadError) -> PyErr {
+    match error {
+        LoadError::Read { .. } => PyOSError::new_err(error.to_string()),
+        LoadError::Machine(errors) => of_machine(py, errors),
+        LoadError::Request { message, help } => usage(py, message, help.as_deref()),
     }
 }
 

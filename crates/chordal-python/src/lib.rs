@@ -1,4 +1,5 @@
-//! `chordal._chordal`: what the Python package `chordal` is built on.
+//! What the Python package `chordal` is built on; `chordal-wheel` makes the module `chordal._chordal`
+//! of it.
 //!
 //! This module is small and plain; what people use is written in Python around it
 //! (`python/chordal`). Everything that takes long lets go of the interpreter lock. Results of many
@@ -22,13 +23,6 @@ mod table;
 
 use pyo3::prelude::*;
 
-/// Runs the command `chordal` with its arguments, of which the first is its own name, and
-/// returns its exit code.
-#[pyfunction]
-fn main(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
-    py.detach(|| chordal_cli::run(arguments))
-}
-
 /// What a diagnostic, a G or M code or a letter means is told by the command; this is the list
 /// of diagnostics: code, name, severity, summary and explanation of each.
 #[pyfunction]
@@ -40,8 +34,11 @@ fn codes() -> Vec<(&'static str, &'static str, &'static str, &'static str, &'sta
     chordal::Code::ALL.iter().map(row).collect()
 }
 
-#[pymodule]
-fn _chordal(module: &Bound<'_, PyModule>) -> PyResult<()> {
+/// Fills the module `chordal._chordal`.
+///
+/// # Errors
+/// What Python says where it cannot take a name.
+pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<machine::Machine>()?;
     module.add_class::<program::Program>()?;
@@ -51,7 +48,6 @@ fn _chordal(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<motion::Motion>()?;
     module.add_class::<archive::ArchiveWorker>()?;
     module.add_class::<archive::Journal>()?;
-    module.add_function(wrap_pyfunction!(main, module)?)?;
     module.add_function(wrap_pyfunction!(codes, module)?)?;
     module.add_function(wrap_pyfunction!(machine::builtin_machines, module)?)?;
     module.add_function(wrap_pyfunction!(program::load_file, module)?)?;

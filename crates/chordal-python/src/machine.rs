@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use chordal_cli::load;
+use chordal_load::{LoadError, machine as load};
 use pyo3::prelude::*;
 
 use crate::error;
@@ -16,19 +16,19 @@ impl Machine {
     /// The machine of a built-in name or, where there is none of it, of a file.
     #[staticmethod]
     fn named(py: Python<'_>, name: &str) -> PyResult<Machine> {
-        made(py, load::machine(name))
+        made(py, load::named(name))
     }
 
     /// The machine of a TOML file.
     #[staticmethod]
     fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Machine> {
-        made(py, load::machine_file(&path))
+        made(py, load::from_file(&path))
     }
 
     /// The machine of a TOML text; `name` is what messages call the text.
     #[staticmethod]
     fn from_toml(py: Python<'_>, text: &str, name: &str) -> PyResult<Machine> {
-        made(py, load::machine_text(name, text))
+        made(py, load::from_text(name, text))
     }
 
     /// The name it is called by.
@@ -80,6 +80,6 @@ pub fn builtin_machines() -> Vec<&'static str> {
     chordal::machine::builtin_names().to_vec()
 }
 
-fn made(py: Python<'_>, machine: Result<chordal::Machine, load::Failure>) -> PyResult<Machine> {
-    machine.map(Machine).map_err(|failure| error::of_failure(py, &failure))
+fn made(py: Python<'_>, machine: Result<chordal::Machine, LoadError>) -> PyResult<Machine> {
+    machine.map(Machine).map_err(|error| error::of_loading(py, &error))
 }

@@ -10,13 +10,13 @@ use chordal::motion::{
 };
 use chordal::time::Effort;
 use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
-use chordal_cli::load::{self, Failure, Loaded, Request};
 use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
     report, sha256_hex, split_json, time_json, transformed_json,
 };
+use chordal_load::{Given, LoadError, Loaded, Request, file};
 use chordal_report::{About, gather, html};
 use chordal_rewrite as rewrite;
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -60,10 +60,10 @@ impl Options {
                 error::usage(py, &error.to_string(), None)
             })
         });
+        let machine = self.machine.map(|machine| Given::Machine(Box::new(machine.get().0.clone())));
         let shop = self.shop_codes.map(|hook| Shop::new(hook, signals.clone()));
         Ok(Request {
-            machine: self.machine.map(|machine| machine.get().0.clone()),
-            control: control.transpose()?,
+            machine: machine.or(control.transpose()?.map(Given::Control)),
             set: self.set,
             tools: self.tools,
             program: self.program,
@@ -78,20 +78,20 @@ impl Options {
 /// Loads a file. What is not said is as the folder's `chordal.toml` or the text says.
 #[pyfunction]
 pub fn load_file(py: Python<'_>, path: PathBuf, options: Options) -> PyResult<Program> {
-    loaded(py, options, |request| load::file(&path, request))
+    loaded(py, options, |request| file(&path, request))
 }
 
 /// Loads a text under a name that messages show.
 #[pyfunction]
 pub fn load_text(py: Python<'_>, text: &[u8], name: &str, options: Options) -> PyResult<Program> {
-    let text = text.to_vec();
-    loaded(py, options, |request| load::text(name, text, request))
+    let bytes = text.to_vec();
+    loaded(py, options, |request| chordal_load::text(name, bytes, request))
 }
 
 fn loaded(
     py: Python<'_>,
     options: Options,
-    load: impl FnOnce(&Request) -> Result<Loaded, Failure> + Send,
+    load: impl FnOnce(&Request) -> Result<Loaded, LoadError> + Send,
 ) -> PyResult<Program> {
     let signals = Signals::new();
     let request = options.request(py, &signals)?;
@@ -99,7 +99,7 @@ fn loaded(
     signals.raised()?;
     match loaded {
         Ok(loaded) => Ok(Program { loaded, report: OnceLock::new() }),
-        Err(failure) => Err(error::of_failure(py, &failure)),
+        Err(error) => Err(error::of_loading(py, &error)),
     }
 }
 

@@ -68,7 +68,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
     ("chordal-export", &["chordal", "chordal-calc", "chordal-compare", "chordal-rewrite"]),
     ("chordal-report", &["chordal", "chordal-export"]),
-    ("chordal-archive", &["chordal", "chordal-export"]),
+    ("chordal-load", &["chordal"]),
+    ("chordal-archive", &["chordal", "chordal-export", "chordal-load"]),
     ("chordal-compare", &["chordal"]),
     ("chordal-rewrite", &["chordal", "chordal-compare", "chordal-editor"]),
     ("chordal-editor", &["chordal"]),
@@ -82,6 +83,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-compare",
             "chordal-editor",
             "chordal-export",
+            "chordal-load",
             "chordal-report",
             "chordal-archive",
             "chordal-rewrite",
@@ -95,12 +97,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal",
             "chordal-compare",
             "chordal-export",
+            "chordal-load",
             "chordal-report",
             "chordal-rewrite",
             "chordal-archive",
-            "chordal-cli",
         ],
     ),
+    ("chordal-wheel", &["chordal-python", "chordal-cli"]),
 ];
 
 #[test]

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use chordal_archive::{ArchiveError, Done, Journal, Options, check_all, walk};
+use chordal_archive::{ArchiveError, Disk, Done, Journal, Options, check_all, walk};
 
 use super::progress::Meter;
-use super::{Disk, Machines, jobs};
+use super::{Machines, jobs};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
 use crate::terminal::{BOLD, Terminal, style};
@@ -56,7 +56,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         argument.metadata().map_err(|error| Failure::read(argument.to_string_lossy(), &error))?;
     }
     keep_programs(&args.out)?;
-    let disk = Disk::new(&args.machines.request()?, &args.folders)?;
+    let disk = Disk::new(args.machines.request(), &args.folders)?;
     let found = walk(&args.folders, &[args.out.clone(), Journal::folder_of(&args.out)]);
     if found.is_empty() {
         return Err(Failure::wrong("there is no file in the folders", "name a folder of programs"));

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
+use chordal_archive::Disk;
 use chordal_archive::diff::{DiffRow, Status, compare_all, write_table};
 
 use super::progress::Meter;
-use super::{Disk, Machines, jobs};
+use super::{Machines, jobs};
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
 use crate::options::AnswerFormat;
@@ -74,7 +75,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         super::check::keep_programs(out)?;
     }
     let roots = [args.released.clone(), args.returned.clone()];
-    let disk = Disk::new(&args.machines.request()?, &roots)?;
+    let disk = Disk::new(args.machines.request(), &roots)?;
     let meter = Meter::new(0, false, terminal);
     let (released, returned) = (&args.released, &args.returned);
     let rows =

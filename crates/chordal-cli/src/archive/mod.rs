@@ -2,17 +2,14 @@
 
 mod check;
 mod diff;
-mod disk;
 mod progress;
-
-pub use disk::Disk;
 
 use std::path::PathBuf;
 
 use chordal::machine::ControlName;
+use chordal_load::{Given, Request};
 
 use crate::failure::{Failure, Verdict};
-use crate::load::{self, Request};
 use crate::terminal::Terminal;
 
 /// Checks whole archives of programs, and compares them
@@ -61,16 +58,16 @@ struct Machines {
 }
 
 impl Machines {
-    fn request(&self) -> Result<Request, Failure> {
-        Ok(Request {
-            machine: self.machine.as_deref().map(load::machine).transpose()?,
-            control: self.control,
+    fn request(&self) -> Request {
+        let named = self.machine.clone().map(Given::Name);
+        Request {
+            machine: named.or(self.control.map(Given::Control)),
             set: self.set.clone(),
             tools: self.tools.clone(),
             block_delete: self.block_delete,
             max_blocks: self.max_blocks,
             ..Request::default()
-        })
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! `chordal time`: how long a program takes, where and why.
 
+mod cells;
 mod corners;
 mod least;
 mod picture;
@@ -16,8 +17,8 @@ use clap::ValueEnum;
 use self::picture::Picture;
 use crate::failure::{Failure, Verdict};
 use crate::options::{AnswerFormat, Common};
+use crate::programs::load_one;
 use crate::rows::tell;
-use crate::session::load_one;
 use crate::summary::subtitle;
 use crate::terminal::{Terminal, say};
 

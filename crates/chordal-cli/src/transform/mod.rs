@@ -10,6 +10,7 @@ use chordal::control::Units as TextUnits;
 use chordal::machine::Dimension;
 use chordal_compare::Options;
 use chordal_export::{comparison_text, refusal_json, transformed_json};
+use chordal_load::Loaded;
 use chordal_rewrite::{ArcForm, By, Refusal, Step, Transformed, transform};
 use clap::ValueEnum;
 
@@ -17,7 +18,7 @@ use crate::failure::{Failure, Verdict};
 use crate::numbers::{Units, counted};
 use crate::options::{AnswerFormat, Common, quantity};
 use crate::out::Out;
-use crate::session::{Loaded, load_one};
+use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
 use crate::unified::unified;
 use crate::view::{self, Made};
@@ -274,8 +275,7 @@ fn shift(words: &[String], units: Units) -> Result<Option<[f64; 3]>, Failure> {
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let told = loaded.chosen.told(loaded.name(), job.control().table.title);
-    terminal.tell(&told.unwrap_or_default());
+    terminal.tell(&recognized(&loaded));
     let units = Units::of(job.report().summary.inch);
     let steps = steps(args, units)?;
     if let (Some(by), true) = (args.split, steps.is_empty()) {

@@ -1,4 +1,4 @@
-//! Subprograms that lie in files beside the program, as on a control's disk.
+//! The files beside a program: subprograms lie there, as on a control's disk.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -8,10 +8,14 @@ use chordal::control::{called_subs, referenced_programs};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
-use crate::input::{Input, Text, head, may_be_program};
+use crate::input::{Input, head, may_be_program};
+use crate::text::Text;
 
 /// Most files that are added to a program.
 const MOST_FILES: usize = 256;
+
+/// Most folders that are remembered: an archive goes from one to the next.
+const MOST_FOLDERS: usize = 64;
 
 /// Most files of a folder whose heads are looked at.
 const MOST_HEADS: usize = 10_000;
@@ -24,11 +28,6 @@ const HEAD: u64 = 4096;
 pub struct Folders(BTreeMap<PathBuf, Folder>);
 
 impl Folders {
-    /// How many folders are remembered.
-    pub fn len(&self) -> usize {
-        self.0.len()
-    }
-
     /// The files that hold the programs which a text calls, and those which they call, as far
     /// as they lie in the same folder. Files that cannot be read are passed over: then the
     /// subprogram is missing, and the run says so.
@@ -40,6 +39,9 @@ impl Folders {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
+        if self.0.len() > MOST_FOLDERS {
+            self.0.clear();
+        }
         let folder = self.0.entry(folder_of(path)).or_insert_with(|| Folder::of(path));
         while let Some(number) = wanted.pop_first() {
             if known.contains(&number) || found.len() >= MOST_FILES {
@@ -74,7 +76,7 @@ impl Folders {
 
 /// Leaves out the files of a folder that hold only subprograms which others of the folder
 /// call: they run where they are called. Run by itself, a subprogram seems to have no spindle,
-/// no feed and no end. A file that the command line names stays.
+/// no feed and no end. A file that the caller names stays.
 pub fn without_called(inputs: Vec<Input>) -> Vec<Input> {
     let lexicon = &Lexicon::FANUC_STYLE;
     let mut called: BTreeMap<PathBuf, BTreeSet<u32>> = BTreeMap::new();

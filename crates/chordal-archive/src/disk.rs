@@ -3,45 +3,31 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::Machine;
 use chordal::control::Control;
-use chordal_archive::{Loader, Prepared};
+use chordal_load::{Chosen, Input, LoadError, Request, Text, has_other_ending, looks_like_program};
 
-use crate::beside::Folders;
-use crate::failure::Failure;
-use crate::input::{self, Input, Text};
-use crate::load::Request;
-use crate::machine::Chosen;
-use crate::options::Common;
-use crate::session;
-
-/// Folders that a worker remembers: an archive goes from one to the next.
-const MOST_FOLDERS: usize = 64;
+use crate::check::{Loader, Prepared};
 
 /// Files are read into memory, not mapped: one that is shortened meanwhile must not end the run.
 const LARGEST: u64 = u32::MAX as u64;
 
-/// The files of a disk, as the command loads them.
+/// The files of a disk, each loaded with its own machine and subprograms.
 pub struct Disk {
-    given: Option<Machine>,
-    common: Common,
-    /// The folders of the command line: `chordal.toml` counts up to there.
+    loader: chordal_load::Loader,
+    /// The folders of the archive: `chordal.toml` counts up to there.
     roots: Vec<PathBuf>,
-    folders: Folders,
     /// How the beginning of paths is told: from, to.
     renamed: Option<(String, String)>,
 }
 
 impl Disk {
-    /// A loader of files in folders.
+    /// A loader of files in folders. Nobody is asked about codes of a shop's own.
     ///
     /// # Errors
     /// A machine that cannot be used.
-    pub fn new(request: &Request, roots: &[PathBuf]) -> Result<Disk, Failure> {
-        let common = request.common();
-        let given = request.given(&common)?;
-        let (roots, folders) = (roots.to_vec(), Folders::default());
-        Ok(Disk { given, common, roots, folders, renamed: None })
+    pub fn new(request: Request, roots: &[PathBuf]) -> Result<Disk, LoadError> {
+        let loader = chordal_load::Loader::new(Request { shop_codes: None, ..request })?;
+        Ok(Disk { loader, roots: roots.to_vec(), renamed: None })
     }
 
     /// The same, and paths that begin in one way are told as if they began in another: files that
@@ -60,13 +46,8 @@ impl Disk {
 
     /// The same for another worker.
     pub fn again(&self) -> Disk {
-        Disk {
-            given: self.given.clone(),
-            common: self.common.clone(),
-            roots: self.roots.clone(),
-            folders: Folders::default(),
-            renamed: self.renamed.clone(),
-        }
+        let (roots, renamed) = (self.roots.clone(), self.renamed.clone());
+        Disk { loader: self.loader.again(), roots, renamed }
     }
 
     fn input(&self, path: &Path) -> Input {
@@ -78,11 +59,12 @@ impl Disk {
 
 impl Loader for Disk {
     fn is_other_by_name(&self, path: &Path) -> bool {
-        input::has_other_ending(path)
+        has_other_ending(path)
     }
 
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, String> {
-        let failure = |error| self.told(Failure::read(path.to_string_lossy(), &error).to_string());
+        let failure =
+            |error| self.told(LoadError::read(path.to_string_lossy(), &error).to_string());
         let about = fs::metadata(path).map_err(failure)?;
         if !about.is_file() {
             // A pipe may never end.
@@ -95,17 +77,13 @@ impl Loader for Disk {
     }
 
     fn may_be_program(&self, bytes: &[u8]) -> bool {
-        input::looks_like_program(bytes)
+        looks_like_program(bytes)
     }
 
     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<Prepared, String> {
-        if self.folders.len() > MOST_FOLDERS {
-            self.folders = Folders::default();
-        }
         let input = self.input(path);
         let text = Text::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
-        let given = self.given.as_ref();
-        let loaded = session::load_text(text, &input, given, &self.common, &mut self.folders);
+        let loaded = self.loader.load_text(text, &input);
         let loaded = loaded.map_err(|failure| self.told(told(&failure)))?;
         let (control, _) = Control::of(loaded.machine());
         let chosen = match &loaded.chosen {
@@ -122,9 +100,9 @@ impl Loader for Disk {
 }
 
 /// A failure in a line, with the first thing that is wrong with a machine.
-fn told(failure: &Failure) -> String {
+fn told(failure: &LoadError) -> String {
     match failure {
-        Failure::Machine(errors) => {
+        LoadError::Machine(errors) => {
             let first = errors.first().map(|error| {
                 let line = error.line().map_or_else(String::new, |line| format!(":{line}"));
                 format!(": {}{line}: {}", error.file, error.message)

@@ -1,5 +1,5 @@
-//! Which machine runs a program: the command line's, the folder's, or the one that the text
-//! speaks for.
+//! Machines by name and of files, and which one runs a program: the caller's, the folder's, or the
+//! one that the text speaks for.
 
 use std::fs;
 use std::ops::Range;
@@ -11,9 +11,9 @@ use chordal::control::{COMMON_SETTINGS, Control, Recognition, SettingError, Unit
 use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
 use toml::de::{DeTable, DeValue};
 
-use crate::failure::Failure;
+use crate::error::LoadError;
 use crate::input::Input;
-use crate::options::Common;
+use crate::request::{Given, Request};
 
 /// The file that says a folder's machine.
 const FOLDER_FILE: &str = "chordal.toml";
@@ -21,7 +21,7 @@ const FOLDER_FILE: &str = "chordal.toml";
 /// Why this machine.
 #[derive(Clone, Debug)]
 pub enum Chosen {
-    /// The command line says so.
+    /// The caller says so.
     Given,
     /// `chordal.toml` says so.
     Folder(PathBuf),
@@ -32,12 +32,8 @@ pub enum Chosen {
 }
 
 impl Chosen {
-    /// What was recognized and by what, in a line; nothing where the user said the machine.
-    pub fn told(&self, file: &str, title: &str) -> Option<String> {
-        self.why(title).map(|why| format!("{file}: {why}; --machine chooses another\n"))
-    }
-
-    /// The same without the file and what to do.
+    /// What was recognized and by what, in a line; nothing where somebody said the machine. `title` is
+    /// the control's.
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
             Chosen::Given | Chosen::Folder(_) => return None,
@@ -52,18 +48,27 @@ impl Chosen {
     }
 }
 
-/// The machine of `--machine`, with everything else the command line says of it.
-pub fn given(common: &Common) -> Result<Option<Machine>, Failure> {
-    let machine = common.machine.as_deref().map(named).transpose()?;
-    machine.map(|machine| finish(machine, common)).transpose()
+/// The machine that a request names, with everything else that it says of it.
+pub(crate) fn given(request: &Request) -> Result<Option<Machine>, LoadError> {
+    let machine = match &request.machine {
+        None => return Ok(None),
+        Some(Given::Name(name)) => named(name)?,
+        Some(Given::Control(control)) => typical(*control),
+        Some(Given::Machine(machine)) => machine.as_ref().clone(),
+    };
+    finish(machine, request).map(Some)
 }
 
-/// The machine of a program when the command line does not name one.
-pub fn choose(input: &Input, text: &[u8], common: &Common) -> Result<(Machine, Chosen), Failure> {
+/// The machine of a program when the request does not name one.
+pub(crate) fn choose(
+    input: &Input,
+    text: &[u8],
+    request: &Request,
+) -> Result<(Machine, Chosen), LoadError> {
     for folder in folders(input) {
         let file = folder.join(FOLDER_FILE);
         if file.is_file() {
-            return Ok((finish(of_folder(&file)?, common)?, Chosen::Folder(file)));
+            return Ok((finish(of_folder(&file)?, request)?, Chosen::Folder(file)));
         }
     }
     let recognition = recognize(text);
@@ -75,26 +80,29 @@ pub fn choose(input: &Input, text: &[u8], common: &Common) -> Result<(Machine, C
         }
         _ => (recognition.control, Chosen::Recognized(recognition)),
     };
-    Ok((finish(builtin_of(control), common)?, chosen))
+    Ok((finish(typical(control), request)?, chosen))
 }
 
-/// A built-in machine, or the machine of a file.
-pub fn named(name: &str) -> Result<Machine, Failure> {
+/// The machine of a built-in name or, where there is none of it, of a file.
+///
+/// # Errors
+/// A name that nothing has; the help lists the built-in ones. What is wrong with a file.
+pub fn named(name: &str) -> Result<Machine, LoadError> {
     let path = Path::new(name);
     if builtin(name).is_none() && (path.is_file() || name.ends_with(".toml")) {
         return from_file(path);
     }
     Machine::from_builtin(name).map_err(|mut errors| match errors.pop() {
-        // A wrong name on the command line: there is no file to draw.
+        // A wrong name in a request: there is no file to draw.
         Some(error) if builtin(name).is_none() => {
-            Failure::Use { message: error.message, help: error.help }
+            LoadError::Request { message: error.message, help: error.help }
         }
-        last => Failure::Machine(errors.into_iter().chain(last).collect()),
+        last => LoadError::Machine(errors.into_iter().chain(last).collect()),
     })
 }
 
 /// The folders whose `chordal.toml` counts: the program's, and those above it up to the one
-/// that the command line names.
+/// that the caller names.
 fn folders(input: &Input) -> Vec<PathBuf> {
     let Some(path) = &input.path else { return Vec::new() };
     let mut folders: Vec<PathBuf> = Vec::new();
@@ -108,13 +116,13 @@ fn folders(input: &Input) -> Vec<PathBuf> {
 }
 
 /// What a program is run on when only its control is known.
-pub(crate) fn builtin_of(control: ControlName) -> Machine {
-    let name = builtin_name(control);
+pub fn typical(control: ControlName) -> Machine {
+    let name = typical_name(control);
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
 /// The name of that machine.
-pub(crate) fn builtin_name(control: ControlName) -> &'static str {
+pub fn typical_name(control: ControlName) -> &'static str {
     match control {
         ControlName::Fadal => "fadal-4020",
         ControlName::Haas => "haas-vf2",
@@ -124,15 +132,23 @@ pub(crate) fn builtin_name(control: ControlName) -> &'static str {
     }
 }
 
-pub(crate) fn from_file(path: &Path) -> Result<Machine, Failure> {
+/// The machine of a file.
+///
+/// # Errors
+/// A file that cannot be read, and everything that is wrong in it.
+pub fn from_file(path: &Path) -> Result<Machine, LoadError> {
     let name = path.to_string_lossy();
-    let text = read_text(path).map_err(|error| Failure::read(&*name, &error))?;
-    of_text(&name, &text)
+    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
+    from_text(&name, &text)
 }
 
-pub(crate) fn of_text(name: &str, text: &str) -> Result<Machine, Failure> {
+/// The machine of a TOML text, under a name that messages show.
+///
+/// # Errors
+/// Everything that is wrong in it.
+pub fn from_text(name: &str, text: &str) -> Result<Machine, LoadError> {
     let load = |file: &str| read_text(Path::new(file)).map_err(|error| error.to_string());
-    Machine::from_toml(name, text, &load).map_err(Failure::Machine)
+    Machine::from_toml(name, text, &load).map_err(LoadError::Machine)
 }
 
 /// A text file; the byte order mark that some editors write is none of the text.
@@ -142,17 +158,17 @@ fn read_text(path: &Path) -> std::io::Result<String> {
 }
 
 /// `chordal.toml` is a machine file, or says with `machine = "…"` which one to take.
-fn of_folder(path: &Path) -> Result<Machine, Failure> {
+fn of_folder(path: &Path) -> Result<Machine, LoadError> {
     let name = path.to_string_lossy();
-    let text = read_text(path).map_err(|error| Failure::read(&*name, &error))?;
+    let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
     let (document, _) = DeTable::parse_recoverable(&text);
     let Some(value) = document.get_ref().get("machine") else {
-        return of_text(&name, &text);
+        return from_text(&name, &text);
     };
     let wrong = |span, message: String, help: &str| {
         let (file, text) = (name.to_string(), Arc::from(text.as_str()));
         let help = Some(help.to_string());
-        Failure::Machine(vec![MachineError { message, help, file, span: Some(span), text }])
+        LoadError::Machine(vec![MachineError { message, help, file, span: Some(span), text }])
     };
     if let Some((key, _)) = document.get_ref().iter().find(|(key, _)| key.get_ref() != "machine") {
         return Err(wrong(
@@ -180,37 +196,37 @@ fn of_folder(path: &Path) -> Result<Machine, Failure> {
     from_file(&file)
 }
 
-/// Everything that the command line says of a machine, whichever it is.
-pub(crate) fn finish(mut machine: Machine, common: &Common) -> Result<Machine, Failure> {
+/// Everything that a request says of a machine, whichever it is.
+fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError> {
     let assign = |machine: &mut Machine| {
         let errors: Vec<MachineError> =
-            common.set.iter().filter_map(|assignment| machine.set(assignment).err()).collect();
-        if errors.is_empty() { Ok(()) } else { Err(Failure::Machine(errors)) }
+            request.set.iter().filter_map(|assignment| machine.set(assignment).err()).collect();
+        if errors.is_empty() { Ok(()) } else { Err(LoadError::Machine(errors)) }
     };
     assign(&mut machine)?;
     check_settings(&machine)?;
-    if let Some(path) = &common.tools {
+    if let Some(path) = &request.tools {
         let name = path.to_string_lossy();
-        let text = read_text(path).map_err(|error| Failure::read(&*name, &error))?;
+        let text = read_text(path).map_err(|error| LoadError::read(&*name, &error))?;
         let (control, _) = Control::of(&machine);
         let millimetres = control.parameters.rules.units == Units::Millimetre;
         let tools = read_tool_tbl(&text, millimetres).map_err(|mut errors| {
             errors.iter_mut().for_each(|error| error.file = name.to_string());
-            Failure::Machine(errors)
+            LoadError::Machine(errors)
         })?;
         machine.tools.extend(tools);
-        // A tool on the command line comes before the table's, and the table's units were only
+        // A tool that an assignment gives comes before the table's, and the table's units were only
         // known after the assignments: once more.
         assign(&mut machine)?;
     }
-    if common.block_delete {
+    if request.block_delete {
         machine.switches.block_delete = [true; 10];
     }
     Ok(machine)
 }
 
 /// Draws the settings that the control does not know where they were written.
-fn check_settings(machine: &Machine) -> Result<(), Failure> {
+fn check_settings(machine: &Machine) -> Result<(), LoadError> {
     let (control, errors) = Control::of(machine);
     if errors.is_empty() {
         return Ok(());
@@ -225,7 +241,7 @@ fn check_settings(machine: &Machine) -> Result<(), Failure> {
             text: location.map_or_else(|| Arc::from(""), |at| at.text.clone()),
         }
     });
-    Err(Failure::Machine(drawn.collect()))
+    Err(LoadError::Machine(drawn.collect()))
 }
 
 /// A location is that of the value; where the name is wrong, the name before it on its line.

@@ -1,0 +1,130 @@
+//! The programs that a command line names: the one of most commands, or several of folders.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use chordal::control::table;
+use chordal_load::{Input, LoadError, Loaded, Loader, find, without_called};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::failure::{Failure, Verdict};
+use crate::options::Common;
+use crate::terminal::{Terminal, say};
+
+/// Loads the one program of a command that takes one.
+pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
+    if file.is_dir() {
+        return Err(Failure::wrong(
+            format!("{} is a folder", file.display()),
+            "this command takes one program; `run` and `check` take folders",
+        ));
+    }
+    let (inputs, _) = find(std::slice::from_ref(file));
+    let Some(input) = inputs.first() else {
+        return Err(Failure::Use { message: "there is no program".into(), help: None });
+    };
+    Ok(Loader::new(common.request())?.load(input)?)
+}
+
+/// Which control was recognized and by what, in a line; empty where the user said the machine.
+pub fn recognized(loaded: &Loaded) -> String {
+    let why = loaded.chosen.why(table(loaded.machine().control).title);
+    why.map_or_else(String::new, |why| {
+        format!("{}: {why}; --machine chooses another\n", loaded.name())
+    })
+}
+
+/// The programs of a command that takes several.
+pub struct Programs {
+    terminal: Terminal,
+    loader: Loader,
+    inputs: Vec<Input>,
+    called: u64,
+    bar: ProgressBar,
+    told: BTreeSet<String>,
+    verdict: Verdict,
+}
+
+impl Programs {
+    /// Finds the inputs and reads the machine, if the command line names one.
+    pub fn new(
+        files: &[PathBuf],
+        common: &Common,
+        terminal: Terminal,
+    ) -> Result<Programs, Failure> {
+        let loader = Loader::new(common.request())?;
+        let (inputs, failures) = find(files);
+        let found = inputs.len();
+        let inputs = without_called(inputs);
+        let called = (found - inputs.len()) as u64;
+        let bar = progress(inputs.len());
+        let (told, verdict) = (BTreeSet::new(), Verdict::Clean);
+        let mut programs = Programs { terminal, loader, inputs, called, bar, told, verdict };
+        failures.into_iter().for_each(|failure| programs.tell(failure));
+        Ok(programs)
+    }
+
+    /// The inputs.
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    /// How many files of a folder are left out, because they only hold subprograms of others.
+    pub fn called(&self) -> u64 {
+        self.called
+    }
+
+    /// Loads each input and has it handled. What cannot be loaded is told; the rest goes on.
+    /// Only a failure of the handler ends it all.
+    pub fn each(
+        mut self,
+        mut handle: impl FnMut(&Programs, usize, &Loaded) -> Result<Verdict, Failure>,
+    ) -> Result<Verdict, Failure> {
+        for index in 0..self.inputs.len() {
+            let input = &self.inputs[index];
+            self.bar.set_message(input.name().into_owned());
+            match self.loader.load(input) {
+                Ok(loaded) => {
+                    let done = handle(&self, index, &loaded);
+                    let verdict = done.inspect_err(|_| self.bar.finish_and_clear())?;
+                    self.verdict = self.verdict.max(verdict);
+                }
+                Err(failure) => self.tell(failure),
+            }
+            self.bar.inc(1);
+        }
+        self.bar.finish_and_clear();
+        Ok(self.verdict)
+    }
+
+    /// Writes to standard output, above the progress bar.
+    pub fn say(&self, text: &str) -> Result<(), Failure> {
+        self.bar.suspend(|| say(text))
+    }
+
+    /// Tells a failure, but the same one only once: a wrong `chordal.toml` counts for every
+    /// file of its folder.
+    fn tell(&mut self, failure: LoadError) {
+        let failure = Failure::from(failure);
+        self.verdict = self.verdict.max(failure.verdict());
+        let text = self.terminal.failure_text(&failure);
+        if !self.told.contains(&text) {
+            self.bar.suspend(|| self.terminal.tell(&text));
+            self.told.insert(text);
+        }
+    }
+}
+
+/// A bar for several files, drawn on a terminal only and not for what takes no time.
+fn progress(files: usize) -> ProgressBar {
+    if files < 2 {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::with_draw_target(Some(files as u64), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

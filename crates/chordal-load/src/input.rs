@@ -1,0 +1,141 @@
+//! Finding program files.
+
+use std::borrow::Cow;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use chordal::syntax::decode;
+
+use crate::error::LoadError;
+
+/// How much of a file in a folder is looked at to tell whether it is a program.
+const SAMPLE: u64 = 16 * 1024;
+
+/// Endings of files that lie beside programs and are none, whatever they hold.
+const NOT_PROGRAMS: &[&str] = &[
+    "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
+    "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet",
+    "arrow", "yaml", "yml", "ini", "hal", "tbl", "var", "log", "py", "rs", "js", "ts", "sh", "bat",
+    "ps1", "zip", "gz", "7z", "exe", "dll", "lock",
+];
+
+/// A program to run, as the caller names it.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// The file; `None` for standard input.
+    pub path: Option<PathBuf>,
+    /// The folder that the caller named and that it was found in: `chordal.toml` counts up to there.
+    pub root: Option<PathBuf>,
+}
+
+impl Input {
+    /// The name for people.
+    pub fn name(&self) -> Cow<'_, str> {
+        self.path.as_ref().map_or(Cow::Borrowed("<stdin>"), |path| path.to_string_lossy())
+    }
+
+    /// Path below the folder that the caller named, or the file's name: what output in a folder
+    /// is named after.
+    pub fn below_root(&self) -> PathBuf {
+        let Some(path) = &self.path else { return PathBuf::from("stdin") };
+        let below = self.root.as_ref().and_then(|root| path.strip_prefix(root).ok());
+        below
+            .map(Path::to_path_buf)
+            .or_else(|| path.file_name().map(PathBuf::from))
+            .unwrap_or_default()
+    }
+}
+
+/// The programs that the arguments name. A folder stands for all programs below it; what
+/// cannot be read is told beside the rest.
+pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
+    let mut inputs = Vec::new();
+    let mut failures = Vec::new();
+    for argument in arguments {
+        if argument.as_os_str() == "-" {
+            inputs.push(Input { path: None, root: None });
+        } else if argument.is_dir() {
+            let before = inputs.len() + failures.len();
+            search(argument, argument, &mut inputs, &mut failures);
+            if inputs.len() + failures.len() == before {
+                failures.push(LoadError::wrong(
+                    format!("there is no program in {}", argument.display()),
+                    "name the file itself to run it whatever it looks like",
+                ));
+            }
+        } else {
+            inputs.push(Input { path: Some(argument.clone()), root: None });
+        }
+    }
+    (inputs, failures)
+}
+
+/// All programs of a folder, by name. Links to folders are not followed, so there are no
+/// circles.
+fn search(folder: &Path, root: &Path, inputs: &mut Vec<Input>, failures: &mut Vec<LoadError>) {
+    let entries = fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>);
+    let mut entries = match entries {
+        Ok(entries) => entries,
+        Err(error) => {
+            failures.push(LoadError::read(folder.to_string_lossy(), &error));
+            return;
+        }
+    };
+    entries.sort_by_key(fs::DirEntry::file_name);
+    for entry in entries {
+        let path = entry.path();
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        let Ok(kind) = entry.file_type() else { continue };
+        if hidden {
+            continue;
+        } else if kind.is_dir() {
+            search(&path, root, inputs, failures);
+        } else if path.is_file() && !has_other_ending(&path) {
+            match head(&path, SAMPLE) {
+                Ok(sample) if looks_like_program(&sample) => {
+                    inputs.push(Input { path: Some(path), root: Some(root.to_path_buf()) });
+                }
+                Ok(_) => {}
+                Err(error) => failures.push(LoadError::read(path.to_string_lossy(), &error)),
+            }
+        }
+    }
+}
+
+/// Neither its name nor its content speak against a program.
+pub fn may_be_program(path: &Path) -> bool {
+    !has_other_ending(path) && head(path, SAMPLE).is_ok_and(|sample| looks_like_program(&sample))
+}
+
+/// The ending of its name says that a file is no program.
+pub fn has_other_ending(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
+}
+
+/// The first bytes of a file.
+pub fn head(path: &Path, size: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(size).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Some line starts as a block does: a letter with a number, a program head, a percent sign.
+/// Only asked of files that nobody named.
+pub fn looks_like_program(sample: &[u8]) -> bool {
+    let decoded = decode(sample);
+    !decoded.binary
+        && decoded.text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
+            let mut bytes = line.iter().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
+            match (bytes.next(), bytes.next()) {
+                (Some(b'%'), _) => true,
+                (Some(b'/' | b'#'), Some(next)) => next.is_ascii_alphanumeric(),
+                (Some(first), Some(next)) => {
+                    (first.is_ascii_alphabetic() || *first == b':')
+                        && (next.is_ascii_digit() || matches!(next, b'.' | b'-' | b'+'))
+                }
+                _ => false,
+            }
+        })
+}

@@ -1,0 +1,81 @@
+//! Loads programs for every shell: their texts, the machines they run on, the subprograms beside them.
+//!
+//! A [`Request`] says what is otherwise than the folder's `chordal.toml` or the text itself says.
+//! [`file`] and [`text`] load one program, a [`Loader`] many by the same request; [`find`] lists the
+//! programs of folders. What comes out is a [`Loaded`]: a job, its machine, and why this one
+//! ([`Chosen`]). What does not go is one [`LoadError`].
+//!
+//! ```
+//! use chordal_load::{Given, Request, text};
+//!
+//! let request = Request {
+//!     machine: Some(Given::Name("haas-vf2".into())),
+//!     set: vec!["tools.5.diameter=\"0.5 in\"".into()],
+//!     ..Request::default()
+//! };
+//! let program = b"G21 G90 S900 M3\nG1 X0 Y0 F100.\nX10.\nM30\n";
+//! let loaded = text("part.nc", program.to_vec(), &request)?;
+//! assert_eq!(loaded.machine().title, "Haas VF-2");
+//! assert_eq!(loaded.job()?.report().summary.lines, 2);
+//! # Ok::<(), chordal_load::LoadError>(())
+//! ```
+
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a shell: files are its business, so that they are nobody else's"
+)]
+
+mod error;
+mod input;
+mod loaded;
+mod loader;
+pub mod machine;
+mod neighbours;
+mod request;
+mod text;
+
+use std::path::Path;
+
+pub use error::{LoadError, reason};
+pub use input::{Input, find, has_other_ending, looks_like_program};
+pub use loaded::Loaded;
+pub use loader::Loader;
+pub use machine::Chosen;
+pub use neighbours::without_called;
+pub use request::{Given, Request};
+pub use text::Text;
+
+/// Loads a file.
+///
+/// # Errors
+/// A file that cannot be read, a machine that cannot be used, a program that is not there.
+pub fn file(path: &Path, request: &Request) -> Result<Loaded, LoadError> {
+    let input = Input { path: Some(path.to_path_buf()), root: None };
+    load(Text::read(&input)?, &input, request)
+}
+
+/// Loads a text, under a name that messages show.
+///
+/// # Errors
+/// A machine that cannot be used, a program that is not there.
+pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, LoadError> {
+    load(Text::of(name, bytes)?, &Input { path: None, root: None }, request)
+}
+
+/// Loads the text of an editor, which lies or will lie at a path.
+///
+/// # Errors
+/// A machine that cannot be used, a program that is not there.
+pub fn unsaved(
+    path: Option<&Path>,
+    bytes: Vec<u8>,
+    request: &Request,
+) -> Result<Loaded, LoadError> {
+    let input = Input { path: path.map(Path::to_path_buf), root: None };
+    load(Text::of(&input.name(), bytes)?, &input, request)
+}
+
+fn load(text: Text, input: &Input, request: &Request) -> Result<Loaded, LoadError> {
+    Loader::new(request.clone())?.load_text(text, input)
+}

@@ -1,0 +1,110 @@
+//! A program that is loaded: texts, machine, and why this machine.
+
+use std::sync::Arc;
+
+use chordal::control::{Interrupt, RunOptions, ShopCodes, ShopRecord};
+use chordal::{Command, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
+
+use crate::error::LoadError;
+use crate::machine::Chosen;
+use crate::text::Text;
+
+/// A program with everything it needs to run.
+pub struct Loaded {
+    /// The program's text, then those of its subprograms.
+    pub(crate) texts: Vec<Text>,
+    pub(crate) machine: Machine,
+    pub(crate) options: RunOptions,
+    /// Names and blocks of what the shop answered, in the order of the run.
+    pub(crate) shop_texts: Vec<(String, String)>,
+    /// The one program to run, where the request names it.
+    pub program: Option<u32>,
+    /// Why this machine.
+    pub chosen: Chosen,
+}
+
+impl Loaded {
+    /// The name for people.
+    pub fn name(&self) -> &str {
+        self.texts[0].name()
+    }
+
+    /// The job, which borrows the texts.
+    ///
+    /// # Errors
+    /// Settings that the control does not know; those of files were checked before.
+    pub fn job(&self) -> Result<Job<'_>, LoadError> {
+        self.job_on(self.machine.clone())
+    }
+
+    /// Runs the program once, so that the shop is asked about each of its codes; every later
+    /// run finds these answers.
+    pub(crate) fn ask_shop(
+        &mut self,
+        shop: Arc<dyn ShopCodes>,
+        interrupt: Option<Interrupt>,
+    ) -> Result<(), LoadError> {
+        self.options.shop_codes = Some(Arc::new(ShopRecord::new(shop)));
+        let job = self.job()?;
+        let job = match interrupt {
+            Some(interrupt) => job.interrupt(interrupt),
+            None => job,
+        };
+        job.run(&mut Unheard);
+        let texts = job.sources().appended().map(|source| {
+            (source.name().to_string(), String::from_utf8_lossy(source.text()).into_owned())
+        });
+        self.shop_texts = texts.collect();
+        Ok(())
+    }
+
+    /// The program's text.
+    pub fn text(&self) -> &[u8] {
+        self.texts[0].bytes()
+    }
+
+    /// Names and texts, the machine and the budgets.
+    pub fn into_parts(self) -> (Vec<(String, Vec<u8>)>, Machine, RunOptions) {
+        let texts = self.texts.into_iter().map(Text::into_parts).collect();
+        (texts, self.machine, self.options)
+    }
+
+    /// Bytes of the program's text.
+    pub fn size(&self) -> usize {
+        self.text().len()
+    }
+
+    /// Its machine.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The job on another machine.
+    ///
+    /// # Errors
+    /// Settings of the machine that its control does not know.
+    pub fn job_on(&self, machine: Machine) -> Result<Job<'_>, LoadError> {
+        let mut sources = SourceMap::new();
+        for text in &self.texts {
+            sources.add(Source::new(text.name(), text.bytes()));
+        }
+        // So that a place in them has its words before this job has run.
+        for (name, text) in &self.shop_texts {
+            sources.append(name, text);
+        }
+        // The settings were checked with their places when the machine was chosen.
+        let job = Job::new(sources, machine)
+            .map_err(|error| LoadError::Request { message: error.to_string(), help: None })?;
+        Ok(job.program(self.program).options(self.options.clone()))
+    }
+}
+
+/// Hears nothing of a run.
+struct Unheard;
+
+impl Sink for Unheard {
+    fn command(&mut self, _: &Command) {}
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+impl RunSink for Unheard {}

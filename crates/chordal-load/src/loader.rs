@@ -1,0 +1,106 @@
+//! Loads programs by one request.
+
+use chordal::Machine;
+use chordal::control::{Control, RunOptions};
+use chordal::syntax::{ProgramHead, find_programs};
+
+use crate::error::LoadError;
+use crate::input::Input;
+use crate::loaded::Loaded;
+use crate::machine::{self, Chosen};
+use crate::neighbours::Folders;
+use crate::request::{Given, Request};
+use crate::text::Text;
+
+/// Loads programs by one request. The machine that it names is loaded once, and each folder is listed
+/// once.
+pub struct Loader {
+    request: Request,
+    given: Option<Machine>,
+    folders: Folders,
+}
+
+impl Loader {
+    /// A loader, with the machine that the request names.
+    ///
+    /// # Errors
+    /// A machine that cannot be used.
+    pub fn new(request: Request) -> Result<Loader, LoadError> {
+        let given = machine::given(&request)?;
+        Ok(Loader { request, given, folders: Folders::default() })
+    }
+
+    /// The same with nothing remembered of folders: for another thread, or when files may have
+    /// changed.
+    pub fn again(&self) -> Loader {
+        let (request, given) = (self.request.clone(), self.given.clone());
+        Loader { request, given, folders: Folders::default() }
+    }
+
+    /// The same on another machine, for which the assignments and the tool table count as well.
+    ///
+    /// # Errors
+    /// A machine that cannot be used.
+    pub fn on(&self, machine: Given) -> Result<Loader, LoadError> {
+        Loader::new(Request { machine: Some(machine), ..self.request.clone() })
+    }
+
+    /// The same on another machine as it is: assignments and tool table do not count for it.
+    pub fn on_exactly(&self, machine: Machine) -> Loader {
+        Loader { given: Some(machine), ..self.again() }
+    }
+
+    /// Loads a program, its machine and its subprograms.
+    ///
+    /// # Errors
+    /// A file that cannot be read, a machine that cannot be used, a program that is not there.
+    pub fn load(&mut self, input: &Input) -> Result<Loaded, LoadError> {
+        self.load_text(Text::read(input)?, input)
+    }
+
+    /// The same with the text of the input at hand.
+    ///
+    /// # Errors
+    /// A machine that cannot be used, a program that is not there.
+    pub fn load_text(&mut self, text: Text, input: &Input) -> Result<Loaded, LoadError> {
+        let request = &self.request;
+        let (machine, chosen) = match &self.given {
+            Some(machine) => (machine.clone(), Chosen::Given),
+            None => machine::choose(input, text.bytes(), request)?,
+        };
+        let (control, _) = Control::of(&machine);
+        let lexicon = control.table.lexicon;
+        if let Some(number) = request.program {
+            has_program(&text, number, &find_programs(text.bytes(), &lexicon))?;
+        }
+        let mut texts = vec![text];
+        if let Some(path) = input.path.as_ref().filter(|_| !control.parameters.calls_within_file) {
+            let found = self.folders.find(path, texts[0].bytes(), &lexicon);
+            texts.extend(found);
+        }
+        let mut options = RunOptions::default();
+        if let Some(most) = request.max_blocks {
+            options.max_repeated_blocks = most;
+        }
+        let (program, shop_texts) = (request.program, Vec::new());
+        let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
+        if let Some(shop) = &request.shop_codes {
+            loaded.ask_shop(shop.clone(), request.interrupt.clone())?;
+        }
+        Ok(loaded)
+    }
+}
+
+fn has_program(text: &Text, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {
+    let numbers: Vec<u32> = heads.iter().filter_map(|head| head.number).collect();
+    if numbers.contains(&number) {
+        return Ok(());
+    }
+    let message = format!("there is no program O{number} in {}", text.name());
+    let names: Vec<String> = numbers.iter().take(20).map(|number| format!("O{number}")).collect();
+    let more = if numbers.len() > 20 { ", …" } else { "" };
+    Err(match names.as_slice() {
+        [] => LoadError::wrong(message, "no program of this file has a number"),
+        names => LoadError::wrong(message, format!("it has {}{more}", names.join(", "))),
+    })
+}

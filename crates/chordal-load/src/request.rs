@@ -1,0 +1,42 @@
+//! What a program is to run on, and how.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use chordal::Machine;
+use chordal::control::{Interrupt, ShopCodes};
+use chordal::machine::ControlName;
+
+/// The machine that a caller wants.
+#[derive(Clone, Debug)]
+pub enum Given {
+    /// That of a built-in name or, where there is none of it, of a file.
+    Name(String),
+    /// The typical machine of a control.
+    Control(ControlName),
+    /// One that is loaded already.
+    Machine(Box<Machine>),
+}
+
+/// What a program is to run on, and what is otherwise than its machine says. Nothing said: the
+/// folder's `chordal.toml` says the machine, or the text does.
+#[derive(Clone, Default)]
+pub struct Request {
+    /// The machine.
+    pub machine: Option<Given>,
+    /// Assignments to keys of the machine, as `tools.5.diameter="0.5 in"`.
+    pub set: Vec<String>,
+    /// A LinuxCNC tool table, in the machine's units at power-on.
+    pub tools: Option<PathBuf>,
+    /// Runs only this program of the file.
+    pub program: Option<u32>,
+    /// Leaves out the blocks that start with `/`.
+    pub block_delete: bool,
+    /// Most blocks carried out in calls, repeats and jumps.
+    pub max_blocks: Option<u64>,
+    /// Who knows the codes of the shop's own. It is asked once about each, while the program is
+    /// loaded.
+    pub shop_codes: Option<Arc<dyn ShopCodes>>,
+    /// Ends that asking early.
+    pub interrupt: Option<Interrupt>,
+}

@@ -1,0 +1,155 @@
+//! Reading the texts of programs, mapped where they are large.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+use std::ops::Deref;
+use std::path::Path;
+
+use chordal::syntax::decode;
+use memmap2::Mmap;
+
+use crate::error::LoadError;
+use crate::input::Input;
+
+/// Files below this size are read: a mapping costs more than copying them.
+const MAP_FROM: u64 = 1 << 20;
+
+/// Places in a text are 32-bit numbers.
+const LARGEST: u64 = u32::MAX as u64;
+
+/// A text in memory or mapped.
+enum Bytes {
+    Owned(Vec<u8>),
+    Mapped(Mmap),
+}
+
+impl Deref for Bytes {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        match self {
+            Bytes::Owned(bytes) => bytes,
+            Bytes::Mapped(map) => map,
+        }
+    }
+}
+
+/// A program text as the reader takes it, and its name.
+pub struct Text {
+    name: String,
+    bytes: Bytes,
+    /// Where the text begins: behind a byte order mark.
+    start: usize,
+}
+
+impl Text {
+    /// Reads the text of an input.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is larger than 4 GiB.
+    pub fn read(input: &Input) -> Result<Text, LoadError> {
+        let name = input.name().into_owned();
+        let bytes = match &input.path {
+            Some(path) => open(path),
+            None => read_all(io::stdin().lock()),
+        };
+        let bytes = bytes.map_err(|error| LoadError::read(&*name, &error))?;
+        Text::new(name, bytes)
+    }
+
+    /// A text that is in memory already.
+    ///
+    /// # Errors
+    /// A text that is larger than 4 GiB.
+    pub fn of(name: &str, bytes: Vec<u8>) -> Result<Text, LoadError> {
+        Text::new(name.to_string(), Bytes::Owned(bytes))
+    }
+
+    /// The name for people.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The text.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes[self.start..]
+    }
+
+    /// Its name and its text.
+    pub(crate) fn into_parts(self) -> (String, Vec<u8>) {
+        let mut bytes = match self.bytes {
+            Bytes::Owned(bytes) => bytes,
+            Bytes::Mapped(map) => map.to_vec(),
+        };
+        bytes.drain(..self.start);
+        (self.name, bytes)
+    }
+
+    /// Gives a program without a head the number that its file's name says. The head comes
+    /// before the words of the first line behind `%`, so that lines keep their numbers.
+    pub(crate) fn give_head(&mut self, number: u32) {
+        let text = self.bytes();
+        let lines = text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r'));
+        let is_idle = |line: &&[u8]| {
+            let first = line.iter().find(|byte| !byte.is_ascii_whitespace() && **byte != 0);
+            first.is_none_or(|byte| *byte == b'%')
+        };
+        let at: usize = lines.take_while(is_idle).map(<[u8]>::len).sum();
+        let mut headed = text[..at].to_vec();
+        headed.extend_from_slice(format!("O{number} ").as_bytes());
+        headed.extend_from_slice(&text[at..]);
+        self.bytes = Bytes::Owned(headed);
+        self.start = 0;
+    }
+
+    fn new(name: String, bytes: Bytes) -> Result<Text, LoadError> {
+        let text = match decode(&bytes).text {
+            Cow::Borrowed(text) => {
+                let start = bytes.len() - text.len();
+                Text { name, start, bytes }
+            }
+            Cow::Owned(text) => Text { name, start: 0, bytes: Bytes::Owned(text) },
+        };
+        if text.bytes().len() as u64 > LARGEST {
+            return Err(LoadError::Read { file: text.name, reason: too_large().to_string() });
+        }
+        Ok(text)
+    }
+}
+
+fn open(path: &Path) -> io::Result<Bytes> {
+    let mut file = File::open(path)?;
+    let about = file.metadata()?;
+    if about.is_file() && about.len() > LARGEST {
+        return Err(too_large());
+    }
+    if about.is_file() && about.len() >= MAP_FROM {
+        return map(&file).map(Bytes::Mapped);
+    }
+    read_all(&mut file)
+}
+
+/// Pipes and devices say no size: they are read up to the limit.
+fn read_all(reader: impl Read) -> io::Result<Bytes> {
+    let mut bytes = Vec::new();
+    reader.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST { Err(too_large()) } else { Ok(Bytes::Owned(bytes)) }
+}
+
+fn too_large() -> io::Error {
+    io::Error::other("it is larger than 4 GiB; split the program")
+}
+
+/// Maps a file, so that a gigabyte is not copied before its first block is read.
+#[allow(
+    unsafe_code,
+    reason = "the one unsafe call: a map is only sound while nobody shortens or changes the file; \
+              no program can promise that, and every tool that maps its input takes the same risk \
+              (the process ends with a bus error; nothing is written)"
+)]
+fn map(file: &File) -> io::Result<Mmap> {
+    // SAFETY: the map is only read, as bytes without any assumed form, and the file is not
+    // written by this process.
+    unsafe { Mmap::map(file) }
+}
