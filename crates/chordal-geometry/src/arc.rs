@@ -2,8 +2,8 @@
 
 use crate::winding::Winding;
 use crate::{
-    Aabb, ArcFit, ChordError, Chords, Direction, Frame, Nearest, ParamCurve, Placement, Plane,
-    Transform, Vec3, arc_from_center, math,
+    Aabb, ChordError, Chords, Direction, Frame, Nearest, ParamCurve, Placement, Transform, Vec3,
+    math,
 };
 
 /// A circular arc in any plane or, when `rise` is not zero, a helix; of any number of turns.
@@ -11,7 +11,7 @@ use crate::{
 /// Between its ends the curve is `center + radius·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with
 /// `v = w × u` and φ running from 0 to `sweep`. The ends themselves are kept as they were given, so
 /// that neighbours in a program meet exactly; they may differ from the formula by rounding, or by
-/// whatever the caller accepted as equal radii (see [`arc_from_center`]).
+/// whatever the caller accepted as equal radii (see [`arc_from_center`](crate::arc_from_center)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     /// Centre at the height of the start, mm.
@@ -48,20 +48,6 @@ impl Arc {
             start: winding.point(0.0),
             end: winding.point(1.0),
         }
-    }
-
-    /// The same as [`arc_from_center`].
-    #[must_use]
-    pub fn from_center(
-        plane: Plane,
-        start: Vec3,
-        end: Vec3,
-        center: (f64, f64),
-        direction: Direction,
-        extra_turns: u32,
-        radius_tolerance: f64,
-    ) -> ArcFit {
-        arc_from_center(plane, start, end, center, direction, extra_turns, radius_tolerance)
     }
 
     /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` when the

@@ -62,6 +62,22 @@ pub fn arc_from_center(
     ends.fit(sign * (directed + f64::from(extra_turns) * math::TAU), radius_tolerance)
 }
 
+impl Arc {
+    /// The same as [`arc_from_center`].
+    #[must_use]
+    pub fn from_center(
+        plane: Plane,
+        start: Vec3,
+        end: Vec3,
+        center: (f64, f64),
+        direction: Direction,
+        extra_turns: u32,
+        radius_tolerance: f64,
+    ) -> ArcFit {
+        arc_from_center(plane, start, end, center, direction, extra_turns, radius_tolerance)
+    }
+}
+
 /// The curve from `start` to `end` (mm) about `center` (mm, in plane coordinates) with a sweep that
 /// the program gives: `sweep` radians, positive counter-clockwise, of any size.
 ///

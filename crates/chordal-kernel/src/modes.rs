@@ -1,10 +1,11 @@
-//! Modes that a statement sets: distance, units, feed, plane, spindle, tool.
+//! Modes that a statement sets: distance, units, feed, plane, path, spindle, tool.
 
 use chordal_command::{CommandKind, Coolant, FeedMode, Side, SpindleState, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 
 use crate::kernel::Kernel;
+use crate::path_mode::PathState;
 
 impl Kernel<'_> {
     /// G90 and G91; where the tool stands when G91 comes into force is remembered.
@@ -110,5 +111,16 @@ impl Kernel<'_> {
             self.state.spindle = SpindleState::Off;
         }
         self.emit(CommandKind::Tool { number });
+    }
+
+    /// A path mode comes into force, or its distance changes.
+    pub fn change_path_mode(&mut self, change: impl FnOnce(&mut PathState)) {
+        change(&mut self.state.path);
+        self.emit(CommandKind::PathMode(self.state.path.in_force()));
+    }
+
+    /// After the statement: the stop that it alone wanted is over.
+    pub fn end_exact_stop_once(&mut self) {
+        self.change_path_mode(|path| path.once = false);
     }
 }

@@ -1,8 +1,7 @@
 //! The path mode in force: how the ends of moves are passed.
 
-use chordal_command::{CommandKind, PathMode};
+use chordal_command::PathMode;
 
-use crate::kernel::Kernel;
 use crate::rules::PathRules;
 
 /// The path mode of a run: what the codes of each kind have set.
@@ -41,18 +40,5 @@ impl PathState {
     /// A code that sets the distance apart from the mode; `None` takes it back.
     pub fn set_distance(&mut self, distance_mm: Option<f64>) {
         self.distance_mm = distance_mm;
-    }
-}
-
-impl Kernel<'_> {
-    /// A path mode comes into force, or its distance changes.
-    pub fn change_path_mode(&mut self, change: impl FnOnce(&mut PathState)) {
-        change(&mut self.state.path);
-        self.emit(CommandKind::PathMode(self.state.path.in_force()));
-    }
-
-    /// After the statement: the stop that it alone wanted is over.
-    pub fn end_exact_stop_once(&mut self) {
-        self.change_path_mode(|path| path.once = false);
     }
 }

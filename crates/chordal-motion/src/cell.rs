@@ -5,23 +5,8 @@ use chordal_geometry::AXES;
 
 use crate::Axes;
 use crate::limits::Limits;
-use crate::profile::{Ability, Effort};
+use crate::profile::{Ability, Cell, Effort};
 use crate::root::cbrt;
-
-/// The limits of the law of time on a piece of path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
-    /// Extent in σ.
-    pub length: f64,
-    /// Largest σ per s.
-    pub speed: f64,
-    /// Largest σ per s² and σ per s³.
-    pub ability: Ability,
-    /// Over how many pieces of path it goes.
-    pub pieces: u32,
-    /// The axes come to rest where it ends.
-    pub ends_at_rest: bool,
-}
 
 /// Limits of the axes as arrays.
 #[derive(Clone, Copy, Debug)]

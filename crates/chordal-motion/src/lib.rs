@@ -16,7 +16,7 @@
 //! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
 //! | the least time | [`bound()`] | `bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
-//! | setpoints | [`Sample`] | `sampler.rs` |
+//! | setpoints | [`Sample`] | `cursor.rs`, `sampler.rs` |
 //! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
 //!
 //! ```
@@ -51,32 +51,34 @@
 
 mod bound;
 mod cell;
+mod cursor;
 mod limits;
-mod overlap;
 mod piece;
 mod planner;
 mod profile;
 mod reader;
 mod reference;
 mod root;
+mod sample;
 mod sampler;
 mod segment;
 mod smooth;
-mod span;
 mod stream;
 mod trajectory;
 mod verify;
 
 pub use bound::{Bound, Run, RunError, bound};
+pub use cursor::Cursor;
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
 pub use reference::{Best, Effort, Gauge, Law, Least, ReferenceError, RunTimes, best, reference};
-pub use sampler::{Sample, Sampler};
+pub use sample::{Sample, State};
+pub use sampler::Sampler;
 pub use segment::{Corner, Move, MoveError, MoveKind};
-pub use span::{PathPart, Span};
+pub use smooth::span::{PathPart, Span};
 pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
-pub use trajectory::{Along, Cursor, Phase, State, Step, Stretch};
+pub use trajectory::{Along, Phase, Step, Stretch};
 pub use verify::{Use, largest_use};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.

@@ -2,15 +2,14 @@
 
 use crate::Axes;
 use crate::bound::{Run, bound};
-use crate::cell::{AxisArrays, Cell};
+use crate::cell::AxisArrays;
 use crate::limits::Limits;
-use crate::overlap::{End, overlap_of};
 use crate::piece::Piece;
-use crate::profile::Solver;
+use crate::profile::{Cell, Solver};
 use crate::reference::{self, best, reference};
 use crate::segment::{Move, MoveError};
-use crate::smooth::{Joint, Leg, Overlap, Passing, Row, Smoother};
-use crate::span::{PathPart, Span, sealed::Keep};
+use crate::smooth::span::{PathPart, Span, sealed::Keep};
+use crate::smooth::{End, Joint, Leg, Overlap, Passing, Row, Smoother, overlap_of};
 use crate::trajectory::{Step, Stretch};
 
 /// How hard a planner tries.

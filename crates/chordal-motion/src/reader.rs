@@ -3,8 +3,8 @@
 use chordal_geometry::{AXES, Tracer, Vec3};
 
 use crate::piece::{Piece, SIXTH};
-use crate::sampler::Sample;
-use crate::trajectory::{Along, State};
+use crate::sample::{Sample, State};
+use crate::trajectory::Along;
 
 /// What is worth knowing of a piece before it is asked at many places.
 #[derive(Clone, Copy, Debug)]

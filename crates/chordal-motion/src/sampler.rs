@@ -1,34 +1,9 @@
 //! Setpoints at a fixed period from the steps of a planner.
 
 use crate::Axes;
-use crate::trajectory::{Cursor, Step, Stretch};
-
-/// A setpoint.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
-    /// From the start, s.
-    pub time_s: f64,
-    /// mm and rad.
-    pub position: Axes,
-    /// mm/s and rad/s.
-    pub velocity: Axes,
-    /// mm/s² and rad/s².
-    pub acceleration: Axes,
-    /// mm/s³ and rad/s³.
-    pub jerk: Axes,
-    /// The tag of the move or of the wait that is under way.
-    pub tag: u64,
-}
-
-impl Sample {
-    /// Speed of the tool: along X, Y and Z in mm/s, or of the rotary axes in rad/s where they
-    /// alone move.
-    pub fn speed(&self) -> f64 {
-        let length = |axes: &[f64]| axes.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let linear = length(&self.velocity[..3]);
-        if linear > 0.0 { linear } else { length(&self.velocity[3..]) }
-    }
-}
+use crate::cursor::Cursor;
+use crate::sample::Sample;
+use crate::trajectory::{Step, Stretch};
 
 /// Makes setpoints at a fixed period out of the steps of a planner, one after the other.
 ///

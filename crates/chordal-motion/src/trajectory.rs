@@ -1,11 +1,9 @@
-//! The velocity profile: phases of constant jerk along the path.
+//! A movement in time: pieces of path, and phases of constant jerk along them.
 
 use chordal_geometry::AXES;
 
 use crate::Axes;
 use crate::piece::{Piece, SIXTH};
-use crate::reader::Reader;
-use crate::sampler::Sample;
 
 /// A time of constant jerk along the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,21 +77,6 @@ impl Phase {
 /// Most steps of the search for a crossing: halving alone reaches the last bit in fewer.
 const MOST_STEPS: u32 = 80;
 
-/// Where the axes are and how they move.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
-    /// mm and rad.
-    pub position: Axes,
-    /// mm/s and rad/s.
-    pub velocity: Axes,
-    /// mm/s² and rad/s².
-    pub acceleration: Axes,
-    /// mm/s³ and rad/s³.
-    pub jerk: Axes,
-    /// The tag of the move that is under way.
-    pub tag: u64,
-}
-
 /// Path and time between two instants without acceleration: from rest to rest, or to a place
 /// that is passed at even speed, where the next stretch goes on.
 ///
@@ -129,14 +112,6 @@ impl<P: Clone> Clone for Stretch<P> {
         self.pieces.clone_from(&source.pieces);
         self.phases.clone_from(&source.phases);
         self.overlap_s = source.overlap_s;
-    }
-}
-
-impl From<Sample> for State {
-    #[inline]
-    fn from(sample: Sample) -> State {
-        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
-        State { position, velocity, acceleration, jerk, tag }
     }
 }
 
@@ -176,62 +151,6 @@ pub enum Step<'a, P = Piece> {
         /// The caller's.
         tag: u64,
     },
-}
-
-/// Walks along a stretch in time.
-#[derive(Clone, Debug, Default)]
-pub struct Cursor {
-    piece: usize,
-    piece_from: f64,
-    phase: usize,
-    phase_from_s: f64,
-    /// Of the piece it stands on.
-    reader: Option<Reader>,
-}
-
-impl Cursor {
-    /// The axes at `t` s from the start of the stretch. Times must not go back; beyond the end
-    /// the answer is its end.
-    pub fn at(&mut self, stretch: &Stretch, t: f64) -> State {
-        let mut sample = Sample::default();
-        self.fill(stretch, t, &mut sample);
-        sample.into()
-    }
-
-    /// The same written into a sample, whose time stays. A stretch of nothing changes nothing.
-    #[inline(always)]
-    pub(crate) fn fill(&mut self, stretch: &Stretch, t: f64, out: &mut Sample) {
-        let Some(along) = self.along(stretch, t) else { return };
-        let piece = &stretch.pieces[self.piece];
-        let sigma = (along.sigma - self.piece_from).clamp(0.0, piece.length);
-        self.reader.get_or_insert_with(|| Reader::new(piece)).fill(piece, sigma, &along, out);
-    }
-
-    /// Goes to the phase and the piece at `t`; `None` where there is nothing.
-    #[inline(always)]
-    fn along(&mut self, stretch: &Stretch, t: f64) -> Option<Along> {
-        let last_phase = stretch.phases.len().checked_sub(1)?;
-        let last_piece = stretch.pieces.len().checked_sub(1)?;
-        while self.phase < last_phase
-            && t - self.phase_from_s >= stretch.phases[self.phase].duration_s
-        {
-            self.phase_from_s += stretch.phases[self.phase].duration_s;
-            self.phase += 1;
-        }
-        let phase = &stretch.phases[self.phase];
-        let along = phase.at((t - self.phase_from_s).clamp(0.0, phase.duration_s));
-        while self.piece < last_piece
-            && along.sigma - self.piece_from >= stretch.pieces[self.piece].length
-        {
-            let [before, next] = [&stretch.pieces[self.piece], &stretch.pieces[self.piece + 1]];
-            self.piece_from += before.length;
-            self.piece += 1;
-            if let Some(reader) = &mut self.reader {
-                reader.go_on(before, next);
-            }
-        }
-        Some(along)
-    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@ use chordal_geometry::AXES;
 use crate::limits::Limits;
 use crate::reader::state_of;
 use crate::root::cbrt;
-use crate::trajectory::{State, Stretch};
+use crate::sample::State;
+use crate::trajectory::Stretch;
 
 /// Largest use of the limits, as shares of them: 1 is a limit met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

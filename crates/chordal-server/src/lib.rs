@@ -2,10 +2,11 @@
 //!
 //! A thin shell. The page is built beforehand (`web/`, embedded from `page/`) and never reads a
 //! program: it is told what the library finds. One file per concern: `guard` refuses whom the page
-//! is not for, `page` has the files, `live` is the one connection of a page, `session` what it
-//! asks, `document` the text as it is edited, `file` the one on disk, `run` and `times` make
-//! columns of a path and of its time, `stream` and `frame` pack them, `other` holds it against another program,
-//! `words` asks what an editor asks.
+//! is not for, `page` has the files, `live` is the one connection of a page, `session` answers what
+//! is asked over it. Below these, `request` says what a page may ask and `outbox` takes what goes to
+//! it; `document` is the text as it is edited, `file` the one on disk; `run` and `times` make columns
+//! of a path and of its time, `stream` and `frame` pack them, `other` holds it against another
+//! program, `words` asks what an editor asks.
 //!
 //! ```
 //! let server = chordal_server::Server::listen(0).unwrap();
@@ -31,6 +32,7 @@ mod guard;
 mod live;
 mod modal;
 mod other;
+mod outbox;
 mod page;
 mod program;
 mod request;

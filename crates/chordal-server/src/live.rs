@@ -5,9 +5,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
-use serde_json::{Value, json};
+use serde_json::json;
 use tokio::sync::mpsc;
 
+use crate::outbox::Outbox;
 use crate::program::Programs;
 use crate::request::Request;
 use crate::session::Session;
@@ -20,40 +21,6 @@ const WAITING: usize = 16;
 
 /// How long a long text waits for the first lines of the path.
 const HOLD: Duration = Duration::from_secs(1);
-
-/// Takes what is for the page, from any thread.
-#[derive(Clone, Debug)]
-pub struct Outbox {
-    soon: mpsc::Sender<Message>,
-    later: mpsc::Sender<Message>,
-}
-
-impl Outbox {
-    /// Sends an object.
-    pub fn json(&self, object: &Value) {
-        self.send(Message::Text(object.to_string().into()));
-    }
-
-    /// Sends columns.
-    pub fn binary(&self, frame: Vec<u8>) {
-        self.send(Message::Binary(frame.into()));
-    }
-
-    /// Sends columns that the first picture need not wait for.
-    pub fn binary_later(&self, frame: Vec<u8>) {
-        let _ = self.later.blocking_send(Message::Binary(frame.into()));
-    }
-
-    /// Sends that a request failed.
-    pub fn refuse(&self, id: u64, message: &str, help: Option<&str>) {
-        self.json(&json!({ "type": "error", "id": id, "message": message, "help": help }));
-    }
-
-    fn send(&self, message: Message) {
-        // A page that has gone is noticed where its requests are read.
-        let _ = self.soon.blocking_send(message);
-    }
-}
 
 /// Talks with a page until it goes.
 pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>) {

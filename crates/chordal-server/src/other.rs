@@ -8,13 +8,13 @@ use chordal_compare::{Blocks, Comparison, Difference, Options, Place, compare};
 use chordal_editor::Program;
 use chordal_export::numbers::Units;
 use chordal_export::{comparison_headline, comparison_names, difference_words};
-use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::answer;
 use crate::file::Content;
-use crate::live::Outbox;
+use crate::outbox::Outbox;
 use crate::program::{Against, Programs, Refusal};
+use crate::request::Other;
 use crate::run::Ran;
 use crate::stream::PathStream;
 use crate::wanted::Wanted;
@@ -24,20 +24,6 @@ const MOST_MOVES: u64 = 4_000_000;
 
 /// Characters of a block that are sent.
 const MOST_WORDS: usize = 200;
-
-/// What the program is held against.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Other {
-    /// Nothing.
-    #[default]
-    Nothing,
-    /// What the command line names.
-    Named,
-    /// The same text on another machine; without a name on the one that the command line, the folder or the
-    /// text says.
-    Machine(Option<String>),
-}
 
 /// Of what the other program was made: the same need not be sent again.
 #[derive(Clone, Debug, PartialEq)]

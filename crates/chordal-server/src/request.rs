@@ -1,8 +1,6 @@
 //! What the page asks.
 
-use serde::Deserialize;
-
-use crate::other::Other;
+use serde::{Deserialize, Serialize};
 
 /// A piece of the text that is replaced; places are UTF-16 code units of the text before.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -14,6 +12,20 @@ pub struct Change {
     pub to: usize,
     /// What stands there instead.
     pub insert: String,
+}
+
+/// What the program is held against.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Other {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// What the command line names.
+    Named,
+    /// The same text on another machine; without a name on the one that the command line, the folder or the
+    /// text says.
+    Machine(Option<String>),
 }
 
 /// A request and the number that its answer bears.

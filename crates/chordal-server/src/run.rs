@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 
 use crate::answer;
 use crate::columns::Columns;
-use crate::live::Outbox;
 use crate::modal::ModalTrack;
+use crate::outbox::Outbox;
 use crate::stream::{MOST_ROWS, PathStream};
 use crate::wanted::Wanted;
 

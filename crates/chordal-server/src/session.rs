@@ -23,10 +23,10 @@ use serde_json::{Value, json};
 
 use crate::document::Document;
 use crate::file::{self, Content, Stamp};
-use crate::live::Outbox;
-use crate::other::{Comparing, Other, text_around};
+use crate::other::{Comparing, text_around};
+use crate::outbox::Outbox;
 use crate::program::Programs;
-use crate::request::{Ask, Request};
+use crate::request::{Ask, Other, Request};
 use crate::run::{Ran, run};
 use crate::wanted::Wanted;
 use crate::{answer, chords, times, words};

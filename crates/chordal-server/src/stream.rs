@@ -4,7 +4,7 @@ use chordal::Segment;
 use serde_json::{Value, json};
 
 use crate::columns::Columns;
-use crate::live::Outbox;
+use crate::outbox::Outbox;
 use crate::wanted::Wanted;
 
 /// Rows of the first batch: soon there, and most programs are no longer.

@@ -12,8 +12,22 @@ mod ramp;
 pub use ramp::{Ability, Effort};
 use ramp::{Aim, peak};
 
-use crate::cell::Cell;
 use crate::trajectory::Phase;
+
+/// The limits of the law of time on a piece of path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Extent in σ.
+    pub length: f64,
+    /// Largest σ per s.
+    pub speed: f64,
+    /// Largest σ per s² and σ per s³.
+    pub ability: Ability,
+    /// Over how many pieces of path it goes.
+    pub pieces: u32,
+    /// The axes come to rest where it ends.
+    pub ends_at_rest: bool,
+}
 
 /// A place passed at even speed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,22 +5,25 @@ mod bump;
 mod corner;
 mod corrections;
 mod leg;
+mod overlap;
 mod pieces;
 mod rests;
+pub mod span;
 mod trial;
 
-pub use corner::{Joint, Overlap, Passing, Slow, overlap_time};
+pub use corner::{Joint, Overlap, Passing, Slow};
 pub use leg::{Leg, Part};
-pub use pieces::piece;
+pub use overlap::{End, overlap_of};
 
 use std::collections::VecDeque;
 
-use crate::cell::{AxisArrays, Cell};
+use crate::cell::AxisArrays;
+use crate::profile::Cell;
 use crate::segment::Corner;
-use crate::span::PathPart;
 use bump::{BEND_DEVIATION, KINK_DEVIATION};
 use corner::Step;
 use corrections::Corrections;
+use span::PathPart;
 use trial::Trial;
 
 /// No correction is wider than this, mm or rad to either side: what comes later than twice as

@@ -3,12 +3,13 @@
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
-use crate::cell::{AxisArrays, Bounds, Cell, cell};
-use crate::piece::{Jet, Piece, ahead};
+use crate::cell::{AxisArrays, Bounds, cell};
+use crate::piece::{Jet, ahead};
+use crate::profile::Cell;
 use crate::smooth::Row;
 use crate::smooth::corrections::Corrections;
 use crate::smooth::leg::{Leg, Part, cuts, turning};
-use crate::span::PathPart;
+use crate::smooth::span::PathPart;
 
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
@@ -172,23 +173,6 @@ fn cut(leg: &Leg, corrections: &mut Corrections) {
     }
     if leg.jerk_share != [1.0; 2] {
         corrections.cut(leg.from + leg.length / 2.0);
-    }
-}
-
-/// The piece of a leg that begins at a place, where the corrections have this jet.
-#[inline]
-pub fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
-    let done = at - part.from;
-    let [position, first, ..] = &mut start;
-    for (axis, direction) in part.direction.iter().enumerate() {
-        position[axis] += part.start[axis] + direction * done;
-        first[axis] += direction;
-    }
-    Piece {
-        length,
-        base: leg.curve.as_deref().map(|curve| (*curve, at - leg.from)),
-        start,
-        tag: part.tag,
     }
 }
 

@@ -2,14 +2,14 @@
 //! planned with nothing but its two legs, from rest to rest.
 
 use crate::cell::AxisArrays;
-use crate::overlap::{End, overlap_of};
 use crate::profile::Solver;
 use crate::smooth::corner::{Passing, Slow, Step};
 use crate::smooth::corrections::Corrections;
 use crate::smooth::leg::Leg;
+use crate::smooth::overlap::{End, overlap_of};
 use crate::smooth::pieces::{self, Scratch};
+use crate::smooth::span::Span;
 use crate::smooth::{Node, Row};
-use crate::span::Span;
 use crate::trajectory::Phase;
 
 /// Plans joints. Keeps its memory from one to the next.

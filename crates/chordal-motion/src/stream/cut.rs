@@ -2,7 +2,8 @@
 
 use chordal_geometry::PerAxis;
 
-use super::bounds::{self, Room};
+use super::block::Room;
+use super::bounds;
 use super::rate::{Ahead, Course, Rate};
 use super::timeline::{Item, Timeline};
 use super::window::{Leg, Placed, Stop, Timed, Window};

@@ -9,7 +9,7 @@ use crate::planner::{Level, Planner, PlannerOptions};
 use crate::segment::{Move, MoveError};
 use crate::trajectory::Step;
 
-use super::bounds::Room;
+use super::block::Room;
 use super::cut;
 use super::rate::Ahead;
 use super::timeline::{Item, Timeline};

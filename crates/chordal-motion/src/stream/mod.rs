@@ -26,6 +26,7 @@
 //! # Ok::<(), chordal_motion::LimitError>(())
 //! ```
 
+mod block;
 mod bounds;
 mod cut;
 mod feeder;
@@ -42,7 +43,7 @@ use crate::{Axes, Limits};
 /// A feeder and the servo it feeds, with the axes at rest at `start`.
 pub fn stream(limits: Limits, options: StreamOptions, start: Axes) -> (Feeder, Servo) {
     let options = options.sane();
-    let room = bounds::Room::new(&limits);
+    let room = block::Room::new(&limits);
     let (arrive, arriving) = rtrb::RingBuffer::new(options.windows);
     let (mut leaving, leave) = rtrb::RingBuffer::new(options.windows);
     for _ in 0..options.windows {

@@ -7,7 +7,7 @@
 
 use std::collections::VecDeque;
 
-use super::bounds::{Rates, Room};
+use super::block::{Rates, Room};
 use super::window::{Stop, Window};
 
 /// The finest step of the clock in which a course is checked, s.

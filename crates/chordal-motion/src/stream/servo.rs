@@ -8,10 +8,10 @@ use rtrb::{Consumer, Producer};
 
 use chordal_geometry::AXES;
 
-use crate::trajectory::State;
+use crate::sample::State;
 use crate::{Axes, Sample};
 
-use super::bounds::Room;
+use super::block::Room;
 use super::rate::{Ahead, Course, Rate};
 use super::window::{Place, Stop, Window};
 

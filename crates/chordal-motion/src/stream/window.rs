@@ -4,10 +4,11 @@
 use chordal_geometry::AXES;
 
 use crate::reader::Reader;
-use crate::trajectory::{Along, Phase, State};
-use crate::{Axes, Piece, Sample};
+use crate::sample::{Sample, State};
+use crate::trajectory::{Along, Phase};
+use crate::{Axes, Piece};
 
-use super::bounds::Block;
+use super::block::Block;
 
 /// A phase and when it begins, s from the start of the window (below zero: before it).
 #[derive(Clone, Copy, Debug)]

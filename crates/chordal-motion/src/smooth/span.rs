@@ -56,7 +56,7 @@ pub(crate) mod sealed {
 
     use super::Span;
     use crate::piece::{Jet, Piece, ahead};
-    use crate::smooth::{Leg, Part, piece};
+    use crate::smooth::leg::{Leg, Part};
 
     /// How parts of a path are kept.
     pub trait Keep: Sized {
@@ -102,6 +102,23 @@ pub(crate) mod sealed {
 
         fn path(_parts: &[Span]) -> Option<&[Piece]> {
             None
+        }
+    }
+
+    /// The piece of a leg that begins at a place, where the corrections have this jet.
+    #[inline]
+    fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
+        let done = at - part.from;
+        let [position, first, ..] = &mut start;
+        for (axis, direction) in part.direction.iter().enumerate() {
+            position[axis] += part.start[axis] + direction * done;
+            first[axis] += direction;
+        }
+        Piece {
+            length,
+            base: leg.curve.as_deref().map(|curve| (*curve, at - leg.from)),
+            start,
+            tag: part.tag,
         }
     }
 }

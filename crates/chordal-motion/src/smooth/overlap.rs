@@ -1,8 +1,8 @@
 //! Two movements that overlap at a corner: the next begins before the last has ended.
 
 use crate::root::cbrt;
-use crate::smooth::{Overlap, overlap_time};
-use crate::span::PathPart;
+use crate::smooth::corner::{Overlap, overlap_time};
+use crate::smooth::span::PathPart;
 use crate::trajectory::Phase;
 
 /// The end of a stretch that is at rest, with the corner.
