@@ -15,8 +15,8 @@ use crate::table::{CodeRow, ControlTable, code_number};
 
 /// The table of a control.
 pub fn table(name: ControlName) -> &'static ControlTable {
-    let found = controls::ALL.into_iter().find(|table| table.name == name.as_str());
-    found.unwrap_or(controls::ALL[0])
+    // The list of names and that of tables are made from one.
+    controls::ALL[name as usize]
 }
 
 /// A control as one machine has it: its table, and the parameters after the machine file's

@@ -11,6 +11,7 @@ mod control;
 mod controls;
 pub mod macros;
 mod parameters;
+mod post;
 mod scale;
 mod settings;
 pub mod table;
@@ -23,6 +24,7 @@ pub use action::{
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;
 pub use parameters::*;
+pub use post::Post;
 pub use scale::Scale;
 pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,

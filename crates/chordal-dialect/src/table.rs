@@ -3,6 +3,7 @@
 use crate::action::Action;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
+use crate::post::Post;
 use crate::settings::Setting;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
@@ -259,6 +260,10 @@ pub struct ControlTable {
     pub macros: &'static MacroRules,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [Evidence],
+    /// How it wants a program begun and ended.
+    pub post: &'static Post,
+    /// The built-in machine that a program is run on when only its control is known.
+    pub default_machine: &'static str,
 }
 
 /// How programs are numbered.

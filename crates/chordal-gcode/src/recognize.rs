@@ -27,7 +27,7 @@ const DEFAULT: ControlName = ControlName::Fanuc;
 pub fn recognize(text: &[u8]) -> Recognition {
     let sample = &text[..text.len().min(SAMPLE)];
     let mut best: Option<(u32, Recognition)> = None;
-    for name in ControlName::ALL {
+    for name in ControlName::ALL.iter().copied() {
         let table = chordal_dialect::table(name);
         let mut found: Vec<(u32, u32, &'static str)> = Vec::new();
         let mut score = 0;

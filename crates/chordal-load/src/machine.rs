@@ -1,6 +1,7 @@
 //! Machines by name and of files, and which one runs a program: the caller's, the folder's, or the
 //! one that the text speaks for.
 
+use chordal::control::table;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -123,13 +124,7 @@ pub fn typical(control: ControlName) -> Machine {
 
 /// The name of that machine.
 pub fn typical_name(control: ControlName) -> &'static str {
-    match control {
-        ControlName::Fadal => "fadal-4020",
-        ControlName::Haas => "haas-vf2",
-        ControlName::Fanuc => "fanuc-30i",
-        ControlName::Mitsubishi => "mitsubishi-m700",
-        ControlName::Linuxcnc => "linuxcnc-mill",
-    }
+    table(control).default_machine
 }
 
 /// The machine of a file.

@@ -1,32 +1,18 @@
-//! The machines that come with the program.
+//! The machines that come with the program: those in the folders of the controls.
 
-macro_rules! builtins {
-    ($($name:literal),* $(,)?) => {
-        const NAMES: &[&str] = &[$($name),*];
-        const TEXTS: &[&str] = &[$(include_str!(concat!("../../../machines/", $name, ".toml"))),*];
-    };
-}
+use std::sync::LazyLock;
 
-builtins![
-    "fadal-4020",
-    "fadal-400ipm",
-    "haas-vf2",
-    "fanuc-6m",
-    "fanuc-30i",
-    "mitsubishi-m700",
-    "mitsubishi-m700-type2",
-    "linuxcnc-mill",
-    "textbook-absolute-center",
-    "textbook-from-center",
-];
+include!(concat!(env!("OUT_DIR"), "/machines.rs"));
+
+static NAMES: LazyLock<Vec<&'static str>> =
+    LazyLock::new(|| FILES.iter().map(|(name, _)| *name).collect());
 
 /// The machine file of a built-in machine.
 pub fn builtin(name: &str) -> Option<&'static str> {
-    let at = NAMES.iter().position(|own| *own == name)?;
-    Some(TEXTS[at])
+    FILES.iter().find(|(own, _)| *own == name).map(|(_, text)| *text)
 }
 
 /// The names of the built-in machines.
 pub fn builtin_names() -> &'static [&'static str] {
-    NAMES
+    &NAMES
 }

@@ -31,6 +31,8 @@ mod assign;
 mod axis;
 mod builtin;
 mod check;
+mod controls;
+
 mod control;
 mod decimal;
 mod error;

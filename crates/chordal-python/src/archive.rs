@@ -41,7 +41,7 @@ pub fn archive_calls(py: Python<'_>, text: &[u8]) -> bool {
             !referenced_programs(&decoded.text, lexicon).is_empty()
                 || !called_subs(&decoded.text, lexicon).is_empty()
         };
-        !decoded.binary && ControlName::ALL.into_iter().any(calls)
+        !decoded.binary && ControlName::ALL.iter().copied().any(calls)
     })
 }
 

@@ -375,10 +375,6 @@ impl<'a> Job<'a> {
         self.sources.get(FileId(0)).map_or(&[], |source| source.text())
     }
 
-    pub(crate) fn run_options(&self) -> &RunOptions {
-        &self.options
-    }
-
     /// Runs and hands on the moves of the machine and its waits, as a planner takes them.
     ///
     /// # Errors

@@ -65,7 +65,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-motion",
         ],
     ),
-    ("chordal-calc", &["chordal-geometry", "chordal-machine"]),
+    ("chordal-calc", &["chordal-geometry", "chordal-machine", "chordal-dialect"]),
     ("chordal-export", &["chordal", "chordal-calc", "chordal-compare", "chordal-rewrite"]),
     ("chordal-report", &["chordal", "chordal-export"]),
     ("chordal-load", &["chordal"]),

@@ -3,7 +3,9 @@
 use super::plan::Plan;
 use super::{Cut, Cutter, Hand, ThreadMill};
 use crate::numbers::{Units, trimmed};
-use crate::post::{Post, fill};
+use chordal_dialect::{Post, table};
+
+use crate::post::fill;
 use crate::thread::Where;
 
 /// Feed beside the part, mm/s: 40 in/min, 1000 mm/min.
@@ -51,7 +53,7 @@ pub(super) fn small_hole(ask: &ThreadMill) -> Option<&'static str> {
 
 /// The whole program.
 pub(super) fn write(ask: &ThreadMill, plan: &Plan) -> String {
-    let post = Post::of(ask.control);
+    let post = table(ask.control).post;
     let words = Words { ask, plan, post };
     let fillings = words.fillings();
     let mut lines: Vec<String> = post.open.iter().map(|line| fill(line, &fillings)).collect();
@@ -124,7 +126,11 @@ impl Words<'_> {
         let sign = if ask.place == Where::Inside { '-' } else { '+' };
         let low = plan.heights.iter().copied().fold(f64::INFINITY, f64::min);
         let mut remarks = vec![
-            format!("for {}, chordal check --machine {}", ask.control, self.post.machine),
+            format!(
+                "for {}, chordal check --machine {}",
+                ask.control,
+                table(ask.control).default_machine
+            ),
             direction(ask, plan),
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),
             match ask.cutter {

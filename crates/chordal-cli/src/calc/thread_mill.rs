@@ -131,7 +131,8 @@ enum CutterName {
 
 fn control(text: &str) -> Result<ControlName, String> {
     text.parse().map_err(|error| {
-        let names = ControlName::ALL.map(ControlName::as_str).join(", ");
+        let names =
+            ControlName::ALL.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ");
         format!("{error}; the controls are {names}")
     })
 }

@@ -1,16 +1,18 @@
 //! The controls, one folder each: whatever belongs to a control stands in its folder and nowhere else.
-
-mod fadal;
-mod fanuc;
-mod haas;
-mod linuxcnc;
-mod mitsubishi;
+//! The one list is `chordal_machine::controls`.
 
 use crate::table::ControlTable;
 
-/// Every control. A new one is its folder and its line here.
-pub const ALL: [&ControlTable; 5] =
-    [&fadal::TABLE, &haas::TABLE, &fanuc::TABLE, &mitsubishi::TABLE, &linuxcnc::TABLE];
+macro_rules! tables {
+    ($($name:ident $folder:ident,)*) => {
+        $(mod $folder;)*
+
+        /// Every control, in the order of the list.
+        pub const ALL: &[&ControlTable] = &[$(&$folder::TABLE),*];
+    };
+}
+
+chordal_machine::controls!(tables);
 
 #[cfg(test)]
 mod tests {

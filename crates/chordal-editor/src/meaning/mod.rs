@@ -34,7 +34,7 @@ impl View {
 
     /// All controls as they are without a machine's settings.
     pub fn all() -> Vec<View> {
-        CONTROLS.map(|table| View { table, parameters: table.parameters }).into_iter().collect()
+        CONTROLS.iter().copied().map(|table| View { table, parameters: table.parameters }).collect()
     }
 }
 

@@ -3,11 +3,13 @@
 mod alarms;
 mod codes;
 mod macros;
+mod post;
 mod recognition;
 mod rules;
 mod settings;
 
 pub(super) use macros::GROUPS;
+pub(super) use post::POST;
 
 use crate::vocabulary::*;
 use chordal_machine::AXIS_LETTERS;
@@ -40,6 +42,8 @@ pub static TABLE: ControlTable = ControlTable {
     call_start_label: None,
     macros: &macros::MACROS,
     evidence: recognition::EVIDENCE,
+    post: &POST,
+    default_machine: "fanuc-30i",
 };
 
 const LEXICON: Lexicon = Lexicon::FANUC_STYLE;

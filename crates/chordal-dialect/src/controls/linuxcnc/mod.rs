@@ -3,6 +3,7 @@
 mod alarms;
 mod codes;
 mod macros;
+mod post;
 mod recognition;
 mod rules;
 mod settings;
@@ -38,6 +39,8 @@ pub static TABLE: ControlTable = ControlTable {
     call_start_label: None,
     macros: &macros::MACROS,
     evidence: recognition::EVIDENCE,
+    post: &post::POST,
+    default_machine: "linuxcnc-mill",
 };
 
 const LEXICON: Lexicon = Lexicon {

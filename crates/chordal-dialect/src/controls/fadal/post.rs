@@ -1,0 +1,16 @@
+//! How Fadal CNC 88 wants a program begun and ended.
+
+use crate::post::Post;
+
+pub(super) const POST: Post = Post {
+    remark: ["(", ")"],
+    open: &["O{number} ({title})"],
+    begin: &[
+        "M6 T{tool}",
+        "G90 G17 {units} G40",
+        "G0 {spindle} M3 E1 {start}",
+        "H{tool} {wear}{clear} M8",
+    ],
+    end: &["G0 {clear}", "M5 M9", "G90 G0 H0 Z0", "M2"],
+    two_digits: false,
+};

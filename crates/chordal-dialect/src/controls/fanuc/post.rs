@@ -1,0 +1,16 @@
+//! How Fanuc 0i wants a program begun and ended.
+
+use crate::post::Post;
+
+pub(in crate::controls) const POST: Post = Post {
+    remark: ["(", ")"],
+    open: &["%", "O{number} ({title})"],
+    begin: &[
+        "{units} G17 G90 G40 G49 G80",
+        "T{tool} M06",
+        "G54 G00 {start} {spindle} M03",
+        "G43 H{offset} {clear} M08",
+    ],
+    end: &["G00 {clear} M09", "M05", "G91 G28 Z0.", "G90 G49", "M30", "%"],
+    two_digits: true,
+};

@@ -1,0 +1,16 @@
+//! How Haas mill wants a program begun and ended.
+
+use crate::post::Post;
+
+pub(super) const POST: Post = Post {
+    remark: ["(", ")"],
+    open: &["%", "O{number} ({title})"],
+    begin: &[
+        "T{tool} M06",
+        "G00 G90 G17 {units} G40 G49 G80",
+        "G54 {start} {spindle} M03",
+        "G43 H{offset} {clear} M08",
+    ],
+    end: &["G00 {clear} M09", "G53 G49 Z0. M05", "M30", "%"],
+    two_digits: true,
+};

@@ -1,0 +1,17 @@
+//! How LinuxCNC wants a program begun and ended.
+
+use crate::post::Post;
+
+pub(super) const POST: Post = Post {
+    // By these the program is known as LinuxCNC's.
+    remark: ["; ", ""],
+    open: &["%", "; {title}"],
+    begin: &[
+        "{units} G17 G90 G94 G40 G49 G80 G64 {blend}",
+        "T{tool} M6",
+        "G54 G0 {start} {spindle} M3",
+        "G43 H{tool} {clear} M8",
+    ],
+    end: &["G0 {clear} M9", "M5", "G49", "M2", "%"],
+    two_digits: false,
+};

@@ -1,0 +1,57 @@
+//! Every place where a control must appear, and the one list that they are held against.
+
+#![allow(clippy::disallowed_methods, reason = "reads the tree of the workspace")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chordal::Machine;
+use chordal::control::{CONTROLS, Control, table};
+use chordal::machine::ControlName;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The folders within a folder of the tree.
+fn folders(of: &str) -> BTreeSet<String> {
+    let entries = fs::read_dir(root().join(of)).expect("the folder is there");
+    let folders = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_dir());
+    folders.map(|path| path.file_name().expect("a name").to_string_lossy().into_owned()).collect()
+}
+
+#[test]
+fn the_list_of_controls_is_that_of_their_folders() {
+    let listed: BTreeSet<String> =
+        ControlName::ALL.iter().map(|name| name.as_str().to_string()).collect();
+    assert_eq!(listed, folders("crates/chordal-dialect/src/controls"));
+    assert_eq!(CONTROLS.len(), ControlName::ALL.len());
+    for name in ControlName::ALL {
+        assert_eq!(table(*name).name, name.as_str());
+    }
+}
+
+#[test]
+fn a_control_has_a_machine_signs_a_source_and_a_post() {
+    for name in ControlName::ALL {
+        let table = table(*name);
+        let machine = Machine::from_builtin(table.default_machine)
+            .unwrap_or_else(|errors| panic!("{name}: {errors:?}"));
+        assert_eq!(machine.control, *name, "{name}: its default machine is of another control");
+        assert!(Control::of(&machine).1.is_empty(), "{name}: settings that it does not have");
+        assert!(!table.title.is_empty() && !table.source.is_empty(), "{name}: title and source");
+        assert!(!table.evidence.is_empty(), "{name}: nothing to recognize its programs by");
+        assert!(!table.post.begin.is_empty() && !table.post.end.is_empty(), "{name}: its post");
+    }
+}
+
+#[test]
+fn a_control_has_programs_in_the_suite_and_a_page_of_its_codes() {
+    let suite = folders("tests/suite");
+    for name in ControlName::ALL {
+        assert!(suite.contains(name.as_str()), "tests/suite/{name}: no programs");
+        let page = root().join(format!("docs/reference/controls/{name}.md"));
+        assert!(page.is_file(), "{}: no page", page.display());
+    }
+}
