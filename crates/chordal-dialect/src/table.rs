@@ -7,6 +7,7 @@ use crate::post::Post;
 use crate::settings::Setting;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
+use chordal_geometry::Direction;
 use chordal_kernel::ToolValue;
 use chordal_syntax::{Decimal, Letters, Lexicon};
 
@@ -124,6 +125,23 @@ pub enum Subroutines {
     LetterL,
 }
 
+/// A fixed routine that a word L calls by its number, the last two digits for itself (Fadal).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FixedRoutine {
+    /// Probing: judged, not shown.
+    Probe,
+    /// Engraving: judged, not shown.
+    Engrave,
+    /// The cycle in force on a circle.
+    BoltCircle,
+    /// Bore milling.
+    Bore(Direction),
+    /// A rectangular pocket.
+    Rectangle(Direction),
+    /// A circular pocket.
+    Circle(Direction),
+}
+
 /// How motion codes are modal.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MotionModality {
@@ -234,6 +252,8 @@ pub struct ControlTable {
     pub line_repeat: LineRepeat,
     /// Subroutines beside M98.
     pub subroutines: Subroutines,
+    /// Fixed routines by the hundreds of the L word that calls them.
+    pub fixed_routines: &'static [(u32, FixedRoutine)],
     /// Letters of axes that words may name.
     pub axis_letters: &'static str,
     /// P on an arc: further full turns (`extra`) or all turns.

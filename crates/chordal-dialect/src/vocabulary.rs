@@ -2,6 +2,7 @@
 
 pub(crate) use chordal_command::{FeedAlong, RapidPath, WorkNaming};
 pub(crate) use chordal_diagnostics::Code;
+pub(crate) use chordal_geometry::Direction;
 pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
 pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};

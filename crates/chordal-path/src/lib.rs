@@ -5,7 +5,7 @@
 //! bounded state: nothing is collected here.
 //!
 //! ```
-//! use chordal_control::{
+//! use chordal_command::{
 //!     AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Origin,
 //! };
 //! use chordal_machine::Machine;

@@ -12,9 +12,6 @@ use super::{EndReason, Flow, Interpreter};
 /// Letters of a block that only moves: no mode, no table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 
-/// The fixed subroutine that drills a bolt circle (Fadal L93NN).
-const BOLT_CIRCLE: u32 = 93;
-
 impl Interpreter<'_> {
     /// Carries out the words of a block.
     pub(super) fn carry_out(&mut self, block: &Block) -> Flow {
@@ -205,10 +202,6 @@ impl Interpreter<'_> {
             self.take_registers(block);
             self.take_letters(block, codes);
             if self.fixed_routine(block, &word, count) {
-                return Some(Flow::Next);
-            }
-            if count / 100 == BOLT_CIRCLE {
-                self.bolt_circle(block, &word, count % 100);
                 return Some(Flow::Next);
             }
             if self.kernel.state.cycle.is_some() {

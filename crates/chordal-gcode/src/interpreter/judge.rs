@@ -32,12 +32,12 @@ impl Interpreter<'_> {
             let word = &block.words[*at];
             if g_words > 1 && word.letter == b'G' && self.control.table.alone.contains(&row.code) {
                 let title = self.control.table.title;
-                let name = super::report::decimal_code(row.code);
+                let name = row.name(b'G');
                 self.kernel.report(
                     Diagnostic::new(
                         Code::NotAlone,
                         self.span(word.range),
-                        format!("on a {title} G{name} must be the only G code of its block"),
+                        format!("on a {title} {name} must be the only G code of its block"),
                     )
                     .help("put the other G codes into the block before"),
                 );

@@ -56,9 +56,8 @@ impl Interpreter<'_> {
         (second, second_at): (&CodeRow, usize),
     ) {
         let (a, b) = (&block.words[first_at], &block.words[second_at]);
-        let name = |word: &Word, row: &CodeRow| {
-            format!("{}{} ({})", word.letter as char, decimal_code(row.code), row.title)
-        };
+        let name =
+            |word: &Word, row: &CodeRow| format!("{} ({})", row.name(word.letter), row.title);
         let (one, two) = (name(a, first), name(b, second));
         let title = self.control.table.title;
         let (message, severity) = match self.control.table.last_of_group_counts {
@@ -133,21 +132,21 @@ impl Interpreter<'_> {
                 )
             });
         let (Some(spiral), Some(number)) = (spiral, self.literal(word)) else { return };
-        let (arc, spiral) = (decimal_code(row.code), decimal_code(spiral.code));
+        let (arc, spiral) = (row.name(b'G'), spiral.name(b'G'));
         self.kernel.report(
             Diagnostic::new(
                 Code::NoSpirals,
                 self.span(word.range),
-                format!("`G{number}` is G{arc}, an arc; a spiral is G{spiral}"),
+                format!("`G{number}` is {arc}, an arc; a spiral is {spiral}"),
             )
             .severity(Severity::Warning)
             .label("read as an arc")
-            .help(format!("write G{spiral} for a spiral, G{arc} for an arc")),
+            .help(format!("write {spiral} for a spiral, {arc} for an arc")),
         );
     }
 
     pub(super) fn not_simulated(&mut self, word: &Word, row: &CodeRow) {
-        let name = format!("{}{}", word.letter as char, decimal_code(row.code));
+        let name = row.name(word.letter);
         self.kernel.report(Diagnostic::new(
             Code::NotSimulated,
             self.span(word.range),
@@ -193,14 +192,5 @@ impl Interpreter<'_> {
             )
             .help("put G40 on the move away from the contour"),
         );
-    }
-}
-
-/// `541` → `54.1`.
-pub(super) fn decimal_code(code: u16) -> String {
-    if code.is_multiple_of(10) {
-        (code / 10).to_string()
-    } else {
-        format!("{}.{}", code / 10, code % 10)
     }
 }

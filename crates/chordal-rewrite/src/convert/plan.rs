@@ -1,6 +1,7 @@
 //! Which blocks keep their words and which are written out, and the lines of each.
 
 use chordal::control::{Action, CallCode, OnceCode};
+use chordal::control::{Mark, marks};
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::CommandKind;
@@ -170,9 +171,10 @@ impl<'c, 'a> Plan<'c, 'a> {
             let Some(at) = exec.block.filter(|_| !covered[index]) else { continue };
             let Some(reason) = &self.expand[at] else { continue };
             if let BlockKind::Macro(range) = source.blocks[at].kind {
-                let words = String::from_utf8_lossy(range.slice(source.text)).to_ascii_uppercase();
-                let steers = ["GOTO", "WHILE", "IF", "END", "DO", "CALL", "SUB", "REPEAT", "WAIT"];
-                if steers.iter().any(|word| words.contains(word)) {
+                let lexicon = &self.context.from.table.lexicon;
+                let steers = marks(source.text, range, lexicon)
+                    .any(|(mark, word)| mark == Mark::Word && steers(word.slice(source.text)));
+                if steers {
                     return Some((at, reason.clone()));
                 }
             }
@@ -498,4 +500,12 @@ fn cycles_of(context: &Context) -> Vec<Option<usize>> {
         }
     }
     cycles
+}
+
+/// A word of a macro language that decides which block comes next.
+fn steers(word: &[u8]) -> bool {
+    const STEERING: [&[u8]; 10] =
+        [b"GOTO", b"WHILE", b"IF", b"ELSE", b"END", b"DO", b"CALL", b"SUB", b"REPEAT", b"WAIT"];
+    let word = word.to_ascii_uppercase();
+    STEERING.iter().any(|own| word.starts_with(own))
 }

@@ -26,6 +26,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: true,
     line_repeat: LineRepeat::MainProgram,
     subroutines: Subroutines::LetterL,
+    fixed_routines: FIXED_ROUTINES,
     axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::None,
     strict_center_words: false,
@@ -74,3 +75,16 @@ const SET_DATA: &[(u16, DataTarget)] = &[
 ];
 
 const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 }];
+
+/// User Manual (April 2003), sections 6 and 18.
+const FIXED_ROUTINES: &[(u32, FixedRoutine)] = &[
+    (91, FixedRoutine::Probe),
+    (92, FixedRoutine::Engrave),
+    (93, FixedRoutine::BoltCircle),
+    (94, FixedRoutine::Bore(Direction::Ccw)),
+    (95, FixedRoutine::Bore(Direction::Cw)),
+    (96, FixedRoutine::Rectangle(Direction::Ccw)),
+    (97, FixedRoutine::Rectangle(Direction::Cw)),
+    (98, FixedRoutine::Circle(Direction::Ccw)),
+    (99, FixedRoutine::Circle(Direction::Cw)),
+];

@@ -29,6 +29,7 @@ pub static TABLE: ControlTable = ControlTable {
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,
     subroutines: Subroutines::None,
+    fixed_routines: &[],
     axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::None,
     strict_center_words: false,

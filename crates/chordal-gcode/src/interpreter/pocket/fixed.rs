@@ -5,6 +5,7 @@
 use chordal_command::{AxisMask, Side, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::FixedRoutineCount;
+use chordal_dialect::table::FixedRoutine;
 use chordal_geometry::{Direction, Vec2};
 use chordal_kernel::shapes::{CORNER_STEP, Step, rectangle, rings};
 use chordal_syntax::{Block, Word};
@@ -27,24 +28,25 @@ struct PocketCall {
 }
 
 impl Interpreter<'_> {
-    /// A call `L91NN` to `L99NN`; false when it is none of the routines here.
+    /// A call of a fixed routine; false when the control has none of this number.
     pub(in crate::interpreter) fn fixed_routine(
         &mut self,
         block: &Block,
         word: &Word,
         value: u32,
     ) -> bool {
-        let count = value % 100;
-        match value / 100 {
-            91 => self.probe_routine(block, word),
-            92 => self.engrave_routine(block, word),
-            94 => self.bore_routine(block, word, Direction::Ccw, count),
-            95 => self.bore_routine(block, word, Direction::Cw, count),
-            96 => self.rectangle_routine(block, word, Direction::Ccw),
-            97 => self.rectangle_routine(block, word, Direction::Cw),
-            98 => self.circle_routine(block, word, Direction::Ccw),
-            99 => self.circle_routine(block, word, Direction::Cw),
-            _ => return false,
+        let (number, count) = (value / 100, value % 100);
+        let routines = self.control.table.fixed_routines;
+        let Some((_, routine)) = routines.iter().find(|(own, _)| *own == number) else {
+            return false;
+        };
+        match *routine {
+            FixedRoutine::Probe => self.probe_routine(block, word),
+            FixedRoutine::Engrave => self.engrave_routine(block, word),
+            FixedRoutine::BoltCircle => self.bolt_circle(block, word, count),
+            FixedRoutine::Bore(direction) => self.bore_routine(block, word, direction, count),
+            FixedRoutine::Rectangle(direction) => self.rectangle_routine(block, word, direction),
+            FixedRoutine::Circle(direction) => self.circle_routine(block, word, direction),
         }
         true
     }
