@@ -25,6 +25,7 @@ pub mod motion;
 mod recheck;
 mod summary;
 pub mod time;
+pub mod tool_comments;
 
 pub use chordal_control as control;
 pub use chordal_diagnostics as diagnostics;
