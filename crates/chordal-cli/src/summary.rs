@@ -26,6 +26,7 @@ const MOST_EVIDENCE: usize = 4;
 const MOST_RANGES: usize = 4;
 const MOST_SPEEDS: usize = 4;
 const MOST_TOOLS: usize = 8;
+const MOST_NOTICES: usize = 4;
 
 /// The summary as text.
 pub fn text(
@@ -39,6 +40,10 @@ pub fn text(
     let mut sheet = Sheet::new(loaded.name(), None, color);
     programs(&mut sheet, job, loaded.program);
     machine(&mut sheet, job, &loaded.chosen);
+    for notice in job.machine().notices.0.iter().take(MOST_NOTICES) {
+        sheet.row("note", &notice.to_string());
+        notice.help.iter().for_each(|help| sheet.more(help));
+    }
     sheet.row("units", if report.summary.inch { "inch" } else { "millimetres" });
     let summary = &report.summary;
     let known = known_tools(job);

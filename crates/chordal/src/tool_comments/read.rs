@@ -80,7 +80,7 @@ fn shape_of(text: &str) -> Option<ToolShape> {
 }
 
 /// The number of the tool and what else is said.
-fn tool_number<'a, 't>(all: &'a [Token<'t>], called: Option<u32>) -> Option<(u32, Vec<Token<'t>>)> {
+fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<Token<'t>>)> {
     let start = all.iter().position(|token| !matches!(token.kind, Kind::Sign(_)))?;
     let number_at = |at: usize| {
         let whole = all.get(at)?.number()?.whole().filter(|number| (1..=999).contains(number))?;
