@@ -1,10 +1,12 @@
 //! What a run comes to, as a machinist would ask for it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::control::{EndReason, Library};
 use chordal::diagnostics::FileId;
+use chordal::machine::ToolShape;
 use chordal::time::Timed;
+use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
 use chordal_load::{Chosen, Loaded};
 use chordal_report::title;
@@ -22,6 +24,8 @@ const MOST_PRINTED: usize = 20;
 const MOST_EVIDENCE: usize = 4;
 const MOST_RANGES: usize = 4;
 const MOST_SPEEDS: usize = 4;
+const MOST_TOOLS: usize = 8;
+const MOST_NOTICES: usize = 4;
 
 /// The summary as text.
 pub fn text(
@@ -35,11 +39,21 @@ pub fn text(
     let mut sheet = Sheet::new(loaded.name(), None, color);
     programs(&mut sheet, job, loaded.program);
     machine(&mut sheet, job, &loaded.chosen);
+    for notice in job.machine().notices.0.iter().take(MOST_NOTICES) {
+        sheet.row("note", &notice.to_string());
+        notice.help.iter().for_each(|help| sheet.more(help));
+    }
     sheet.row("units", if report.summary.inch { "inch" } else { "millimetres" });
     let summary = &report.summary;
-    sheet.table("", &tools(&summary.tools, units, job));
+    let known = known_tools(job);
+    sheet.table("", &tools(&summary.tools, units, job, &known));
+    let by_comment = by_comment(&summary.tools, &known);
     sheet.table("", &axes(&summary.axes, units));
     sheet.gap();
+    if !by_comment.is_empty() {
+        let text = format!("{by_comment} as comments of the program say; they set no offset");
+        sheet.row("tools", &text);
+    }
     sheet.row("moves", &moves(summary, report.outcomes.iter().map(|run| run.blocks).sum()));
     let (cuts, rapids) = (summary.feed_length_mm, summary.rapid_length_mm);
     let unit = units.length_unit();
@@ -196,13 +210,41 @@ pub fn plain_table(header: &[&str], left: usize) -> Table {
     table
 }
 
-fn tools(tools: &[ToolUse], units: Units, job: &Job) -> Table {
+/// The tools of which a comment gave the size or the shape: `T1, T3`.
+fn by_comment(tools: &[ToolUse], known: &BTreeMap<u32, KnownTool>) -> String {
+    let said =
+        |tool: &&ToolUse| known.get(&tool.number).is_some_and(|known| known.comment.is_some());
+    let mut names: Vec<String> = tools
+        .iter()
+        .filter(said)
+        .take(MOST_TOOLS + 1)
+        .map(|tool| format!("T{}", tool.number))
+        .collect();
+    if names.len() > MOST_TOOLS {
+        names[MOST_TOOLS] = "others".to_string();
+    }
+    names.join(", ")
+}
+
+/// `T5 end mill` by the machine file, else `T5 flat 0.5 in` by a comment.
+fn said_name(number: u32, job: &Job, units: Units, known: &BTreeMap<u32, KnownTool>) -> String {
+    let name = tool_name(number, job);
+    let Some(KnownTool { tool, comment: Some(_) }) = known.get(&number) else { return name };
+    let named = job.machine().tools.get(&number).is_some_and(|tool| tool.label().is_some());
+    let shape = tool.shape.filter(|_| !named).map_or("", ToolShape::as_str);
+    let size =
+        tool.diameter_mm.map(|mm| format!("{} {}", units.coordinate(mm), units.length_unit()));
+    let parts = [name.as_str(), shape, size.as_deref().unwrap_or("")];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+fn tools(tools: &[ToolUse], units: Units, job: &Job, known: &BTreeMap<u32, KnownTool>) -> Table {
     let (feed, cuts) =
         (format!("feed {}", units.feed_unit()), format!("cuts {}", units.length_unit()));
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
     for tool in tools {
         table.add_row([
-            tool_name(tool.number, job),
+            said_name(tool.number, job, units, known),
             ranges(&tool.lines),
             tool.feeds_mm_per_s.map_or_else(
                 || "-".into(),

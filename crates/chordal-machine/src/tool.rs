@@ -182,6 +182,7 @@ impl ToolShape {
         let has = |word: &str| words.contains(&word);
         let pair = |a: &str, b: &str| words.windows(2).any(|pair| pair == [a, b]);
         let either = |list: &[&str]| list.iter().any(|word| has(word));
+        let place = |word: &str| words.iter().position(|own| *own == word).unwrap_or(usize::MAX);
         // The first that fits: a thread mill is no mill, and a ball end mill no flat one.
         Some(match () {
             () if either(&[
@@ -208,6 +209,10 @@ impl ToolShape {
                 ToolShape::ThreadMill
             }
             () if either(&["INSERT", "TURNING"]) => ToolShape::Insert,
+            // `#7 TAP DRILL`, `F DRILL FOR 5/16-18 TAP`.
+            () if pair("TAP", "DRILL") || has("DRILL") && place("DRILL") < place("TAP") => {
+                ToolShape::Drill
+            }
             () if either(&["TAP", "TAPPING"]) => ToolShape::Tap,
             () if either(&["DRILL", "DRILLS", "SPOT", "SPOTDRILL", "CENTERDRILL"]) => {
                 ToolShape::Drill

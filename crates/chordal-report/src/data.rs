@@ -207,8 +207,12 @@ pub struct Tool {
     pub length_offsets: Vec<u32>,
     /// Numbers of the radius offsets that are in force with it.
     pub radius_offsets: Vec<u32>,
-    /// Diameter by the tool table, mm.
+    /// Diameter by the tool table, or where that gives none by a comment of the program, mm.
     pub diameter_mm: Option<f64>,
+    /// What it is: a word of the machine file's `shape`.
+    pub shape: Option<&'static str>,
+    /// The diameter or the shape is a comment's.
+    pub by_comment: bool,
     /// Least and largest spindle speed of its cuts, rev/min.
     pub rpm: Option<(f64, f64)>,
     /// The spindle turns clockwise (M3) in its cuts.

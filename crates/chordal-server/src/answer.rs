@@ -4,6 +4,7 @@ use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
 use chordal::machine::{Axis, ToolShape, Turns};
 use chordal::time::{TimeReport, Times};
+use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
 use chordal_editor::line_and_column;
 use serde_json::{Value, json};
@@ -103,7 +104,10 @@ pub fn machine(job: &Job) -> Value {
         })
     });
     let rotary: Vec<_> = rotary.collect();
-    let tools = machine.tools.iter().map(|(number, tool)| {
+    // What a comment says of a tool serves for its picture.
+    let known = known_tools(job);
+    let tools = known.iter().map(|(number, known)| {
+        let tool = &known.tool;
         json!({
             "number": number,
             "diameter_mm": tool.diameter_mm,

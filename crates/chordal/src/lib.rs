@@ -38,6 +38,7 @@ pub mod motion;
 mod recheck;
 mod summary;
 pub mod time;
+pub mod tool_comments;
 
 pub use chordal_diagnostics as diagnostics;
 pub use chordal_geometry as geometry;

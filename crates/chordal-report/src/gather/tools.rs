@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use chordal::control::{Command, CommandKind, Coolant, Feed, FeedMode, Origin, Side, SpindleState};
-use chordal::machine::Axis;
+use chordal::machine::{Axis, ToolShape};
 use chordal::time::TimeReport;
+use chordal::tool_comments::known_tools;
 use chordal::{Job, Summary};
 
 use super::text::{Comments, clean};
@@ -197,6 +198,7 @@ impl Tools {
         summary: &Summary,
         time: Option<&TimeReport>,
     ) -> Rows<Tool> {
+        let known = known_tools(job);
         let of_tool = |seen: &Seen| {
             let uses = summary.tools.iter().find(|tool| tool.number == seen.number);
             let cut_mm = uses.map_or(0.0, |tool| tool.feed_length_mm);
@@ -205,6 +207,7 @@ impl Tools {
                 return None;
             }
             let time = time.and_then(|time| time.tools.iter().find(|t| t.number == seen.number));
+            let known = known.get(&seen.number);
             let table = job.machine().tools.get(&seen.number);
             let words = table.and_then(|tool| tool.label());
             let coolant = seen.coolant;
@@ -221,7 +224,9 @@ impl Tools {
                 changes: seen.changes,
                 length_offsets: seen.lengths.clone(),
                 radius_offsets: seen.radii.clone(),
-                diameter_mm: table.and_then(|tool| tool.diameter_mm),
+                diameter_mm: known.and_then(|known| known.tool.diameter_mm),
+                shape: known.and_then(|known| known.tool.shape).map(ToolShape::as_str),
+                by_comment: known.is_some_and(|known| known.comment.is_some()),
                 rpm: seen.rpm,
                 clockwise: seen.clockwise,
                 counterclockwise: seen.counterclockwise,

@@ -179,7 +179,7 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
                                     td.words { (what(tool)) }
                                     td { (dash(&numbers(&tool.length_offsets))) }
                                     td { (dash(&numbers(&tool.radius_offsets))) }
-                                    td.n { (dash(&tool.diameter_mm.map(|mm| show.units.coordinate(mm)).unwrap_or_default())) }
+                                    td.n { (dash(&diameter(tool, show))) }
                                     td.n { (spindle(tool)) }
                                     td.n { (feeds(&tool.feeds, show)) }
                                     td.n { (dash(&tool.lowest_z_mm.map(|z| show.units.coordinate(z)).unwrap_or_default())) }
@@ -191,9 +191,18 @@ pub fn tools(document: &Document, show: &Show) -> Markup {
                         }
                     } }))
                 (left_out(&document.tools, MOST, "tools"))
+                @if document.tools.rows.iter().take(MOST).any(|tool| tool.by_comment) {
+                    p { "* As a comment of the program says; the machine file gives no diameter. No offset is set by it." }
+                }
             }
         }
     }
+}
+
+/// `.5`, with a star where a comment says it.
+fn diameter(tool: &Tool, show: &Show) -> String {
+    let star = if tool.by_comment { "*" } else { "" };
+    tool.diameter_mm.map_or_else(String::new, |mm| format!("{}{star}", show.units.coordinate(mm)))
 }
 
 fn dash(text: &str) -> &str {

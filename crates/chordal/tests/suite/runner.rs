@@ -35,9 +35,9 @@ impl Made {
     /// Makes its places what a program writes: diameters on axes that are programmed so.
     fn write_as(&mut self, factors: &PerAxis<f64>) {
         self.written = *factors;
-        for axis in 0..AXES {
-            self.from[axis] *= factors[axis];
-            self.to[axis] *= factors[axis];
+        for (axis, factor) in factors.iter().enumerate() {
+            self.from[axis] *= factor;
+            self.to[axis] *= factor;
         }
         if let Some(shape) = &mut self.shape {
             let (first, second, _) = shape.plane.axes();

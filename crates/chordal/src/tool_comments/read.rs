@@ -1,0 +1,324 @@
+//! What one comment says of a tool.
+
+use chordal_machine::ToolShape;
+
+use super::SaidTool;
+use super::drills::{letter_drill, number_drill, number_screw};
+use super::tokens::{Kind, Token, join_mixed, tokens};
+
+/// Words that name a tool, or a piece of its name.
+const TOOL_WORDS: &[&str] = &[
+    "MILL",
+    "ENDMILL",
+    "FACEMILL",
+    "SHELLMILL",
+    "EM",
+    "FEM",
+    "BEM",
+    "DRILL",
+    "SPOTDRILL",
+    "CENTERDRILL",
+    "TAP",
+    "REAMER",
+    "REAM",
+    "THREADMILL",
+    "CHAMFER",
+    "CHAMF",
+    "COUNTERSINK",
+    "CSINK",
+    "CSK",
+    "CUTTER",
+    "ENGRAVER",
+    "KEYCUTTER",
+    "BALLMILL",
+    "BALLNOSE",
+    "BULLNOSE",
+    "SLOTMILL",
+    "LOLLIPOP",
+    "DOVETAIL",
+];
+
+/// Words that stand within the name of a tool.
+const WITHIN: &[&str] = &[
+    "END", "FACE", "SHELL", "FLAT", "SQUARE", "BALL", "BULL", "NOSE", "SPOT", "CENTER", "STUB",
+    "THREAD",
+];
+
+/// Words of a sentence about a tool: its numbers may be about anything.
+const SENTENCE: &[&str] = &[
+    "BROKEN", "WORN", "CHANGE", "CHANGED", "REPLACE", "REPLACED", "NEXT", "CHECK", "AFTER",
+    "BEFORE", "REMOVE", "INSPECT", "TOUCH", "INSTALL", "INSTEAD", "NOT", "IF", "PARTS", "PCS",
+];
+
+/// Sizes beyond are no tool's, mm.
+const LARGEST_MM: f64 = 500.0;
+
+/// Reads a comment, without its marks. `inch`: what numbers without a unit are counted in. `called`: the
+/// tool that the block of the comment calls, where the comment names none. `None`: it says nothing of
+/// a tool.
+pub fn read_tool_comment(text: &str, inch: bool, called: Option<u32>) -> Option<SaidTool> {
+    let text = text.to_ascii_uppercase();
+    let all = tokens(&text);
+    let (number, mut rest) = tool_number(&all, called)?;
+    // `TOOL 1 = 12MM ENDMILL`: the sign belongs to the number of the tool.
+    let is_list_sign = |token: &Token<'_>| matches!(token.kind, Kind::Sign('=' | '-' | ':' | ','));
+    let signs = rest.iter().take_while(|token| is_list_sign(token)).count();
+    rest.drain(..signs);
+    join_mixed(&mut rest);
+    let reader = Reader { tokens: rest, inch, shape: shape_of(&text) };
+    let said = reader.read(number);
+    let keyed = reader.keyed_diameter().is_some();
+    let sentence = all.iter().filter_map(Token::word).any(|word| SENTENCE.contains(&word));
+    let says = said.diameter_mm.is_some() || said.shape.is_some();
+    (says && (keyed || !sentence)).then_some(said)
+}
+
+/// The shape that the text names, at best before a colon: behind it stands what the tool is for.
+fn shape_of(text: &str) -> Option<ToolShape> {
+    let before = text.split(": ").next().unwrap_or(text);
+    ToolShape::from_words(before).or_else(|| ToolShape::from_words(text))
+}
+
+/// The number of the tool and what else is said.
+fn tool_number<'t>(all: &[Token<'t>], called: Option<u32>) -> Option<(u32, Vec<Token<'t>>)> {
+    let start = all.iter().position(|token| !matches!(token.kind, Kind::Sign(_)))?;
+    let number_at = |at: usize| {
+        let whole = all.get(at)?.number()?.whole().filter(|number| (1..=999).contains(number))?;
+        // `TOOL 3-FLUTE` and `T1A` are no numbers.
+        let hugged = all.get(at + 1).is_some_and(|next| next.glued && next.word().is_some());
+        (!hugged).then_some(whole)
+    };
+    if all[start].word() == Some("T") && all.get(start + 1).is_some_and(|next| next.glued) {
+        return number_at(start + 1).map(|number| (number, all[start + 2..].to_vec()));
+    }
+    // `TOOL 3`, `TOOL #3`, `TOOL NO. 3`; within the text only as `TOOL - 3`.
+    for at in start..all.len() {
+        if all[at].word() != Some("TOOL") {
+            continue;
+        }
+        let passed = |token: &&Token<'_>| {
+            matches!(token.kind, Kind::Sign('#' | '-' | ':' | '=' | '.' | '<'))
+                || matches!(token.word(), Some("NO" | "NUM" | "NUMBER"))
+        };
+        let after = at + 1 + all[at + 1..].iter().take_while(passed).count();
+        let dashed =
+            all[at + 1..after].iter().any(|token| token.is_sign('-') || token.is_sign('#'));
+        if let Some(number) = number_at(after).filter(|_| at == start || dashed) {
+            let rest = [&all[..at], &all[after + 1..]].concat();
+            return Some((number, rest));
+        }
+    }
+    called.map(|number| (number, all.to_vec()))
+}
+
+struct Reader<'t> {
+    tokens: Vec<Token<'t>>,
+    inch: bool,
+    shape: Option<ToolShape>,
+}
+
+impl Reader<'_> {
+    fn read(&self, number: u32) -> SaidTool {
+        let (thread_mm, pitch_mm) = self.thread();
+        // The thread that a mill cuts is not the diameter of the mill.
+        let thread_mm = thread_mm.filter(|_| self.shape != Some(ToolShape::ThreadMill));
+        let diameter_mm = self
+            .keyed_diameter()
+            .or(thread_mm)
+            .or_else(|| self.named_size())
+            .or_else(|| self.size());
+        SaidTool {
+            number,
+            diameter_mm: diameter_mm.filter(|mm| (0.0..=LARGEST_MM).contains(mm) && *mm > 0.0),
+            corner_radius_mm: self.corner_radius(),
+            point_angle_rad: self.point_angle(),
+            pitch_mm: pitch_mm.or_else(|| self.keyed_pitch()),
+            shape: self.shape,
+        }
+    }
+
+    fn word(&self, at: usize) -> Option<&str> {
+        self.tokens.get(at)?.word()
+    }
+
+    /// The place of the first piece at or behind `at` that is no sign of a list.
+    fn past_signs(&self, at: usize) -> usize {
+        let is_sign = |token: &&Token<'_>| matches!(token.kind, Kind::Sign('.' | '-' | '=' | ':'));
+        at + self.tokens.get(at..).unwrap_or(&[]).iter().take_while(is_sign).count()
+    }
+
+    /// The number behind a key, over signs: its place.
+    fn number_behind(&self, at: usize) -> Option<usize> {
+        let at = self.past_signs(at + 1);
+        self.tokens.get(at)?.number().map(|_| at)
+    }
+
+    fn mm(&self, at: usize) -> Option<f64> {
+        Some(self.tokens.get(at)?.number()?.mm(self.inch))
+    }
+
+    /// `D=12.`, `DIA. - .5`, `.25 DIA`, `Ø12`.
+    fn keyed_diameter(&self) -> Option<f64> {
+        (0..self.tokens.len()).find_map(|at| match self.tokens[at].kind {
+            Kind::Word("DIA" | "DIAM" | "DIAMETER") | Kind::Sign('Ø' | '⌀' | 'ø') => {
+                let is_size =
+                    |at: &usize| self.tokens[*at].number().is_some_and(|number| number.is_size());
+                let behind = self.number_behind(at);
+                let before = at.checked_sub(1).filter(is_size);
+                // `LEN. - 3 DIA. - .375`, and `.25 DIA. 2 FLUTE`.
+                self.mm(behind.filter(is_size).or(before).or(behind)?)
+            }
+            // `D3` is the number of an offset.
+            Kind::Word("D") => {
+                let keyed = self.tokens.get(at + 1)?.is_sign('=');
+                let value = self.number_behind(at)?;
+                let point = self.tokens[value].number()?.point && self.tokens[at + 1].glued;
+                (keyed || point).then(|| self.mm(value)).flatten()
+            }
+            _ => None,
+        })
+    }
+
+    /// `CR=0.5`, `CORNER RAD .03`, `R0.5`, `.06R`.
+    fn corner_radius(&self) -> Option<f64> {
+        (0..self.tokens.len()).find_map(|at| {
+            let word = self.word(at)?;
+            let rad = matches!(word, "CR" | "RAD" | "RADIUS" | "R" | "CRAD");
+            if !rad {
+                return None;
+            }
+            let behind = self.number_behind(at).filter(|behind| {
+                let number = self.tokens[*behind].number();
+                word != "R"
+                    || number.is_some_and(|number| number.point && self.tokens[at + 1].glued)
+            });
+            let before = at.checked_sub(1).filter(|before| {
+                self.tokens[*before].number().is_some_and(|number| number.is_size())
+            });
+            self.mm(behind.or(before)?)
+        })
+    }
+
+    /// The whole angle of the point: `118 DEG`; of a post `TAPER=`, which of a chamfer mill is a side's.
+    fn point_angle(&self) -> Option<f64> {
+        let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
+        let pointed = matches!(self.shape, Some(ToolShape::Drill | ToolShape::Chamfer));
+        let degrees = (0..self.tokens.len()).find_map(|at| match self.tokens[at].kind {
+            Kind::Word("TAPER") => {
+                let side = number(self.number_behind(at)?)?;
+                Some(if self.shape == Some(ToolShape::Chamfer) { 2.0 * side } else { side })
+            }
+            Kind::Word("DEG" | "DEGREE" | "DEGREES") | Kind::Sign('°') => {
+                number(at.checked_sub(1)?)
+            }
+            _ => None,
+        });
+        degrees.filter(|degrees| pointed && (10.0..=180.0).contains(degrees)).map(f64::to_radians)
+    }
+
+    /// `PITCH=1.5`, `TPI 20`, `20 TPI`.
+    fn keyed_pitch(&self) -> Option<f64> {
+        let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
+        (0..self.tokens.len()).find_map(|at| match self.word(at)? {
+            "PITCH" => self.mm(self.number_behind(at)?),
+            "TPI" => {
+                let behind = self.number_behind(at).and_then(number);
+                let per_inch = behind.or_else(|| number(at.checked_sub(1)?))?;
+                (per_inch > 0.0).then(|| 25.4 / per_inch)
+            }
+            _ => None,
+        })
+    }
+
+    /// The diameter and the pitch of `M6X1`, `1/4-20`, `#10-32`.
+    fn thread(&self) -> (Option<f64>, Option<f64>) {
+        let threads = matches!(self.shape, Some(ToolShape::Tap | ToolShape::ThreadMill));
+        if !threads {
+            return (None, None);
+        }
+        let found =
+            (0..self.tokens.len()).find_map(|at| self.metric(at).or_else(|| self.unified(at)));
+        found.map_or((None, None), |(diameter, pitch)| (Some(diameter), pitch))
+    }
+
+    fn metric(&self, at: usize) -> Option<(f64, Option<f64>)> {
+        let size =
+            self.tokens.get(at + 1).filter(|next| next.glued && self.word(at) == Some("M"))?;
+        let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
+        let pitch = number(at + 3).filter(|_| self.word(at + 2) == Some("X"));
+        Some((size.number()?.value(), pitch.filter(|pitch| *pitch > 0.0)))
+    }
+
+    fn unified(&self, at: usize) -> Option<(f64, Option<f64>)> {
+        let size = self.tokens[at].number()?;
+        let dash = self.tokens.get(at + 1)?.is_sign('-');
+        let per_inch =
+            self.tokens.get(at + 2)?.number()?.whole().filter(|n| (4..=80).contains(n))?;
+        let diameter = match size.whole() {
+            Some(number) => number_screw(number)?,
+            None => size.mm(true),
+        };
+        dash.then(|| (diameter, Some(25.4 / f64::from(per_inch))))
+    }
+
+    /// `#7 DRILL`, `F DRILL`, `DRILL LETTER F`.
+    fn named_size(&self) -> Option<f64> {
+        if self.shape != Some(ToolShape::Drill) {
+            return None;
+        }
+        (0..self.tokens.len()).find_map(|at| {
+            if self.tokens[at].is_sign('#') {
+                return number_drill(self.tokens.get(at + 1)?.number()?.whole()?);
+            }
+            let word = self.word(at)?;
+            match self.word(at + 1) {
+                // `IS A DRILL` speaks of no size.
+                Some("DRILL") if word != "A" => letter_drill(word),
+                Some(letter) if word == "LETTER" => letter_drill(letter),
+                _ => None,
+            }
+        })
+    }
+
+    /// A number that stands before the name of the tool, or else behind it.
+    fn size(&self) -> Option<f64> {
+        let is = |list: &[&str], at: usize| self.word(at).is_some_and(|word| list.contains(&word));
+        let named = (0..self.tokens.len()).find(|at| is(TOOL_WORDS, *at))?;
+        let in_name = |at: &usize| is(TOOL_WORDS, *at) || is(WITHIN, *at);
+        let first = (0..named).rev().take_while(in_name).last().unwrap_or(named);
+        let last = (named..self.tokens.len()).take_while(in_name).last().unwrap_or(named);
+        let before = (0..first).rev().find(|at| self.is_size(*at, *at + 1 == first));
+        let behind = || (last + 1..self.tokens.len()).find(|at| self.is_size(*at, false));
+        self.mm(before.or_else(behind)?)
+    }
+
+    /// A number that may be a size: not that of an offset, a level, a count of flutes or an angle. A
+    /// whole number without a unit is one only beside the name, and in millimetres.
+    fn is_size(&self, at: usize, beside_name: bool) -> bool {
+        let Some(number) = self.tokens[at].number() else { return false };
+        let before = at.checked_sub(1).map(|before| &self.tokens[before]);
+        // `H3`, `R0.5`; `ZMIN=-8.`
+        let keyed = before.is_some_and(|before| self.tokens[at].glued && before.word().is_some());
+        let dash = before.is_some_and(|before| before.is_sign('-'));
+        let equals_at = if dash { at.checked_sub(2) } else { at.checked_sub(1) };
+        let equals = equals_at.is_some_and(|at| self.tokens[at].is_sign('='));
+        let is_other = matches!(
+            self.word(at + 1),
+            Some(
+                "FLUTE"
+                    | "FLUTES"
+                    | "FLT"
+                    | "FL"
+                    | "F"
+                    | "DEG"
+                    | "DEGREE"
+                    | "DEGREES"
+                    | "R"
+                    | "RAD"
+            ) | Some("CR" | "RADIUS" | "LOC" | "LONG" | "OAL" | "DEEP" | "TPI" | "PITCH" | "HOLES")
+        ) || self.tokens.get(at + 1).is_some_and(|next| next.is_sign('°'));
+        let sized = number.is_size() || beside_name && !self.inch;
+        let is_thread = self.unified(at).is_some();
+        sized && !keyed && !equals && !is_other && !is_thread
+    }
+}

@@ -1,0 +1,184 @@
+//! A comment in pieces: numbers with their unit, words, signs.
+
+/// What a number is counted in, where it says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unit {
+    Inch,
+    Millimetre,
+}
+
+/// A number as written: `mantissa / (10^scale · over)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Number {
+    mantissa: u64,
+    scale: u32,
+    over: u32,
+    /// A point was written.
+    pub point: bool,
+    pub unit: Option<Unit>,
+}
+
+impl Number {
+    /// The length in mm, rounded once. Nobody writes a fraction of a millimetre: it is of an inch.
+    pub fn mm(&self, inch: bool) -> f64 {
+        let inch = match self.unit {
+            Some(unit) => unit == Unit::Inch,
+            None => inch || self.is_fraction(),
+        };
+        let tens = |power: u32| 10f64.powi(power as i32) * f64::from(self.over);
+        let mantissa = self.mantissa as f64;
+        if inch { mantissa * 254.0 / tens(self.scale + 1) } else { mantissa / tens(self.scale) }
+    }
+
+    pub fn value(&self) -> f64 {
+        self.mantissa as f64 / (10f64.powi(self.scale as i32) * f64::from(self.over))
+    }
+
+    /// The number where it is whole and written without a point or unit.
+    pub fn whole(&self) -> Option<u32> {
+        let plain = !self.point && !self.is_fraction() && self.unit.is_none();
+        plain.then(|| u32::try_from(self.mantissa).ok()).flatten()
+    }
+
+    pub fn is_fraction(&self) -> bool {
+        self.over != 1
+    }
+
+    /// It looks like a size: a count has neither a point nor a unit.
+    pub fn is_size(&self) -> bool {
+        self.point || self.is_fraction() || self.unit.is_some()
+    }
+}
+
+/// A piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind<'t> {
+    Number(Number),
+    /// Letters only, upper case.
+    Word(&'t str),
+    Sign(char),
+}
+
+/// A piece and whether it hugs the one before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Token<'t> {
+    pub kind: Kind<'t>,
+    pub glued: bool,
+}
+
+impl<'t> Token<'t> {
+    pub fn word(&self) -> Option<&'t str> {
+        if let Kind::Word(word) = self.kind { Some(word) } else { None }
+    }
+
+    pub fn number(&self) -> Option<Number> {
+        if let Kind::Number(number) = self.kind { Some(number) } else { None }
+    }
+
+    pub fn is_sign(&self, sign: char) -> bool {
+        self.kind == Kind::Sign(sign)
+    }
+}
+
+/// The pieces of an upper-case text.
+pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
+    let mut tokens: Vec<Token<'_>> = Vec::new();
+    let mut rest = text;
+    let mut glued = false;
+    while let Some(first) = rest.chars().next() {
+        if first.is_whitespace() {
+            rest = &rest[first.len_utf8()..];
+            glued = false;
+            continue;
+        }
+        let (kind, length) = match number_at(rest) {
+            Some((number, length)) => (Kind::Number(number), length),
+            None if first.is_ascii_alphabetic() => {
+                let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+                (Kind::Word(&rest[..length]), length)
+            }
+            None => (Kind::Sign(first), first.len_utf8()),
+        };
+        tokens.push(Token { kind, glued });
+        rest = &rest[length..];
+        glued = true;
+    }
+    give_units(&mut tokens);
+    tokens
+}
+
+/// `12`, `.5`, `3.` or `1/2`, and how long it is.
+fn number_at(text: &str) -> Option<(Number, usize)> {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let whole = digits(text);
+    let after = &text[whole..];
+    let decimals = after.strip_prefix('.').map(digits);
+    if whole == 0 && decimals.unwrap_or(0) == 0 {
+        return None;
+    }
+    let scale = decimals.unwrap_or(0);
+    // More digits than these are no size of a tool.
+    if whole + scale > 12 {
+        return None;
+    }
+    let mut length = whole + decimals.map_or(0, |count| count + 1);
+    let text_of_digits: String = text[..length].chars().filter(|c| *c != '.').collect();
+    let mut number = Number {
+        mantissa: text_of_digits.parse().ok()?,
+        scale: scale as u32,
+        over: 1,
+        point: decimals.is_some(),
+        unit: None,
+    };
+    if decimals.is_none()
+        && let Some(below) = text[length..].strip_prefix('/')
+        && let Ok(over @ (2 | 4 | 8 | 16 | 32 | 64)) = below[..digits(below)].parse::<u32>()
+    {
+        length += 1 + digits(below);
+        number.over = over;
+    }
+    Some((number, length))
+}
+
+/// Gives numbers the unit behind them, and takes its word out.
+fn give_units(tokens: &mut Vec<Token<'_>>) {
+    let mut at = 1;
+    while at < tokens.len() {
+        let glued = tokens[at].glued;
+        let sized = tokens[at - 1].number().is_some_and(|number| number.is_size());
+        let unit = match tokens[at].kind {
+            // `5 IN PART` is no length.
+            Kind::Word("IN") if !glued && !sized => None,
+            Kind::Word("MM" | "MILLIMETER" | "MILLIMETERS") => Some(Unit::Millimetre),
+            Kind::Word("IN" | "INCH" | "INCHES") => Some(Unit::Inch),
+            Kind::Sign('"' | '”' | '″') => Some(Unit::Inch),
+            _ => None,
+        };
+        match (&mut tokens[at - 1].kind, unit) {
+            (Kind::Number(number), Some(unit)) if number.unit.is_none() => {
+                number.unit = Some(unit);
+                tokens.remove(at);
+            }
+            _ => at += 1,
+        }
+    }
+}
+
+/// Makes one number of `1-1/2` and `1 1/2`.
+pub(super) fn join_mixed(tokens: &mut Vec<Token<'_>>) {
+    let mut at = 0;
+    while at + 1 < tokens.len() {
+        let fraction_at = if tokens[at + 1].is_sign('-') { at + 2 } else { at + 1 };
+        let whole = tokens[at].number().and_then(|number| number.whole());
+        let fraction = tokens.get(fraction_at).and_then(Token::number);
+        let hugs = fraction_at == at + 1 || tokens[at + 1].glued && tokens[fraction_at].glued;
+        if let (Some(whole @ 1..=9), Some(fraction), true) = (whole, fraction, hugs)
+            && fraction.is_fraction()
+        {
+            let mantissa = fraction.mantissa + u64::from(whole) * u64::from(fraction.over);
+            tokens[at].kind = Kind::Number(Number { mantissa, ..fraction });
+            tokens.drain(at + 1..=fraction_at);
+        }
+        at += 1;
+    }
+}
