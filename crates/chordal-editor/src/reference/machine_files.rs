@@ -106,6 +106,8 @@ fn default_of(path: &str) -> &'static str {
         "tools.<tool>.diameter" => "not known: compensation with it is reported",
         "tools.<tool>.length" => "0 for the numbers; the height is not known",
         "tools.<tool>.diameter_wear" | "tools.<tool>.length_wear" => "0",
+        "tools.<tool>.offset.<axis>" | "tools.<tool>.offset_wear.<axis>" => "0",
+        "axes.<axis>.programmed" => "`radius`",
         "work_offsets.<offset>" | "work_offsets.<offset>.<axis>" => {
             "0 for the numbers; the machine position is not known, and travel is not checked"
         }
@@ -148,6 +150,7 @@ max_acceleration = \"3 m/s^2\"
 max_jerk = \"100 m/s^3\"
 rapid_acceleration = \"5 m/s^2\"
 rapid_jerk = \"150 m/s^3\"
+programmed = \"radius\"          # \"diameter\" for X of a lathe
 
 [axes.A]
 max_velocity = \"100 deg/s\"",
@@ -181,9 +184,35 @@ diameter = \"0.5 in\"
 diameter_wear = \"-0.002 in\"
 length = \"4.2 in\"
 length_wear = \"0 in\"
+shape = \"bull\"
 corner_radius = \"0.03 in\"
-kind = \"end mill\"
-comment = \"3 flutes\"",
+teeth = 3
+flute_length = \"1.2 in\"
+shank = [[\"1.5 in\", \"0.5 in\"]]
+holder = [[\"1 in\", \"1.1 in\"], [\"0.6 in\", \"1.1 in\", \"1.7 in\"]]
+description = \"roughing end mill\"
+comment = \"3 flutes\"
+[tools.2]
+kind = \"drill\"                # the old way; write `shape`
+point_angle = \"118 deg\"
+[tools.3]
+shape = \"thread mill\"
+pitch = \"1.5 mm\"
+[tools.4]
+shape = \"chamfer\"
+tip_diameter = \"0.2 mm\"
+[tools.5]
+shape = \"insert\"
+nose_radius = \"0.4 mm\"
+tip = 3
+[tools.5.offset]
+X = \"-31.2 mm\"
+Z = \"12.5 mm\"
+[tools.5.offset_wear]
+X = \"0.02 mm\"
+[tools.6]
+shape = \"form\"
+profile = [[\"0 mm\", \"3 mm\"], [\"5 mm\", \"8 mm\"]]",
     },
     Section {
         table: "work_offsets",
