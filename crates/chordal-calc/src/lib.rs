@@ -45,8 +45,8 @@ pub use corner::{Axis, Bend, LineAxis, Side, TwoLines, corner_of_lines, corner_w
 pub use error::CalcError;
 pub use figure::{Figure, Mark, Style};
 pub use line_arc::{LineArc, line_with_arc};
-pub use mill::{Cut, Cutter, Hand, MillProgram, Ramp, ThreadMill, thread_mill};
+pub use mill::{Cut, Cutter, MillProgram, Ramp, ThreadMill, thread_mill};
 pub use numbers::Units;
 pub use tangent::{Tangent, tangent_point};
-pub use thread::{Class, Designation, Form, Thread, Where, Zone, named_thread, thread_data};
+pub use thread::{Class, Designation, Form, Hand, Thread, Where, Zone, named_thread, thread_data};
 pub use worked::{Kind, Quantity, Step, Worked};

@@ -5,7 +5,9 @@ use chordal_diagnostics::{Diagnostic, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_kernel::Outcome;
 use chordal_kernel::RunSink;
-use chordal_path::{Compensator, ContourCheck, ContourPiece, PathCommand, PathSink, SideCheck};
+use chordal_path::{
+    Compensator, ContourCheck, ContourPiece, PathBuilder, PathCommand, PathSink, Segment, SideCheck,
+};
 
 use crate::job::Job;
 
@@ -15,6 +17,36 @@ const NOMINAL_RADIUS_MM: f64 = 1e-3;
 
 /// Most diagnostics that wait for the end of the run, when the calls are known.
 pub(crate) const MOST_WAITING: usize = 10_000;
+
+impl Job<'_> {
+    /// Runs and pushes the exact path, segment by segment, in one frame.
+    pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
+        let (offset, known) = self.initial_offset();
+        let builder = PathBuilder::new(self.machine(), offset, known);
+        let (outcomes, _) = Compensated::run(self, PathSegments { builder, push });
+        outcomes
+    }
+
+    /// Runs and pushes everything that cutter compensation makes: the commands of the tool
+    /// centre, problems, and the compensated contours; with another radius than the offset
+    /// table's, where one is given, mm.
+    pub fn compensated<S: PathSink>(&self, radius_mm: Option<f64>, sink: &mut S) -> Vec<Outcome> {
+        Compensated::run_with(self, radius_mm, None, sink).0
+    }
+}
+
+struct PathSegments<'m, F> {
+    builder: PathBuilder<'m>,
+    push: F,
+}
+
+impl<F: FnMut(&Segment)> PathSink for PathSegments<'_, F> {
+    fn command(&mut self, path: PathCommand<'_>) {
+        self.builder.command(path.command, &mut self.push);
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+}
 
 /// Hands the commands of a control through compensation on to a path sink.
 pub(crate) struct Compensated<'a, S> {

@@ -36,6 +36,7 @@ mod compensated;
 mod job;
 pub mod motion;
 mod recheck;
+mod report;
 mod summary;
 pub mod time;
 pub mod tool_comments;
@@ -56,6 +57,7 @@ pub use chordal_path::{
     ContourPiece, PathCommand, PathSink, PlaneCurve, Role, Segment, SegmentKind,
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
-pub use job::{Job, JobError, Report, TextProgram, Watch};
+pub use job::{Job, JobError, TextProgram};
 pub use recheck::CheckMemory;
+pub use report::{Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

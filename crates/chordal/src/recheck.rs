@@ -19,7 +19,8 @@ use chordal_diagnostics::{Code, Collector, Diagnostic, FileId, Severity, Shift, 
 use chordal_path::{ChecksMemory, CompensatorMemory, ContourCheck, Seen};
 
 use crate::compensated::{Compensated, MOST_WAITING};
-use crate::job::{CheckSink, Job, KEPT_PER_CODE, Notes, Report, no_block};
+use crate::job::{Job, no_block};
+use crate::report::{CheckSink, KEPT_PER_CODE, Notes, Report};
 use crate::summary::Summary;
 
 /// A stretch has about so many bytes of text, or one of [`MOST_STRETCHES`] parts of it.
@@ -175,6 +176,21 @@ impl Stretch {
         self.findings.kept.iter().chain(waiting).any(|diagnostic| {
             matches!(diagnostic.code, Code::CutterGouges | Code::CutterGougesAtLead)
         })
+    }
+}
+
+impl Job<'_> {
+    /// The same as [`Job::check`] after a change of the first text, with what the check before remembers: only
+    /// what the change may touch is run. The machine, the options and the other texts must be
+    /// those of that check.
+    pub fn check_again(&self, memory: &mut CheckMemory) -> Report {
+        match self.single_main() {
+            Some((library, main)) => memory.check(self, &library, main),
+            None => {
+                memory.forget();
+                self.check()
+            }
+        }
     }
 }
 

@@ -15,19 +15,10 @@ use crate::error::CalcError;
 use crate::figure::{Figure, Style};
 use crate::math::{FRAC_PI_2, PI, atan2, unit};
 use crate::numbers::Units;
-use crate::thread::{Thread, Where};
+use crate::thread::{Hand, Thread, Where};
 use crate::worked::{Kind, Worked};
 use chordal_geometry::Vec2;
 use plan::Plan;
-
-/// Hand of a thread.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hand {
-    /// Clockwise goes away.
-    Right,
-    /// Counter-clockwise goes away.
-    Left,
-}
 
 /// How the teeth meet the material, with a tool that turns clockwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! The way of the tool, in least increments of the program, so that what is written is exact.
 
-use super::{Cut, Cutter, Hand, Ramp, ThreadMill};
+use super::{Cut, Cutter, Ramp, ThreadMill};
 use crate::error::{CalcError, bounded};
 use crate::math::{FRAC_PI_2, PI};
 use crate::numbers::Units;
-use crate::thread::Where;
+use crate::thread::{Hand, Where};
 
 /// Turns beyond which a thread is a slip of the keyboard.
 const MOST_TURNS: f64 = 2000.0;

@@ -1,12 +1,12 @@
 //! The program's text.
 
 use super::plan::Plan;
-use super::{Cut, Cutter, Hand, ThreadMill};
+use super::{Cut, Cutter, ThreadMill};
 use crate::numbers::{Units, trimmed};
 use chordal_dialect::{Post, table};
 
 use crate::post::fill;
-use crate::thread::Where;
+use crate::thread::{Hand, Where};
 
 /// Feed beside the part, mm/s: 40 in/min, 1000 mm/min.
 const fn approach(units: Units) -> (f64, &'static str) {

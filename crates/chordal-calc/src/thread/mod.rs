@@ -1,16 +1,20 @@
 //! Threads by name and by size: the basic 60° profile of unified and ISO metric threads here, what
-//! a name says in `name`, limits of the classes in `unified` and `metric`, pipe threads in `pipe`.
+//! a name says in `designation`, how it is read in `name`, limits of the classes in `unified` and
+//! `metric`, pipe threads in `pipe`.
 
 mod class;
+mod designation;
 mod figure;
 mod metric;
 mod name;
 mod pipe;
+mod pipe_sizes;
 mod series;
 mod unified;
+mod words;
 
 pub use class::{Class, Zone};
-pub use name::{Designation, Form};
+pub use designation::{Designation, Form};
 
 use crate::error::{CalcError, bounded};
 use crate::math::{PI, atan};
@@ -33,6 +37,15 @@ pub enum Where {
     Inside,
     /// On a boss.
     Outside,
+}
+
+/// Hand of a thread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hand {
+    /// Clockwise goes away.
+    Right,
+    /// Counter-clockwise goes away.
+    Left,
 }
 
 /// A thread of the 60° profile.

@@ -1,49 +1,12 @@
 //! Names of threads as people write them.
 
-use super::Thread;
-use super::class::{self, Class};
-use super::pipe::{self, PipeSize};
+use super::class;
+use super::designation::{Designation, Form, no_thread};
+use super::pipe;
 use super::series::{Series, coarse};
+use super::words::{after_letters, diameter, leading_number, number, words};
 use crate::error::CalcError;
-use crate::mill::Hand;
 use crate::numbers::{Units, trimmed};
-
-/// What kind of thread a name means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// 60°, inches (ASME B1.1).
-    Unified,
-    /// 60°, millimetres (ISO 68-1).
-    Metric,
-    /// 60°, taper 1:16 (ASME B1.20.1).
-    Npt,
-    /// The same, sealed by its crests and roots (ASME B1.20.3).
-    Nptf,
-    /// 55°, parallel pipe thread (ISO 228-1), BSPP.
-    G,
-    /// 55°, taper 1:16 (ISO 7-1), BSPT.
-    R,
-}
-
-/// What a thread's name says: `M30x2-6g`, `1 1/16-28 UN-2A LH`, `G 1/2`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Designation {
-    /// Nominal diameter, mm; outside diameter of the pipe for NPT.
-    pub major: f64,
-    /// Pitch, mm.
-    pub pitch: f64,
-    /// The unit it is named in.
-    pub units: Units,
-    /// Its profile and taper.
-    pub form: Form,
-    /// The classes of fit in the name: none, one, or one outside and one inside.
-    pub classes: Vec<Class>,
-    /// LH or RH, where the name says it.
-    pub hand: Option<Hand>,
-    /// What to know about the name: another series, or a number that was left out.
-    pub notes: Vec<String>,
-    pub(super) pipe: Option<&'static PipeSize>,
-}
 
 impl Designation {
     /// Reads a name, in capital or small letters: `M` diameter `x` pitch in millimetres, inches `-`
@@ -67,47 +30,6 @@ impl Designation {
         name.classes.sort_by_key(|class| class.place() == super::Where::Inside);
         Ok(name)
     }
-
-    /// The thread with so many starts, for what needs the 60° profile.
-    ///
-    /// # Errors
-    /// When it is a pipe thread.
-    pub fn thread(&self, starts: u32) -> Result<Thread, CalcError> {
-        let Designation { major, pitch, .. } = *self;
-        match self.form {
-            Form::Unified | Form::Metric => Ok(Thread { major, pitch, starts }),
-            Form::G => Err(CalcError::new(
-                "a G thread has the 55° profile; programs are written for 60° threads",
-                "calc thread gives its sizes",
-            )),
-            Form::Npt | Form::Nptf | Form::R => Err(CalcError::new(
-                "a pipe thread with a taper of 1:16 needs a path that grows wider with every turn; \
-                 programs are written for parallel threads",
-                "calc thread gives its sizes",
-            )),
-        }
-    }
-
-    pub(super) fn new(major: f64, pitch: f64, units: Units, form: Form) -> Designation {
-        Designation {
-            major,
-            pitch,
-            units,
-            form,
-            classes: Vec::new(),
-            hand: None,
-            notes: Vec::new(),
-            pipe: None,
-        }
-    }
-}
-
-pub(super) fn no_thread(text: &str) -> CalcError {
-    CalcError::new(
-        format!("`{text}` is no thread"),
-        "write it as M30x2, 1.5-8, 1 1/16-28, #10-24, 1/2 NPT or G 1/2: inch threads need their threads \
-         per inch",
-    )
 }
 
 fn unknown_form(text: &str, form: &str) -> CalcError {
@@ -115,58 +37,6 @@ fn unknown_form(text: &str, form: &str) -> CalcError {
         format!("`{text}`: {form} have a root of their own, which is not calculated"),
         "give M, UN, NPT, G or R",
     )
-}
-
-/// The words of a name: separators go, `M20` and `G1/2` become two. `None` when a separator has
-/// nothing on one side.
-fn words(text: &str) -> Option<Vec<String>> {
-    let plain = plain(text);
-    let tight: String = plain.split_whitespace().collect();
-    let separator = |c: char| matches!(c, '-' | 'x' | 'X');
-    let letters = tight.trim_start_matches(|c: char| c.is_ascii_alphabetic() && !separator(c));
-    let doubled =
-        tight.chars().zip(tight.chars().skip(1)).any(|(a, b)| separator(a) && separator(b));
-    if tight.is_empty()
-        || tight.starts_with(separator)
-        || tight.ends_with(separator)
-        || letters.starts_with(separator)
-        || doubled
-    {
-        return None;
-    }
-    let mut words = Vec::new();
-    for word in plain.split(|c: char| c.is_whitespace() || separator(c)) {
-        let lead = word.find(|c: char| !c.is_ascii_alphabetic() && c != '#').unwrap_or(word.len());
-        let (letters, rest) = word.split_at(lead);
-        words.extend([letters, rest].into_iter().filter(|part| !part.is_empty()).map(String::from));
-    }
-    Some(words)
-}
-
-/// The signs that people use, as one: inch marks go, a decimal comma is a point, `No.` is `#`.
-fn plain(text: &str) -> String {
-    let signs: Vec<char> = text.trim().chars().collect();
-    let digit = |at: Option<&char>| at.is_some_and(char::is_ascii_digit);
-    let mut plain = String::new();
-    for (at, sign) in signs.iter().enumerate() {
-        plain.push(match sign {
-            '×' | '*' => 'x',
-            '–' | '—' | '−' => '-',
-            '"' | '″' | '“' | '”' | ';' => ' ',
-            ',' if at > 0 && digit(signs.get(at - 1)) && digit(signs.get(at + 1)) => '.',
-            ',' => ' ',
-            other => *other,
-        });
-    }
-    for number in ["No.", "NO.", "no.", "Nr.", "NR.", "nr."] {
-        if let Some(rest) = plain.strip_prefix(number) {
-            return format!("#{rest}");
-        }
-    }
-    match plain.get(..2) {
-        Some(lead) if lead.eq_ignore_ascii_case("no") => format!("#{}", &plain[2..]),
-        _ => plain,
-    }
 }
 
 fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
@@ -192,7 +62,7 @@ fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
     let mut name = Designation::new(major, pitch, Units::Millimetre, Form::Metric);
     name.notes = notes;
     for word in rest {
-        if hand(&mut name, word)? {
+        if name.take_hand(word)? {
             continue;
         }
         for part in word.split('/') {
@@ -261,7 +131,7 @@ fn inch_rest(
     let mut constant = None;
     for word in rest {
         let upper = word.to_ascii_uppercase();
-        if upper == "TPI" || hand(name, &upper)? {
+        if upper == "TPI" || name.take_hand(&upper)? {
             continue;
         }
         if upper.starts_with("UNJ") {
@@ -318,71 +188,6 @@ fn unknown(word: &str, kind: &str, classes: &str, others: &str) -> CalcError {
         format!("`{word}` is nothing that the name of a {kind} thread has")
     };
     CalcError::new(what, format!("the classes are {classes}; {others}"))
-}
-
-/// Takes LH or RH; true when the word was one.
-pub(super) fn hand(name: &mut Designation, word: &str) -> Result<bool, CalcError> {
-    let own = match word.to_ascii_uppercase().as_str() {
-        "LH" | "LEFT" => Hand::Left,
-        "RH" | "RIGHT" => Hand::Right,
-        "HAND" if name.hand.is_some() => return Ok(true),
-        _ => return Ok(false),
-    };
-    if name.hand.is_some_and(|other| other != own) {
-        return Err(CalcError::new(
-            "a thread is not both left and right hand",
-            "give one of LH and RH",
-        ));
-    }
-    name.hand = Some(own);
-    Ok(true)
-}
-
-/// A diameter and how many words it takes: `1.5`, `3/8`, or `1` with `1/16`.
-pub(super) fn diameter(words: &[String]) -> Option<(f64, usize)> {
-    let first = fraction(words.first()?)?;
-    let whole = words[0].bytes().all(|byte| byte.is_ascii_digit());
-    match words.get(1) {
-        Some(next) if whole && next.contains('/') => match fraction(next) {
-            Some(part) => Some((first + part, 2)),
-            None => Some((first, 1)),
-        },
-        _ => Some((first, 1)),
-    }
-}
-
-/// `5` or `3/8`.
-fn fraction(word: &str) -> Option<f64> {
-    match word.split_once('/') {
-        Some((above, below)) => {
-            let below = number(below)?;
-            if below > 0.0 { Some(number(above)? / below) } else { None }
-        }
-        None => number(word),
-    }
-}
-
-pub(super) fn number(text: &str) -> Option<f64> {
-    let digits = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
-    if text.is_empty() || !digits {
-        return None;
-    }
-    text.parse().ok().filter(|value: &f64| value.is_finite())
-}
-
-/// `20UNC`: the number, and the letters when a series can begin with them.
-fn leading_number(word: &str) -> Option<(&str, &str)> {
-    let end = word.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(word.len());
-    let (number, tail) = word.split_at(end);
-    let series = tail.is_empty() || tail.starts_with(['U', 'u', 'N', 'n', 'T', 't']);
-    (series && !number.is_empty()).then_some((number, tail))
-}
-
-/// `UNC2A` is two words; a word that begins with a digit is one.
-fn after_letters(word: &str) -> [&str; 2] {
-    let letters = word.find(|c: char| c.is_ascii_digit()).unwrap_or(word.len());
-    let (letters, rest) = word.split_at(letters);
-    [letters, rest]
 }
 
 /// True when a whole number is the number of a screw, not inches: the standard series have no thread so

@@ -29,6 +29,7 @@ mod limits;
 mod operations;
 mod options;
 mod plan;
+mod run;
 mod steps;
 
 pub use chordal_motion::{

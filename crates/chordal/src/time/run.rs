@@ -7,12 +7,13 @@ use chordal_path::{PathCommand, PathSink};
 use super::builder::TimeBuilder;
 use super::report::TimeReport;
 use crate::compensated::Compensated;
-use crate::job::{Job, Report, ReportSink, Watch};
+use crate::job::Job;
 use crate::motion::{
     Level, LimitError, Limits, MachineLimits, MotionBuilder, MotionOptions, MotionReport,
     MotionStep, PathPart, Piece, PlanSink, Planned, Planner, PlannerOptions, Planning, Step,
     StepSource, WithSources,
 };
+use crate::report::{Report, ReportSink, Watch};
 
 /// The time of a run, and how it was planned.
 #[derive(Clone, Debug)]

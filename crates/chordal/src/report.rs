@@ -1,0 +1,226 @@
+//! What a run with its checks tells: problems, and numbers for people.
+
+use chordal_command::{Command, CommandKind, Origin};
+use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, Severity};
+use chordal_kernel::Outcome;
+use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
+
+use crate::compensated::Compensated;
+use crate::job::Job;
+use crate::summary::{Summary, SummaryBuilder};
+
+/// How many diagnostics of one code are kept.
+pub(crate) const KEPT_PER_CODE: usize = 200;
+
+/// What a run tells beside its commands.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Numbers for people.
+    pub summary: Summary,
+    /// Problems by place: file, then line, as an editor lists them; those of one place in the
+    /// order of the run.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Problems that were told but not kept, by code.
+    pub dropped: Vec<(Code, u64)>,
+    /// All problems counted.
+    pub counts: Counts,
+    /// The lines that the program printed (DPRNT), in order.
+    pub output: Vec<String>,
+    /// How each program that was run ended.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Job<'_> {
+    /// Runs with all checks and sums up; `observe` sees every command of the tool centre and
+    /// its segments on the way.
+    pub fn report_with(&self, mut observe: impl FnMut(&Command, &[Segment])) -> Report {
+        self.report_of_path(|path, segments| observe(path.command, segments))
+    }
+
+    /// The same with what compensation did.
+    pub fn report_of_path(&self, observe: impl FnMut(PathCommand<'_>, &[Segment])) -> Report {
+        struct Path<F>(F);
+        impl<F: FnMut(PathCommand<'_>, &[Segment])> Watch for Path<F> {
+            fn path(&mut self, command: PathCommand<'_>, segments: &[Segment]) {
+                (self.0)(command, segments);
+            }
+        }
+        self.report_watched(&mut Path(observe))
+    }
+
+    /// Runs with all checks and sums up; `observe` sees every command as programmed, before
+    /// cutter compensation.
+    pub fn report_of_commands(&self, observe: impl FnMut(&Command)) -> Report {
+        struct Programmed<F>(F);
+        impl<F: FnMut(&Command)> Watch for Programmed<F> {
+            fn programmed(&mut self, command: &Command) {
+                (self.0)(command);
+            }
+        }
+        self.report_watched(&mut Programmed(observe))
+    }
+
+    /// Runs with all checks and sums up, watched.
+    pub fn report_watched(&self, watch: &mut impl Watch) -> Report {
+        let sink = ReportSink::new(self, watch);
+        let (outcomes, sink) = Compensated::judge(self, sink);
+        sink.finish(outcomes)
+    }
+
+    /// Runs with all checks and sums up.
+    pub fn report(&self) -> Report {
+        self.report_with(|_, _| {})
+    }
+
+    /// Runs with the checks only: what `chordal check` asks.
+    pub fn check(&self) -> Report {
+        let sink = CheckSink::new(self, Collector::new(KEPT_PER_CODE));
+        let (outcomes, sink) = Compensated::judge(self, sink);
+        let CheckSink { mut checks, notes: mut collector, output } = sink;
+        checks.finish(|diagnostic| collector.push(diagnostic));
+        Report::new(Summary::default(), collector, output, outcomes)
+    }
+}
+
+impl Report {
+    pub(crate) fn new(
+        summary: Summary,
+        collector: Collector,
+        output: Vec<String>,
+        outcomes: Vec<Outcome>,
+    ) -> Report {
+        Report {
+            summary,
+            output,
+            dropped: collector.dropped().collect(),
+            counts: collector.counts(),
+            diagnostics: collector.into_sorted(),
+            outcomes,
+        }
+    }
+
+    /// The gravest severity that occurred.
+    pub fn worst(&self) -> Option<Severity> {
+        match self.counts {
+            Counts { errors: 1.., .. } => Some(Severity::Error),
+            Counts { warnings: 1.., .. } => Some(Severity::Warning),
+            Counts { notes: 1.., .. } => Some(Severity::Note),
+            _ => None,
+        }
+    }
+}
+
+/// Sees a run go by.
+pub trait Watch {
+    /// A command as programmed, before cutter compensation.
+    fn programmed(&mut self, _command: &Command) {}
+    /// A command of the tool centre and its piece of path.
+    fn path(&mut self, _command: PathCommand<'_>, _segments: &[Segment]) {}
+}
+
+/// Notes a line that the program prints.
+fn note_output(command: &Command, output: &mut Vec<String>) {
+    if let CommandKind::Output { text } = &command.kind {
+        output.push(text.clone());
+    }
+}
+
+/// Takes the problems of a check.
+pub(crate) trait Notes {
+    /// One problem.
+    fn note(&mut self, diagnostic: Diagnostic);
+}
+
+impl Notes for Collector {
+    fn note(&mut self, diagnostic: Diagnostic) {
+        self.push(diagnostic);
+    }
+}
+
+/// Runs the checks only.
+pub(crate) struct CheckSink<'m, N> {
+    pub checks: Checks<'m>,
+    pub notes: N,
+    pub output: Vec<String>,
+}
+
+impl<'m, N> CheckSink<'m, N> {
+    pub fn new(job: &'m Job<'_>, notes: N) -> CheckSink<'m, N> {
+        let (offset, known) = job.initial_offset();
+        let checks =
+            Checks::new(job.machine(), offset, known, job.control().parameters.rules.units);
+        CheckSink { checks, notes, output: Vec::new() }
+    }
+}
+
+impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
+    #[inline]
+    fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.notes.note(diagnostic));
+    }
+
+    #[inline]
+    fn command(&mut self, path: PathCommand<'_>) {
+        self.checks.command(path, |diagnostic| self.notes.note(diagnostic));
+        note_output(path.command, &mut self.output);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
+        self.notes.note(diagnostic);
+    }
+}
+
+/// Checks, sums up and lets a run be watched.
+pub(crate) struct ReportSink<'m, 'w, W> {
+    builder: PathBuilder<'m>,
+    checks: Checks<'m>,
+    summary: SummaryBuilder,
+    collector: Collector,
+    output: Vec<String>,
+    segments: Vec<Segment>,
+    watch: &'w mut W,
+}
+
+impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
+    fn programmed(&mut self, command: &Command) {
+        self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
+        self.watch.programmed(command);
+    }
+
+    fn command(&mut self, path: PathCommand<'_>) {
+        let command = path.command;
+        self.checks.command(path, |diagnostic| self.collector.push(diagnostic));
+        note_output(command, &mut self.output);
+        self.segments.clear();
+        let segments = &mut self.segments;
+        self.builder.command(command, |segment| segments.push(*segment));
+        self.summary.command(command, &self.segments);
+        self.watch.path(path, &self.segments);
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
+        self.collector.push(diagnostic);
+    }
+}
+
+impl<'m, 'w, W> ReportSink<'m, 'w, W> {
+    pub fn new(job: &'m Job<'_>, watch: &'w mut W) -> ReportSink<'m, 'w, W> {
+        let (offset, known) = job.initial_offset();
+        let units = job.control().parameters.rules.units;
+        ReportSink {
+            builder: PathBuilder::new(job.machine(), offset, known),
+            checks: Checks::new(job.machine(), offset, known, units),
+            summary: SummaryBuilder::new(job.control(), job.machine()),
+            collector: Collector::new(KEPT_PER_CODE),
+            output: Vec::new(),
+            segments: Vec::new(),
+            watch,
+        }
+    }
+
+    pub fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
+        let collector = &mut self.collector;
+        self.checks.finish(|diagnostic| collector.push(diagnostic));
+        Report::new(self.summary.finish(), self.collector, self.output, outcomes)
+    }
+}
