@@ -17,6 +17,8 @@
 
 #![forbid(unsafe_code)]
 
+mod behind;
+mod check;
 mod checkpoints;
 mod complete;
 mod elsewhere;
@@ -34,6 +36,7 @@ mod scan;
 mod setup;
 mod tokens;
 
+pub use check::Checked;
 pub use complete::{Completion, CompletionKind};
 pub use elsewhere::Found;
 pub use format::{Edit, FormatError, Numbering};
@@ -44,5 +47,5 @@ pub use names::{Name, Occurrence, RenameError, Renamed, Role};
 pub use outline::{Entry, EntryKind};
 pub use place::{byte_of, line_and_column};
 pub use program::Program;
-pub use setup::{Checked, Setup};
+pub use setup::Setup;
 pub use tokens::{Class, Token};

@@ -4,7 +4,7 @@ use chordal::Job;
 use chordal::time::{Least, LeastReport, TimeReport};
 use comfy_table::Table;
 
-use super::text::{MOST_OPERATIONS, fine, lines};
+use super::cells::{MOST_OPERATIONS, fine, lines};
 use crate::numbers::short;
 use crate::summary::{plain_table, tool_name};
 

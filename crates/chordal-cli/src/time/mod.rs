@@ -1,5 +1,6 @@
 //! `chordal time`: how long a program takes, where and why.
 
+mod cells;
 mod corners;
 mod least;
 mod picture;

@@ -3,21 +3,19 @@
 use chordal::control::{PathMode, Units as ProgramUnits};
 use chordal::diagnostics::FileId;
 use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
-use chordal::time::{Alternative, BlockTime, Change, OperationTime, Reason, TimeReport, ToolTime};
+use chordal::time::{Alternative, BlockTime, Change, Reason, TimeReport, ToolTime};
 use chordal::{Job, Report};
 use chordal_export::{TimeDocument, comment_text};
 use comfy_table::Table;
 
+use super::cells::{MOST_OPERATIONS, SAME_S, fine, lines};
 use super::{corners, least};
-use crate::numbers::{counted, duration, fixed, short};
+use crate::numbers::{counted, short};
 use crate::sheet::Sheet;
 use crate::summary::{plain_table, tool_name};
 
 /// Columns of the text.
 const WIDTH: usize = 80;
-
-/// Most operations that are listed.
-pub(super) const MOST_OPERATIONS: usize = 30;
 
 /// Blocks of the second list, those that lose the most.
 const MOST_COSTLIEST: usize = 5;
@@ -72,19 +70,6 @@ pub fn text(
         sheet.rows(label, notes);
     }
     sheet.into_text()
-}
-
-/// Times of blocks are short: three decimals below ten seconds.
-pub(super) fn fine(seconds: f64) -> String {
-    if seconds < SAME_S {
-        "-".to_string()
-    } else if seconds < 9.9995 {
-        format!("{} s", fixed(seconds, 3))
-    } else if seconds < 59.95 {
-        format!("{} s", fixed(seconds, 1))
-    } else {
-        duration(seconds)
-    }
 }
 
 fn totals(time: &TimeReport, level: Level) -> Vec<String> {
@@ -159,15 +144,6 @@ fn operations(time: &TimeReport, job: &Job, named: bool) -> Table {
         table.add_row(row);
     }
     table
-}
-
-/// The lines of the program between which an operation lies; those of other files say nothing.
-pub(super) fn lines(operation: &OperationTime) -> String {
-    let line = |origin: &chordal::control::Origin| match origin.span.file {
-        FileId(0) => origin.line.to_string(),
-        _ => "-".to_string(),
-    };
-    format!("{} to {}", line(&operation.first), line(&operation.last))
 }
 
 fn blocks(blocks: &[BlockTime], why: fn(&BlockTime) -> Reason, job: &Job) -> Table {
@@ -276,9 +252,6 @@ fn assumed(quantity: Quantity, motion: &MotionReport) -> Option<String> {
         )
     })
 }
-
-/// Times that differ by less than this, s, are the same: less than is shown.
-const SAME_S: f64 = 0.0005;
 
 /// What the time rests on, beside the program.
 fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {

@@ -4,7 +4,6 @@ use chordal::control::table::{Action, CodeRow, Group, code_name, code_number};
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
-use super::emit::spelt;
 use crate::source::{Style, whole};
 
 /// The row of a control that does this.
@@ -33,6 +32,14 @@ fn same(one: Action, other: Action) -> bool {
         (Action::NoEffect | Action::NotSimulated | Action::ShopCode, _) => false,
         _ => one == other,
     }
+}
+
+/// A row's code as the programmer writes codes.
+pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
+    if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
+        return format!("{}{:02}", char::from(letter), row.code / 10);
+    }
+    row.name(letter)
 }
 
 /// The code that does this, as the programmer writes codes.

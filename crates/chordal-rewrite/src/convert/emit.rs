@@ -1,6 +1,6 @@
 //! Blocks written from what they do, where the new control has no form for how they were written.
 
-use chordal::control::table::{Action, CodeRow};
+use chordal::control::table::Action;
 use chordal::control::{
     ArcShape, Control, Coolant, Feed, FeedAlong, FeedMode, Move, Overrides, PathMode, Side,
     SpindleState, Units, WorkName,
@@ -510,12 +510,4 @@ fn feed_action(mode: FeedMode) -> Action {
         FeedMode::InverseTime => Action::FeedInverseTime,
         FeedMode::PerRevolution => Action::FeedPerRevolution,
     }
-}
-
-/// A row's code as the programmer writes codes.
-pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
-    if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
-        return format!("{}{:02}", char::from(letter), row.code / 10);
-    }
-    row.name(letter)
 }
