@@ -17,6 +17,8 @@
 
 #![forbid(unsafe_code)]
 
+mod behind;
+mod check;
 mod checkpoints;
 mod complete;
 mod elsewhere;
@@ -33,6 +35,7 @@ pub mod reference;
 mod setup;
 mod tokens;
 
+pub use check::Checked;
 pub use complete::{Completion, CompletionKind};
 pub use elsewhere::Found;
 pub use format::{Edit, FormatError, Numbering};
@@ -43,5 +46,5 @@ pub use names::{Name, Occurrence, RenameError, Renamed, Role};
 pub use outline::{Entry, EntryKind};
 pub use place::{byte_of, line_and_column};
 pub use program::Program;
-pub use setup::{Checked, Setup};
+pub use setup::Setup;
 pub use tokens::{Class, Token};

@@ -1,11 +1,7 @@
-//! What a text needs to run, and what may be kept from one text to the next.
+//! What a text needs to run.
 
-use std::sync::Arc;
-
+use chordal::Machine;
 use chordal::control::{Control, RunOptions};
-use chordal::{CheckMemory, Machine, Report};
-
-use crate::Program;
 
 /// What a text needs to run.
 #[derive(Clone, Debug)]
@@ -35,23 +31,4 @@ impl Setup {
 pub(crate) struct Sound {
     pub setup: Setup,
     pub control: Control,
-}
-
-/// What the check before remembers, for the next text of the same setup.
-#[derive(Debug, Default)]
-pub struct Checked {
-    setup: Option<Arc<Sound>>,
-    memory: CheckMemory,
-}
-
-impl Program {
-    /// Checks the text; of one that was changed since the last check only what the change may
-    /// touch is run.
-    pub fn check(&self, before: &mut Checked) -> Report {
-        let same = before.setup.as_ref().is_some_and(|setup| Arc::ptr_eq(setup, self.sound()));
-        if !same {
-            *before = Checked { setup: Some(self.sound().clone()), ..Checked::default() };
-        }
-        self.job().check_again(&mut before.memory)
-    }
 }

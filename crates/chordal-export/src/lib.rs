@@ -42,6 +42,7 @@ mod command_json;
 mod comparison;
 mod comparison_text;
 mod contour_ranges;
+mod digest;
 mod dxf;
 mod json;
 mod machine_error;
@@ -51,6 +52,7 @@ pub mod numbers;
 mod plot;
 pub mod report;
 mod samples;
+mod setpoints;
 mod time;
 mod transformed;
 mod worked;
@@ -66,12 +68,14 @@ pub use comparison_text::{
     difference_text, difference_words, length_text,
 };
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
+pub use digest::sha256_hex;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png, figure_svg,
 };
-pub use samples::{SAMPLE_SCHEMA, SampleFormat, SampleHead, SampleWriter, sha256_hex};
+pub use samples::{SampleFormat, SampleWriter};
+pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use time::{TimeDocument, comment_text, level_word, time_json};
 pub use transformed::{refusal_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

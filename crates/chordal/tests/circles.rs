@@ -31,7 +31,8 @@ fn module_of(src: &Path, file: &Path) -> String {
     let relative = file.strip_prefix(src).expect("a file of the crate").with_extension("");
     let mut parts: Vec<String> =
         relative.iter().map(|part| part.to_string_lossy().into_owned()).collect();
-    if matches!(parts.last().map(String::as_str), Some("mod" | "lib" | "main")) {
+    // `main.rs` beside `lib.rs` is a crate of its own: here a module that nobody uses.
+    if matches!(parts.last().map(String::as_str), Some("mod" | "lib")) {
         parts.pop();
     }
     parts.join("::")
@@ -94,12 +95,12 @@ fn spread(text: &str, base: &mut Vec<String>, found: &mut Vec<Vec<String>>) -> u
             base.truncate(depth);
             return at;
         }
-        let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+        let name = if rest.starts_with('*') { "*" } else { word(rest) };
         if name.is_empty() {
             break;
         }
         at += name.len();
-        base.push(name);
+        base.push(name.to_string());
         match text[at..].strip_prefix("::") {
             Some(_) => at += 2,
             None => break,
@@ -110,50 +111,91 @@ fn spread(text: &str, base: &mut Vec<String>, found: &mut Vec<Vec<String>>) -> u
     at
 }
 
+/// The word that a text begins with, perhaps none.
+fn word(text: &str) -> &str {
+    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    &text[..end]
+}
+
 fn split(module: &str) -> Vec<String> {
     module.split("::").filter(|part| !part.is_empty()).map(str::to_string).collect()
 }
 
 /// The module that a path leads to: the longest part of it that is one. A name that a module gives
 /// on from its child is the child's.
-fn target(
-    modules: &Modules,
-    given_on: &BTreeMap<(String, String), String>,
-    path: &[String],
-) -> String {
+fn target(modules: &Modules, given_on: &GivenOn, path: &[String]) -> String {
     let mut module = String::new();
     for name in path {
-        let next = if module.is_empty() { name.clone() } else { format!("{module}::{name}") };
+        let next = join(&module, name);
         if modules.contains_key(&next) {
             module = next;
-        } else if let Some(child) = given_on.get(&(module.clone(), name.clone())) {
-            return child.clone();
-        } else {
-            break;
+            continue;
         }
+        while let Some(child) = given_on.get(&(module.clone(), name.clone())) {
+            module.clone_from(child);
+        }
+        break;
     }
     module
 }
 
-/// Names that modules give on from their children: `pub use child::Name`.
-fn given_on(modules: &Modules) -> BTreeMap<(String, String), String> {
-    let mut given = BTreeMap::new();
+fn join(module: &str, name: &str) -> String {
+    if module.is_empty() { name.to_string() } else { format!("{module}::{name}") }
+}
+
+/// By module and name, the module below from which the name is given on.
+type GivenOn = BTreeMap<(String, String), String>;
+
+/// Names that modules give on from those below: `pub use child::Name`, and with a star all that
+/// the child makes.
+fn given_on(modules: &Modules) -> GivenOn {
+    let mut given = GivenOn::new();
     for (module, text) in modules {
         for line in code(text).split(';') {
             let Some((_, rest)) = line.rsplit_once("use ") else { continue };
             let rest = rest.strip_prefix("self::").unwrap_or(rest);
-            let mut found = Vec::new();
-            spread(rest, &mut split(module), &mut found);
+            let mut found = paths(module, rest);
+            if !rest.starts_with("crate::") && !rest.starts_with("super::") {
+                spread(rest, &mut split(module), &mut found);
+            }
             for path in found {
                 let Some((name, of)) = path.split_last() else { continue };
                 let of = of.join("::");
-                if of != *module && modules.contains_key(&of) {
-                    given.insert((module.clone(), name.clone()), of);
-                }
+                let is_below = module.is_empty() || of.starts_with(&format!("{module}::"));
+                let Some(text) = modules.get(&of).filter(|_| of != *module && is_below) else {
+                    continue;
+                };
+                let names = if name == "*" { made(text) } else { vec![name.clone()] };
+                given.extend(names.into_iter().map(|name| ((module.clone(), name), of.clone())));
             }
         }
     }
     given
+}
+
+/// The names that a module makes for others.
+fn made(text: &str) -> Vec<String> {
+    let kinds = ["struct ", "enum ", "trait ", "type ", "const ", "static ", "fn ", "const fn "];
+    let mut made = Vec::new();
+    for line in text.lines().filter(|line| line.starts_with("pub")) {
+        let Some((_, rest)) = line.split_once(' ') else { continue };
+        let after = kinds.iter().filter_map(|kind| rest.strip_prefix(kind)).map(word);
+        made.extend(after.filter(|name| *name != "fn").map(str::to_string));
+    }
+    made
+}
+
+/// What a path leads to. A star leads to all that the module gives on and the text names.
+fn targets(modules: &Modules, given: &GivenOn, path: &[String], text: &str) -> Vec<String> {
+    let mut found = vec![target(modules, given, path)];
+    if path.last().is_some_and(|name| name == "*") {
+        let words: BTreeSet<&str> =
+            text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+        let names = given.keys().filter(|(of, name)| *of == found[0] && words.contains(&**name));
+        let more: Vec<String> = names.map(|key| given[key].clone()).collect();
+        found.extend(more);
+    }
+    found
 }
 
 /// For the children of each module: who uses whom, and where that is said.
@@ -161,12 +203,15 @@ fn neighbours(modules: &Modules) -> BTreeMap<(String, String, String), String> {
     let given = given_on(modules);
     let mut uses = BTreeMap::new();
     for (module, text) in modules {
-        for path in paths(module, &code(text)) {
-            let (from, to) = (split(module), split(&target(modules, &given, &path)));
-            let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-            if shared < from.len() && shared < to.len() {
-                let key = (from[..shared].join("::"), from[shared].clone(), to[shared].clone());
-                uses.entry(key).or_insert_with(|| format!("{module} uses {}", path.join("::")));
+        let (text, from) = (code(text), split(module));
+        for path in paths(module, &text) {
+            for to in targets(modules, &given, &path, &text) {
+                let to = split(&to);
+                let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+                if shared < from.len() && shared < to.len() {
+                    let key = (from[..shared].join("::"), from[shared].clone(), to[shared].clone());
+                    uses.entry(key).or_insert_with(|| format!("{module} uses {}", path.join("::")));
+                }
             }
         }
     }
@@ -222,10 +267,10 @@ fn no_crate_has_a_circle_of_imports() {
 }
 
 /// A crate of three modules, to see the test fail.
-fn made_up(of_b: &str) -> Vec<String> {
+fn made_up(of_root: &str, of_b: &str) -> Vec<String> {
     let texts = [
-        ("", "mod a;\nmod b;\nmod c;\n"),
-        ("a", "use crate::b::Thing;\n"),
+        ("", of_root),
+        ("a", "use crate::b::Thing;\npub struct Other;\n"),
         ("b", of_b),
         ("c", "use super::a;\n"),
     ];
@@ -234,9 +279,16 @@ fn made_up(of_b: &str) -> Vec<String> {
 
 #[test]
 fn a_circle_is_found() {
-    assert!(made_up("").is_empty());
-    assert!(!made_up("use crate::a::Other;\n").is_empty(), "two that use each other");
-    assert!(!made_up("use super::{a::Other, Thing};\n").is_empty(), "in a list");
-    assert!(!made_up("fn f() { crate::c::g() }\n").is_empty(), "over a third");
-    assert!(made_up("// crate::a::Other\n").is_empty(), "a remark");
+    let root = "mod a;\nmod b;\nmod c;\n";
+    assert!(made_up(root, "").is_empty());
+    assert!(!made_up(root, "use crate::a::Other;\n").is_empty(), "two that use each other");
+    assert!(!made_up(root, "use super::{a::Other, Thing};\n").is_empty(), "in a list");
+    assert!(!made_up(root, "fn f() { crate::c::g() }\n").is_empty(), "over a third");
+    assert!(made_up(root, "// crate::a::Other\n").is_empty(), "a remark");
+    assert!(made_up(root, "use super::Other;\n").is_empty(), "a name of the root");
+    for root in ["pub use a::Other;\n", "pub use crate::a::{Other};\n", "pub use a::*;\n"] {
+        assert!(!made_up(root, "use super::Other;\n").is_empty(), "given on: {root}");
+        assert!(!made_up(root, "use super::*;\ntype T = Other;\n").is_empty(), "a star: {root}");
+        assert!(made_up(root, "use super::*;\n").is_empty(), "a star for nothing: {root}");
+    }
 }

@@ -8,8 +8,8 @@ use chordal::Job;
 use chordal::control::AxisMask;
 use chordal::diagnostics::FileId;
 
+use crate::digest::sha256_hex;
 use crate::motion::Written;
-use crate::samples::sha256_hex;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use super::field::{Cell, Column};
 use super::{
     CHORD_COLUMNS, COMMAND_COLUMNS, PATH_COLUMNS, TOOL_PATH_COLUMNS, chords, commands, path,
 };
-use crate::samples::{SAMPLE_SCHEMA, sample_columns};
+use crate::setpoints::{SAMPLE_SCHEMA, sample_columns};
 
 const HEAD: &str = "\
 # Columns

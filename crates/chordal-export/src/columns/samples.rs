@@ -8,7 +8,7 @@ use chordal::motion::Sample;
 
 use super::field::{Cell, Column, schema_of};
 use super::file::{BATCH, Rows};
-use crate::samples::{SAMPLE_SCHEMA, SampleHead, Setpoint, sample_columns};
+use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, Setpoint, sample_columns};
 
 /// Gathers setpoints, one row each, and gives them as a batch when it is asked.
 #[derive(Debug)]

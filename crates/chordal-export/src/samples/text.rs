@@ -4,9 +4,9 @@ use std::io::{self, Write};
 
 use chordal::motion::Sample;
 
-use super::{SAMPLE_SCHEMA, SampleHead, Setpoint};
 use crate::json::Object;
 use crate::number::{push_finite, push_integer, push_number};
+use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, Setpoint};
 
 /// Bytes that are gathered before they are written.
 const BLOCK: usize = 1 << 16;

@@ -5,7 +5,6 @@ use chordal::control::{Action, AfterCode, ModeCode, OnceCode, PathCode, ReadingC
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{Draft, Expand};
-use super::emit::spelt;
 use crate::source::{Style, whole};
 
 /// The row of a control that does this.
@@ -52,6 +51,14 @@ fn same(one: Action, other: Action) -> bool {
 /// A code that means what its control or its machine makes of it.
 fn is_own(action: Action) -> bool {
     matches!(action, Action::NoEffect | Action::NotSimulated | Action::After(AfterCode::ShopCode))
+}
+
+/// A row's code as the programmer writes codes.
+pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
+    if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
+        return format!("{}{:02}", char::from(letter), row.code / 10);
+    }
+    row.name(letter)
 }
 
 /// The code that does this, as the programmer writes codes.

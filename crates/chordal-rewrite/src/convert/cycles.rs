@@ -7,10 +7,10 @@ use chordal::control::{Action, AfterCode, ModeCode, OnceCode};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
 
 use super::codes;
+use super::context::Context;
 use super::draft::{Draft, Expand};
 use super::numbers;
 use super::trace::Exec;
-use super::translate::Context;
 use crate::source::code_action;
 
 /// Words of cycles, and codes that end them.

@@ -1,7 +1,6 @@
 //! Blocks written from what they do, where the new control has no form for how they were written.
 
 use chordal::control::PathCode;
-use chordal::control::table::CodeRow;
 use chordal::control::{
     Action, AfterCode, BeforeCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode,
 };
@@ -536,12 +535,4 @@ fn feed_action(mode: FeedMode) -> Action {
         FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
         FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
     }
-}
-
-/// A row's code as the programmer writes codes.
-pub(crate) fn spelt(row: &CodeRow, letter: u8, style: Style) -> String {
-    if style.two_digits && row.code < 100 && row.code.is_multiple_of(10) {
-        return format!("{}{:02}", char::from(letter), row.code / 10);
-    }
-    row.name(letter)
 }

@@ -6,10 +6,10 @@ use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
 use super::codes;
+use super::context::Context;
 use super::emit::{distance_action, plane_action};
-use super::plan::Rendered;
+use super::rendered::Rendered;
 use super::trace::Exec;
-use super::translate::Context;
 use crate::Change;
 
 /// Words whose meaning depends on inch and millimetres.

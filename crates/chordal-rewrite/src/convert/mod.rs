@@ -8,6 +8,7 @@
 
 pub(crate) mod codes;
 mod comments;
+mod context;
 mod cycles;
 mod draft;
 mod emit;
@@ -16,6 +17,7 @@ mod layout;
 mod macros;
 pub(crate) mod numbers;
 mod plan;
+mod rendered;
 mod spiral;
 mod structure;
 mod tap;
@@ -31,12 +33,13 @@ use chordal::syntax::{Block, BlockReader};
 use chordal::{Code, CommandKind, Diagnostic, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, Difference, Value};
 
+use self::context::Context;
 use self::layout::Layout;
 use self::macros::Macros;
-use self::plan::{Plan, Rendered};
+use self::plan::Plan;
+use self::rendered::Rendered;
 use self::structure::Structure;
 use self::trace::Trace;
-use self::translate::Context;
 use crate::source::Source;
 use crate::{Certificate, Change, prove, prove_contour};
 

@@ -8,12 +8,12 @@ use chordal::CommandKind;
 use chordal::syntax::BlockKind;
 
 use super::comments;
+use super::context::Context;
 use super::draft::{Draft, Expand};
 use super::emit::Emitter;
 use super::initial;
-use super::layout::Lines;
+use super::rendered::Rendered;
 use super::trace::Exec;
-use super::translate::Context;
 use super::{Options, Refusal};
 use crate::Change;
 
@@ -28,18 +28,6 @@ pub(crate) struct Plan<'c, 'a> {
     flat: Vec<Option<String>>,
     /// The block that set up the cycle of each block with holes.
     cycle: Vec<Option<usize>>,
-}
-
-/// What a plan comes to.
-#[derive(Default)]
-pub(crate) struct Rendered {
-    pub lines: Lines,
-    pub changes: Vec<Change>,
-    pub refusals: Vec<Refusal>,
-    /// Text that the program printed is a remark now.
-    pub printed: bool,
-    /// Blocks that keep their words because they could not be written out.
-    pub unwritten: Vec<Refusal>,
 }
 
 impl<'c, 'a> Plan<'c, 'a> {

@@ -8,52 +8,19 @@ use chordal::syntax::{BlockKind, Letters};
 
 use super::codes;
 use super::comments;
+use super::context::Context;
 use super::cycles;
 use super::draft::{Draft, Expand};
-use super::macros::Macros;
 use super::numbers::{self, Kind};
 use super::spiral;
-use super::structure::{Places, Structure};
-use super::trace::{Exec, Trace, moves};
-use crate::source::{Source, Style, code_action, whole};
-
-/// Everything that a block's new form depends on.
-pub(crate) struct Context<'a> {
-    pub source: &'a Source<'a>,
-    pub trace: &'a Trace,
-    pub structure: &'a Structure,
-    pub from: &'a Control,
-    pub to: &'a Control,
-    pub macros: &'a Macros<'a>,
-}
+use super::structure::Places;
+use super::trace::{Exec, moves};
+use crate::source::{code_action, whole};
 
 /// Letters of lengths on the axes of the plane and the third one.
 const LENGTHS: Letters = Letters::of("XYZIJKR");
 
 impl<'a> Context<'a> {
-    pub fn style(&self) -> Style {
-        self.source.style
-    }
-
-    pub fn controls(&self) -> [&'a Control; 2] {
-        [self.from, self.to]
-    }
-
-    /// True when the program stays on its control.
-    pub fn same_control(&self) -> bool {
-        std::ptr::eq(self.from.table, self.to.table)
-    }
-
-    /// True when statements of the macro language mean the same on both.
-    pub fn keeps_macros(&self) -> bool {
-        self.from.table.macros.form == self.to.table.macros.form
-    }
-
-    /// What the block's first run did, where it was carried out.
-    pub fn run(&self, at: usize) -> Option<&'a Exec> {
-        self.trace.first_run(at)
-    }
-
     /// The block in the words of the new control.
     pub fn block(&self, at: usize) -> Result<Draft<'a>, Expand> {
         let block = &self.source.blocks[at];
@@ -395,10 +362,6 @@ impl<'a> Context<'a> {
             self.trace.commands_of(run).iter().any(|command| command.kind.shape().is_some())
         });
         data || arc || self.run(at).is_some_and(|run| self.in_cycle(run))
-    }
-
-    pub fn in_cycle(&self, run: &Exec) -> bool {
-        self.trace.commands_of(run).iter().any(|command| command.origin.cycle)
     }
 
     /// Numbers without a point.

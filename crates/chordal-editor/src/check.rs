@@ -1,0 +1,27 @@
+//! Checks a text, and what may be kept from one text to the next.
+
+use std::sync::Arc;
+
+use chordal::{CheckMemory, Report};
+
+use crate::Program;
+use crate::setup::Sound;
+
+/// What the check before remembers, for the next text of the same setup.
+#[derive(Debug, Default)]
+pub struct Checked {
+    setup: Option<Arc<Sound>>,
+    memory: CheckMemory,
+}
+
+impl Program {
+    /// Checks the text; of one that was changed since the last check only what the change may
+    /// touch is run.
+    pub fn check(&self, before: &mut Checked) -> Report {
+        let same = before.setup.as_ref().is_some_and(|setup| Arc::ptr_eq(setup, self.sound()));
+        if !same {
+            *before = Checked { setup: Some(self.sound().clone()), ..Checked::default() };
+        }
+        self.job().check_again(&mut before.memory)
+    }
+}

@@ -1,0 +1,150 @@
+//! What the columns of setpoints are, whatever they are written to.
+//!
+//! `time_s`; `x_mm`, `x_vel_mm_per_s`, `x_acc_mm_per_s2` and the same of Y and Z; `a_deg`,
+//! `a_vel_deg_per_s`, `a_acc_deg_per_s2` and the same of B and C, of the rotary axes that the machine
+//! has; `speed_mm_per_s`, which is that of the tool along X, Y and Z; `line`. Which axes there are
+//! must be known before the first setpoint, because nothing is held back: the machine says, not the
+//! program.
+
+use chordal::Job;
+use chordal::control::AxisMask;
+use chordal::machine::{AXES, Axis};
+use chordal::motion::Sample;
+
+use crate::digest::sha256_hex;
+
+/// The version of the columns and of what they mean.
+pub const SAMPLE_SCHEMA: &str = "chordal.samples/1";
+
+/// What is known of setpoints before the first one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SampleHead {
+    /// Which of A, B and C are columns.
+    pub rotary: [bool; 3],
+    /// Time from one setpoint to the next, s.
+    pub period_s: f64,
+    /// The name of the program's file.
+    pub program: String,
+    /// SHA-256 of the program's text, as `sha256sum` prints it.
+    pub program_sha256: String,
+    /// The machine.
+    pub machine: String,
+    /// The control, as machine files name it.
+    pub control: String,
+}
+
+impl SampleHead {
+    /// Of the program and the machine of a job.
+    pub fn of(job: &Job, period_s: f64) -> SampleHead {
+        let program = job.sources().get(chordal::diagnostics::FileId(0));
+        let text = program.map_or(&[][..], |source| source.text());
+        SampleHead {
+            rotary: [Axis::A, Axis::B, Axis::C].map(|axis| job.machine().axis(axis).is_some()),
+            period_s,
+            program: program.map_or_else(String::new, |source| source.name().to_string()),
+            program_sha256: sha256_hex(text),
+            machine: job.machine().name.clone(),
+            control: job.machine().control.as_str().to_string(),
+        }
+    }
+
+    /// The columns of doubles.
+    pub(crate) fn columns(&self) -> Vec<Setpoint> {
+        columns_of(self.axes())
+    }
+
+    /// The axes that are columns.
+    pub(crate) fn axes(&self) -> AxisMask {
+        let mut axes = AxisMask::LINEAR;
+        (3..AXES).filter(|axis| self.rotary[axis - 3]).for_each(|axis| axes.insert(axis));
+        axes
+    }
+}
+
+/// The columns of doubles, those before `line`, for a machine with these axes.
+fn columns_of(axes: AxisMask) -> Vec<Setpoint> {
+    let mut columns = vec![Setpoint::new("time_s", "s", Value::Time)];
+    for axis in axes.iter() {
+        let letter = axis.letter().to_ascii_lowercase();
+        let (unit, units) = match axis.is_rotary() {
+            false => ("mm", ["mm", "mm/s", "mm/s^2"]),
+            true => ("deg", ["deg", "deg/s", "deg/s^2"]),
+        };
+        let names = [
+            format!("{letter}_{unit}"),
+            format!("{letter}_vel_{unit}_per_s"),
+            format!("{letter}_acc_{unit}_per_s2"),
+        ];
+        for (order, (name, unit)) in names.into_iter().zip(units).enumerate() {
+            let value = Value::Axis { axis: axis as usize, order };
+            columns.push(Setpoint { name, unit, value });
+        }
+    }
+    columns.push(Setpoint::new("speed_mm_per_s", "mm/s", Value::Speed));
+    columns
+}
+
+/// Name, unit and meaning of the columns of doubles, for a machine with these axes.
+pub(crate) fn sample_columns(
+    axes: AxisMask,
+) -> impl Iterator<Item = (String, &'static str, String)> {
+    columns_of(axes).into_iter().map(|column| {
+        let meaning = match column.value {
+            Value::Time => "from the start".to_string(),
+            Value::Speed => "speed of the tool along X, Y and Z".to_string(),
+            Value::Axis { axis, order } => {
+                let what = ["place", "velocity", "acceleration"][order];
+                format!(
+                    "{what} of {}, going on evenly where offsets jump",
+                    Axis::ALL[axis].letter()
+                )
+            }
+        };
+        (column.name, column.unit, meaning)
+    })
+}
+
+/// A column of doubles.
+#[derive(Clone, Debug)]
+pub(crate) struct Setpoint {
+    pub name: String,
+    unit: &'static str,
+    value: Value,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Value {
+    Time,
+    /// 0 is the place, 1 the velocity, 2 the acceleration.
+    Axis {
+        axis: usize,
+        order: usize,
+    },
+    Speed,
+}
+
+impl Setpoint {
+    fn new(name: &str, unit: &'static str, value: Value) -> Setpoint {
+        Setpoint { name: name.into(), unit, value }
+    }
+
+    /// Its value, in its unit.
+    #[inline]
+    pub(crate) fn of(&self, sample: &Sample) -> f64 {
+        match self.value {
+            Value::Time => sample.time_s,
+            Value::Speed => {
+                let [x, y, z, ..] = sample.velocity;
+                (x * x + y * y + z * z).sqrt()
+            }
+            Value::Axis { axis, order } => {
+                let row = match order {
+                    0 => &sample.position,
+                    1 => &sample.velocity,
+                    _ => &sample.acceleration,
+                };
+                if axis < 3 { row[axis] } else { row[axis].to_degrees() }
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! What the new form of a block depends on.
+
+use chordal::control::Control;
+
+use super::macros::Macros;
+use super::structure::Structure;
+use super::trace::{Exec, Trace};
+use crate::source::{Source, Style};
+
+/// Everything that a block's new form depends on.
+pub(crate) struct Context<'a> {
+    pub source: &'a Source<'a>,
+    pub trace: &'a Trace,
+    pub structure: &'a Structure,
+    pub from: &'a Control,
+    pub to: &'a Control,
+    pub macros: &'a Macros<'a>,
+}
+
+impl<'a> Context<'a> {
+    pub fn style(&self) -> Style {
+        self.source.style
+    }
+
+    pub fn controls(&self) -> [&'a Control; 2] {
+        [self.from, self.to]
+    }
+
+    /// True when the program stays on its control.
+    pub fn same_control(&self) -> bool {
+        std::ptr::eq(self.from.table, self.to.table)
+    }
+
+    /// True when statements of the macro language mean the same on both.
+    pub fn keeps_macros(&self) -> bool {
+        self.from.table.macros.form == self.to.table.macros.form
+    }
+
+    /// What the block's first run did, where it was carried out.
+    pub fn run(&self, at: usize) -> Option<&'a Exec> {
+        self.trace.first_run(at)
+    }
+
+    pub fn in_cycle(&self, run: &Exec) -> bool {
+        self.trace.commands_of(run).iter().any(|command| command.origin.cycle)
+    }
+}
