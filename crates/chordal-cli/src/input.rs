@@ -17,10 +17,10 @@ const MAP_FROM: u64 = 1 << 20;
 /// Places in a text are 32-bit numbers.
 const LARGEST: u64 = u32::MAX as u64;
 
-/// How much of a file in a folder is looked at to tell whether it is a program.
+/// How much of a file in a folder is looked at to decide whether it is a program.
 const SAMPLE: u64 = 16 * 1024;
 
-/// Endings of files that lie beside programs and are none, whatever they hold.
+/// Endings of files that lie next to programs and are none, whatever they hold.
 const NOT_PROGRAMS: &[&str] = &[
     "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
     "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet",
@@ -56,7 +56,7 @@ impl Input {
 }
 
 /// The programs that the arguments name. A folder stands for all programs below it; what
-/// cannot be read is told beside the rest.
+/// cannot be read is reported with the rest.
 pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<Failure>) {
     let mut inputs = Vec::new();
     let mut failures = Vec::new();
@@ -69,7 +69,7 @@ pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<Failure>) {
             if inputs.len() + failures.len() == before {
                 failures.push(Failure::wrong(
                     format!("there is no program in {}", argument.display()),
-                    "name the file itself to run it whatever it looks like",
+                    "name the file itself to run it anyway",
                 ));
             }
         } else {
@@ -169,7 +169,7 @@ impl Deref for Bytes {
 pub struct Text {
     name: String,
     bytes: Bytes,
-    /// Where the text begins: behind a byte order mark.
+    /// Where the text begins: after a byte order mark.
     start: usize,
 }
 
@@ -211,7 +211,7 @@ impl Text {
     }
 
     /// Gives a program without a head the number that its file's name says. The head comes
-    /// before the words of the first line behind `%`, so that lines keep their numbers.
+    /// before the words of the first line after `%`, so that lines keep their numbers.
     pub fn give_head(&mut self, number: u32) {
         let text = self.bytes();
         let lines = text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r'));

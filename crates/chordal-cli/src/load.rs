@@ -1,5 +1,5 @@
 //! Loads programs as the command does, for other shells: the machine that a folder's
-//! `chordal.toml` says or the text speaks for, subprograms beside the file, tool tables.
+//! `chordal.toml` says or the text speaks for, subprograms in the folder of the file, tool tables.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

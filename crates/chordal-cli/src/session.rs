@@ -1,4 +1,4 @@
-//! A command over its input files: loads each with its machine, tells what cannot be loaded
+//! A command over its input files: loads each with its machine, says what cannot be loaded
 //! and goes on with the rest.
 
 use std::collections::BTreeSet;
@@ -155,7 +155,7 @@ pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
     if file.is_dir() {
         return Err(Failure::wrong(
             format!("{} is a folder", file.display()),
-            "this command takes one program; `run` and `check` take folders",
+            "this command takes one program; `run` and `check` also take folders",
         ));
     }
     let (inputs, _) = input::find(std::slice::from_ref(file));
@@ -220,7 +220,7 @@ impl Session {
         self.called
     }
 
-    /// Loads each input and has it handled. What cannot be loaded is told; the rest goes on.
+    /// Loads each input and has it handled. What cannot be loaded is reported; the rest goes on.
     /// Only a failure of the handler ends it all.
     pub fn each(
         mut self,
@@ -249,7 +249,7 @@ impl Session {
         self.bar.suspend(|| say(text))
     }
 
-    /// Tells a failure, but the same one only once: a wrong `chordal.toml` counts for every
+    /// Reports a failure, but the same one only once: a wrong `chordal.toml` counts for every
     /// file of its folder.
     fn tell(&mut self, failure: &Failure) {
         self.verdict = self.verdict.max(failure.verdict());

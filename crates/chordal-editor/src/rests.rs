@@ -1,4 +1,4 @@
-//! What is in force behind a line. The text is run for it once, and rests are kept: the next
+//! What is active after a line. The text is run for it once, and rests are kept: the next
 //! question begins at the one before its line.
 
 use std::ops::ControlFlow;
@@ -52,13 +52,13 @@ impl Rests {
 }
 
 impl Program {
-    /// What is in force behind a line when it runs for the first time; for a line that carries
-    /// nothing out, behind the last one before it that does.
+    /// What is active after a line when it runs for the first time; for a line that carries
+    /// nothing out, after the last one before it that does.
     pub fn modal_behind(&self, line: u32) -> Option<Modal> {
         self.modal_of(line).or_else(|| self.modal_of(self.nearest(line)?))
     }
 
-    /// What is in force behind a line, if it carries something out.
+    /// What is active after a line, if it carries something out.
     fn modal_of(&self, line: u32) -> Option<Modal> {
         let known = self.rests.known().clone();
         let byte = self.source().line_start(line);
@@ -134,7 +134,7 @@ impl Sink for Nearest {
     }
 }
 
-/// The state behind a line's first run, which ends the run; the last block of the line counts.
+/// The state after a line's first run, which ends the run; the last block of the line counts.
 struct Taking {
     line: u32,
     modal: Option<(u32, CallPath, Modal)>,

@@ -1,12 +1,12 @@
 //! How fast a piece of path may be travelled at all: limits of the axes turned into limits of
-//! the law of time that hold anywhere on the piece, together.
+//! the velocity profile that hold anywhere on the piece, together.
 
 use crate::Axes;
 use crate::limits::Limits;
 use crate::profile::{Ability, Effort};
 use crate::root::cbrt;
 
-/// The limits of the law of time on a piece of path.
+/// The limits of the velocity profile on a piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Extent in σ.

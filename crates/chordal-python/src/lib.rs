@@ -29,7 +29,7 @@ fn main(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
     py.detach(|| chordal_cli::run(arguments))
 }
 
-/// What a diagnostic, a G or M code or a letter means is told by the command; this is the list
+/// What a diagnostic, a G or M code or a letter means is explained by the command; this is the list
 /// of diagnostics: code, name, severity, summary and explanation of each.
 #[pyfunction]
 fn codes() -> Vec<(&'static str, &'static str, &'static str, &'static str, &'static str)> {

@@ -21,7 +21,7 @@ use crate::summary::{Summary, SummaryBuilder};
 #[derive(Debug, thiserror::Error)]
 pub enum JobError {
     /// Settings of the machine that its control does not have.
-    #[error("{} settings of the machine are not known to its control", .0.len())]
+    #[error("the control does not know {} settings of the machine", .0.len())]
     Settings(Vec<SettingError>),
 }
 
@@ -47,7 +47,7 @@ enum Chosen {
     Place(usize),
 }
 
-/// A program of the first text, as [`Job::programs`] tells it.
+/// A program of the first text, as [`Job::programs`] says it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TextProgram {
     /// Its head and its range in the text.
@@ -56,7 +56,7 @@ pub struct TextProgram {
     pub is_main: bool,
 }
 
-/// What a run tells beside its commands.
+/// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Numbers for people.
@@ -64,7 +64,7 @@ pub struct Report {
     /// Problems by place: file, then line, as an editor lists them; those of one place in the
     /// order of the run.
     pub diagnostics: Vec<Diagnostic>,
-    /// Problems that were told but not kept, by code.
+    /// Problems that were reported but not kept, by code.
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
     pub counts: Counts,
@@ -308,7 +308,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Runs, from a rest on where one is given, and tells the sink of rests. False, and nothing is
+    /// Runs, from a rest on where one is given, and reports rests to the sink. False, and nothing is
     /// run, where there are several programs to run or the shop is asked: then there are none.
     pub fn run_on(&self, rest: Option<&Rest>, sink: &mut dyn Sink) -> bool {
         let Some((library, main)) = self.single_main() else { return false };
@@ -350,7 +350,7 @@ impl<'a> Job<'a> {
         &self.options
     }
 
-    /// Runs and hands on the moves of the machine and its waits, as a planner takes them.
+    /// Runs and emits the moves of the machine and its waits, as a planner takes them.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -365,7 +365,7 @@ impl<'a> Job<'a> {
         Ok(builder.finish(outcomes))
     }
 
-    /// Runs and plans: hands on the steps of the machine as they become certain.
+    /// Runs and plans: emits the steps of the machine as they become certain.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.

@@ -81,7 +81,7 @@ impl Designation {
                 "calc thread gives its sizes",
             )),
             Form::Npt | Form::Nptf | Form::R => Err(CalcError::new(
-                "a pipe thread with a taper of 1:16 needs a path that grows wider with every turn; \
+                "a pipe thread with a taper of 1:16 needs a path that becomes wider with every turn; \
                  programs are written for parallel threads",
                 "calc thread gives its sizes",
             )),
@@ -104,15 +104,15 @@ impl Designation {
 
 pub(super) fn no_thread(text: &str) -> CalcError {
     CalcError::new(
-        format!("`{text}` is no thread"),
-        "write it as M30x2, 1.5-8, 1 1/16-28, #10-24, 1/2 NPT or G 1/2: inch threads need their threads \
+        format!("`{text}` is not a thread"),
+        "write it like M30x2, 1.5-8, 1 1/16-28, #10-24, 1/2 NPT or G 1/2; inch threads need the threads \
          per inch",
     )
 }
 
 fn unknown_form(text: &str, form: &str) -> CalcError {
     CalcError::new(
-        format!("`{text}`: {form} have a root of their own, which is not calculated"),
+        format!("`{text}`: {form} have a special root, which Chordal does not calculate"),
         "give M, UN, NPT, G or R",
     )
 }
@@ -181,7 +181,7 @@ fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
         None => {
             let pitch = coarse(major).ok_or_else(|| {
                 CalcError::new(
-                    format!("`{text}` has no pitch, and ISO 261 no coarse pitch of M{first}"),
+                    format!("`{text}` has no pitch, and ISO 261 has no coarse pitch for M{first}"),
                     format!("write the pitch: M{first}x1.5"),
                 )
             })?;
@@ -211,11 +211,15 @@ fn doubtful_case(text: &str, class: &str) -> Option<String> {
     let capital = text.chars().any(|c| c.is_ascii_uppercase());
     if class.contains('G') && !small(text) {
         let other = class.to_ascii_lowercase();
-        return Some(format!("{class} is inside; outside is {other}, with a small letter."));
+        return Some(format!(
+            "{class} is for inside threads; outside is {other}, with a small letter."
+        ));
     }
     if class.contains('h') && !capital {
         let other = class.to_ascii_uppercase();
-        return Some(format!("{class} is outside; inside is {other}, with a capital letter."));
+        return Some(format!(
+            "{class} is for outside threads; inside is {other}, with a capital letter."
+        ));
     }
     None
 }
@@ -278,7 +282,7 @@ fn inch_rest(
             if own.is_some_and(|own| (own - tpi).abs() > 1e-9) {
                 return Err(CalcError::new(
                     format!(
-                        "{letters} of {} threads per inch is named on a thread that has {tpi}",
+                        "{letters} has {} threads per inch, but the thread has {tpi}",
                         trimmed(own.unwrap_or(0.0), 3)
                     ),
                     "give one pitch",
@@ -313,9 +317,9 @@ fn inch_rest(
 /// A word that is no class: what begins with a digit was meant as one.
 fn unknown(word: &str, kind: &str, classes: &str, others: &str) -> CalcError {
     let what = if word.starts_with(|c: char| c.is_ascii_digit()) {
-        format!("`{word}` is no class of a {kind} thread")
+        format!("`{word}` is not a class of a {kind} thread")
     } else {
-        format!("`{word}` is nothing that the name of a {kind} thread has")
+        format!("`{word}` is not part of the name of a {kind} thread")
     };
     CalcError::new(what, format!("the classes are {classes}; {others}"))
 }
@@ -330,7 +334,7 @@ pub(super) fn hand(name: &mut Designation, word: &str) -> Result<bool, CalcError
     };
     if name.hand.is_some_and(|other| other != own) {
         return Err(CalcError::new(
-            "a thread is not both left and right hand",
+            "a thread cannot be both left and right hand",
             "give one of LH and RH",
         ));
     }
@@ -403,7 +407,7 @@ fn numbered(text: &str, number: f64) -> Result<f64, CalcError> {
         return Ok((60.0 + 13.0 * number) / 1000.0);
     }
     Err(CalcError::new(
-        format!("`{text}`: a screw has no number {number}"),
+        format!("`{text}`: there is no screw size number {number}"),
         "the numbers go from 0 to 12; larger threads are named by inches",
     ))
 }

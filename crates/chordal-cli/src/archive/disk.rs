@@ -26,7 +26,7 @@ pub struct Disk {
     /// The folders of the command line: `chordal.toml` counts up to there.
     roots: Vec<PathBuf>,
     folders: Folders,
-    /// How the beginning of paths is told: from, to.
+    /// How the beginning of paths is reported: from, to.
     renamed: Option<(String, String)>,
 }
 
@@ -42,8 +42,8 @@ impl Disk {
         Ok(Disk { given, common, roots, folders, renamed: None })
     }
 
-    /// The same, and paths that begin in one way are told as if they began in another: files that
-    /// were brought from elsewhere are told by where they come from.
+    /// The same, and paths that begin in one way are reported as if they began in another: files that
+    /// were brought from elsewhere are named by where they come from.
     pub fn renamed(self, from: String, to: String) -> Disk {
         let renamed = (!from.is_empty()).then_some((from, to));
         Disk { renamed, ..self }

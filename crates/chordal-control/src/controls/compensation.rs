@@ -92,7 +92,7 @@ pub const FANUC_TYPE_C: Setting = rule(
     "No. 5003#1",
     C::Alone,
     &[("0", "waits"), ("1", "perpendicular")],
-    "SUV: G41 or G40 alone waits for the next move (0), or moves the tool aside at once (1, type C)",
+    "SUV: G41 or G40 alone waits for the next move (0), or offsets the tool at once (1, type C)",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -102,7 +102,7 @@ pub const FANUC_ANGLES_ONLY: Setting = rule(
     "No. 5008#1",
     C::Interference,
     &[("0", "direction"), ("1", "arc-angle")],
-    "CNC: interference is looked for in direction and angle of the moves, or in the angle of arcs alone",
+    "CNC: interference is checked by the direction and angle of the moves, or only by the angle of arcs",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -132,7 +132,7 @@ pub const FANUC_BLOCKS_READ: Setting = rule(
     "No. 19625",
     C::BlocksRead,
     &[],
-    "blocks read ahead in compensation, 3 to 8; two less may stand without motion between two moves",
+    "blocks read ahead in compensation, 3 to 8; two fewer may be without motion between two moves",
     Certainty::Documented,
     "B-63944EN",
 );

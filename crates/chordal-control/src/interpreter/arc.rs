@@ -203,8 +203,10 @@ impl Interpreter<'_> {
     ) {
         let span = self.span(word.range);
         let (a, b, _) = center_letters(self.state.plane);
-        let by =
-            format!("give the centre with {} or {} and leave the end out", a as char, b as char);
+        let by = format!(
+            "give the centre with {} or {} and leave the end point out",
+            a as char, b as char
+        );
         let (what, severity) = match self.control.parameters.full_circle_by_radius {
             FullCircleByRadius::Refused => ("the control refuses it", Severity::Error),
             FullCircleByRadius::NoMotion => ("nothing moves", Severity::Warning),
@@ -418,7 +420,7 @@ impl Interpreter<'_> {
                 format!("a radius of {is} is above the {allowed} that this control allows{with}"),
             )
             .label(format!("at most {allowed}"))
-            .help("cut it as a line, or with arcs of a smaller radius"),
+            .help("program it as lines, or with arcs of a smaller radius"),
         );
     }
 
@@ -458,7 +460,7 @@ impl Interpreter<'_> {
             )
             .severity(severity)
             .label(format!("only {} and {} here", a as char, b as char))
-            .help("take the word out, or choose the plane with G17, G18 or G19"),
+            .help("remove the word, or choose the plane with G17, G18 or G19"),
         );
         !passed_over
     }
@@ -477,8 +479,8 @@ impl Interpreter<'_> {
                 span,
                 format!("a rotary axis in the block of an arc: {title} does not turn it there"),
             )
-            .label("shown turning along with the arc")
-            .help("turn it in a block before; where this machine does it, set `rotary_in_arc`"),
+            .label("shown turning with the arc")
+            .help("turn it in a block before; if this machine turns it with the arc, set `rotary_in_arc`"),
         );
     }
 
@@ -509,7 +511,7 @@ impl Interpreter<'_> {
         let message = if explicit {
             "this arc has neither a centre nor a radius"
         } else {
-            "an arc is in force from a block before, and this block has neither centre nor radius"
+            "an arc is active from a block before, and this block has neither centre nor radius"
         };
         self.report(
             Diagnostic::new(Code::NoCenter, span, message)
@@ -523,7 +525,7 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters::of("G"));
         let rapid = self.state.motion == Motion::Rapid;
         let message = if rapid {
-            "G2 or G3 without a centre, and G0 is in force: this control makes a rapid"
+            "G2 or G3 without a centre, and G0 is active: this control makes a rapid"
         } else {
             "G2 or G3 without a centre: this control makes a straight line"
         };
@@ -547,7 +549,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::RapidAfterArc,
                 span,
-                "this block is a rapid: G0 is still in force, for G2 and G3 do not cancel it here",
+                "this block is a rapid: G0 is still active, because G2 and G3 do not cancel it here",
             )
             .label("no motion code, after an arc")
             .help("write G1 for a cut, G0 for a rapid"),
@@ -570,9 +572,9 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters::of("IJKR"));
         let title = self.control.table.title;
         let message = if by_radius {
-            "R0 stands in a move, and no G2 or G3 came before".to_string()
+            "R0 in a move, and no G2 or G3 came before".to_string()
         } else {
-            "a centre is given, and no G2 or G3 came before".to_string()
+            "a centre is given, but no G2 or G3 came before".to_string()
         };
         let mut diagnostic = Diagnostic::new(Code::NoCenter, span, message)
             .label("which direction?")

@@ -70,7 +70,7 @@ impl Interpreter<'_> {
                     span,
                     format!("the machine {machine} has no {letter} axis"),
                 )
-                .label("this word is passed over")
+                .label("this word is skipped")
                 .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine")),
             );
         }
@@ -154,7 +154,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::NoMotionInForce,
                 span,
-                "axis words, and no motion code is in force after G80",
+                "axis words, and no motion code is active after G80",
             )
             .help("write G0 or G1 into this block"),
         );
@@ -228,13 +228,13 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::ClearanceInIncremental,
                 self.span(block.range),
-                format!("G91 is in force: Z lifts by {lift} to {end}"),
+                format!("G91 is active: Z moves up by {lift} to {end}"),
             )
             .label("a distance, not a height")
             .note(format!(
-                "G91 came into force at Z {lift}: what is cut since then is {lift} higher than the numbers of its Z words"
+                "G91 became active at Z {lift}: all cuts after that are {lift} higher than their Z words"
             ))
-            .help("write G90 before it, if the height is meant"),
+            .help("write G90 before it if the height is meant"),
         );
     }
 
@@ -295,7 +295,7 @@ impl Interpreter<'_> {
         let message = match (inverse, zero) {
             (true, _) => "in inverse time (G93) every cutting block needs its own F",
             (_, true) => "a cutting move at feed zero",
-            _ => "a cutting move before any feed was given",
+            _ => "a cutting move before the first feed",
         };
         let span = self.span(block.range);
         self.report(
@@ -388,7 +388,7 @@ impl Interpreter<'_> {
                     self.span(word.range),
                     format!("a feed cannot be negative: F{number}"),
                 )
-                .help("take the sign out"),
+                .help("remove the sign"),
             );
         }
     }

@@ -51,8 +51,8 @@ impl Interpreter<'_> {
         if self.moves_on_arc(block) {
             let span = self.words_span(block, Letters::of("E"));
             self.report(
-                Diagnostic::new(Code::BadWordValue, span, "E may not stand in a block with an arc")
-                    .label("the work offset changes with G0 or G1 only")
+                Diagnostic::new(Code::BadWordValue, span, "E may not be in a block with an arc")
+                    .label("the work offset changes only with G0 or G1")
                     .help("put E into the block before"),
             );
         }
@@ -80,7 +80,7 @@ impl Interpreter<'_> {
             None => {
                 let span = self.span(block.words[at].range);
                 let message = "an extended work offset without its number".to_string();
-                self.missing_word(span, message, "write P and the number behind the code");
+                self.missing_word(span, message, "write P and the number after the code");
             }
         }
     }
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
             )
             .severity(severity)
             .label(format!("tool {tool} is in the spindle"))
-            .help(format!("write H{tool}, if offsets are numbered as tools")),
+            .help(format!("write H{tool} if offsets have the numbers of their tools")),
         );
     }
 
@@ -161,14 +161,10 @@ impl Interpreter<'_> {
             let alarms = self.control.table.alarm(code).is_some();
             let severity = if alarms { Severity::Error } else { code.info().severity };
             self.report(
-                Diagnostic::new(
-                    code,
-                    span,
-                    "compensation is turned on and no offset was chosen before",
-                )
-                .severity(severity)
-                .label("no offset for this")
-                .help("put the D word into this block or before it"),
+                Diagnostic::new(code, span, "compensation is turned on without an offset number")
+                    .severity(severity)
+                    .label("no offset number for this")
+                    .help("put the D word into this block or before it"),
             );
         }
         if before == Side::Off {
@@ -199,7 +195,7 @@ impl Interpreter<'_> {
                 Code::LeadInTooShort,
                 span,
                 format!(
-                    "compensation starts in a block that moves {normal} alone: this is no lead-in"
+                    "compensation starts in a block that moves only {normal}: this is not a lead-in"
                 ),
             )
             .label(format!("no {a} or {b} in this block"))
@@ -246,8 +242,8 @@ impl Interpreter<'_> {
                 span,
                 format!("radius {number}"),
                 format!(
-                    "the machine file gives no diameter for offset {number}: compensation moves \
-                     nothing, the programmed contour is shown"
+                    "the machine file gives no diameter for offset {number}: compensation has no \
+                     effect, and the programmed contour is shown"
                 ),
                 format!("set it with --set tools.{number}.diameter=\"…\""),
             );
@@ -385,7 +381,7 @@ impl Interpreter<'_> {
                     .collect();
                 let help = format!("this control has {}", known.join(", "));
                 let message = match l {
-                    Some(l) => format!("G10 L{l} is not known to this control"),
+                    Some(l) => format!("this control does not have G10 L{l}"),
                     None => "G10 without L".to_string(),
                 };
                 self.report(Diagnostic::new(Code::BadWordValue, span, message).help(help));
@@ -583,7 +579,7 @@ impl Interpreter<'_> {
         self.state.arc_over_rapid = false;
         let Some(number) = self.state.selected_tool else {
             let span = self.span(block.words[at].range);
-            let message = "a tool change, and no tool was named".to_string();
+            let message = "a tool change without a tool number".to_string();
             return self.missing_word(span, message, "write T and the tool's number before M6");
         };
         if self.state.side != Side::Off {

@@ -92,7 +92,7 @@ impl Interpreter<'_> {
         let increment = self.control.parameters.least_increment(self.state.units);
         let increment = self.length_text(increment);
         let what = if kept == number {
-            "whether this control rounds or cuts is not known; computed as written".to_string()
+            "it is not known whether this control rounds or cuts; computed as written".to_string()
         } else {
             format!("this control takes {letter}{kept}")
         };
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
                     "`{letter}{number}` has decimals below the least increment {increment}: {what}"
                 ),
             )
-            .label("the first of them in this program")
+            .label("the first one in this program")
             .help("write no more decimals than the control has; see the setting `excess_decimals`"),
         );
     }
@@ -114,7 +114,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::TooManyDigits,
                 self.span(word.range),
-                format!("a number of {digits} digits; this control takes {most}"),
+                format!("a number with {digits} digits; this control accepts {most}"),
             )
             .label(format!("at most {most} digits"))
             .help("write fewer decimals"),
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word.range),
-                    format!("`{letter}` takes a whole number, not {number}"),
+                    format!("`{letter}` needs a whole number, not {number}"),
                 )
                 .help(format!("write `{letter}` with a whole number that is not negative")),
             );

@@ -35,10 +35,7 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     let mut facts = Facts::new(row.title);
     match row.action {
         Action::NotSimulated => {
-            facts.add(
-                "note",
-                "the control carries it out; Chordal does not, and says so where it stands",
-            );
+            facts.add("note", "the control carries it out; Chordal does not, and reports each use");
             return facts.text;
         }
         Action::NoEffect => facts.add("effect", "none on the path or the time"),
@@ -46,16 +43,16 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     }
     if row.words != Letters::NONE {
         let letters: Vec<String> = row.words.iter().map(String::from).collect();
-        facts.add("takes", &format!("{}, beside the axes and F", letters.join(" ")));
+        facts.add("takes", &format!("{}, with the axes and F", letters.join(" ")));
     }
     let arc = matches!(row.action, Action::ArcCw | Action::ArcCcw);
     match row.group {
-        Group::OneShot => facts.add("holds", "in its own block only"),
+        Group::OneShot => facts.add("holds", "only in its own block"),
         Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
         Group::Motion if arc && view.table.motion == MotionModality::Armed => {
             facts.add(
                 "holds",
-                "as the direction of every block with a centre or a radius; others go on with G1",
+                "as the direction of every block with a centre or a radius; other blocks move as G1",
             );
         }
         group => {
@@ -81,7 +78,7 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     facts.text
 }
 
-/// What the table says of an action beside its settings.
+/// What the table says of an action in addition to its settings.
 fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
     match action {
         Action::Dwell => {
@@ -105,8 +102,8 @@ fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
         }
         Action::ArcCw | Action::ArcCcw => match view.table.arc_turns {
             ArcTurns::None => {}
-            ArcTurns::Extra => facts.add("turns", "P: full turns beside the arc's own"),
-            ArcTurns::Total => facts.add("turns", "P: all turns, the arc's own counted as one"),
+            ArcTurns::Extra => facts.add("turns", "P: full turns in addition to the arc itself"),
+            ArcTurns::Total => facts.add("turns", "P: all turns, the arc itself counted as one"),
         },
         _ => {}
     }
@@ -126,7 +123,7 @@ fn target_name(target: DataTarget) -> &'static str {
     match target {
         DataTarget::WorkOffset => "work offset P",
         DataTarget::WorkOffsetFromPosition => {
-            "work offset P, so that the position gets these numbers"
+            "work offset P, so that the current position becomes these numbers"
         }
         DataTarget::ExtendedWorkOffset => "extended work offset P",
         DataTarget::Length => "length of tool P",

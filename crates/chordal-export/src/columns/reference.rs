@@ -13,23 +13,23 @@ use crate::samples::{SAMPLE_SCHEMA, sample_columns};
 const HEAD: &str = "\
 # Columns
 
-What `chordal` gives as Arrow columns, in the Python package and in files.
-This page is made from the code (`chordal_export::column_reference`); a test holds the two together.
+The Arrow columns that `chordal` writes, in the Python package and in files.
+This page is made from the code (`chordal_export::column_reference`); a test checks that they agree.
 
 Every field carries its unit in the metadata key `unit`. The schema carries, under `chordal.` keys,
 `schema` (name and version, as below), `version` of Chordal, `program` and `program_sha256` (the name and the
 SHA-256 of its text), `machine` and `control`; setpoints also `period_s`, chords `tolerance_mm` and `placement`. Rotary
 axes A, B and C are columns only where the machine has them. A gap is null in Arrow; in a NumPy array of numbers it is NaN.
 
-| command | file of |
+|| command | rows 
 |---|---|
 | `chordal commands part.nc -o part.parquet` | commands as programmed |
 | `chordal path part.nc -o part.parquet` | commands of the tool centre |
 | `chordal chords part.nc -o part.parquet` | chords |
 | `chordal sample part.nc -o part.parquet` | setpoints |
 
-The ending may be `.arrow`, too. Rows are written as they come: a Parquet file in groups of 131,072 rows, an
-Arrow file in batches of 8,192, so that memory does not grow with the program. The exact path is there in Python.
+The extension may also be `.arrow`. Rows are written as they come: a Parquet file in groups of 131,072 rows, an
+Arrow file in batches of 8,192, so memory does not grow with the program. The exact path is available in Python.
 ";
 
 /// The columns of all tables as Markdown.

@@ -1,4 +1,4 @@
-//! The law of time along a path: jerk-limited changes of speed between places that are passed at
+//! The velocity profile along a path: jerk-limited changes of speed between places that are passed at
 //! even speed.
 //!
 //! A path is a row of cells, each with its own limits of speed and ability. Where the fastest law

@@ -247,7 +247,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::CycleWithoutPeck,
                     span,
-                    format!("a peck of {text} never gets to the bottom"),
+                    format!("a peck of {text} never reaches the bottom"),
                 )
                 .label("no hole is made")
                 .help("give the depth of a peck with a Q above zero"),
@@ -260,7 +260,7 @@ impl Interpreter<'_> {
         }
         let by_lead = rules.tap.feed == TapFeed::SpeedWithLeadQ && words.kind.is_tap();
         if by_lead && words.q.is_none_or(|q| q == 0.0) {
-            let help = "give the lead of the thread with Q; F is the speed".to_string();
+            let help = "give the lead of the thread with Q; F is the spindle speed".to_string();
             return missing(Code::CycleWithoutLead, "the lead of its thread (Q)", help);
         }
         true
@@ -286,7 +286,7 @@ impl Interpreter<'_> {
         let free = order == LevelOrder::Free;
         let span = self.span(block.range);
         let mut told = Diagnostic::new(Code::CycleLevels, span, message)
-            .help("from top to bottom: initial level, R, depth; look at the signs");
+            .help("from top to bottom: initial level, R, depth; check the signs");
         told = if free {
             told.severity(Severity::Warning).label("the tool feeds upwards here")
         } else {
@@ -305,7 +305,7 @@ impl Interpreter<'_> {
                 "the depth of a cycle must be given in G90 on this control",
             )
             .label("read as an absolute level")
-            .help("define the cycle in G90; G91 may follow for the places"),
+            .help("define the cycle in G90; G91 may follow for the positions"),
         );
     }
 }

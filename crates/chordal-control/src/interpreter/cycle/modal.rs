@@ -68,7 +68,7 @@ impl Interpreter<'_> {
     pub(in super::super) fn bolt_circle(&mut self, block: &Block, word: &Word, count: u32) {
         let span = self.span(word.range);
         if self.state.cycle.is_none() {
-            return self.report_no_cycle(span, "a bolt circle (L93), and no cycle is in force");
+            return self.report_no_cycle(span, "a bolt circle (L93) without an active cycle");
         }
         let [radius, angle] = self.control.parameters.cycles.bolt_circle;
         let radius_mm = self.state.scale.length(self.state.registers[radius as usize]);
@@ -82,7 +82,7 @@ impl Interpreter<'_> {
             )
             .severity(Severity::Warning)
             .label(format!("{count} holes, radius {text}, first angle R{angle} = {first}°"))
-            .help("set `L93 radius` and `L93 angle` in the machine file to the registers meant"),
+            .help("set `L93 radius` and `L93 angle` in the machine file to the right registers"),
         );
         if radius_mm <= 0.0 || count == 0 {
             return self.report_pattern_words(block, "a radius and a number of holes");
@@ -112,7 +112,7 @@ impl Interpreter<'_> {
                 "the subroutine of G66 runs once for this repeated line, not after each pass",
             )
             .severity(Severity::Warning)
-            .help("write the positions out, one in a block"),
+            .help("write the positions out, one per block"),
         );
     }
 }

@@ -12,7 +12,7 @@ impl Interpreter<'_> {
     pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: Pattern) {
         let span = self.span(block.words[at].range);
         if self.state.cycle.is_none() {
-            return self.report_no_cycle(span, "a pattern of holes, and no cycle is in force");
+            return self.report_no_cycle(span, "a hole pattern without an active cycle");
         }
         let size = self.length_of(block, b'I');
         let start = self.angle_word(block, b'J');
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
     pub(super) fn report_pattern_words(&mut self, block: &Block, what: &str) {
         let span = self.span(block.range);
         self.report(
-            Diagnostic::new(Code::PatternWords, span, format!("a pattern of holes without {what}"))
+            Diagnostic::new(Code::PatternWords, span, format!("a hole pattern without {what}"))
                 .label("nothing is drilled")
                 .help("I is the radius or the distance, J the first angle, L the number of holes"),
         );

@@ -37,7 +37,7 @@ impl Interpreter<'_> {
         let center = Vec2::new(self.state.position[0], self.state.position[1]);
         let placed: Vec<Step> = path.iter().map(|step| step.shifted(center)).collect();
         let name = format!("G1{}", if direction == Direction::Cw { 2 } else { 3 });
-        let choice = "half circles between full circles are shown, tangent and of one sense";
+        let choice = "half circles between full circles are shown, tangent and in one direction";
         let label = format!("circles: {}", radii.len());
         self.note_assumed_path(self.span(block.words[at].range), &name, choice, label);
         let down = z.map_or(0.0, |z| z - self.state.position[2]);
@@ -70,12 +70,12 @@ impl Interpreter<'_> {
     pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
         let span = self.span(block.words[at].range);
         if self.state.plane != Plane::Xy {
-            self.refuse_pocket(block, at, "pockets are milled in G17 only", "choose G17 before");
+            self.refuse_pocket(block, at, "pockets are milled only in G17", "choose G17 before");
             return None;
         }
         if self.state.side != Side::Off {
             let message = "a pocket cycle while cutter compensation is on";
-            self.refuse_pocket(block, at, message, "cancel compensation with G40 before");
+            self.refuse_pocket(block, at, message, "cancel compensation with G40 before it");
             return None;
         }
         let Some(number) = self.state.radius_offset else {
@@ -83,11 +83,11 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::PocketWithoutDiameter,
                     span,
-                    "a pocket cycle before any D, so it has no tool radius",
+                    "a pocket cycle before the first D, so it has no tool radius",
                 )
                 .label("its motion is missing from the path")
                 .help(
-                    "put D and the offset number into this block; D0 follows the sizes as they are",
+                    "put D and the offset number into this block; D0 uses the sizes without an offset",
                 ),
             );
             return None;
@@ -144,8 +144,8 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
         self.report(
             Diagnostic::new(Code::PocketTooSmall, span, message)
-                .label("tool radius, I and K must grow in this order")
-                .help("look at the words, and at the diameter in the offset table"),
+                .label("tool radius, I and K must increase in this order")
+                .help("check the words, and the diameter in the offset table"),
         );
     }
 
@@ -174,7 +174,7 @@ impl Interpreter<'_> {
                 format!("a ring {width} wide stays {what}: the tool is {tool}"),
             )
             .label("more than the diameter of the tool")
-            .help("take a smaller step, or a larger tool"),
+            .help("use a smaller step, or a larger tool"),
         );
     }
 
@@ -200,7 +200,7 @@ impl Interpreter<'_> {
                     format!("L{repeats} mills the same depth {repeats} times"),
                 )
                 .label("no step in Z")
-                .help("use G91 with Z as the step, or take L out"),
+                .help("use G91 with Z as the step, or remove L"),
             );
         }
         let limit = self.control.parameters.max_repeats;
@@ -209,7 +209,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word.range),
-                    format!("L{repeats} is no number of passes: 1 to {limit}"),
+                    format!("L{repeats} cannot be the number of passes: 1 to {limit}"),
                 )
                 .label("carried out once")
                 .help("write the number of passes, or leave L out for one"),

@@ -57,7 +57,7 @@ impl Interpreter<'_> {
         }
         let span = self.span(block.words[at].range);
         let label = format!("levels: {}", words.levels.len());
-        let choice = "the order of its rows and the ways between them are Chordal's";
+        let choice = "the order of its passes and the moves between them are assumed";
         self.note_assumed_path(span, "G150", choice, label);
         let mut over = words.start;
         over[2] = self.state.position[2];
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             (Some(step), None) => (RasterAlong::First, step),
             (None, Some(step)) => (RasterAlong::Second, step),
             _ => {
-                let message = "a pocket takes one stepover, I or J";
+                let message = "a pocket has one stepover, I or J";
                 self.refuse_pocket(block, at, message, "I steps along X, J along Y; give one");
                 return None;
             }
@@ -175,7 +175,7 @@ impl Interpreter<'_> {
         let (code, turn) = if left { ("G41", "clockwise") } else { ("G42", "counter-clockwise") };
         let other = if left { "G42" } else { "G41" };
         let message = format!("{code} with a {turn} outline lies outside the pocket");
-        let help = format!("write {other}, or turn the outline round");
+        let help = format!("write {other}, or reverse the outline");
         self.report_outline(self.span(word.range), message, &help);
         false
     }
@@ -202,10 +202,10 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::PocketRidges,
                     self.words_span(block, Letters::of("IJ")),
-                    format!("ridges {left} wide stay between the rows: the tool is {tool}"),
+                    format!("ridges {left} wide stay between the passes: the tool is {tool}"),
                 )
                 .label("more than the diameter of the tool")
-                .help("take a smaller stepover, or a larger tool"),
+                .help("use a smaller stepover, or a larger tool"),
             );
         }
         let Ok(steps) = rough.clear(words.along, words.step, MAX_RINGS as usize) else {
@@ -227,13 +227,13 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::PocketTooSmall,
                 span,
-                format!("the start hole is {away} from the wall, and the tool with K takes {keep}"),
+                format!("the start hole is {away} from the wall, and the tool with K needs {keep}"),
             )
-            .help("put the start hole where the tool has room, or take a smaller tool")
+            .help("put the start hole where the tool has room, or use a smaller tool")
         } else {
             let message = "the start hole lies outside the outline";
             Diagnostic::new(Code::PocketGeometry, span, message)
-                .help("X and Y are a place inside the pocket; the first move goes to the outline")
+                .help("X and Y are a point inside the pocket; the first move goes to the outline")
         };
         self.report(diagnostic.label("not carried out"));
     }
@@ -259,10 +259,12 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::PocketUnreached,
                 self.span(block.words[at].range),
-                format!("a tool of {tool} stays {left} away from the wall at X {x}, Y {y}"),
+                format!(
+                    "a tool with diameter {tool} stays {left} away from the wall at X {x}, Y {y}"
+                ),
             )
-            .label("only the part of the start hole is milled")
-            .help("take a smaller tool, or mill the rest by a pocket of its own"),
+            .label("only the part with the start hole is milled")
+            .help("use a smaller tool, or mill the rest as a separate pocket"),
         );
     }
 }
