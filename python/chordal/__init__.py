@@ -12,7 +12,7 @@ Everything of many rows is a :class:`Table` of Arrow columns, which pyarrow, Pol
 where they lie, and which gives NumPy arrays. Lengths are millimetres, angles degrees,
 times seconds, feeds mm/min, whatever the program's units; every column names its unit.
 
-Threads run at the same time: whatever takes long lets go of the interpreter lock.
+Threads run at the same time: long calls release the interpreter lock.
 """
 
 from __future__ import annotations

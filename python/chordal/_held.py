@@ -1,4 +1,4 @@
-"""Programs held against each other, and written for other machines."""
+"""Programs compared with each other, and converted for other machines."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ __all__ = ["Comparison", "Conversion", "Refusal"]
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Two programs held against each other."""
+    """Two programs compared with each other."""
 
-    #: The same path and nothing else differs; nowhere further apart than the tolerance; different.
+    #: The path and everything else are the same; the paths are within the tolerance; different.
     verdict: Literal["same", "within", "different"]
-    #: The two paths are nowhere further apart; ``None`` where one of the two has no moves to be held against.
+    #: The largest distance of the two paths; ``None`` if one of them has no moves.
     max_distance_mm: float | None
     #: Each with its ``category``, and the ``lines``, ``text`` and ``value`` of both (``a``, ``b``), as
-    #: ``chordal compare --format json`` tells it.
+    #: ``chordal compare --format json`` writes it.
     differences: tuple[Mapping[str, Any], ...]
 
     def __bool__(self) -> bool:
@@ -30,7 +30,7 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """A block that cannot be carried over."""
+    """A block that cannot be converted."""
 
     #: Its line in the old text, from 1; 0 for the program as a whole.
     line: int
@@ -50,7 +50,7 @@ class Conversion:
     holds: bool
     #: What was changed, in the order of the old text.
     changes: tuple[Change, ...]
-    #: What could not be carried over.
+    #: What could not be converted.
     refusals: tuple[Refusal, ...]
     #: The old program on its machine against the new one on the other.
     proof: Comparison | None

@@ -13,7 +13,7 @@ __all__ = ["Machine", "MachineLike", "builtin_machines", "machine_of"]
 class Machine:
     """A machine: its control, axes, limits, tools, offsets and settings. It never changes.
 
-    Quantities are text with their unit, as ``"0.5 in"``; ``chordal machines --schema`` lists the keys.
+    Quantities are text with their unit, such as ``"0.5 in"``; ``chordal machines --schema`` lists the keys.
     """
 
     __slots__ = ("_machine",)
@@ -23,7 +23,7 @@ class Machine:
 
     @classmethod
     def named(cls, name: str) -> Machine:
-        """A built-in machine, as ``haas-vf2``, or the machine of a file.
+        """A built-in machine, such as ``haas-vf2``, or the machine of a file.
 
         Raises :class:`~chordal.UsageError` for a name that nothing has, and
         :class:`~chordal.MachineError` for a file that is wrong.
@@ -58,22 +58,22 @@ class Machine:
 
     @property
     def name(self) -> str:
-        """The name it is called by."""
+        """The short name."""
         return self._machine.name
 
     @property
     def title(self) -> str:
-        """The name for people."""
+        """The full name, for display."""
         return self._machine.title
 
     @property
     def control(self) -> str:
-        """Whose rules its programs are read by: fadal, haas, fanuc, mitsubishi or linuxcnc."""
+        """The control that runs its programs: fadal, haas, fanuc, mitsubishi or linuxcnc."""
         return self._machine.control
 
     @property
     def axes(self) -> str:
-        """The axes it has, as ``XYZA``."""
+        """The axes it has, such as ``XYZA``."""
         return self._machine.axes
 
     def to_toml(self) -> str:
@@ -81,7 +81,7 @@ class Machine:
         return self._machine.to_toml()
 
     def replace(self, changes: Mapping[str, object]) -> Machine:
-        """The machine with other values, as ``{"tools": {5: {"diameter": "0.5 in"}}}``."""
+        """The machine with other values, such as ``{"tools": {5: {"diameter": "0.5 in"}}}``."""
         return Machine(self._machine.with_set(_toml.assignments(changes)))
 
     def __eq__(self, other: object) -> bool:

@@ -1,4 +1,4 @@
-"""Programs: loaded once, asked for anything."""
+"""Programs: loaded once, then asked any question."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .errors import ProgramError, UsageError
 if TYPE_CHECKING:
     from ._chordal import _Options
 
-    #: The controls whose rules a program can be read by.
+    #: The controls that can run a program.
     _ControlName = Literal["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]
 
 __all__ = ["Program", "load", "loads"]
@@ -30,7 +30,7 @@ __all__ = ["Program", "load", "loads"]
 #: Tools: the file of a LinuxCNC tool table, or tools by number with the keys of a machine file.
 Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 
-#: Most setpoints that are made unless more are asked for.
+#: The default limit on the number of setpoints.
 MOST_SAMPLES = 100_000_000
 
 
@@ -47,11 +47,11 @@ def load(
     shop_codes: ShopCodes | None = None,
     strict: bool = False,
 ) -> Program:
-    """Load a program of a file, with the subprograms that lie beside it.
+    """Load a program of a file, with the subprograms in its folder.
 
     ``machine`` is a :class:`~chordal.Machine`, a built-in name, a machine file or a dictionary. Without
     it ``control`` takes the typical machine of a control; without that too, ``chordal.toml`` in the
-    program's folder says, or else the control is recognized from the text
+    program's folder decides, or else the control is recognized from the text
     (:attr:`Program.recognized`). ``tools`` and ``settings`` come on top of the machine's own:
     ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``.
 
@@ -171,12 +171,12 @@ class Program:
 
     @property
     def control(self) -> str:
-        """Whose rules it is read by."""
+        """The control that runs it."""
         return self.machine.control
 
     @property
     def recognized(self) -> str | None:
-        """Why this machine was taken; ``None`` where the caller or the folder said it."""
+        """Why this machine was chosen; ``None`` if the caller or the folder chose it."""
         return self._program.recognized
 
     @cached_property
@@ -196,7 +196,7 @@ class Program:
 
     @cached_property
     def summary(self) -> Summary:
-        """What the run comes to."""
+        """The summary of the run."""
         return _summary.of_dict(self._program.summary())
 
     @cached_property
@@ -222,7 +222,7 @@ class Program:
         """The path as straight chords that stay within a tolerance, mm.
 
         ``inscribed`` chords have their corners on the curve; ``balanced`` ones lie on both sides of it,
-        and are √2 fewer.
+        and √2 times fewer are needed.
         """
         if placement not in ("inscribed", "balanced"):
             raise UsageError(
@@ -239,7 +239,7 @@ class Program:
         what_if: bool = False,
         bound: bool = False,
     ) -> Time:
-        """The time on its machine, with velocity, acceleration and jerk of every axis held.
+        """The time on its machine, within the limits of velocity, acceleration and jerk of every axis.
 
         Overrides are parts: 0.5 is half. ``what_if`` times it with other overrides and path modes too,
         ``bound`` computes the least possible time, which may take a minute.
@@ -338,7 +338,7 @@ class Program:
         A stretch that has no place where it can be parted raises :class:`~chordal.UsageError`, which names
         the lines."""
         if most != "tool" and (isinstance(most, str) or most <= 0):
-            raise UsageError(f"{most!r} is no size", 'give a number of bytes, or "tool"')
+            raise UsageError(f"{most!r} is not a size", 'give a number of bytes, or "tool"')
         return _transform.parts(*self._program.split(None if most == "tool" else int(most)))
 
     def compare(
@@ -392,11 +392,11 @@ class Program:
         return self._program.report_html(date)
 
     def svg(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> str:
-        """The planned views of the path as SVG, px."""
+        """The views of the path as SVG, px."""
         return self._program.svg(width, height, dark)
 
     def png(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> bytes:
-        """The planned views of the path as PNG, px; from 200 to 16384 px each way."""
+        """The views of the path as PNG, px; width and height from 200 to 16384 px."""
         return bytes(self._program.png(width, height, dark))
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Codes of a shop's own: what is asked when one is met, and what may be answered."""
+"""Custom M codes and custom programs: what Chordal asks when it meets one, and the possible answers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["ShopAnswer", "ShopCall", "ShopCodes", "ShopRefusal", "ShopWait"]
 
 @dataclass(frozen=True, slots=True)
 class ShopCall:
-    """A code of the shop's own where it was met, and how the control stands before its block moves."""
+    """A custom code in its block, and the state of the control before the block moves."""
 
     #: The code, as ``"M120"``; ``"O9010"`` is a called program that is not there.
     code: str
@@ -34,11 +34,11 @@ class ShopCall:
     position: tuple[float | None, ...]
     #: The program is in inches.
     inch: bool
-    #: G91 is in force.
+    #: G91 is active.
     incremental: bool
-    #: Speed of the spindle where it turns, rev/min, else 0.
+    #: Spindle speed if the spindle turns, rev/min, else 0.
     spindle_rpm: float
-    #: How many calls of this run were asked about before.
+    #: How many calls of this run were asked before.
     nth: int
 
 
@@ -48,7 +48,7 @@ class ShopWait:
 
     #: For how long.
     seconds: float
-    #: For what; the code's own name where nothing is said.
+    #: For what; by default the code itself.
     label: str | None = None
 
 
@@ -128,7 +128,7 @@ def _normal(code: str) -> str:
     match = re.fullmatch(r"([MO])0*(\d+(?:\.\d)?)", code.strip().upper())
     if match is None:
         raise UsageError(
-            f"{code!r} is no code of a shop's own",
+            f"{code!r} cannot be a custom M code or program",
             'an M code is written as "M120", a program as "O9010"',
         )
     return match[1] + match[2].removesuffix(".0")

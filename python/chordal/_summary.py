@@ -1,4 +1,4 @@
-"""What a run comes to."""
+"""The summary of a run."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class AxisTravel:
-    """Where an axis goes, in the frame of the run: mm, or degrees."""
+    """The travel of an axis, in the frame of the run: mm, or degrees."""
 
     letter: str
-    #: Lowest and highest place.
+    #: Lowest and highest position.
     range: tuple[float, float]
-    #: Lowest and highest place while cutting.
+    #: Lowest and highest position while cutting.
     cut_range: tuple[float, float] | None
-    #: All ways added up.
+    #: The sum of all distances.
     way: float
 
 
 @dataclass(frozen=True, slots=True)
 class ToolUse:
-    """What one tool does; 0 is whatever is in the spindle before any tool was changed."""
+    """What one tool does; 0 is the tool in the spindle before the first tool change."""
 
     number: int
     feed_length_mm: float
@@ -42,7 +42,7 @@ class Summary:
     spirals: int
     rapids: int
     dwells: int
-    #: Cuts without a feed, of which the time is not known.
+    #: Cuts without a feed; their time is not known.
     cuts_without_time: int
     feed_length_mm: float
     rapid_length_mm: float
@@ -54,12 +54,12 @@ class Summary:
 
     @property
     def total_time_s(self) -> float:
-        """Time of everything that has one, s."""
+        """Total time, s."""
         return self.feed_time_s + self.rapid_time_s + self.dwell_time_s
 
 
 def of_dict(told: dict[str, Any]) -> Summary:
-    """A summary from what the compiled module tells."""
+    """A summary from the data of the compiled module."""
     axes = tuple(AxisTravel(*each) for each in told.pop("axes"))
     tools = tuple(ToolUse(*each) for each in told.pop("tools"))
     return Summary(axes=axes, tools=tools, **told)

@@ -1,4 +1,4 @@
-"""Columns that other libraries read where they lie."""
+"""Columns that other libraries read without copying."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ class Table:
 
     @property
     def nbytes(self) -> int:
-        """Bytes that the columns take."""
+        """Size of the columns in bytes."""
         return self._table.nbytes
 
     @property
     def axes(self) -> str:
-        """The axes that have a place in the rows, as ``XYZA``."""
+        """The axes of the rows, such as ``XYZA``."""
         return "".join(axis for axis in "XYZABC" if self._place_of(axis) is not None)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
@@ -110,18 +110,18 @@ class Table:
 
 
 class Moves(Table):
-    """Commands or pieces of path, with the places of their ends."""
+    """Commands or pieces of path, with the positions of their ends."""
 
     __slots__ = ()
 
     @property
     def start(self) -> npt.NDArray[np.float64]:
-        """Where each move begins (rows, axes), mm and degrees; NaN where a row is no move."""
+        """Where each move begins (rows, axes), mm and degrees; NaN where a row is not a move."""
         return self._places("from")
 
     @property
     def end(self) -> npt.NDArray[np.float64]:
-        """Where each move ends (rows, axes), mm and degrees; NaN where a row is no move."""
+        """Where each move ends (rows, axes), mm and degrees; NaN where a row is not a move."""
         return self._places("to")
 
 
@@ -132,7 +132,7 @@ class Chords(Moves):
 
 
 class Trajectory(Table):
-    """Setpoints of the axes at a fixed period, s. Places go on evenly where offsets jump."""
+    """Setpoints of the axes at a fixed period, s. Positions are continuous where offsets jump."""
 
     __slots__ = ("period", "moves", "cuts_without_feed", "refused", "assumed")
 
@@ -144,7 +144,7 @@ class Trajectory(Table):
     cuts_without_feed: int
     #: Moves that could not be planned: line and reason, of the first ones.
     refused: tuple[tuple[int, str], ...]
-    #: Limits that the machine file does not give, for which typical ones were taken.
+    #: Limits that the machine file does not give, for which typical ones were used.
     assumed: tuple[str, ...]
 
     def __init__(
@@ -165,7 +165,7 @@ class Trajectory(Table):
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
-        """Places (rows, axes), mm and degrees."""
+        """Positions (rows, axes), mm and degrees."""
         return self._order("")
 
     @property
@@ -185,7 +185,7 @@ class Trajectory(Table):
 
     @property
     def line(self) -> npt.NDArray[np.uint32]:
-        """Line of the block that is under way (rows,)."""
+        """Line of the block that runs (rows,)."""
         return self["line"]
 
     def _order(self, order: str, per: str = "") -> npt.NDArray[np.float64]:

@@ -30,17 +30,17 @@ class BlockTime:
     text: str
     runs: int
     time_s: float
-    #: What its moves take beyond their length at feed or rapid speed.
+    #: The time of its moves above that at feed or rapid speed.
     lost_s: float
     #: Why it takes its time.
     reason: str
-    #: Why it loses time, where it does.
+    #: Why it loses time, if it does.
     loses_by: str | None
 
 
 @dataclass(frozen=True, slots=True)
 class Time:
-    """The time that a program takes on its machine, velocity, acceleration and jerk held, s."""
+    """The time of a program on its machine, within the limits of velocity, acceleration and jerk, s."""
 
     total_s: float
     cutting_s: float
@@ -60,9 +60,9 @@ class Time:
     longest_blocks: tuple[BlockTime, ...]
     #: The blocks that lose the most time, most first.
     costliest_blocks: tuple[BlockTime, ...]
-    #: The least time while velocity and acceleration are held, where it was asked.
+    #: The least time within the limits of velocity and acceleration, if it was asked for.
     bound_s: float | None
-    #: Everything, as ``chordal time --format json`` tells it.
+    #: Everything, as ``chordal time --format json`` writes it.
     document: dict[str, Any]
 
     def __str__(self) -> str:
@@ -73,7 +73,7 @@ class Time:
 
 
 def of_json(text: str) -> Time:
-    """A time from what the compiled module tells."""
+    """A time from the data of the compiled module."""
     told: dict[str, Any] = json.loads(text)
     tools = tuple(ToolTime(**each) for each in told["tools"])
     longest, costliest = (

@@ -14,7 +14,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 def key(name: object) -> str:
     """A key, quoted where it must be."""
     if not isinstance(name, (str, int)) or isinstance(name, bool):
-        raise UsageError(f"{name!r} is no key", "keys are text, or whole numbers of tools")
+        raise UsageError(f"{name!r} cannot be a key", "keys are text, or whole numbers of tools")
     text = str(name)
     return text if _BARE.fullmatch(text) else string(text)
 
@@ -41,7 +41,7 @@ def value(what: object) -> str:
         case Sequence():
             return "[" + ", ".join(value(each) for each in what) + "]"
     raise UsageError(
-        f"a {type(what).__name__} cannot stand in a machine: {what!r}",
+        f"a {type(what).__name__} cannot be a value of a machine file: {what!r}",
         "text with a unit (`\"0.5 in\"`), numbers, true or false, lists and dictionaries can",
     )
 

@@ -1,4 +1,4 @@
-"""Programs changed in place, and the proof that the motion is the one meant."""
+"""Programs changed in place, and the proof that the motion is as intended."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Change:
     line: int
     #: The line as it was.
     before: str
-    #: What stands there now; several lines are parted by ``\\n``.
+    #: The line as it is now; several lines are separated by ``\\n``.
     after: str
     #: Why.
     reason: str
@@ -35,35 +35,35 @@ class Transformed:
 
     #: The new text.
     text: bytes
-    #: The new program was run and makes the motion that is meant, within the certificate's tolerance.
+    #: The new program was run and makes the intended motion, within the tolerance of the certificate.
     proved: bool
     #: The changes, in the order of the steps.
     changes: tuple[Change, ...]
-    #: What is to be known beside them.
+    #: Notes about them.
     notes: tuple[str, ...]
-    #: The path that is meant against the new one, as ``chordal compare --format json`` tells it.
+    #: The intended path against the new one, as ``chordal compare --format json`` writes it.
     certificate: Mapping[str, Any]
 
     @property
     def max_distance_mm(self) -> float | None:
-        """The new path is nowhere further from the one that is meant; ``None`` without moves."""
+        """The largest distance of the new path from the intended one; ``None`` without moves."""
         distance: float | None = self.certificate["max_distance_mm"]
         return distance
 
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One of the programs that a program was parted into."""
+    """One of the programs that a program was split into."""
 
     #: Its text.
     text: bytes
-    #: Its O number, where the whole has one.
+    #: Its O number, if the whole program has one.
     number: int | None
-    #: The lines of the whole that it carries out, first and last.
+    #: The first and last line of the whole program that it carries out.
     lines: tuple[int, int]
-    #: The lines that are put in so that it begins as the whole stood there.
+    #: The lines inserted so that it starts in the state of the whole program at that point.
     put_in: tuple[str, ...]
-    #: ``"as the whole"``, ``"before a tool change"`` or, where the tool stands clear of all cuts, ``"clear"``.
+    #: ``"as the whole"``, ``"before a tool change"`` or, where the tool is clear of all cuts, ``"clear"``.
     begins: Literal["as the whole", "before a tool change", "clear"]
 
 
@@ -75,9 +75,9 @@ class Split:
     parts: tuple[Part, ...]
     #: The parts, run one after the other, make the motion of the whole.
     proved: bool
-    #: What is to be known beside it.
+    #: Notes about it.
     notes: tuple[str, ...]
-    #: The whole against the parts, as ``chordal compare --format json`` tells it.
+    #: The whole program against the parts, as ``chordal compare --format json`` writes it.
     certificate: Mapping[str, Any]
 
 
@@ -121,7 +121,7 @@ def steps(
     ]
     wanted = [(name, [float(n) for n in numbers]) for name, numbers in asked if numbers is not None]
     if not wanted:
-        raise UsageError("there is nothing to do", "say what is to change, as shift=(5, 0, 0)")
+        raise UsageError("there is nothing to do", "give a change, such as shift=(5, 0, 0)")
     return wanted
 
 
@@ -137,7 +137,7 @@ def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
 
 
 def parts(texts: list[bytes], told: str) -> Split:
-    """What was said of a program in parts; a refusal is a ``UsageError`` that names the line."""
+    """The result of a split; a refusal is a ``UsageError`` that names the line."""
     document = json.loads(told)
     if document["verdict"] == "refused":
         raise UsageError(f"line {document['line']}: {document['message']}", document["help"])

@@ -42,7 +42,7 @@ _TRIES = 3
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """What an archive came to."""
+    """The result of an archive."""
 
     #: Files that got a row.
     files: int
@@ -52,11 +52,11 @@ class Done:
     programs: int
     #: Programs with errors, or stopped by their budget.
     with_errors: int
-    #: Programs with warnings only.
+    #: Programs with only warnings.
     with_warnings: int
     #: Files and programs that could not be run.
     failed: int
-    #: Files that are no programs.
+    #: Files that are not programs.
     skipped: int
     #: Files that an earlier run had done.
     resumed: int
@@ -91,7 +91,7 @@ class _Batch(NamedTuple):
 
 @dataclass(frozen=True)
 class _Run:
-    """What a worker needs beside its files."""
+    """What a worker needs in addition to its files."""
 
     id: str
     version: str
@@ -138,7 +138,7 @@ def check(
     storage_options: Mapping[str, Any] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Done:
-    """Check every program of folder trees into one Parquet table.
+    """Check every program of folder trees and write one Parquet table.
 
     ``paths`` are folders and files, on disk or, as ``s3://bucket/archive``, on any file system of
     fsspec (``storage_options`` are handed to it). ``out`` is a file on the disk of the caller.
@@ -154,7 +154,7 @@ def check(
 
     Raises :class:`OSError` where a path is not there or the table cannot be written,
     :class:`~chordal.UsageError` for what makes no sense and :class:`~chordal.MachineError` for a wrong
-    machine. What is wrong with a file of the archive is a row.
+    machine. A problem of a file of the archive is a row of the table.
     """
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     target = os.path.abspath(os.fspath(out))
@@ -176,7 +176,7 @@ def check(
         block_delete=block_delete,
         max_blocks=max_blocks,
     )
-    # What is wrong with the machine is told before the archive is gone through.
+    # Errors of the machine are reported before the archive is listed.
     run.worker(())
     files = _listed(roots, target, storage_options or {})
     if not files:
@@ -309,7 +309,7 @@ def _bring_beside(tree: _Tree, folder: str, texts: Sequence[str], stage: str) ->
     above = folder
     while True:
         if tree.system.isfile(tree.at(posixpath.join(above, "chordal.toml"))):
-            # It may name a machine file beside it.
+            # It may name a machine file in its folder.
             _bring_all(tree, above, ".toml", stage)
         if not above:
             break

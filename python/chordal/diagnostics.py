@@ -10,7 +10,7 @@ from . import _chordal
 
 __all__ = ["CodeInfo", "Diagnostic", "Fix", "Label", "Place", "codes"]
 
-#: What a notebook needs beside the problems as the setup sheet shows them.
+#: What a notebook needs in addition to the problems as the setup sheet shows them.
 _STYLE = (
     "<style>.chordal-problems .problem{border-left:3px solid #2f5d8a;margin:0 0 .6em;padding:.1em .8em}"
     ".chordal-problems .error{border-color:#b3261e}.chordal-problems .warning{border-color:#8a6100}"
@@ -35,11 +35,11 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """Words of a text with something to say about them."""
+    """Words of a text with a label."""
 
     #: The words; ``None`` for the program as a whole.
     place: Place | None
-    #: What to say; may be empty.
+    #: The label; may be empty.
     text: str
 
 
@@ -47,13 +47,13 @@ class Label:
 class Fix:
     """A replacement of some words."""
 
-    #: What it does, as an order.
+    #: What it does, in the imperative.
     title: str
-    #: The words that come.
+    #: The new words.
     replacement: str
-    #: ``safe`` keeps what was certainly meant; at ``unsafe`` a person must look.
+    #: ``safe`` certainly keeps the meaning; ``unsafe`` must be checked by a person.
     applicability: Literal["safe", "unsafe"]
-    #: The file whose bytes from ``start`` to ``end`` go.
+    #: The file whose bytes from ``start`` to ``end`` are replaced.
     file: str
     start: int
     end: int
@@ -72,17 +72,17 @@ class Call:
 class Diagnostic:
     """One problem of a program."""
 
-    #: Stable number, as ``CH401``; ``chordal explain CH401`` tells more.
+    #: Stable number, such as ``CH401``; ``chordal explain CH401`` explains it.
     code: str
-    #: Stable name, as ``radius-mismatch``.
+    #: Stable name, such as ``radius-mismatch``.
     name: str
-    #: How bad it is here.
+    #: Its severity here.
     severity: Literal["error", "warning", "note"]
     #: One sentence with the measured numbers in the program's units.
     message: str
     #: The words that cause it.
     primary: Label
-    #: Other words that matter.
+    #: Other words that belong to it.
     secondary: tuple[Label, ...]
     #: What the control itself would show.
     alarm: str | None
@@ -94,7 +94,7 @@ class Diagnostic:
     fix: Fix | None
     #: The calls through which the block was reached, innermost first.
     calls: tuple[Call, ...]
-    #: All of it as text, with the words underlined.
+    #: The whole problem as text, with the words underlined.
     text: str
     #: The same as a setup sheet shows it.
     html: str = field(repr=False, compare=False)
@@ -113,7 +113,7 @@ class Diagnostic:
 
 @dataclass(frozen=True, slots=True)
 class CodeInfo:
-    """What there is to know of a code."""
+    """What the registry holds about a code."""
 
     code: str
     name: str
@@ -134,7 +134,7 @@ def problems_html(diagnostics: tuple[Diagnostic, ...]) -> str:
 
 
 def of_json(document: str, drawn: list[tuple[str, str]]) -> tuple[Diagnostic, ...]:
-    """Problems from what the compiled module tells."""
+    """Problems from the data of the compiled module."""
     objects = json.loads(document)["diagnostics"]
     return tuple(_of_object(each, *shown) for each, shown in zip(objects, drawn, strict=True))
 

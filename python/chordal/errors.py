@@ -1,7 +1,7 @@
 """What can go wrong, as exceptions with the facts inside.
 
-Problems of a *program* are no exceptions: a program with problems still has a path and a time, and
-its :attr:`~chordal.Program.diagnostics` tell them. They become a :class:`ProgramError` where you ask
+Problems of a *program* are not exceptions: a program with problems still has a path and a time, and
+its :attr:`~chordal.Program.diagnostics` report them. They become a :class:`ProgramError` where you ask
 for it, with ``load(..., strict=True)`` or :meth:`chordal.Program.raise_errors`.
 """
 
@@ -17,15 +17,15 @@ __all__ = ["ChordalError", "MachineError", "MachineProblem", "ProgramError", "Us
 
 
 class ChordalError(Exception):
-    """What all exceptions of this package are."""
+    """The base class of all exceptions of this package."""
 
 
 class UsageError(ChordalError, ValueError):
-    """A request that does not go, and what does."""
+    """A request that is not possible, and what to do instead."""
 
-    #: What does not go.
+    #: What is not possible.
     message: str
-    #: What to do instead, where there is something to say.
+    #: What to do instead, if there is advice.
     help: str | None
 
     def __init__(self, message: str, help: str | None = None) -> None:
@@ -39,11 +39,11 @@ class UsageError(ChordalError, ValueError):
 
 @dataclass(frozen=True, slots=True)
 class MachineProblem:
-    """One thing that is wrong with a machine file, a dictionary or a tool table."""
+    """One error in a machine file, a dictionary or a tool table."""
 
-    #: The file, or what stands for it.
+    #: The file, or the name used for it.
     file: str
-    #: The line, from 1; ``None`` where something is missing altogether.
+    #: The line, from 1; ``None`` if something is missing completely.
     line: int | None
     #: What is wrong.
     message: str
@@ -94,10 +94,10 @@ class ProgramError(ChordalError):
 def machine_error(
     problems: list[tuple[str, int | None, str, str | None, str, str]],
 ) -> MachineError:
-    """The exception for problems as the compiled module tells them."""
+    """The exception for problems from the compiled module."""
     return MachineError(tuple(MachineProblem(*each) for each in problems))
 
 
 def usage_error(message: str, help: str | None) -> UsageError:
-    """The exception for a request that does not go."""
+    """The exception for a request that is not possible."""
     return UsageError(message, help)

@@ -152,9 +152,9 @@ def arc(
 ) -> Curve:
     """The arc, or the helix where the height changes, from ``start`` to ``end``.
 
-    Its middle is given by ``center``, in the plane's own two coordinates, or by ``radius``: below zero
+    Its centre is given by ``center``, in the two coordinates of the plane, or by ``radius``: below zero
     for the arc of more than half a turn. Ends that lie on one ray from the centre make a full turn,
-    and ``extra_turns`` come on top. Radii at the ends that differ by more than ``tolerance`` mm make a
+    and ``extra_turns`` are added. Radii at the ends that differ by more than ``tolerance`` mm make a
     spiral; half a chord that exceeds the radius by up to half of it is a half circle.
     """
     a, b = _point(start), _point(end)

@@ -45,7 +45,7 @@ class AxisLimit:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """A piece of path and how it is to be travelled. Rotary axes turn evenly along it."""
+    """A piece of path and its speed. Rotary axes turn evenly along it."""
 
     curve: Curve
     #: Largest speed along it, mm/s (rad/s where rotary axes alone move); ``None`` for as fast as the
@@ -55,7 +55,7 @@ class Move:
     tolerance: float | None = None
     #: The same of rotary axes, rad.
     rotary_tolerance: float = 0.0
-    #: A rapid, and no cut.
+    #: A rapid, not a cut.
     rapid: bool = False
     #: Rotary axes at the start and at the end.
     rotary_from: Rotary = (0.0, 0.0, 0.0)
@@ -64,15 +64,15 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Dwell:
-    """The axes stand."""
+    """The axes stand still."""
 
-    #: For so long, s.
+    #: The time, s.
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """A path that grows: each method gives a new one with a piece more."""
+    """A path: each method returns a new path with one more piece."""
 
     #: Where it begins, mm.
     start: PointLike
@@ -124,7 +124,7 @@ class Path:
         return self.then(curve, speed=speed, tolerance=tolerance)
 
     def dwell(self, seconds: float) -> Path:
-        """With a time in which the axes stand, s."""
+        """With a time in which the axes stand still, s."""
         return Path(self.start, (*self.moves, Dwell(seconds)))
 
     def __iter__(self) -> Iterator[Move | Dwell]:
@@ -146,7 +146,7 @@ class Setpoints(Table):
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
-        """Places (rows, 6), mm and rad."""
+        """Positions (rows, 6), mm and rad."""
         return self._six("position")
 
     @property
@@ -194,7 +194,7 @@ def plan(
     limits: Mapping[str, AxisLimit],
     level: Literal["fast", "best"] = "fast",
 ) -> Motion:
-    """Plan moves that join on to each other, from rest to rest, within the limits of every axis.
+    """Plan moves that join on to each other, from standstill to standstill, within the limits of every axis.
 
     ``limits`` are by the letter of the axis; an axis without limits must not move. What cannot be planned
     is a :class:`~chordal.UsageError` with the number of the move.

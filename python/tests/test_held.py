@@ -1,4 +1,4 @@
-"""Programs held against each other, and written for other machines."""
+"""Programs compared with each other, and converted for other machines."""
 
 import pytest
 

@@ -63,5 +63,5 @@ def test_names_that_nothing_has() -> None:
     with pytest.raises(chordal.UsageError) as raised:
         Machine.named("haas-vf3")
     assert raised.value.help
-    with pytest.raises(chordal.UsageError, match="cannot stand"):
+    with pytest.raises(chordal.UsageError, match="cannot be a value"):
         Machine.from_dict({"control": object()})

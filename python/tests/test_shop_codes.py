@@ -47,7 +47,7 @@ def test_answers_by_code() -> None:
         (1, "rapid", 11.5, None),
         (5, "rapid", 30.0, None),
     ]
-    assert "O9010 of the shop" in program.commands()["file"].tolist()
+    assert "custom code O9010" in program.commands()["file"].tolist()
     assert program.summary.dwell_time_s == 2.5
     without = chordal.loads(FLIP, "haas-vf2")
     assert [each.code for each in without.errors] == ["CH301", "CH201"]
@@ -96,7 +96,7 @@ def test_problems_within_blocks_of_the_shop_name_them() -> None:
     program = chordal.loads("G21 G90\nM120\nM30\n", "haas-vf2", shop_codes={"M120": "G0 X1.\nG777\n"})
     problem = program.errors[0]
     place = problem.primary.place
-    assert place is not None and (place.file, place.line) == ("M120 of the shop", 2)
+    assert place is not None and (place.file, place.line) == ("custom code M120", 2)
     assert "called from line 2: M120" in problem.text
 
 

@@ -62,5 +62,5 @@ def test_what_cannot_be_parted_names_the_lines() -> None:
     program = chordal.loads(TWO_TOOLS, "haas-vf2")
     with pytest.raises(chordal.UsageError, match="from line 1 to line 6"):
         program.split(50)
-    with pytest.raises(chordal.UsageError, match="no size"):
+    with pytest.raises(chordal.UsageError, match="is not a size"):
         program.split(0)

@@ -219,4 +219,4 @@ export function againstProgram(page: Page) {
   };
 }
 
-const NOTHING = "Choose what to hold the program against: the same text on another machine, or start chordal view with --against FILE.";
+const NOTHING = "Choose what to compare the program with: the same text on another machine, or start chordal view with --against FILE.";

@@ -91,6 +91,6 @@ it("goes through the differences round and round", () => {
 it("names the lines of a side", () => {
   expect(linesText({ file: 0, from: 7, to: 7 })).toBe("line 7");
   expect(linesText({ file: 0, from: 7, to: 9 })).toBe("lines 7–9");
-  expect(linesText({ file: 2, from: 7, to: 7 })).toBe("line 7 of a file beside");
+  expect(linesText({ file: 2, from: 7, to: 7 })).toBe("line 7 of another file");
   expect(linesText(null)).toBe("nowhere");
 });

@@ -102,12 +102,12 @@ export function union(boxes: (Bounds | undefined)[], least: number): Bounds | un
   return { low, high };
 }
 
-/** `line 7`, `lines 7–9`, `line 7 of a file beside`. */
+/** `line 7`, `lines 7–9`, `line 7 of another file`. */
 export function linesText(blocks: Blocks | null): string {
   if (!blocks) return "nowhere";
   const { file, from, to } = blocks;
   const lines = from === to ? `line ${from}` : `lines ${from}–${to}`;
-  return file === 0 ? lines : `${lines} of a file beside`;
+  return file === 0 ? lines : `${lines} of another file`;
 }
 
 /** The next difference in a direction, round and round; -1: none is chosen yet, or there is none. */

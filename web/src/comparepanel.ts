@@ -93,7 +93,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
       const line = element("span", "side");
       line.append(element("span", `swatch ${side === 0 ? "own" : "other"}`), element("span", "where", linesText(blocks)));
       if (value !== null) line.append(element("span", "value", value));
-      line.append(element("code", "", lacks && blocks ? `lacks it; after ${words}` : words));
+      line.append(element("code", "", lacks && blocks ? `has no such block; after ${words}` : words));
       if (steps > 1) line.append(element("span", "where", counted(steps, "block")));
       show.append(line);
     }
@@ -114,10 +114,10 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     offer({ against: named, machines, tolerance_mm }: Hello): void {
       against.replaceChildren(new Option("nothing", "nothing"));
       if (named && !named.own_text) against.append(new Option(named.name.split(/[\\/]/).pop()!, "named"));
-      if (named?.own_text) against.append(new Option("this program, as the command line says", "named"));
+      if (named?.own_text) against.append(new Option("this program, as on the command line", "named"));
       const group = document.createElement("optgroup");
       group.label = "this program on another machine";
-      group.append(new Option("the machine it says itself", "machine "));
+      group.append(new Option("the machine it was recognized for", "machine "));
       for (const { name, title } of machines) group.append(new Option(title, `machine ${name}`));
       against.append(group);
       toleranceMm = tolerance_mm;
@@ -202,7 +202,7 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
   root.setAttribute("aria-label", "Paths");
   const [ownBox, ownSwatch, ownText] = made("own", told.own);
   const [otherBox, , otherText] = made("other", told.other);
-  const end = button("×", "Compare no more", told.end);
+  const end = button("×", "Stop comparing", told.end);
   const apart = element("span", "key");
   apart.append(element("span", "swatch apart"), "apart");
   apart.hidden = true;

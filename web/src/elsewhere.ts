@@ -35,7 +35,7 @@ export class Elsewhere {
   show(made: Made, first = 1): void {
     this.view?.destroy();
     const name = (made.file ?? "").split(/[\\/]/).pop()!;
-    this.title.textContent = `${name}, to be read${made.cut_off ? " (the beginning)" : ""}`;
+    this.title.textContent = `${name}, read only${made.cut_off ? " (the beginning)" : ""}`;
     this.root.setAttribute("aria-label", name);
     this.root.hidden = false;
     const nonce = document.querySelector<HTMLMetaElement>("meta[name=csp-nonce]")?.content ?? "";

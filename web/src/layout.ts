@@ -14,7 +14,7 @@ export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 const PANELS: [PanelName, string][] = [
   ["problems", "Problems"],
   ["outline", "Outline"],
-  ["state", "In force"],
+  ["state", "Active"],
   ["times", "Times"],
   ["compare", "Compare"],
 ];
@@ -68,7 +68,7 @@ export function layout(root: HTMLElement) {
     made.addEventListener("click", () => api.onView(view));
     return made;
   });
-  const fit = button("Fit", "Fit the path into the view (F)");
+  const fit = button("Fit", "Fit the path to the view (F)");
   fit.addEventListener("click", () => api.onFit());
   const color = element("select");
   color.id = "color";
@@ -88,7 +88,7 @@ export function layout(root: HTMLElement) {
   Object.assign(tolerance, { min: "-4", max: "1", step: "0.05", value: "-0.5" });
   tolerance.setAttribute("aria-label", "Tolerance of the chords");
   const [balancedLabel, balanced] = check("both sides", false);
-  balancedLabel.title = "Corners outside the arc, middles inside, by the same";
+  balancedLabel.title = "Corners outside the arc and middles inside it, by the same distance";
   const chordText = element("output", "chord-text");
   chordText.setAttribute("aria-live", "polite");
   const chordControls = element("span", "chord-controls");
@@ -105,7 +105,7 @@ export function layout(root: HTMLElement) {
     window.clearTimeout(timer);
     timer = window.setTimeout(changed, 60);
   });
-  const measure = button("Measure", "Measure between two places of the path (M)");
+  const measure = button("Measure", "Measure between two points of the path (M)");
   measure.id = "measure";
   measure.setAttribute("aria-pressed", "false");
   const section = sectionControls((chosen) => api.onSection(chosen), () => api.cursorLine());
@@ -258,11 +258,11 @@ export function layout(root: HTMLElement) {
       empty.hidden = text === "";
     },
     setMachines(machines: { name: string; title: string }[]): void {
-      machine.replaceChildren(new Option("as the program says", ""));
+      machine.replaceChildren(new Option("recognized from the program", ""));
       for (const { name, title } of machines) machine.append(new Option(title, name));
     },
     machineWhy(title: string, reason: string | null): void {
-      machine.options[0]!.textContent = machine.value === "" ? title : "as the program says";
+      machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";
       why.textContent = reason ?? "";
       why.title = reason ?? "";
     },

@@ -59,7 +59,7 @@ const editor = new Editor(ui.code, {
 }));
 const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
 const link = new Link(take, takeFrame, () => {
-  ui.tell("error", "Chordal has ended or the connection broke. Start chordal view again; what was typed since the last save is still here to copy.");
+  ui.tell("error", "Chordal has ended, or the connection was lost. Start chordal view again; the text typed since the last save is still here to copy.");
 });
 
 const against = againstProgram({
@@ -122,7 +122,7 @@ function take(told: Told): void {
       } else link.tell("reload");
       break;
     case "gone":
-      ui.tell("warning", "The file is gone from disk; saving writes it anew.");
+      ui.tell("warning", "The file was deleted on disk; saving writes it again.");
       break;
     case "error":
       ui.tell("error", told.help ? `${told.message}. ${told.help}.` : told.message);
@@ -140,7 +140,7 @@ function goTo(line: number): void {
 async function goToDefinition(line: number, column: number): Promise<void> {
   const told = await link.ask("definition", { line, column });
   if (told.type !== "definition") return;
-  if (!told.place) return ui.tell("note", "Nothing in this text or beside it makes what stands here.");
+  if (!told.place) return ui.tell("note", "No definition of this word in this file or in its folder.");
   if (told.place.file !== undefined) return elsewhere.show(told.place);
   editor.goTo(told.place.line, told.place.column, true);
   cursorAt(told.place.line);
@@ -179,7 +179,7 @@ function takeFrame(frame: Frame): void {
       editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
       if (!header.first) break;
       if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
-      else if (header.mixed_endings) ui.tell("note", "Lines of the file end in several ways; saving makes them one.");
+      else if (header.mixed_endings) ui.tell("note", "The file has different line endings; saving makes them all the same.");
       break;
     case "path": {
       if (header.run !== run) break;
@@ -268,9 +268,9 @@ function tellColors(): void {
 }
 
 function emptyText(told: Report): string {
-  if (told.errors > 0) return "No path can be shown. The problems say why.";
-  if (path.rows > 0) return "The program moves, but nothing tells where that is relative to the part.";
-  return "The program moves nothing.";
+  if (told.errors > 0) return "There is no path to show. The problems say why.";
+  if (path.rows > 0) return "The program moves, but the position relative to the part is not known.";
+  return "The program does not move any axis.";
 }
 
 /** The box that the machine reaches, in the frame of the run, where the offsets are known. */
@@ -407,7 +407,7 @@ async function save(force: boolean): Promise<void> {
     ui.tell("note", "Saved.");
   } else if (told.type === "conflict") {
     ui.ask("The file changed on disk since it was read.", [
-      ["Write mine over it", () => void save(true)],
+      ["Overwrite it with mine", () => void save(true)],
       ["Load it, drop my changes", () => link.tell("reload")],
       ["Cancel", () => {}],
     ]);
@@ -460,7 +460,7 @@ function setMeasuring(on: boolean): void {
   measuredFrom = undefined;
   ui.measure.setAttribute("aria-pressed", String(on));
   view.showMeasured(undefined, undefined);
-  ui.measured(on ? "Click two places of the path" : "");
+  ui.measured(on ? "Click two points of the path" : "");
 }
 
 /** The first of two places, or the second: then the distance is told. */
@@ -468,7 +468,7 @@ function measure(at: Vec3): void {
   if (!measuredFrom) {
     measuredFrom = at;
     view.showMeasured(at, undefined);
-    ui.measured("Click the second place");
+    ui.measured("Click the second point");
     return;
   }
   const units = { inch: report?.inch ?? false };

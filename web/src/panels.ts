@@ -30,7 +30,7 @@ export function showProblems(
   }
   if (!report) return;
   if (report.diagnostics.length === 0 && !refused) {
-    root.append(element("p", "clean", "No problems: this machine would run it."));
+    root.append(element("p", "clean", "No problems: this machine would run the program."));
   }
   const list = element("ul", "problems");
   for (const problem of report.diagnostics.slice(0, 300)) {
@@ -61,7 +61,7 @@ const MOST_ENTRIES = 2_000;
 export function showOutline(root: HTMLElement, entries: Entry[] | undefined, go: (line: number) => void): void {
   root.replaceChildren();
   if (!entries || entries.length === 0) {
-    root.append(element("p", "clean", entries ? "Nothing that an outline could name." : "Reading…"));
+    root.append(element("p", "clean", entries ? "No entries for an outline." : "Reading…"));
     return;
   }
   let left = MOST_ENTRIES;
@@ -103,7 +103,7 @@ export function showState(
 ): void {
   root.replaceChildren();
   if (!modal) {
-    root.append(element("p", "clean", "Nothing has run up to here."));
+    root.append(element("p", "clean", "The run does not reach this line."));
     return;
   }
   const units = { inch: modal.inch };
@@ -123,7 +123,7 @@ export function showState(
   row(table, "Work offset", modal.work ?? "–");
   row(table, "Length offset", offsetText(modal.length, units));
   row(table, "Compensation", modal.side === "off" ? "off" : `${modal.side}, ${offsetText(modal.cutter, units)}`);
-  row(table, "Path mode", modal.path_mode ?? "as the control begins");
+  row(table, "Path mode", modal.path_mode ?? "as at power-on");
   row(table, "Coolant", modal.coolant.join(", ") || "off");
   if (!modal.overrides.feed || !modal.overrides.rapid) row(table, "Overrides", "held at 100 %");
   root.append(table);
@@ -188,10 +188,10 @@ export function showTimes(
     root.append(element("p", "", `Cuts ${length(units, report.cut_length_mm)}, rapids ${length(units, report.rapid_length_mm)}.`));
   }
   if (times.cuts_without_feed > 0) {
-    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed take no time here.`));
+    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed, not counted.`));
   }
   if (times.assumed > 0) {
-    root.append(element("p", "more", "Typical limits were taken where the machine file gives none."));
+    root.append(element("p", "more", "Typical limits were used where the machine file gives none."));
   }
   if (times.longest.length > 0) {
     root.append(element("h3", "", "Longest blocks"));

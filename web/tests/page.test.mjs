@@ -143,7 +143,7 @@ test("another machine shows its path and marks what differs", async () => {
   assert.ok((await page.locator(".line-differs").count()) > 0);
   await picture(page, "machine");
   assert.ok(before > 0);
-  await page.getByRole("button", { name: "Compare no more" }).click();
+  await page.getByRole("button", { name: "Stop comparing" }).click();
   await page.waitForFunction(() => document.querySelectorAll(".line-differs").length === 0);
   assert.equal(await page.locator(".paths").isVisible(), false);
   await page.close();

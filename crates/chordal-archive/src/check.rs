@@ -125,7 +125,7 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
             None,
             "other",
             "skipped",
-            "its name says that it is no program",
+            "its name says that it is not a program",
         ));
     }
     let bytes = match loader.read(path) {
@@ -150,7 +150,7 @@ fn gather(loader: &mut impl Loader, path: &Path, options: Options) -> Gathered {
         return Gathered::Other(other(Some(about), "binary", "failed", message));
     }
     if !loader.may_be_program(sample) {
-        let message = "no line of the file begins as a block does";
+        let message = "no line of the file begins like a block";
         return Gathered::Other(other(Some(about), "other", "skipped", message));
     }
     match guarded(|| loader.prepare(path, bytes)) {
@@ -193,7 +193,8 @@ fn rows(prepared: &Prepared, options: Options) -> Vec<Row> {
     let mains = programs.iter().filter(|program| program.is_main).count() as u64;
     if mains * prepared.texts[0].1.len() as u64 > MOST_SEARCHED {
         let mut row = one(prepared, &whole, None, options);
-        let message = format!("{mains} programs in one file were run as one; split the file");
+        let message =
+            format!("{mains} programs in one file were run as one program; split the file");
         row.message = row.message.or(Some(message));
         return vec![row];
     }
@@ -326,7 +327,7 @@ fn run(
             let planned = times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]);
             (ran(&job, &report, planned), None)
         }
-        Err(error) => (ran(&job, &report, None), Some(format!("there is no time: {error}"))),
+        Err(error) => (ran(&job, &report, None), Some(format!("no time: {error}"))),
     })
 }
 

@@ -34,7 +34,7 @@ enum Holds {
 const COLUMNS: &[(&str, Holds, &str, &str)] = {
     use Holds::*;
     &[
-        ("path", TextAlways, "", "the file, under the name of the folder that was given"),
+        ("path", TextAlways, "", "the file, with the name of the folder that was given"),
         (
             "kind",
             TextAlways,
@@ -46,20 +46,20 @@ const COLUMNS: &[(&str, Holds, &str, &str)] = {
             "status",
             TextAlways,
             "",
-            "`ok`, `warnings`, `errors`; `stopped` (its budget was used up: perhaps endless); \
+            "`ok`, `warnings`, `errors`; `stopped` (its budget was used up: perhaps it is endless); \
              `called` (run where it is called); `skipped` (no program); `failed` (not run: see \
              `message`)",
         ),
-        ("message", Text, "", "why it was not run, or has no time"),
+        ("message", Text, "", "why it was not run, or why it has no time"),
         ("program", Count, "", "program number"),
-        ("place", CountAlways, "", "place among the programs of the file, from 0"),
-        ("line", CountAlways, "", "line of the file that it begins on, from 1"),
+        ("place", CountAlways, "", "position among the programs of the file, from 0"),
+        ("line", CountAlways, "", "line of the file on which it begins, from 1"),
         ("lines", CountAlways, "", "lines of its text"),
         ("bytes", CountAlways, "byte", "size of its text"),
         ("sha256", Text, "", "SHA-256 of its text as the control reads it"),
         ("file_bytes", CountAlways, "byte", "size of the file"),
         ("file_sha256", Text, "", "SHA-256 of the file"),
-        ("control", Text, "", "the control whose rules it was read by"),
+        ("control", Text, "", "the control whose rules were used"),
         ("machine", Text, "", "the machine it was run on"),
         ("chosen", Text, "", "why this machine"),
         ("end", Text, "", "how the run ended"),
@@ -82,7 +82,7 @@ const COLUMNS: &[(&str, Holds, &str, &str)] = {
         ("c_max_deg", Number, "deg", "highest C"),
         ("cut_length_mm", Number, "mm", "length of the cuts"),
         ("rapid_length_mm", Number, "mm", "length of the rapids"),
-        ("at_feed_s", Number, "s", "length over feed and waits, without acceleration"),
+        ("at_feed_s", Number, "s", "time at feed and in dwells, without acceleration"),
         (
             "time_s",
             Number,
@@ -95,12 +95,12 @@ const COLUMNS: &[(&str, Holds, &str, &str)] = {
         ("errors", Count, "", "errors"),
         ("warnings", Count, "", "warnings"),
         ("notes", Count, "", "notes"),
-        ("codes", Words, "", "the codes that occurred, gravest first"),
-        ("problems", Problems, "", "the first 20 problems, gravest first"),
+        ("codes", Words, "", "the codes that occurred, most severe first"),
+        ("problems", Problems, "", "the first 20 problems, most severe first"),
     ]
 };
 
-/// The fields of a problem; its line is 0 in a text beside the file.
+/// The fields of a problem; its line is 0 in another text.
 fn problem_fields() -> Fields {
     Fields::from(vec![
         Field::new("severity", DataType::Utf8, true),

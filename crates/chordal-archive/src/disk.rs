@@ -30,8 +30,8 @@ impl Disk {
         Ok(Disk { loader, roots: roots.to_vec(), renamed: None })
     }
 
-    /// The same, and paths that begin in one way are told as if they began in another: files that
-    /// were brought from elsewhere are told by where they come from.
+    /// The same, and paths that begin in one way are reported as if they began in another: files that
+    /// were brought from elsewhere are named by where they come from.
     pub fn renamed(self, from: String, to: String) -> Disk {
         let renamed = (!from.is_empty()).then_some((from, to));
         Disk { renamed, ..self }

@@ -15,7 +15,7 @@ pub enum ArchiveError {
         error: io::Error,
     },
     /// A record of the journal is gone or changed while the table was being written.
-    #[error("the journal {} has no whole record of {file}; start again, and it will be done anew", .path.display())]
+    #[error("the journal {} has no complete record of {file}; start again, and the file will be checked again", .path.display())]
     Journal {
         /// The journal's folder.
         path: PathBuf,

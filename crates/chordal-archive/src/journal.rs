@@ -3,7 +3,7 @@
 //! A shard is written by one worker, a record with one call, so that a killed process loses the
 //! files under work and no other. A power cut may also take what the system had not brought to the
 //! disk: shards are synced every few seconds. What is left is whole records and perhaps a torn one
-//! or zeros at the end, which nobody reads. A later run writes shards of its own beside the old
+//! or zeros at the end, which nobody reads. A later run writes shards of its own next to the old
 //! ones. The folder goes when the table is in its place.
 //!
 //! A record is the length of its payload and the payload's CRC-32 (four bytes each, low byte
@@ -60,11 +60,11 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// Adds a record and tells where it stands.
+    /// Adds a record and says where it stands.
     fn append(&mut self, bytes: &[u8]) -> io::Result<u64> {
         let place = self.offset;
         if let Err(error) = self.file.write_all(bytes) {
-            // What comes later must stand behind the last whole record.
+            // What comes later must stand after the last whole record.
             self.file.set_len(place)?;
             self.file.seek(SeekFrom::Start(place))?;
             return Err(error);
@@ -90,7 +90,7 @@ pub fn record_of(name: &str, record: &FileRecord) -> Vec<u8> {
 }
 
 impl Journal {
-    /// The folder beside a table in which its journal stands.
+    /// The folder next to a table that holds its journal.
     pub fn folder_of(out: &Path) -> PathBuf {
         let mut name = out.file_name().map_or_else(OsString::new, OsString::from);
         name.push(".journal");
@@ -98,7 +98,7 @@ impl Journal {
     }
 
     /// Opens the journal of a table, with what an earlier run did. `names` are the files of the
-    /// archive in the order of the table; records of other files are passed over.
+    /// archive in the order of the table; records of other files are skipped.
     ///
     /// # Errors
     /// A folder that cannot be made or read.
@@ -302,7 +302,7 @@ fn whole(bytes: &[u8]) -> Option<(String, FileRecord)> {
     postcard::from_bytes(payload).ok()
 }
 
-/// Hands on the whole records of a shard up to the first torn one.
+/// Emits the whole records of a shard up to the first torn one.
 fn each_record(path: &Path, mut take: impl FnMut(u64, &str, &FileRecord)) -> io::Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
     let mut offset = 0;

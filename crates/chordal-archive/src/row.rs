@@ -10,7 +10,7 @@ pub struct Problem {
     pub severity: String,
     /// The registered code, as `CH401`.
     pub code: String,
-    /// Line of the file, from 1; 0 in a text beside it.
+    /// Line of the file, from 1; 0 in another text.
     pub line: u32,
     /// One sentence with the measured numbers.
     pub message: String,

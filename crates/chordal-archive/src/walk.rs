@@ -13,7 +13,7 @@ pub struct Entry {
 }
 
 /// All files of folder trees, and files that are named themselves, in the order of the bytes of
-/// their paths, each once. Names that begin with a point and links to folders are passed over, and
+/// their paths, each once. Names that begin with a point and links to folders are skipped, and
 /// so is what `leave_out` names.
 pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<Entry> {
     let left_out: Vec<PathBuf> =

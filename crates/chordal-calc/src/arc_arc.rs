@@ -44,18 +44,18 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
         if !(radius > 0.0 && radius.is_finite()) || (inside && cr >= radius) {
             return Err(CalcError::new(
                 format!(
-                    "a cutter of radius {} does not go into an arc of radius {}",
+                    "a cutter with radius {} does not fit into an arc with radius {}",
                     units.length(cr),
                     units.length(radius)
                 ),
-                "take a smaller cutter; radii are above zero",
+                "use a smaller cutter; radii are above zero",
             ));
         }
     }
     if !(distance > 0.0 && distance.is_finite()) {
         return Err(CalcError::new(
-            "the arcs have one centre: they do not cross",
-            "give how far the second centre is from the first",
+            "the arcs have the same centre: they do not cross",
+            "give the distance from the first centre to the second",
         ));
     }
     let sign = |inside: bool| if inside { -1.0 } else { 1.0 };
@@ -63,7 +63,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
     let corner =
         cross(radii, distance).ok_or_else(|| apart_error("the arcs", radii, distance, units))?;
     let center = cross(offset, distance)
-        .ok_or_else(|| apart_error("the ways of the cutter's centre", offset, distance, units))?;
+        .ok_or_else(|| apart_error("the paths of the cutter's centre", offset, distance, units))?;
     let turned = if side == Side::Left { 1.0 } else { -1.0 };
     let angle = atan2(apart[1], apart[0]);
     let (du, dv) = (center.along - corner.along, turned * (center.across - corner.across));
@@ -75,7 +75,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: Units) -> Result<Worked, CalcError> {
     worked.given("CR", "cutter radius", length, cr);
     worked.given("R1", "radius of the first arc", length, radii[0]);
     worked.given("R2", "radius of the second arc", length, radii[1]);
-    worked.given("D", "distance of the centres", length, distance);
+    worked.given("D", "distance between the centres", length, distance);
     worked.given("φ", "direction from the first to the second", Kind::Angle, angle);
     let mut circle = |marks: [&str; 2], names: [&str; 2], radii: [f64; 2], at: &Crossing| {
         let [a, h] = marks;

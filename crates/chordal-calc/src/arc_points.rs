@@ -32,7 +32,7 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
     bounded(&[start.a, start.b, radius], &[from, to], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
         return Err(CalcError::new(
-            format!("an arc of radius {} cannot be", units.length(radius)),
+            format!("an arc with radius {} is not possible", units.length(radius)),
             "give a radius above zero",
         ));
     }
@@ -105,7 +105,7 @@ pub fn arc_points(ask: &ArcPoints, units: Units) -> Result<Worked, CalcError> {
         n(j)
     ));
     worked.note(format!(
-        "Controls that want I and J from the centre to the start: I{} J{}; absolute: I{} J{}.",
+        "For controls that read I and J from the centre to the start: I{} J{}; absolute: I{} J{}.",
         n(-i + 0.0),
         n(-j + 0.0),
         n(center.a),

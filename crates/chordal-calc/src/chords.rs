@@ -31,14 +31,14 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
     bounded(&[radius, tolerance], &[sweep], units)?;
     if !(radius > 0.0 && radius.is_finite()) {
         return Err(CalcError::new(
-            format!("an arc of radius {} cannot be", units.length(radius)),
+            format!("an arc with radius {} is not possible", units.length(radius)),
             "give a radius above zero",
         ));
     }
     if !(tolerance > 0.0 && tolerance < radius) {
         return Err(CalcError::new(
             format!(
-                "a chord cannot be {} from an arc of radius {}",
+                "a chord cannot be {} from an arc with radius {}",
                 units.length(tolerance),
                 units.length(radius)
             ),
@@ -47,7 +47,7 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
     }
     if !(sweep > 0.0 && sweep <= TAU + 1e-9) {
         return Err(CalcError::new(
-            format!("an arc of {} cannot be", degrees(sweep)),
+            format!("an arc of {} is not possible", degrees(sweep)),
             "give its angle, above 0° and not above 360°",
         ));
     }
@@ -57,7 +57,7 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
     if !count.is_finite() || count > 1e12 {
         return Err(CalcError::new(
             format!(
-                "a tolerance of {} is nothing beside a radius of {}",
+                "a tolerance of {} is too small for a radius of {}",
                 units.length(tolerance),
                 units.length(radius)
             ),
@@ -105,7 +105,7 @@ pub fn chord_count(ask: &ChordCount, units: Units) -> Result<Worked, CalcError> 
         format!("{r}·(1 − cos({s}/(2·{number})))"),
     );
     worked.note(
-        "The ends of the chords lie on the arc. With ends outside by e they are √2 times fewer.",
+        "The ends of the chords lie on the arc. With the ends outside it by e, √2 times fewer chords are needed.",
     );
     worked.figure = draw(radius, sweep, count, units, tolerance);
     if count > DRAWN {

@@ -46,7 +46,7 @@ pub struct LineAxis {
     pub axis: Axis,
     /// Where the cutter is.
     pub bend: Bend,
-    /// How far the slanted line goes across the axis, mm: its end is then told as well.
+    /// How far the slanted line goes across the axis, mm: its end is then reported as well.
     pub rise: Option<f64>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn cutter(radius: f64, units: Units) -> Result<(), CalcError> {
         return Ok(());
     }
     Err(CalcError::new(
-        format!("a cutter with a radius of {} cannot be", units.length(radius)),
+        format!("a cutter with a radius of {} is not possible", units.length(radius)),
         "give the diameter of the cutter, above zero",
     ))
 }
@@ -86,7 +86,7 @@ pub fn corner_with_axis(ask: &LineAxis, units: Units) -> Result<Worked, CalcErro
     if !(angle > 1e-9 && angle < PI - 1e-9) {
         return Err(CalcError::new(
             format!("a line at {} to the axis makes no corner with it", degrees(angle)),
-            "give the angle by which the path bends, above 0° and below 180°",
+            "give the angle by which the path turns, above 0° and below 180°",
         ));
     }
     let along = cutter_radius * tan(angle / 2.0);
@@ -156,14 +156,14 @@ fn end_of_slope(
     if !(rise > 0.0 && rise.is_finite()) {
         return Err(CalcError::new(
             format!("a line cannot rise by {}", units.length(rise)),
-            "give how far the slanted line goes across the axis, above zero",
+            "give the distance that the slanted line goes across the axis, above zero",
         ));
     }
-    worked.given("h", "how far the line goes across the axis", Kind::Length, rise);
+    worked.given("h", "distance that the line goes across the axis", Kind::Length, rise);
     let run = rise / tan(ask.angle);
     worked.way(
         "b",
-        &format!("the corner P, along {on} from where the line begins"),
+        &format!("the corner P, along {on} from the start of the line"),
         Kind::Length,
         run,
         "h/tan(θ)",
@@ -175,7 +175,7 @@ fn end_of_slope(
     };
     worked.result(
         on,
-        "the cutter's centre, from where the line begins",
+        "the cutter's centre, from the start of the line",
         Kind::Length,
         place,
         &formula,
@@ -199,7 +199,7 @@ pub fn corner_of_lines(ask: &TwoLines, units: Units) -> Result<Worked, CalcError
     if (PI - bend.abs()) < 1e-9 {
         return Err(CalcError::new(
             format!(
-                "a line at {} after one at {} goes back on itself: there is no corner",
+                "a line at {} after a line at {} goes back on itself: there is no corner",
                 degrees(ask.b),
                 degrees(a)
             ),

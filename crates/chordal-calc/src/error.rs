@@ -31,14 +31,14 @@ pub(crate) fn bounded(lengths: &[f64], angles: &[f64], units: Units) -> Result<(
         if *length != 0.0 && !LENGTHS.contains(&length.abs()) {
             let size = length / units.mm();
             return Err(CalcError::new(
-                format!("{size:e} {} is no length of a drawing", units.name()),
+                format!("{size:e} {} is not a length of a drawing", units.name()),
                 "check the number and its unit",
             ));
         }
     }
     match angles.iter().find(|angle| angle.is_nan() || angle.abs() > MOST_ANGLE) {
         Some(angle) => Err(CalcError::new(
-            format!("{:e}° is no angle of a drawing", angle.to_degrees()),
+            format!("{:e}° is not an angle of a drawing", angle.to_degrees()),
             "check the number and its unit",
         )),
         None => Ok(()),

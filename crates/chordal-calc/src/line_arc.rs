@@ -42,13 +42,13 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
     if line.abs() > arc {
         return Err(CalcError::new(
             format!(
-                "a cutter of radius {} cannot touch both: its centre runs {} from the line's parallel \
+                "a cutter with radius {} cannot touch both: its centre runs {} from the line's parallel \
                  through the arc's centre, and {} from that centre",
                 units.length(cutter_radius),
                 units.length(line.abs()),
                 units.length(arc)
             ),
-            "take a smaller cutter, or check on which sides it is",
+            "use a smaller cutter, or check on which sides it is",
         ));
     }
     let mut worked = Worked::new("Corner of a line with an arc", units);
@@ -87,9 +87,9 @@ pub fn line_with_arc(ask: &LineArc, units: Units) -> Result<Worked, CalcError> {
     );
     worked.result("ΔY", "off the line", Kind::Length, cutter_radius, "CR", n(cutter_radius));
     worked.note(if along - center >= 0.0 {
-        "The centre is this much nearer to the arc's centre than the corner is."
+        "The cutter's centre is this much nearer to the arc's centre than the corner is."
     } else {
-        "Below zero: the centre is farther from the arc's centre than the corner is."
+        "Below zero: the cutter's centre is further from the arc's centre than the corner is."
     });
     worked.figure = draw(ask, along, center, line, units);
     Ok(worked)
@@ -100,31 +100,31 @@ fn check(ask: &LineArc, units: Units) -> Result<(), CalcError> {
     if !(radius > 0.0 && radius.is_finite() && height >= 0.0 && height.is_finite()) {
         return Err(CalcError::new(
             format!(
-                "an arc of radius {} and a line {} from its centre cannot be",
+                "an arc with radius {} and a line {} from its centre are not possible",
                 units.length(radius),
                 units.length(height)
             ),
-            "the radius is above zero, the distance not below",
+            "the radius must be above zero, the distance not below zero",
         ));
     }
     if height >= radius {
         return Err(CalcError::new(
             format!(
-                "the line passes the arc's centre at {}, and the arc's radius is {}: they make no corner",
+                "the line passes the arc's centre at a distance of {}, and the arc's radius is {}: they make no corner",
                 units.length(height),
                 units.length(radius)
             ),
-            "for a line that touches the arc ask `calc tangent`",
+            "for a line that touches the arc use `calc tangent`",
         ));
     }
     if inside && cutter_radius >= radius {
         return Err(CalcError::new(
             format!(
-                "a cutter of radius {} does not go into an arc of radius {}",
+                "a cutter with radius {} does not fit into an arc with radius {}",
                 units.length(cutter_radius),
                 units.length(radius)
             ),
-            "take a smaller cutter",
+            "use a smaller cutter",
         ));
     }
     if corner.is_some_and(|along| !along.is_finite() || along < 0.0) {

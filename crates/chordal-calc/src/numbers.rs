@@ -1,6 +1,6 @@
 //! Numbers as people write them.
 
-/// The unit in which lengths are told.
+/// The unit in which lengths are reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// Inches, five decimals.

@@ -62,7 +62,7 @@ pub struct Worked {
     pub given: Vec<Quantity>,
     /// The way and the results, in order.
     pub steps: Vec<Step>,
-    /// What to know beside the numbers.
+    /// What to know in addition to the numbers.
     pub notes: Vec<String>,
     /// The drawing.
     pub figure: Figure,

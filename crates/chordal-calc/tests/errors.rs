@@ -63,7 +63,7 @@ fn arcs() {
     };
     refused(line_with_arc(&ask, Units::Millimetre), &["21 mm", "20 mm"]);
     let large = LineArc { cutter_radius: 20.0, height: 2.0, ..ask };
-    refused(line_with_arc(&large, Units::Millimetre), &["does not go into", "20 mm"]);
+    refused(line_with_arc(&large, Units::Millimetre), &["does not fit into", "20 mm"]);
     let tight = LineArc { cutter_radius: 9.0, height: 18.0, toward: false, ..ask };
     refused(line_with_arc(&tight, Units::Millimetre), &["27 mm", "11 mm"]);
     let arcs = ArcArc {
@@ -74,7 +74,7 @@ fn arcs() {
         side: Side::Left,
     };
     refused(arc_with_arc(&arcs, Units::Millimetre), &["5 mm", "6 mm", "12 mm"]);
-    refused(arc_with_arc(&ArcArc { apart: [0.0; 2], ..arcs }, Units::Millimetre), &["one centre"]);
+    refused(arc_with_arc(&ArcArc { apart: [0.0; 2], ..arcs }, Units::Millimetre), &["same centre"]);
     let chords = ChordCount { radius: 10.0, tolerance: 10.0, sweep: TAU };
     refused(chord_count(&chords, Units::Millimetre), &["10 mm"]);
     refused(
@@ -86,7 +86,7 @@ fn arcs() {
 #[test]
 fn threads() {
     for name in ["", "M", "M30x", "x2", "1.5", "1.5-0", "1/0-8", "M-3x2", "1.5-e", "MxX"] {
-        refused(Designation::read(name), &["is no thread"]);
+        refused(Designation::read(name), &["is not a thread"]);
     }
     let coarse = Thread { major: 6.0, pitch: 8.0, starts: 1 };
     refused(thread_data(&coarse, Units::Millimetre), &["8 mm", "9.815 mm", "6 mm"]);
@@ -102,7 +102,7 @@ fn tools_that_do_not_fit() {
     let near = ThreadMill { tool_diameter: 34.0, ramp: Some(Ramp::Eighth), ..mill() };
     refused(thread_mill(&near), &["1/8 turn", "1.36468 in"]);
     let quarter = ThreadMill { wear: Some(0.1), ramp: Some(Ramp::Quarter), ..mill() };
-    refused(thread_mill(&quarter), &["straight way in"]);
+    refused(thread_mill(&quarter), &["straight lead-in"]);
     refused(thread_mill(&ThreadMill { wear: Some(5.0), ..mill() }), &["wear of 0.19685 in"]);
     let fine = ThreadMill { cutter: Cutter::Single, depth: 9e3, ..mill() };
     refused(thread_mill(&fine), &["2836 turns"]);

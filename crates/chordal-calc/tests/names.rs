@@ -127,10 +127,13 @@ fn classes_are_read_or_refused() {
         assert_eq!(read(name).classes[0].to_string(), name[4..], "{name}");
     }
     let all = ["1A 2A 3A", "1B 2B 3B", "6g 6H"];
-    refused("1 1/16-28 9Q", &[&["`9Q` is no class of a unified thread"], &all[..]].concat());
+    refused("1 1/16-28 9Q", &[&["`9Q` is not a class of a unified thread"], &all[..]].concat());
     refused("1/4-20 4A", &all);
     refused("1/4-20 UNC-6g", &all);
-    refused("M10x1.5-2A", &["`2A` is no class of a metric thread", "6g 8g 6e 4h or 4g6g", "6H 5H"]);
+    refused(
+        "M10x1.5-2A",
+        &["`2A` is not a class of a metric thread", "6g 8g 6e 4h or 4g6g", "6H 5H"],
+    );
     // The major diameter has the grades 4, 6 and 8 only; a field is not outside and inside at once.
     refused("M10-5g", &["`5g`", "4, 6 or 8"]);
     refused("M10-4g6H", &["`4g6H`"]);
@@ -144,8 +147,8 @@ fn classes_are_read_or_refused() {
 /// The case of a metric class says where the thread is; a name in one case may have lost it.
 #[test]
 fn a_lost_case_is_said() {
-    assert!(read("M10X1.5-6G").notes[0].contains("6G is inside; outside is 6g"));
-    assert!(read("m10x1.5-6h").notes[0].contains("6h is outside; inside is 6H"));
+    assert!(read("M10X1.5-6G").notes[0].contains("6G is for inside threads; outside is 6g"));
+    assert!(read("m10x1.5-6h").notes[0].contains("6h is for outside threads; inside is 6H"));
     for clear in ["M10x1.5-6g", "M10X1.5-6H", "M10x1.5-6G", "M10x1.5-6h", "m10x1.5-6g"] {
         assert!(read(clear).notes.is_empty(), "{clear}");
     }

@@ -24,9 +24,9 @@ Examples:
   chordal calibrate measured.csv --machine haas-vf2 -o our-vf2.toml
   chordal time part.nc --machine our-vf2.toml
 
-The rows of the file are `program,time`: a program's file, beside the CSV file or with its path,
-and the time that its cycle took on the machine, in seconds or as 12:34 or 1:02:03. A first row
-of names and rows that begin with # are passed over. Measure from cycle start to the end with
+The rows of the file are `program,time`: the file of a program, in the folder of the CSV file or with
+its path, and the time that its cycle took on the machine, in seconds or as 12:34 or 1:02:03. A first
+row of names and rows that begin with # are skipped. Measure from cycle start to the end with
 the overrides at 100 %, with programs of different kinds: long cuts, many short moves, tool
 changes.";
 
@@ -38,7 +38,7 @@ pub struct Args {
     #[arg(value_name = "MEASURED.csv")]
     measured: PathBuf,
 
-    /// Writes a machine file with the fitted numbers, which inherits all else
+    /// Writes a machine file with the fitted numbers; it inherits everything else
     #[arg(long, short, value_name = "MACHINE.toml")]
     output: Option<PathBuf>,
 
@@ -55,8 +55,8 @@ struct Measurement {
 pub fn run(args: &Args) -> Result<Verdict, Failure> {
     let Some(name) = &args.common.machine else {
         return Err(Failure::wrong(
-            "the machine is not said",
-            "name it with --machine: its limits are where the fit begins",
+            "no machine is given",
+            "give it with --machine: the fit starts from its limits",
         ));
     };
     if let Some(output) = &args.output {
@@ -87,8 +87,8 @@ fn keep_machine(name: &str, output: &Path) -> Result<(), Failure> {
     };
     if builtin(name).is_none() && same(Path::new(name), output) {
         return Err(Failure::wrong(
-            format!("{} is the machine that is fitted", output.display()),
-            "give the output another name: it inherits this one",
+            format!("{} is the machine file that is fitted", output.display()),
+            "give the output another name: the output inherits this file",
         ));
     }
     Ok(())
@@ -117,7 +117,7 @@ fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
             None if measurements.is_empty() && !time.contains(|c: char| c.is_ascii_digit()) => {}
             None => {
                 return Err(Failure::wrong(
-                    format!("{name}, line {}: `{time}` is no time", index + 1),
+                    format!("{name}, line {}: `{time}` is not a time", index + 1),
                     "a row is `program,time`, the time in seconds or as 12:34 or 1:02:03",
                 ));
             }
@@ -126,7 +126,7 @@ fn read(args: &Args) -> Result<Vec<Measurement>, Failure> {
     if measurements.is_empty() {
         return Err(Failure::wrong(
             format!("{name} holds no measured time"),
-            "a row is `program,time`, as `part.nc,754.2`",
+            "a row is `program,time`, such as `part.nc,754.2`",
         ));
     }
     Ok(measurements)
@@ -219,7 +219,9 @@ fn text(measurements: &[Measurement], machine: &Machine, start: Factors, fitted:
     push_lines(&mut text, &table);
     text.push_str(&format!("\n  remaining error {} %", short(fitted.error() * 100.0, 2)));
     if fitted.is_exact_by_count() {
-        text.push_str(": as many numbers as programs, so it says nothing; measure more programs");
+        text.push_str(
+            ": there are as many unknowns as programs, so it means nothing; measure more programs",
+        );
     }
     text.push('\n');
     for (parameter, why) in &fitted.untold {
@@ -228,7 +230,7 @@ fn text(measurements: &[Measurement], machine: &Machine, start: Factors, fitted:
     for (program, times) in measurements.iter().zip(&fitted.programs) {
         if (times.after_s / times.measured_s - 1.0).abs() > FAR {
             text.push_str(&format!(
-                "  {}: no such machine explains its time; was it this very program, with the \
+                "  {}: no machine of this kind explains its time; was it exactly this program, with the \
                  overrides\n    at 100 %, without a wait for the operator?\n",
                 program.loaded.name()
             ));
@@ -257,11 +259,11 @@ fn untold_text(parameter: Parameter, why: Untold) -> String {
             format!("{word}: these programs hardly depend on it; measure {more}")
         }
         Untold::SameAs(other) => format!(
-            "{word}: cannot be told from {} with these programs; measure others",
+            "{word}: cannot be separated from {} with these programs; measure others",
             other.word()
         ),
         Untold::TooFew => {
-            format!("{word}: cannot be told apart with so few programs; measure more")
+            format!("{word}: cannot be separated with so few programs; measure more")
         }
     }
 }

@@ -22,11 +22,11 @@ Examples:
   chordal check archive/ --format sarif > chordal.sarif
   chordal check - < part.nc
 
-A folder stands for all programs in it and below it; what is a program is told by content, not
-by the ending of its name. Exit code: 0 clean, 1 problems, 2 wrong use or a file that cannot be
-read (the others are checked all the same).";
+A folder means all programs in it and below it; programs are recognized by their content, not by the
+file extension. Exit code: 0 clean, 1 problems, 2 wrong use or a file that cannot be read (the others
+are still checked).";
 
-/// Tells the problems of programs and nothing else
+/// Reports the problems of programs and nothing else
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -34,11 +34,11 @@ pub struct Args {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// How problems are told
+    /// Format of the problems
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 
-    /// From which severity on a problem makes the exit code 1
+    /// The lowest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
     fail_on: FailOn,
 
@@ -48,9 +48,9 @@ pub struct Args {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Format {
-    /// For people: the lines with the words underlined
+    /// Text for the reader: the lines with the words underlined
     Text,
-    /// One object for all files
+    /// One JSON object for all files
     Json,
     /// SARIF 2.1.0, for code scanning
     Sarif,
@@ -149,7 +149,7 @@ impl Totals {
     }
 
     /// The last line, `2 errors, 1 warning in 1 of 12 programs`; a single program with problems
-    /// has told its own.
+    /// has reported its own.
     fn text(&self, terminal: Terminal) -> String {
         let counts: Vec<String> = [
             (self.errors, "error", "errors"),
@@ -173,7 +173,7 @@ impl Totals {
         let called = match self.called {
             0 => String::new(),
             some => format!(
-                " ({} with subprograms only, run where they are called)",
+                " ({} with only subprograms, run where they are called)",
                 counted(some, "file", "files")
             ),
         };

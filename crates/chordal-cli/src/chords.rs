@@ -20,10 +20,10 @@ const EXAMPLES: &str = "\
 Examples:
   chordal chords part.nc --tolerance 0.01mm
   chordal chords part.nc --tolerance 0.0005in --placement balanced
-  chordal chords part.nc -o chords.jsonl          by the ending: .csv, .jsonl, .parquet, .arrow
+  chordal chords part.nc -o chords.jsonl          by the extension: .csv, .jsonl, .parquet, .arrow
 
-A tolerance is the largest distance between the exact curve and its chord. Inscribed chords have
-their ends on the curve; balanced ones lie as far outside as inside, and are √2 times fewer.";
+The tolerance is the largest distance between the exact curve and its chord. Inscribed chords have
+their ends on the curve; balanced chords lie as far outside as inside, and √2 times fewer are needed.";
 
 /// Prints the straight chords that a control unit would send for the path
 #[derive(clap::Args)]
@@ -36,15 +36,15 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH", default_value = "0.01mm", value_parser = tolerance)]
     tolerance: f64,
 
-    /// Where the ends of the chords lie
+    /// Where the ends of the chords are
     #[arg(long, value_enum, default_value = "inscribed")]
     placement: Lie,
 
-    /// Writes a file, its format by its ending; without it, standard output
+    /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How chords are written, where no ending says it; CSV to standard output
+    /// Format of the chords if no file extension gives it; CSV on standard output
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
 
@@ -56,7 +56,7 @@ pub struct Args {
 enum Lie {
     /// On the curve
     Inscribed,
-    /// The tolerance outside it, the middles inside by the same
+    /// Outside it by the tolerance, their middles inside by the same
     Balanced,
 }
 
@@ -72,7 +72,7 @@ impl Lie {
 fn tolerance(text: &str) -> Result<f64, String> {
     match quantity(text, Dimension::Length)? {
         mm if mm > 0.0 => Ok(mm),
-        _ => Err("a tolerance is above zero".to_string()),
+        _ => Err("a tolerance must be above zero".to_string()),
     }
 }
 

@@ -17,7 +17,7 @@ use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
 Examples:
-  chordal commands part.nc                        JSON, one object a line
+  chordal commands part.nc                        JSON, one object per line
   chordal commands part.nc --format canon         as LinuxCNC's rs274 prints them
   chordal commands part.nc | jq 'select(.kind == \"arc\")'
   chordal commands part.nc --machine fadal-4020 > fadal.jsonl
@@ -27,18 +27,18 @@ Lengths are millimetres, angles degrees, feeds mm/min, whatever the program's un
 are program coordinates at the tool tip; `line` is the line of the file. Problems go to standard
 error; the exit code is 1 when there are errors.";
 
-/// Prints the canonical commands that the control makes of a program
+/// Prints the canonical commands that the control makes from a program
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// Writes a file, its format by its ending; without it, standard output
+    /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How commands are written, where no ending says it; JSON lines to standard output
+    /// Format of the commands if no file extension gives it; JSON lines on standard output
     #[arg(long, value_enum)]
     format: Option<Format>,
 
@@ -48,11 +48,11 @@ pub struct Args {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Format {
-    /// JSON lines: a header, then one object a command
+    /// JSON lines: a header, then one object per command
     Jsonl,
     /// LinuxCNC's canonical text
     Canon,
-    /// Comma-separated, one row a command
+    /// Comma-separated, one row per command
     Csv,
     /// Apache Parquet
     Parquet,

@@ -15,19 +15,19 @@ Examples:
   chordal comp-range part.nc --machine mitsubishi-m700
   chordal comp-range part.nc --format json | jq '.contours[].largest'
 
-For every contour from G41 or G42 to G40: the offsets (radii) with which it runs. `control` is where
-this control alarms; `gouge` up to where the tool cuts into no wall, which a control may not see;
-`edges` up to where it touches every edge, 0 at a sharp inside corner; `leads` what the lead-in
-and lead-out allow. Exit code 1 when an offset of the table lies outside.";
+For every contour from G41 or G42 to G40: the offsets (radii) with which it runs. Largest offset for
+`control`: without an alarm of this control; `gouge`: without a cut into a wall, which a control may
+not see; `edges`: the tool touches every edge, 0 at a sharp inside corner; `leads`: allowed by the
+lead-in and the lead-out. Exit code 1 when an offset of the table lies outside.";
 
-/// Tells with which offsets each compensated contour runs, and the block that limits them
+/// Reports with which offsets each compensated contour runs, and the block that limits them
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// How the ranges are told
+    /// Format of the ranges
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 

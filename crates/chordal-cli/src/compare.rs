@@ -19,50 +19,50 @@ use crate::terminal::{Terminal, say};
 const EXAMPLES: &str = "\
 Examples:
   chordal compare released.nc returned.nc
-  chordal compare old.nc new.nc --tolerance 0.01mm      up to a hundredth apart is no difference
+  chordal compare old.nc new.nc --tolerance 0.01mm      up to 0.01 mm apart is not a difference
   chordal compare part.nc --as fadal-4020 --as haas-vf2  one program on two machines
   chordal compare fadal.nc haas.nc --as fadal-4020 --as haas-vf2
-  chordal compare old.nc new.nc -o both.svg             a picture of both over one another
+  chordal compare old.nc new.nc -o both.svg             both paths in one picture
   chordal compare old.nc new.nc --ignore feed --ignore spindle
   chordal compare old.nc new.nc --format json | jq .max_distance_mm
 
-What the programs do is compared, not their text: numbers of blocks, spaces, subprograms, units,
-and how lines and arcs are cut make no difference. The distance holds for two who walk the paths
-together from beginning to end, cuts and rapids in their order; nowhere are they further apart.
+Chordal compares what the programs do, not their text: block numbers, spaces, subprograms, units, and
+how lines and arcs are divided make no difference. The distance is the largest one between two points
+that move along both paths from start to end, cuts and rapids in their order.
 
 Exit code: 0 the same, or within the tolerance, 1 different, 2 wrong use.";
 
-/// Holds the motion of two programs, or of one on two machines, against each other
+/// Compares the motion of two programs, or of one program on two machines
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The program
     a: PathBuf,
 
-    /// The other one; left out, the same program on another machine
+    /// The other program; without it, the same program on another machine
     b: Option<PathBuf>,
 
-    /// The machine of a program: once for each, in their order
+    /// The machine of a program: give it once for each program, in their order
     #[arg(long = "as", value_name = "NAME|FILE.toml", conflicts_with = "machine")]
     machines: Vec<String>,
 
-    /// Paths this far apart are no difference, as 0.01mm or 0.0005in
+    /// Paths this far apart count as the same, such as 0.01mm or 0.0005in
     #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0mm")]
     tolerance: f64,
 
-    /// Feeds and speeds that differ by this part are no difference
+    /// Feeds and speeds that differ by this fraction count as the same
     #[arg(long, value_name = "PART", default_value_t = 1e-6)]
     feed_tolerance: f64,
 
-    /// What is no difference, whatever it is: feed, spindle, coolant, …
+    /// Differences to ignore: feed, spindle, coolant, …
     #[arg(long, value_name = "CATEGORY", value_parser = category)]
     ignore: Vec<Category>,
 
-    /// Draws both over one another, as .svg or .png: the first as a band, the second as a line
+    /// Draws both paths in one picture, .svg or .png: the first as a band, the second as a line
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How the answer is told
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 
@@ -73,7 +73,7 @@ pub struct Args {
 fn category(text: &str) -> Result<Category, String> {
     Category::ALL.into_iter().find(|category| category.word() == text).ok_or_else(|| {
         let words: Vec<&str> = Category::ALL.iter().map(|category| category.word()).collect();
-        format!("one of {} is due", words.join(", "))
+        format!("write one of {}", words.join(", "))
     })
 }
 
@@ -81,13 +81,13 @@ fn category(text: &str) -> Result<Category, String> {
 pub fn length_mm(text: &str) -> Result<f64, String> {
     let bare = text.trim().parse().map_err(|_| ());
     let mm: f64 = bare.or_else(|()| quantity(text, Dimension::Length))?;
-    if mm >= 0.0 && mm.is_finite() { Ok(mm) } else { Err("a length of zero or more is due".into()) }
+    if mm >= 0.0 && mm.is_finite() { Ok(mm) } else { Err("write a length of zero or more".into()) }
 }
 
 pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let Some([a, b]) = sides(&args.a, args.b.as_ref(), &args.machines, &args.common)? else {
         return Err(Failure::wrong(
-            "there is one program and nothing to hold it against",
+            "there is one program and nothing to compare it with",
             "name another program, or another machine with --as",
         ));
     };
@@ -124,7 +124,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
 }
 
-/// Writes both paths over one another, under their names and a line about them.
+/// Writes both paths in one picture, under their names and a line about them.
 pub fn picture(
     path: &Path,
     jobs: [&Job; 2],
@@ -137,8 +137,8 @@ pub fn picture(
         Some("png") => true,
         _ => {
             return Err(Failure::wrong(
-                format!("the ending of {} says no format of pictures", path.display()),
-                "the endings are .svg and .png",
+                format!("the extension of {} is not a picture format", path.display()),
+                "the extensions are .svg and .png",
             ));
         }
     };
@@ -175,7 +175,7 @@ pub fn sides<'a>(
         (None, []) => Ok(None),
         (Some(_), [_]) => Err(Failure::wrong(
             "--as is given once for two programs",
-            "give it twice, in the order of the programs, or --machine for both",
+            "give it twice, in the order of the programs, or give --machine for both",
         )),
         (_, [_, _, _, ..]) => {
             Err(Failure::wrong("--as is given more than twice", "give it once for each program"))

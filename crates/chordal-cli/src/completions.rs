@@ -13,7 +13,7 @@ Examples:
   chordal completions fish > ~/.config/fish/completions/chordal.fish
   chordal completions powershell >> $PROFILE";
 
-/// Prints a script by which a shell completes this command
+/// Prints a script with which a shell completes this command
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -26,13 +26,12 @@ Examples:
   chordal convert part.nc --machine fadal-4020 --to haas-vf2 -o part-haas.nc
   chordal convert part.nc --to haas-vf2 -o - | diff part.nc -
   chordal convert part.nc --to fanuc-30i --tolerance 0.005mm -o part-fanuc.nc
-  chordal convert part.nc --to haas-vf2 --view             old and new over one another
+  chordal convert part.nc --to haas-vf2 --view             both paths in one picture
   chordal convert part.nc --to mill.toml --certificate proof.json -o part-mill.nc
 
-The program is run on its own machine, written anew from what it does, run on the other one and
-held against the first run, move by move. Its tools and work offsets are taken along. Nothing is
-written where something cannot be carried over or where the motion is not the same, unless
---unproved asks for it.
+The program is run on its own machine, written again for the other one, and run there. Both runs are
+compared, move by move, with the same tools and work offsets. Nothing is written if something cannot be
+converted or if the motion is not the same, unless --unproved asks for it.
 
 Exit code: 0 converted and proved, 1 not, 2 wrong use.";
 
@@ -47,15 +46,15 @@ pub struct Args {
     #[arg(long, value_name = "NAME|FILE.toml")]
     to: String,
 
-    /// Writes the new program here, `-` to standard output; without, it is only told
+    /// Writes the new program to this file, `-` to standard output; without it, only the changes are shown
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How far the path may be from the old one where a form must be written out
+    /// How far the path may be from the old one where a curve must be written as other curves
     #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0.005mm")]
     tolerance: f64,
 
-    /// Digits behind the point of computed words; without, those that the control keeps
+    /// Decimals of computed words; without it, as many as the control keeps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=9))]
     digits: Option<u8>,
 
@@ -63,11 +62,11 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
 
-    /// Draws both paths over one another, as .svg or .png: the old one as a band
+    /// Draws both paths in one picture, .svg or .png: the old one as a band
     #[arg(long, value_name = "OUT")]
     picture: Option<PathBuf>,
 
-    /// Shows both paths over one another in the browser, and what differs, until Ctrl-C
+    /// Shows both paths in one picture in the browser, and the differences, until Ctrl-C
     #[arg(long)]
     view: bool,
 
@@ -75,11 +74,11 @@ pub struct Args {
     #[arg(long)]
     despite_errors: bool,
 
-    /// Writes the program although the motion is not the same
+    /// Writes the program even if the motion is not the same
     #[arg(long)]
     unproved: bool,
 
-    /// How the answer is told
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 
@@ -176,7 +175,7 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
         (true, _) if within => format!("{changes}; the motion is the same within the tolerance\n"),
         (true, _) => format!("{changes}; the motion is the same\n"),
         (false, true) => format!("{changes}; the motion is not the same\n"),
-        (false, false) => format!("{refused} cannot be carried over\n"),
+        (false, false) => format!("{refused} cannot be converted\n"),
     };
     for refusal in &found.refusals {
         text += &format!("\nline {}  {}\n  {}\n", refusal.line, refusal.words, refusal.reason);
@@ -194,14 +193,14 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     text += &match may_write {
         true => format!("\nwrote {}\n", path.display()),
         false => format!(
-            "\n{} is not written: mend what is above first, or ask for it with --unproved\n",
+            "\n{} is not written: correct the problems above first, or use --unproved\n",
             path.display()
         ),
     };
     text
 }
 
-/// The same change again and again is told once, with its lines.
+/// The same change on many lines is reported once, with its lines.
 fn grouped(changes: &[Change]) -> Vec<(&Change, Vec<u32>)> {
     let mut groups: Vec<(&Change, Vec<u32>)> = Vec::new();
     let mut known: HashMap<[&str; 3], usize> = HashMap::new();
@@ -254,7 +253,7 @@ fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
             format!(", up to {} from each other", length_text(most, units))
         });
         text += &format!(
-            "  the contours are as programmed; the controls compensate each in its own way{most}\n"
+            "  the contours are as programmed; each control compensates in its own way{most}\n"
         );
     }
     let mut expected = BTreeMap::new();
@@ -267,7 +266,7 @@ fn proof(found: &Conversion, certificate: &Certificate, job: &Job) -> String {
     }
     for (word, count) in expected {
         let times = counted(count, "difference", "differences");
-        text += &format!("  {word}: {times}, of the machines and not of the text\n");
+        text += &format!("  {word}: {times}, because of the machines, not of the text\n");
     }
     text
 }

@@ -34,7 +34,7 @@ pub struct Args {
     machine: Option<String>,
 }
 
-/// Codes that differ by more, in tenths, are no slips of each other.
+/// Codes that differ by more, in tenths, are not typing errors of each other.
 const NEAR: u16 = 20;
 
 pub fn run(args: &Args) -> Result<Verdict, Failure> {
@@ -60,14 +60,14 @@ fn is_code(word: &str) -> bool {
     rest.is_some_and(|rest| rest.trim_start().starts_with(|first: char| first.is_ascii_digit()))
 }
 
-/// Nobody knows it: the nearest that somebody does.
+/// No control knows it: the nearest one that some control knows.
 fn unknown(word: &str, views: &[View]) -> Failure {
     let titles: Vec<&str> = views.iter().map(|view| view.table.title).collect();
     if is_code(word) {
         let name = word.to_uppercase();
         let message = match titles.as_slice() {
-            [one] => format!("{one} has no {name}"),
-            _ => format!("no control here has {name}"),
+            [one] => format!("{one} does not have {name}"),
+            _ => format!("no control has {name}"),
         };
         let near = code_of(word).and_then(|(letter, code)| {
             let all = views.iter().flat_map(|view| codes(view.table, letter));
@@ -89,7 +89,7 @@ fn unknown(word: &str, views: &[View]) -> Failure {
         .map(|name| (likeness(name), name))
         .filter(|(likeness, _)| *likeness > 0.8)
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    let message = format!("`{word}` is no message, code, letter or setting");
+    let message = format!("`{word}` is not a message, code, letter or setting");
     match near {
         Some((_, near)) => Failure::wrong(message, format!("did you mean `{near}`?")),
         None => Failure::wrong(

@@ -58,7 +58,7 @@ impl Failure {
         Failure::Use { message: message.into(), help: Some(help.into()) }
     }
 
-    /// Whoever read our output has enough of it: nothing to tell anybody.
+    /// Whoever read our output has enough of it: nothing to report.
     pub fn is_closed_pipe(&self) -> bool {
         matches!(self, Failure::Out(error) if error.kind() == io::ErrorKind::BrokenPipe)
     }

@@ -62,8 +62,8 @@ const LONG_ABOUT: &str = "\
 Runs CNC programs exactly as their control would: Fadal, Haas, Fanuc, Mitsubishi, LinuxCNC.
 
 Chordal reads the program with the rules of one control, says where that control would stop
-and why, and gives the exact path of the tool. It finds out from the text which control a
-program was written for; say --machine when you know better.";
+and why, and gives the exact path of the tool. It recognizes from the text for which control a
+program was written; give --machine if you know better.";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -75,10 +75,10 @@ Examples:
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
-  chordal compare released.nc returned.nc    how far apart two programs move
+  chordal compare released.nc returned.nc    how far apart the paths of two programs are
   chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
-  chordal transform part.nc --rotate 30      the same part, turned, and a proof
-  chordal run part.nc --machine haas-vf2     as a Haas would, whatever it was written for
+  chordal transform part.nc --rotate 30      the same part, rotated, with a proof
+  chordal run part.nc --machine haas-vf2     as a Haas would, for whatever control it was written
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
   chordal machines haas-vf2                  a machine and its control's settings
@@ -92,7 +92,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
 
-    /// When to use colours; by itself on a terminal, unless NO_COLOR is set
+    /// When to use colours; auto: on a terminal, unless NO_COLOR is set
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     #[arg(hide_default_value = true, display_order = 100)]
     color: ColorChoice,
@@ -155,7 +155,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(told) => {
-            // There is nobody to tell when even that cannot be written.
+            // Nothing can be reported when even that cannot be written.
             let _ = told.print();
             return u8::try_from(told.exit_code()).unwrap_or(2);
         }

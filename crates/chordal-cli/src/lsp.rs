@@ -10,14 +10,14 @@ use crate::failure::{Failure, Verdict};
 use crate::options::Common;
 
 const EXAMPLES: &str = "\
-Editors start it and speak with it over standard input and output; docs/editors.md shows how to
+Editors start it and talk to it over standard input and output; docs/editors.md shows how to
 set up VS Code, Neovim and Helix.";
 
 /// Serves editors over the Language Server Protocol
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Speaks over standard input and output, as always; some editors say so
+    /// Uses standard input and output, as always; accepted because some editors pass it
     #[arg(long)]
     stdio: bool,
 

@@ -16,7 +16,7 @@ const EXAMPLES: &str = "\
 Examples:
   chordal machines                       the built-in machines
   chordal machines haas-vf2              axes, limits and the control's settings
-  chordal machines haas-vf2 --toml       as a machine file to start your own from
+  chordal machines haas-vf2 --toml       as a machine file, to start your own
   chordal machines shop/vf2.toml --toml  a file with all that it inherits
   chordal machines --schema              every key of a machine file (Markdown)";
 
@@ -28,7 +28,7 @@ pub struct Args {
     #[arg(value_name = "NAME|FILE.toml", conflicts_with = "schema")]
     name: Option<String>,
 
-    /// Prints the machine as a file, everything inherited included
+    /// Prints the machine as a file, with everything it inherits
     #[arg(long, requires = "name")]
     toml: bool,
 

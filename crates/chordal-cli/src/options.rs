@@ -6,12 +6,12 @@ use chordal::machine::{Dimension, QuantityError, parse_quantity};
 use chordal_load::{Given, Request};
 use clap::ValueEnum;
 
-/// How an answer is told that has no other form.
+/// Formats of an answer that has no other form.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum AnswerFormat {
-    /// For people
+    /// Text for the reader
     Text,
-    /// One object
+    /// One JSON object
     Json,
 }
 
@@ -21,12 +21,12 @@ pub enum AnswerFormat {
 pub struct Common {
     /// The machine: a built-in name (see `chordal machines`) or a machine file
     ///
-    /// Without it, `chordal.toml` in the program's folder says, and else the control is
+    /// Without it, `chordal.toml` in the program's folder decides, or else the control is
     /// recognized from the program.
     #[arg(long, short, value_name = "NAME|FILE.toml")]
     pub machine: Option<String>,
 
-    /// Overrides any key of the machine, as `tools.5.diameter="0.5 in"`
+    /// Overrides any key of the machine, such as `tools.5.diameter="0.5 in"`
     ///
     /// Also `"settings.Setting 58=fanuc"`, `work_offsets.G54.X="10 in"`, `control=haas`.
     /// `chordal machines --schema` lists the keys.
@@ -37,15 +37,15 @@ pub struct Common {
     #[arg(long, value_name = "tool.tbl")]
     pub tools: Option<PathBuf>,
 
-    /// Runs only this program of the file, as `1000` or `O1000`
+    /// Runs only this program of the file, such as `1000` or `O1000`
     #[arg(long, value_name = "N", value_parser = program_number)]
     pub program: Option<u32>,
 
-    /// Block delete: leaves out the blocks that start with `/`
+    /// Block delete: skips the blocks that start with `/`
     #[arg(long)]
     pub block_delete: bool,
 
-    /// Most blocks carried out in calls, repeats and jumps before a program counts as endless
+    /// Largest number of blocks carried out in calls, repeats and jumps before a program counts as endless
     #[arg(long, value_name = "N")]
     pub max_blocks: Option<u64>,
 }
@@ -68,7 +68,7 @@ impl Common {
 /// `1000`, `O1000`, `o1000`, `:1000`.
 fn program_number(text: &str) -> Result<u32, String> {
     let digits = text.strip_prefix(['O', 'o', ':']).unwrap_or(text);
-    digits.parse().map_err(|_| "a program number is due, as `1000` or `O1000`".to_string())
+    digits.parse().map_err(|_| "write a program number, such as `1000` or `O1000`".to_string())
 }
 
 /// A quantity with its unit, in that of its dimension; what is wrong with it in words.

@@ -52,16 +52,16 @@ pub fn format_of<F: Format>(
     let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
     match (said, meant) {
         (Some(said), Some(meant)) if said != meant => Err(Failure::wrong(
-            format!("--format says {}, and the name of {name} another format", word(said)),
-            format!("leave --format out, or end the name with .{}", word(said)),
+            format!("--format says {}, but the extension of {name} is another format", word(said)),
+            format!("leave --format out, or use the extension .{}", word(said)),
         )),
         (Some(format), _) | (None, Some(format)) => Ok(format),
         (None, None) => {
             let endings: Vec<String> =
                 F::value_variants().iter().map(|format| format!(".{}", word(*format))).collect();
             Err(Failure::wrong(
-                format!("the ending of {name} says no format of {rows}"),
-                format!("the endings are {}; or give --format", endings.join(", ")),
+                format!("the extension of {name} is not a format of {rows}"),
+                format!("the extensions are {}; or give --format", endings.join(", ")),
             ))
         }
     }
@@ -87,7 +87,7 @@ impl Out {
             if format.columns().is_some() && io::stdout().is_terminal() {
                 return Err(Failure::wrong(
                     "a terminal cannot show this format",
-                    "write a file with -o, or let another program read the output",
+                    "write a file with -o, or pipe the output into another program",
                 ));
             }
             return Ok(Out::Standard(buffered()));

@@ -43,10 +43,10 @@ impl Format {
             let endings: Vec<String> =
                 Format::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
             let message = match ending {
-                Some(ending) => format!("nothing is written as .{ending} ({})", path.display()),
-                None => format!("the ending of {} says no format", path.display()),
+                Some(ending) => format!("there is no output format .{ending} ({})", path.display()),
+                None => format!("the extension of {} is not a known format", path.display()),
             };
-            Failure::wrong(message, format!("the endings are {}", endings.join(", ")))
+            Failure::wrong(message, format!("the extensions are {}", endings.join(", ")))
         })
     }
 }
@@ -117,14 +117,14 @@ fn keep_inputs(plan: &[Vec<Target>], inputs: &[Input]) -> Result<(), Failure> {
         let name = target.path.display();
         if target.path.canonicalize().is_ok_and(|path| programs.contains(&path)) {
             return Err(Failure::wrong(
-                format!("{name} is a program that is to be run"),
+                format!("{name} is one of the programs to run"),
                 "give the output another name",
             ));
         }
         if !seen.insert(&target.path) {
             return Err(Failure::wrong(
                 format!("{name} would be written twice"),
-                "give each output a name of its own",
+                "give each output a different name",
             ));
         }
     }
@@ -185,7 +185,7 @@ pub struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// Opens them, so that a place where nothing can be written is told before a long run.
+    /// Opens them, so that a place where nothing can be written is reported before a long run.
     pub fn open(targets: &[Target], job: &'a Job<'a>) -> Result<Outputs<'a>, Failure> {
         let mut outputs = Outputs { writers: Vec::new(), plot: None, failed: None };
         for Target { path, format } in targets {

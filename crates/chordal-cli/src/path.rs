@@ -11,7 +11,7 @@ use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
 Examples:
-  chordal path part.nc                            JSON, one object a line
+  chordal path part.nc                            JSON, one object per line
   chordal path part.nc -o path.csv
   chordal path part.nc -o path.parquet            columns (.parquet, .arrow; docs/columns.md)
   chordal path part.nc --set tools.1.diameter=\"10 mm\"
@@ -19,8 +19,8 @@ Examples:
   chordal path part.nc | jq 'select(.inserted)'   what compensation adds
 
 The objects are those of `chordal commands`, after cutter radius compensation: positions are
-those of the tool centre. Every feed move says its `compensation` (left, right, off) and its
-`cutter_radius`; links and corner arcs that compensation makes say `inserted` and bear the line
+those of the tool centre. Every feed move has its `compensation` (left, right, off) and its
+`cutter_radius`; links and corner arcs that compensation makes have `inserted` and the line
 of the block before. Problems go to standard error; the exit code is 1 when there are errors.";
 
 /// Prints the path of the tool centre, after cutter radius compensation
@@ -30,11 +30,11 @@ pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// Writes a file, its format by its ending; without it, standard output
+    /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How the path is written, where no ending says it; JSON lines to standard output
+    /// Format of the path if no file extension gives it; JSON lines on standard output
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
 

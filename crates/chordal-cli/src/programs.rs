@@ -17,7 +17,7 @@ pub fn load_one(file: &PathBuf, common: &Common) -> Result<Loaded, Failure> {
     if file.is_dir() {
         return Err(Failure::wrong(
             format!("{} is a folder", file.display()),
-            "this command takes one program; `run` and `check` take folders",
+            "this command takes one program; `run` and `check` also take folders",
         ));
     }
     let (inputs, _) = find(std::slice::from_ref(file));
@@ -75,7 +75,7 @@ impl Programs {
         self.called
     }
 
-    /// Loads each input and has it handled. What cannot be loaded is told; the rest goes on.
+    /// Loads each input and has it handled. What cannot be loaded is reported; the rest goes on.
     /// Only a failure of the handler ends it all.
     pub fn each(
         mut self,
@@ -103,7 +103,7 @@ impl Programs {
         self.bar.suspend(|| say(text))
     }
 
-    /// Tells a failure, but the same one only once: a wrong `chordal.toml` counts for every
+    /// Reports a failure, but the same one only once: a wrong `chordal.toml` counts for every
     /// file of its folder.
     fn tell(&mut self, failure: LoadError) {
         let failure = Failure::from(failure);

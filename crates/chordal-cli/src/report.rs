@@ -16,15 +16,15 @@ use crate::terminal::Terminal;
 
 const EXAMPLES: &str = "\
 Examples:
-  chordal report part.nc -o setup.html       a page to print, mail or lay beside the machine
+  chordal report part.nc -o setup.html       a page to print, to mail or to keep at the machine
   chordal report part.nc --machine vf2.toml -o setup.html
   chordal report part.nc -o setup.html --date 2026-11-21
   chordal report part.nc -o setup.json       the same as data
   chordal report part.nc --format json | jq '.tools.rows[].number'
 
 The page needs nothing else: no network, no scripts. For a PDF, print it from the browser. It has
-no date unless one is given: the same program gives the same bytes. A program with errors gets a
-report, too, that says so at its top; problems go to standard error, and the exit code is 1 when
+no date unless you give one: the same program gives the same bytes. A program with errors gets a
+report, too; it says so at the top. Problems go to standard error, and the exit code is 1 when
 there are errors.";
 
 /// Writes a setup sheet: path, offsets, tools, times, travel, stops and problems on one page
@@ -34,15 +34,15 @@ pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// Writes a file, its format by its ending; without it, standard output
+    /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How the report is written, where no ending says it; a page to standard output
+    /// Format of the report if no file extension gives it; a page on standard output
     #[arg(long, value_enum)]
     format: Option<Format>,
 
-    /// A date, or any words, to print at the top
+    /// A date, or any text, to print at the top
     #[arg(long, value_name = "TEXT")]
     date: Option<String>,
 
@@ -52,10 +52,10 @@ pub struct Args {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum Format {
-    /// A page with everything in it
+    /// One HTML page with everything in it
     #[value(alias = "htm")]
     Html,
-    /// One object
+    /// One JSON object
     Json,
 }
 

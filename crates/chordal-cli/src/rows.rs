@@ -1,5 +1,5 @@
-//! A command that writes rows of one program: where they go, in which format, and what is told
-//! beside them.
+//! A command that writes rows of one program: where they go, in which format, and what is reported
+//! next to them.
 
 use std::io;
 use std::path::{Path, PathBuf};

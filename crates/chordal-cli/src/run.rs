@@ -24,11 +24,11 @@ Examples:
   chordal run part.nc --machine mill.toml --set tools.5.diameter=\"0.5 in\"
   chordal run all-prog.txt --program 9013    one program of a control's memory
 
-Outputs by ending:
-  .svg .png   planned views with axes and scale, rapids dashed, feeds coloured by tool
+Outputs by file extension:
+  .svg .png   views with axes and scale, rapids dashed, feeds coloured by tool
   .dxf        the path with true arcs
   .csv .jsonl .canon   the canonical commands, as `chordal commands` prints them
-  .txt        what the program itself prints (DPRNT)
+  .txt        the text that the program itself prints (DPRNT)
 
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
 the number in the file. The exit code is 1 when there is an error: the control would stop.";
@@ -40,7 +40,7 @@ const MOST_PLANNED: u64 = 300_000;
 /// Bytes of a line of a program of many short moves.
 const LINE: u64 = 20;
 
-/// Carries a program out and sums up what it does
+/// Runs a program and summarizes what it does
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -48,7 +48,7 @@ pub struct Args {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// Writes a file, its format by its ending; may be given several times
+    /// Writes a file in the format of its extension; may be repeated
     #[arg(long = "output", short, value_name = "OUT")]
     outputs: Vec<PathBuf>,
 
@@ -79,7 +79,7 @@ fn one(
     // A long text is not planned in vain.
     let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
-    // Limits nothing can be planned with are told by `chordal time`.
+    // Limits nothing can be planned with are reported by `chordal time`.
     let timed = timed.ok().flatten();
     let options = PlotOptions {
         title: loaded.name().to_string(),

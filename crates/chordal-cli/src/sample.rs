@@ -25,16 +25,16 @@ Examples:
   chordal sample part.nc --period 4ms --format jsonl | head
   chordal sample part.nc -m haas-vf2 --level best -o part.arrow
 
-A row each period: time_s; x_mm, x_vel_mm_per_s, x_acc_mm_per_s2 and the same of Y and Z; a_deg,
+One row per period: time_s; x_mm, x_vel_mm_per_s, x_acc_mm_per_s2 and the same of Y and Z; a_deg,
 a_vel_deg_per_s, a_acc_deg_per_s2 and the same of B and C where the machine has them;
-speed_mm_per_s; line. Positions go on evenly where an offset or a tool length jumps. The first row
-is the start, the last one the end. Parquet and Arrow files say their units, their schema
+speed_mm_per_s; line. Positions are continuous where an offset or a tool length jumps. The first row
+is the start, the last one the end. Parquet and Arrow files contain their units, their schema
 (chordal.samples/1) and the SHA-256 of the program.
 
-The summary on standard error tells the chord of the period: how far from the path the tool is
+The summary on standard error gives the chord error of the period: how far the tool is from the path
 when the axes go straight from one setpoint to the next.";
 
-/// Writes the setpoints of the axes at a period: place, velocity, acceleration
+/// Writes the setpoints of the axes at a period: position, velocity, acceleration
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -45,19 +45,19 @@ pub struct Args {
     #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = period)]
     period: f64,
 
-    /// Writes a file, its format by its ending; without it, standard output
+    /// Writes a file in the format of its extension; without it, standard output
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// How setpoints are written, where no ending says it; CSV to standard output
+    /// Format of the setpoints if no file extension gives it; CSV on standard output
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
 
-    /// How hard the planner tries
+    /// Effort of the planner
     #[arg(long, value_enum, default_value = "fast")]
     level: Effort,
 
-    /// Most setpoints that are made
+    /// Largest number of setpoints
     #[arg(long, value_name = "N", default_value_t = 100_000_000)]
     max_samples: u64,
 
@@ -90,7 +90,7 @@ fn period(text: &str) -> Result<f64, String> {
         Some(number) => quantity(&format!("{number} ms"), Dimension::Time)? / 1e3,
         None => quantity(text, Dimension::Time)?,
     };
-    if seconds > 0.0 { Ok(seconds) } else { Err("a period is above zero".to_string()) }
+    if seconds > 0.0 { Ok(seconds) } else { Err("a period must be above zero".to_string()) }
 }
 
 /// Setpoints on their way from the planner to the output.
@@ -196,7 +196,7 @@ fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionRep
 fn too_many(args: &Args, seconds: f64) -> Failure {
     Failure::wrong(
         format!(
-            "more than {} setpoints: the run takes {} or longer, and a setpoint is due every {}",
+            "more than {} setpoints: the run takes at least {}, with a setpoint every {}",
             grouped(args.max_samples),
             duration(seconds),
             time_text(args.period),
@@ -229,7 +229,7 @@ fn summary(
     let (chord_mm, line) = numbers.chord;
     row("chord", &chord_text(chord_mm, line, units));
     if !motion.limits.assumed.is_empty() {
-        row("limits", "typical ones were taken where the machine file gives none");
+        row("limits", "typical values were used where the machine file gives none");
     }
     if motion.cuts_without_feed > 0 {
         let cuts = counted(motion.cuts_without_feed, "cut", "cuts");
@@ -246,14 +246,14 @@ fn summary(
 /// How far the period cuts corners: with the digits that count.
 fn chord_text(mm: f64, line: u32, units: Units) -> String {
     if mm == 0.0 {
-        return "none: nothing but straight moves".to_string();
+        return "none: there are only straight moves".to_string();
     }
     let (value, unit) = match units {
         Units::Inch => (mm / 25.4, "in"),
         Units::Millimetre => (mm, "mm"),
     };
     let decimals = (2.0 - value.log10().floor()).clamp(0.0, 12.0) as usize;
-    format!("{} {unit} at most, on line {line}", short(value, decimals))
+    format!("at most {} {unit}, on line {line}", short(value, decimals))
 }
 
 /// `1 ms`, `250 us`, `2 s`.
@@ -300,7 +300,7 @@ mod tests {
         };
         let chord = normal_acceleration(&sample) * 1e-6 / 8.0;
         assert!((chord - 2e-3).abs() < 1e-12);
-        assert_eq!(chord_text(chord, 7, Units::Millimetre), "0.002 mm at most, on line 7");
+        assert_eq!(chord_text(chord, 7, Units::Millimetre), "at most 0.002 mm, on line 7");
         let straight = Sample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
         assert_eq!(normal_acceleration(&straight), 0.0);
         assert_eq!(normal_acceleration(&Sample::default()), 0.0);

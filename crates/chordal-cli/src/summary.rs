@@ -129,16 +129,16 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
         }
         Chosen::Folder(file) => {
             sheet.row("control", table.title);
-            sheet.row("machine", &format!("{known}, as {} says", file.display()));
+            sheet.row("machine", &format!("{known}, from {}", file.display()));
         }
         Chosen::Ending => {
-            sheet.row("control", &format!("{}, by the ending of the file's name", table.title));
+            sheet.row("control", &format!("{}, because of the file extension", table.title));
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
         Chosen::Recognized(found) if found.evidence.is_empty() => {
             sheet.row(
                 "control",
-                &format!("{}, assumed: nothing in the text says which", table.title),
+                &format!("{}, assumed: nothing in the text says which control", table.title),
             );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
@@ -161,7 +161,7 @@ fn printed(sheet: &mut Sheet, report: &Report) {
     sheet.rows("prints", &lines);
     let more = report.output.len().saturating_sub(MOST_PRINTED);
     if more > 0 {
-        sheet.more(&format!("and {more} lines more; `-o NAME.txt` writes them all"));
+        sheet.more(&format!("and {more} more lines; `-o NAME.txt` writes all of them"));
     }
 }
 
@@ -180,7 +180,7 @@ fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
         };
         sheet.row_in(BOLD_RED, "stop", &what);
     } else if report.outcomes.iter().any(|outcome| outcome.end == EndReason::Repeats) {
-        sheet.row("end", "M99: the control would begin again");
+        sheet.row("end", "M99: the control would start again");
     }
 }
 
@@ -361,7 +361,7 @@ fn planned_time(timed: &Timed) -> String {
     let mut shares = vec![("cuts", times.cutting_s), ("rapids", times.rapid_s)];
     shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));
     let total = duration(time.total_s());
-    format!("{total}, acceleration and jerk held{}", parts(&shares))
+    format!("{total}, with acceleration and jerk{}", parts(&shares))
 }
 
 /// What the moves would take without speeding up and slowing down.

@@ -33,7 +33,7 @@ impl Terminal {
         }
     }
 
-    /// Tells why something could not be done, on standard error.
+    /// Says why something could not be done, on standard error.
     pub fn failure(self, failure: &Failure) {
         if !failure.is_closed_pipe() {
             self.tell(&self.failure_text(failure));
@@ -56,7 +56,7 @@ impl Terminal {
         }
     }
 
-    /// Writes to standard error; there is nobody to tell when that fails.
+    /// Writes to standard error; nothing can be reported when that fails.
     pub fn tell(self, text: &str) {
         let _ = anstream::stderr().write_all(text.as_bytes());
     }

@@ -22,12 +22,12 @@ Examples:
   chordal view part.nc
   chordal view part.nc --machine haas-vf2
   chordal view part.nc --no-browser --port 8137
-  chordal view part.nc --against returned.nc            both paths, and what differs
+  chordal view part.nc --against returned.nc            both paths, and the differences
   chordal view fadal.nc --against haas.nc --as fadal-4020 --as haas-vf2
   chordal view part.nc --as fadal-4020 --as haas-vf2    one program on two machines
 
-Serves a page on this machine alone, under an address that nobody can guess, until Ctrl-C. What is
-typed is run as you type; the file is written only when you save.";
+Serves a page that only this computer can open, under an address that nobody can guess, until Ctrl-C.
+The program runs again while you type; the file is written only when you save.";
 
 /// Shows a program and its path in the browser, live
 #[derive(clap::Args)]
@@ -36,23 +36,23 @@ pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// Another program to hold it against: its path is drawn beside, and what differs is listed
+    /// Another program to compare it with: both paths are drawn, and the differences are listed
     #[arg(long, value_name = "FILE")]
     against: Option<PathBuf>,
 
-    /// The machine of a program: once for each, in their order; of one program two machines
+    /// The machine of a program: give it once for each program, in their order; twice for one program on two machines
     #[arg(long = "as", value_name = "NAME|FILE.toml", conflicts_with = "machine")]
     machines: Vec<String>,
 
-    /// What the two paths may be apart, as 0.01mm or 0.0005in; the page can change it
+    /// How far apart the two paths may be, such as 0.01mm or 0.0005in; the page can change it
     #[arg(long, value_name = "LENGTH", value_parser = length_mm, default_value = "0mm")]
     tolerance: f64,
 
-    /// Only prints the address
+    /// Prints the address and does not open the browser
     #[arg(long)]
     no_browser: bool,
 
-    /// The port on 127.0.0.1; without it, one that is free
+    /// The port on 127.0.0.1; without it, any free port
     #[arg(long, default_value_t = 0, hide_default_value = true)]
     port: u16,
 
@@ -69,7 +69,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         {
             return Err(Failure::wrong(
                 "both programs are standard input",
-                "name a file for one of the two",
+                "give a file name for one of the two",
             ));
         }
         Some([(a, on_a), (b, on_b)]) => {
@@ -102,7 +102,7 @@ pub struct Made<'a> {
     pub options: Options,
 }
 
-/// Shows a program, and what was made of it beside, until the process ends.
+/// Shows a program, and next to it what was made of it, until the process ends.
 pub fn beside(
     file: &Path,
     text: &[u8],
@@ -138,7 +138,7 @@ fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(
 
 fn failed(error: ServeError) -> Failure {
     let help = matches!(error, ServeError::Listen { .. })
-        .then(|| "leave --port out to take one that is free".to_string());
+        .then(|| "leave --port out to use any free port".to_string());
     Failure::Use { message: error.to_string(), help }
 }
 
@@ -154,7 +154,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// Reads the program once, so that what is wrong is told before a browser opens.
+    /// Reads the program once, so that what is wrong is reported before a browser opens.
     fn new(file: &Path, common: &Common) -> Result<Shown, Failure> {
         if is_stdin(file) {
             let shown = Shown::named(file, common)?;
@@ -163,7 +163,7 @@ impl Shown {
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {
-                Failure::wrong(format!("{} is a folder", file.display()), "name one program")
+                Failure::wrong(format!("{} is a folder", file.display()), "give one program")
             }));
         }
         std::fs::File::open(file).map_err(|error| Failure::read(file.to_string_lossy(), &error))?;
@@ -184,11 +184,11 @@ impl Shown {
 
     fn load(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Failure> {
         let mut loader = match machine {
-            // The page may choose of what it was told, and name no file.
+            // The page may choose from what it was offered, and name no file.
             Some(name) if !builtin_names().contains(&name) => {
                 return Err(Failure::wrong(
-                    format!("{name} is no machine of the list"),
-                    "choose one of the list, or start `chordal view` with --machine",
+                    format!("{name} is not a machine of the list"),
+                    "choose one from the list, or start `chordal view` with --machine",
                 ));
             }
             Some(name) => self.loader.on(Given::Name(name.to_string()))?,
@@ -207,7 +207,10 @@ impl Shown {
         let (name, text) = texts.pop().unwrap_or_default();
         let setup = Setup { machine, why, options, program, beside };
         Program::set_up(name, text, setup).map_err(|errors| {
-            Failure::wrong("settings of the machine are not known", format!("{errors:?}"))
+            Failure::wrong(
+                "the control does not know settings of the machine",
+                format!("{errors:?}"),
+            )
         })
     }
 }

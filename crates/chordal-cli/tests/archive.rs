@@ -235,7 +235,7 @@ fn a_dump_has_a_row_for_each_program() {
 }
 
 /// A loop of 24,000 moves of 1 mm each at 1000 mm/min takes 24 minutes at feed; one without an end
-/// takes no time that could be told.
+/// takes no time that could be reported.
 #[test]
 fn long_loops_have_a_time_and_endless_ones_have_none() {
     let folder = Folder::new();

@@ -65,7 +65,7 @@ fn what_cannot_be_is_told_with_its_numbers() {
         "calc line-arc --radius 10mm --height 12mm --tool 4mm",
         &["12 mm", "10 mm", "calc tangent"],
     );
-    refuses("calc thread", &["which thread", "M30x2"]);
+    refuses("calc thread", &["no thread is given", "M30x2"]);
     refuses("calc thread M31", &["`M31` has no pitch", "ISO 261"]);
     let mill =
         "calc thread-mill M12x1.75 --depth 10mm --feed 200mm/min --spindle 3000 --control haas";
@@ -89,7 +89,10 @@ fn a_class_gives_its_limits() {
     says("calc thread M10x1.5-6H", &["= 8.376 mm", "= 8.676 mm", "= 9.026 mm", "= 9.206 mm"]);
     says("calc thread 1/4-20", &["Basic sizes without allowance or tolerance"]);
     says("calc thread 1.5-8-UNC", &["UNC of 1.5 in has 6 threads per inch; 1.5-8 is 8-UN."]);
-    says("calc thread 1/2-NPT", &["ASME B1.20.1", "0.75843 in", "A program for it is not written"]);
+    says(
+        "calc thread 1/2-NPT",
+        &["ASME B1.20.1", "0.75843 in", "thread-mill writes no program for it"],
+    );
     says("calc thread G1/2", &["ISO 228-1", "18.631 mm"]);
     let arguments = ["calc", "thread", "1 1/16-28 9Q"];
     Folder::new().run(&arguments).ends(2).complains(&["`9Q`", "1A 2A 3A", "1B 2B 3B"]);

@@ -243,8 +243,8 @@ fn wrong_use_is_told_and_writes_nothing() {
     folder.write("taken/x", "");
     for command in ["commands", "path", "chords", "sample"] {
         for (arguments, said) in [
-            (&["-o", "out.doc"][..], ["says no format of", ".parquet, .arrow"]),
-            (&["-o", "out"], ["says no format of", "or give --format"]),
+            (&["-o", "out.doc"][..], ["is not a format of", ".parquet, .arrow"]),
+            (&["-o", "out"], ["is not a format of", "or give --format"]),
             (
                 &["-o", "out.arrow", "--format", "csv"],
                 ["--format says csv", "end the name with .csv"],

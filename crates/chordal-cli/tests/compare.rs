@@ -1,4 +1,4 @@
-//! `chordal compare`: answers, exit codes, what is told.
+//! `chordal compare`: answers, exit codes, what is reported.
 
 mod common;
 
@@ -30,7 +30,10 @@ fn a_difference_and_a_tolerance() {
         "Z-.11",
     ]);
     let within = [&two[..], &["--tolerance", "0.02in"]].concat();
-    folder.run(&within).ends(0).says(&["within: ", "at most 0.01 in apart, 0.02 in are allowed"]);
+    folder
+        .run(&within)
+        .ends(0)
+        .says(&["within the tolerance: ", "at most 0.01 in apart, allowed are 0.02 in"]);
     let tight = [&two[..], &["--tolerance", "0.2mm"]].concat();
     folder.run(&tight).ends(1);
 }
@@ -69,14 +72,14 @@ fn one_program_on_two_machines() {
 #[test]
 fn wrong_use_is_told() {
     let folder = folder();
-    folder.run(&["compare", "a.nc"]).ends(2).complains(&["nothing to hold it against", "--as"]);
+    folder.run(&["compare", "a.nc"]).ends(2).complains(&["nothing to compare it with", "--as"]);
     folder
         .run(&["compare", "a.nc", "b.nc", "--as", "haas-vf2"])
         .ends(2)
         .complains(&["give it twice"]);
     folder.run(&["compare", "a.nc", "none.nc"]).ends(2).complains(&["cannot read none.nc"]);
     let bad = ["compare", "a.nc", "b.nc", "--tolerance=-1mm"];
-    folder.run(&bad).ends(2).complains(&["a length of zero or more is due"]);
+    folder.run(&bad).ends(2).complains(&["write a length of zero or more"]);
     let bad = ["compare", "a.nc", "b.nc", "--ignore", "colour"];
     folder.run(&bad).ends(2).complains(&["one of path, order"]);
 }

@@ -61,7 +61,7 @@ fn the_range_names_what_limits_it() {
         "contour 1: lines 6 to 10, G41 in XY",
         "line 7: inside radius 0.25 in is smaller than the offset",
         "gouge    up to 0.5 in: line 8: the tool runs inside this arc",
-        "leads    up to 0.25 in: line 7: the lead arc",
+        "leads    up to 0.25 in: line 7: the lead-in or lead-out arc",
         "passes its centre at 0.1768 in",
         "offset 1 = 0.175 in: fits",
     ]);

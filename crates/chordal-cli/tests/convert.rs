@@ -55,7 +55,7 @@ fn what_is_not_proved_is_not_written() {
     let folder = folder();
     folder.write("bad.nc", "G20 G90 S100 M3\nG0 X0 Y0 Z0\nG2 X1. Y0 I.6 J0 F10.\nM30\n");
     let line = ["convert", "bad.nc", "-m", "haas-vf2", "--to", "fadal-4020", "-o", "out.nc"];
-    let told = ["1 block cannot be carried over", "line 3", "out.nc is not written"];
+    let told = ["1 block cannot be converted", "line 3", "out.nc is not written"];
     folder.run(&line).ends(1).says(&told);
     assert!(!folder.names().contains(&"out.nc".to_string()));
     folder.run(&["convert", "part.nc", "--to", "no-such-machine"]).ends(2);

@@ -1,4 +1,4 @@
-//! Which machine runs a program, and what is told of a wrong one.
+//! Which machine runs a program, and what is reported about a wrong one.
 
 mod common;
 
@@ -15,7 +15,7 @@ fn a_machine_is_named_or_a_file() {
     folder
         .run(&["run", "part.nc", "--machine", "haas-vf3"])
         .ends(2)
-        .complains(&["no machine named `haas-vf3`", "did you mean \"haas-vf2\"?"]);
+        .complains(&["there is no built-in machine `haas-vf3`", "did you mean \"haas-vf2\"?"]);
     folder
         .run(&["run", "part.nc", "-m", "none.toml"])
         .ends(2)
@@ -31,7 +31,7 @@ fn a_wrong_key_is_underlined() {
         "max_velocity = '500 in/min'",
         "^^^^",
     ]);
-    // Told once for all the programs that it is for.
+    // Reported once for all the programs that it is for.
     folder.write("b.nc", CLEAN);
     let done = folder.run(&["check", "part.nc", "b.nc", "-m", "mill.toml"]).ends(2);
     assert_eq!(done.err.matches("mill.toml:3").count(), 1);
@@ -97,7 +97,7 @@ fn the_folder_says_its_machine() {
         .write("d/chordal.toml", "machine = 'mill.toml'\n")
         .write("e/part.nc", CLEAN)
         .write("e/chordal.toml", "machine = 'haas-vf2'\n[feed]\nmax = '1 in/min'\n");
-    folder.run(&["run", "a/part.nc"]).says(&["LinuxCNC\n", "as a/chordal.toml says"]);
+    folder.run(&["run", "a/part.nc"]).says(&["LinuxCNC\n", "from a/chordal.toml"]);
     folder.run(&["run", "b/part.nc"]).says(&["Fadal CNC 88\n", "Old Fadal"]);
     folder.run(&["run", "c/part.nc"]).says(&["Mill 9 (mill), as c/chordal.toml says"]);
     // The command line comes first.
@@ -114,7 +114,7 @@ fn the_folder_says_its_machine() {
 fn a_folders_machine_counts_below_it() {
     let folder = Folder::new();
     folder.write("arch/chordal.toml", "machine = 'haas-vf2'\n").write("arch/deep/part.nc", CLEAN);
-    folder.run(&["run", "arch"]).says(&["as arch/chordal.toml says"]);
+    folder.run(&["run", "arch"]).says(&["from arch/chordal.toml"]);
     // Named alone, only its own folder speaks.
     folder.run(&["run", "arch/deep/part.nc"]).says(&["assumed"]);
 }

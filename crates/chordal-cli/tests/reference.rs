@@ -46,7 +46,7 @@ fn what_nobody_knows_gets_a_suggestion() {
     for (word, said) in [
         ("radius-mismach", "did you mean `radius-mismatch`?"),
         ("G156", "G155 is"),
-        ("G9999", "no control here has G9999"),
+        ("G9999", "no control has G9999"),
         ("nonsense", "write a message"),
         ("", "write a message"),
         ("Ä", "write a message"),
@@ -73,7 +73,10 @@ fn machines_are_listed_and_shown() {
         ],
     );
     says(&["machines", "--schema"], &["| `axes.<axis>.max_velocity` |"]);
-    Folder::new().run(&["machines", "hass"]).ends(2).complains(&["no machine named `hass`"]);
+    Folder::new()
+        .run(&["machines", "hass"])
+        .ends(2)
+        .complains(&["there is no built-in machine `hass`"]);
 }
 
 #[test]

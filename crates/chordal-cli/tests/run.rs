@@ -19,7 +19,7 @@ fn the_summary_is_in_the_programs_units() {
         "X      0.0000  1.0000     0.0000  1.0000  in",
         "4 lines, 1 arc, 3 rapids",
         "in of cuts",
-        "acceleration and jerk held: cuts ",
+        "with acceleration and jerk: cuts ",
         "the moves without acceleration: ",
     ]);
     folder.write("mm.nc", CLEAN.replace("G20", "G21"));
@@ -32,7 +32,9 @@ fn the_control_is_recognized_with_its_evidence() {
     folder.write("haas.nc", CLEAN.replace("G0 X0 Y0", "G0 G154 P1 X0 Y0"));
     folder.write("fadal.nc", CLEAN.replace("G0 X0 Y0", "G0 X0 Y0 E1\nR0+1.5"));
     folder.write("plain.nc", CLEAN).write("plain.ngc", CLEAN);
-    folder.run(&["run", "plain.ngc"]).says(&["LinuxCNC, by the ending", "linuxcnc-mill"]);
+    folder
+        .run(&["run", "plain.ngc"])
+        .says(&["LinuxCNC, because of the file extension", "linuxcnc-mill"]);
     folder.run(&["run", "haas.nc"]).says(&[
         "Haas NGC mill, recognized:",
         "line 3: G154",
@@ -116,7 +118,10 @@ fn nothing_is_left_half_written() {
     assert!(folder.read("old.csv").contains("arc"));
     // A program is not written over.
     folder.write("part.csv", CLEAN);
-    folder.run(&["run", "part.csv", "-o", "part.csv"]).ends(2).complains(&["is a program"]);
+    folder
+        .run(&["run", "part.csv", "-o", "part.csv"])
+        .ends(2)
+        .complains(&["is one of the programs to run"]);
     assert_eq!(folder.read("part.csv"), CLEAN);
 }
 

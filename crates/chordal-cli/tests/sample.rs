@@ -20,7 +20,8 @@ fn setpoints_are_a_table() {
     let folder = folder();
     let done =
         folder.run(&["sample", "part.ngc", "-m", "linuxcnc-mill", "--period", "2 ms"]).ends(0);
-    let done = done.complains(&["setpoints, one every 2 ms", "mm at most, on line 5"]);
+    let done =
+        done.complains(&["setpoints, one every 2 ms", "chord     at most 0.000", " mm, on line 5"]);
     let rows: Vec<Vec<&str>> = done.out.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows[0][..4], ["time_s", "x_mm", "x_vel_mm_per_s", "x_acc_mm_per_s2"]);
     assert_eq!(rows[0].last(), Some(&"line"));
@@ -63,13 +64,13 @@ fn the_ending_says_the_format() {
 fn wrong_use_is_told_and_writes_nothing() {
     let folder = folder();
     for (arguments, said) in [
-        (&["--period", "0 ms"][..], "a period is above zero"),
-        (&["--period=-1ms"], "a period is above zero"),
+        (&["--period", "0 ms"][..], "a period must be above zero"),
+        (&["--period=-1ms"], "a period must be above zero"),
         (&["--period", "NaN"], "does not start with a number"),
         (&["--period", "1"], "no unit"),
         (&["--period", "1mm"], "is a length"),
         (&["--max-samples", "100", "-o", "out.csv"], "more than 100 setpoints"),
-        (&["-o", "out.doc"], "says no format"),
+        (&["-o", "out.doc"], "is not a format"),
         (&["-o", "part.ngc", "--format", "csv"], "is the program"),
     ] {
         let base = ["sample", "part.ngc", "-m", "linuxcnc-mill"];

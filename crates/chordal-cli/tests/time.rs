@@ -76,7 +76,7 @@ fn the_text_reads_in_80_columns() {
     folder.write("m.toml", machine()).write("cut.nc", CUT);
     let done = folder.run(&["time", "cut.nc", "-m", "m.toml"]).ends(0).says(&[
         "cut.nc\n",
-        "time      9.070 s, acceleration and jerk held",
+        "time      9.070 s, with acceleration and jerk",
         "cutting 1.070 s, dwell 2.000 s, tool change 6.000 s",
         "costs 0.070 s, 6.5 % of the moves' time",
         "T1          1  1.070 s       -  8.000 s  9.070 s  0.070 s",
@@ -125,7 +125,7 @@ fn the_picture_is_written() {
     assert!(folder.bytes("a.png").starts_with(b"\x89PNG"));
     let done = folder.run(&["time", "cut.nc", "-o", "a.doc"]).ends(2);
     assert_eq!(done.out, "");
-    done.complains(&["a.doc", ".svg, .png"]);
+    done.complains(&["a.doc", ".svg and .png"]);
 }
 
 #[test]
@@ -197,14 +197,14 @@ fn too_few_programs_say_what_they_cannot_tell() {
     folder.write("one.csv", "cuts.nc,2:10\n");
     folder.run(&["calibrate", "one.csv", "-m", "base.toml"]).ends(0).says(&[
         "kept",
-        "as many numbers as programs",
-        "cannot be told apart with so few programs",
+        "as many unknowns as programs",
+        "cannot be separated with so few programs",
     ]);
     folder.write("wrong.csv", "cuts.nc,12\nhops.nc,12 parsecs\n");
     folder
         .run(&["calibrate", "wrong.csv", "-m", "base.toml"])
         .ends(2)
-        .complains(&["wrong.csv, line 2: `12 parsecs` is no time", "1:02:03"]);
+        .complains(&["wrong.csv, line 2: `12 parsecs` is not a time", "1:02:03"]);
     folder.run(&["calibrate", "one.csv"]).ends(2).complains(&["--machine"]);
     folder
         .run(&["calibrate", "one.csv", "-m", "base.toml", "-o", "base.toml"])
@@ -231,7 +231,7 @@ fn the_least_time_is_told() {
     assert!(done.out.lines().all(|line| line.chars().count() <= 80), "{}", done.out);
 }
 
-/// Two operations of one tool, a comment beside words, and two lines of comment together.
+/// Two operations of one tool, a comment next to words, and two lines of comment together.
 const COMMENTS: &str = "\
 O1 (PART)
 G21 G90 G61 G0 X0 Y0 Z0
@@ -272,7 +272,7 @@ fn operations_begin_at_comments_where_that_is_asked() {
     near(&time["total_s"], by_tool["total_s"].as_f64().unwrap());
     let bounds = operations.iter().map(|operation| operation["bound_s"].as_f64().unwrap());
     near(&time["bound_s"], bounds.sum());
-    folder.run(&arguments).ends(0).says(&["from comment or tool change", "FACE", "SLOT"]);
+    folder.run(&arguments).ends(0).says(&["from one comment or tool change", "FACE", "SLOT"]);
 }
 
 #[test]

@@ -20,7 +20,13 @@ fn folder() -> Folder {
 fn the_difference_is_shown_and_nothing_written() {
     let folder = folder();
     let done = folder.run(&["transform", "part.nc", "-m", "haas-vf2", "--shift", "X5", "Y-1mm"]);
-    done.ends(0).says(&["-X10.", "+X15.", "+G3 X25. Y9. R10.", "same: ", "nothing is written: -o"]);
+    done.ends(0).says(&[
+        "-X10.",
+        "+X15.",
+        "+G3 X25. Y9. R10.",
+        "same: ",
+        "nothing is written: give a file with -o",
+    ]);
 }
 
 #[test]
@@ -66,7 +72,7 @@ fn parts_are_written_beside_one_another() {
     folder.write("part.nc", TWO_TOOLS);
     let line = ["transform", "part.nc", "-m", "haas-vf2", "--split", "tool", "-o", "out.nc"];
     folder.run(&line).ends(0).says(&[
-        "2 parts, parted before every tool change",
+        "2 parts, split before every tool change",
         "O6: lines 7 to 12",
         "+ G20 G90",
         "same: ",

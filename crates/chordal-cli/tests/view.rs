@@ -12,7 +12,7 @@ fn wrong_use_is_told_before_anything_is_served() {
         (&["a.nc", "--against", "none.nc"], "cannot read none.nc"),
         (&["a.nc", "--against", "b.nc", "--as", "haas-vf2"], "--as is given once for two programs"),
         (&["a.nc", "--as", "haas-vf2", "--as", "nothing-like-it"], "nothing-like-it"),
-        (&["a.nc", "--against", "b.nc", "--tolerance=-1mm"], "a length of zero or more is due"),
+        (&["a.nc", "--against", "b.nc", "--tolerance=-1mm"], "write a length of zero or more"),
         (&["a.nc", "--as", "haas-vf2", "--as", "haas-vf2", "--as", "haas-vf2"], "more than twice"),
         (&["-", "--against", "-"], "both programs are standard input"),
     ];

@@ -11,7 +11,7 @@ use crate::course::{Course, Event, Moved, Step, Way};
 /// A stretch of both runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Region {
-    /// Step for step the same, as far as the grid tells.
+    /// Step for step the same, as far as the grid shows.
     Matched(Range<usize>, Range<usize>),
     /// A rapid of both, each with its bends.
     Rapid(Range<usize>, Range<usize>),

@@ -42,7 +42,7 @@ impl<'a> Stretch<'a> {
 /// too many places. Never below the Fréchet distance of the stretches, up to rounding.
 ///
 /// Between straight lines the distance is largest at an end. Two arcs or spirals about parallel axes
-/// are first held against each other by their numbers, which finds equality without sampling. Else
+/// are first compared with each other by their numbers, which finds equality without sampling. Else
 /// the difference D of the places, as a function of the fraction of the way, leaves the straight line
 /// between two of its places by at most Δ²/8·max|D''| (the remainder of linear interpolation), and a
 /// norm is largest at an end of a straight line; intervals are halved, the widest first.

@@ -252,7 +252,7 @@ mod tests {
         assert!(found >= sagitta - 1e-9 && found < sagitta * 1.02, "{found} against {sagitta}");
     }
 
-    /// An arc that ends a little behind a point of the chords, by less than the tolerance, and is nearly as far
+    /// An arc that ends a little after a point of the chords, by less than the tolerance, and is nearly as far
     /// from them in its middle: who waits for its end would be too far from it there.
     #[test]
     fn a_joint_beside_a_point() {

@@ -58,7 +58,7 @@ impl Part<'_, '_> {
 
 /// Holds parts, run one after the other, against the whole that they are made of, move by move.
 ///
-/// Rapids of blocks that a part puts in are not held against anything, nor the tool that they bring into
+/// Rapids of blocks that a part puts in are not compared with anything, nor the tool that they bring into
 /// the spindle, if it is the one that was there. Where a part then comes from another place than the whole,
 /// so are the rapids before its first cut, as far as they are others. Places of the differences
 /// are those of the whole.
@@ -88,7 +88,7 @@ fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
     conclude([whole, whole], a, b, options)
 }
 
-/// The steps of the whole at which its parts begin: behind the last one that a block before them makes.
+/// The steps of the whole at which its parts begin: after the last one that a block before them makes.
 fn begins(whole: &Course, parts: &[Part]) -> Vec<usize> {
     let calls = whole.report.outcomes.first().map(|outcome| &outcome.calls);
     let mut callers: HashMap<CallPath, u32> = HashMap::new();
@@ -123,7 +123,7 @@ fn empty() -> Report {
     }
 }
 
-/// Puts the run of a part behind those before it.
+/// Puts the run of a part after those before it.
 fn join(joined: &mut Course, part: &Part, options: &Options) {
     let run = Course::of(part.job, options, None);
     let (states, turns) = (joined.states.len() as u32, joined.turns.len() as u32);
@@ -149,7 +149,7 @@ fn join(joined: &mut Course, part: &Part, options: &Options) {
     join_reports(&mut joined.report, run.report, part);
 }
 
-/// The tool in the spindle behind the last step.
+/// The tool in the spindle after the last step.
 fn tool(course: &Course) -> Option<u32> {
     course.steps.iter().rev().find_map(|step| match step {
         Step::Event { what: Event::Tool(number), .. } => Some(*number),

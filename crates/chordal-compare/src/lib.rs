@@ -1,4 +1,4 @@
-//! Two runs held against each other: how far apart their paths are, and in what else they differ.
+//! Two runs compared with each other: how far apart their paths are, and in what else they differ.
 //!
 //! Programs are compared by what they do, not by their text: steps that do the same find each other
 //! wherever they stand, and what lies between is walked together. Neither spaces, numbers of blocks,
@@ -48,7 +48,7 @@ pub use joined::{Kept, Part, compare_joined};
 /// computed from a radius; no control computes as finely.
 pub const SAME_MM: f64 = 1e-9;
 
-/// How two runs are held against each other.
+/// How two runs are compared with each other.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Paths may be this far apart, mm.
@@ -91,7 +91,7 @@ impl Default for Options {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
     /// Where the path goes, in the frame of the run. Places of the machine stay: where it stands at the
-    /// start and where G28 and G53 go; moves from and to them are not held against each other.
+    /// start and where G28 and G53 go; moves from and to them are not compared with each other.
     pub path: Transform,
     /// What feeds are multiplied by: of cuts, not of taps, whose feed goes with the spindle.
     pub feed: f64,
@@ -123,7 +123,7 @@ pub struct Comparison {
     /// The answer.
     pub verdict: Verdict,
     /// The paths are nowhere further apart than this, mm; nothing where one of the two has no moves that
-    /// the other's could be held against.
+    /// the other's could be compared with.
     pub max_distance_mm: Option<f64>,
     /// The blocks where they are furthest apart.
     pub farthest: Option<[Place; 2]>,
@@ -140,7 +140,7 @@ pub struct Comparison {
 }
 
 /// Runs both and holds them against each other. A run that [`Job::interrupt`] ends leaves the comparison
-/// without a word, as its report tells. Where no place of either is known relative to the part,
+/// without a word, as its report says. Where no place of either is known relative to the part,
 /// and their machines have the same tables, both are taken to begin at the same place.
 pub fn compare(a: &Job, b: &Job, options: &Options) -> Comparison {
     let mapping = Mapping::default();

@@ -27,7 +27,7 @@ impl MachinePlaces {
         MachinePlaces { names: names(job), at_machine: [true; 3] }
     }
 
-    /// Whether a move of a block begins or ends at such a place; moves are told in their order.
+    /// Whether a move of a block begins or ends at such a place; moves are reported in their order.
     pub(crate) fn has(&mut self, span: Span) -> bool {
         let block = self.names.get(&(span.file.0, span.range.start)).copied().unwrap_or_default();
         let began = self.at_machine;

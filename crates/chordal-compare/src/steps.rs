@@ -1,4 +1,4 @@
-//! What differs beside the path: the state that moves are made in, and what happens between them.
+//! What differs in addition to the path: the state that moves are made in, and what happens between them.
 
 use std::ops::Range;
 

@@ -71,7 +71,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Moves that both make, at another time: held against each other where they are.
+    /// Moves that both make, at another time: compared with each other where they are.
     fn moved(&mut self, moves: &[Vec<usize>; 2]) {
         let nowhere = [0..0, 0..0];
         let steps = moves.each_ref().map(Vec::as_slice);
@@ -302,7 +302,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Moves that only one of the two has are held against where the other stands meanwhile.
+    /// Moves that only one of the two has are compared with where the other stands meanwhile.
     fn only_one(
         &mut self,
         ranges: &[Range<usize>; 2],
@@ -336,7 +336,7 @@ impl<'a> Walk<'a> {
         self.found.differences.push(missing);
     }
 
-    /// Where a path stands before a range of steps; else where it goes on behind it.
+    /// Where a path stands before a range of steps; else where it goes on after it.
     fn rest(&self, side: usize, range: &Range<usize>) -> Option<Vec3> {
         let course = self.courses[side];
         let known = |at: usize| course.moved(at).filter(|moved| moved.known);

@@ -1,4 +1,4 @@
-//! Programs held against each other: what makes a difference and what makes none.
+//! Programs compared with each other: what makes a difference and what makes none.
 
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_compare::{Category, Comparison, Options, Value, Verdict, compare};

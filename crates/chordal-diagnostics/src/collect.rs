@@ -27,7 +27,7 @@ impl Counts {
 }
 
 /// Collects diagnostics within bounded memory: of each code only the first few are kept,
-/// and a place is told once however often a repeat or a call comes through it.
+/// and a place is reported once however often a repeat or a call comes through it.
 #[derive(Debug)]
 pub struct Collector {
     limit_per_code: usize,
@@ -104,7 +104,7 @@ impl Collector {
         &self.kept
     }
 
-    /// How many of each code were told but not kept.
+    /// How many of each code were reported but not kept.
     pub fn dropped(&self) -> impl Iterator<Item = (Code, u64)> + '_ {
         self.dropped.iter().map(|(&code, &count)| (code, count))
     }

@@ -75,7 +75,7 @@ impl Diagnostic {
         }
     }
 
-    /// Says something beside the underlined words.
+    /// The label next to the underlined words.
     pub fn label(mut self, text: impl Into<String>) -> Diagnostic {
         self.primary.text = text.into();
         self

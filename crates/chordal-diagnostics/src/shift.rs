@@ -3,7 +3,7 @@
 use crate::source::line_ends;
 use crate::{Diagnostic, FileId, Span, TextRange};
 
-/// How one text became another: what stands before and behind the one place where they differ.
+/// How one text became another: what stands before and after the one place where they differ.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shift {
     /// The bytes that went, in the old text.
@@ -33,12 +33,12 @@ impl Shift {
         }
     }
 
-    /// By how many lines what stands behind has moved.
+    /// By how many lines what stands after has moved.
     pub fn lines(&self) -> i64 {
         self.lines
     }
 
-    /// True for a range of the old text that neither the change nor the lines beside it reach.
+    /// True for a range of the old text that neither the change nor the lines next to it reach.
     pub fn leaves(&self, range: TextRange) -> bool {
         range.end <= self.touched.start || range.start >= self.touched.end
     }

@@ -125,8 +125,8 @@ fn codes_of_both(
         let (title, what) = (table.title, row.title);
         Some(SettingError {
             name: format!("shop_codes.M{number}"),
-            message: format!("M{number} is no code of the shop's own: {title} has it ({what})"),
-            help: Some("take it out of the machine's `shop_codes`".to_string()),
+            message: format!("M{number} is not a custom M code: {title} has it ({what})"),
+            help: Some("remove it from the machine's `shop_codes`".to_string()),
         })
     })
 }

@@ -19,13 +19,13 @@ const APART: usize = 32 << 10;
 const MOST_CHECKPOINTS: usize = 256;
 
 impl Program {
-    /// What is in force behind a line when it runs for the first time; for a line that carries
-    /// nothing out, behind the last one before it that does.
+    /// What is active after a line when it runs for the first time; for a line that carries
+    /// nothing out, after the last one before it that does.
     pub fn modal_behind(&self, line: u32) -> Option<Modal> {
         self.modal_of(line).or_else(|| self.modal_of(self.nearest(line)?))
     }
 
-    /// What is in force behind a line, if it carries something out.
+    /// What is active after a line, if it carries something out.
     fn modal_of(&self, line: u32) -> Option<Modal> {
         let known = self.checkpoints.known().clone();
         let byte = self.source().line_start(line);
@@ -106,7 +106,7 @@ impl RunSink for Nearest {
     }
 }
 
-/// The state behind a line's first run, which ends the run; the last block of the line counts.
+/// The state after a line's first run, which ends the run; the last block of the line counts.
 struct Taking {
     line: u32,
     modal: Option<(u32, CallPath, Modal)>,

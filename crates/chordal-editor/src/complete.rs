@@ -175,7 +175,7 @@ impl Program {
 /// More would not be read.
 const MOST: usize = 500;
 
-/// The first line of meaning behind the title.
+/// The first line of meaning after the title.
 fn first_meaning(text: &str) -> String {
     let behind = text.split_once(':').map_or(text, |(_, rest)| rest);
     behind.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("").to_string()

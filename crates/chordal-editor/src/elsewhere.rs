@@ -27,7 +27,7 @@ impl Name {
 }
 
 impl Program {
-    /// Where a name of this text is made: in this text, or else in those beside it.
+    /// Where a name of this text is made: in this text, or else in the files of its folder.
     pub fn definitions(&self, name: &Name) -> Vec<Found> {
         let made = |found: &Found| found.place.role == Role::Definition;
         let own: Vec<Found> = self.places_in(FileId(0), name).into_iter().filter(made).collect();

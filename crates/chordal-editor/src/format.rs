@@ -36,7 +36,9 @@ pub struct Numbering {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum FormatError {
     /// The changed text would move otherwise.
-    #[error("the text stays as it is: changed, it would run differently from line {line} on")]
+    #[error(
+        "the text was not changed: after the change it would run differently from line {line} on"
+    )]
     MovesDifferently {
         /// The line of the first command that differs.
         line: u32,
@@ -50,7 +52,7 @@ pub enum FormatError {
         text: String,
     },
     /// A number stands twice in a program, and something jumps to it.
-    #[error("N{number} stands twice, and line {line} jumps to it")]
+    #[error("N{number} appears twice, and line {line} jumps to it")]
     Ambiguous {
         /// The number.
         number: i64,

@@ -39,7 +39,7 @@ const WORDS: &str = "IF|THEN|ELSEIF|ELSE|ENDIF|GOTO|WHILE|DO|END|ENDWHILE|REPEAT
     CALL|RETURN|BREAK|CONTINUE|DPRNT|BPRNT|POPEN|PCLOS|PRINT|INPUT|CLEAR|START|EQ|NE|GT|LT|GE|LE|\
     AND|OR|XOR|MOD|SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|ABS|ROUND|FIX|FUP|LN|EXP|BIN|BCD";
 
-/// A letter with a number, a variable or an expression behind it.
+/// A letter with a number, a variable or an expression after it.
 fn word_pattern(letters: &str) -> String {
     format!(r"(?i)(?<![A-Z#])[{letters}](?=\s*[-+.\d#\[])\s*[-+]?[\d.]*")
 }

@@ -12,7 +12,7 @@ use crate::meaning::{code_brief, letter_text};
 use crate::names::{Name, Role};
 use crate::{Program, Ran};
 
-/// Something to show beside a word.
+/// Something to show at a word.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Hover {
     /// The word.
@@ -79,12 +79,12 @@ impl Program {
         let lines = some_lines(&defined);
         let uses = places.len() - defined.len();
         Some(match defined.len() {
-            0 => format!("{what}: nothing in this text makes it; used {uses} times."),
+            0 => format!("{what}: not set in this text; used {uses} times."),
             _ => format!("{what} {verb} on {lines}; used {uses} times."),
         })
     }
 
-    /// The state behind a line as a control's screen shows it, in the program's units.
+    /// The state after a line as a control's screen shows it, in the program's units.
     pub fn modal_text(&self, modal: &Modal) -> String {
         let mut lines = vec![modal.codes.join(" ")];
         let place = |axis: usize| {

@@ -1,4 +1,4 @@
-//! What an editor asks about a program: what a word means here, what is in force behind a block,
+//! What an editor asks about a program: what a word means here, what is active after a block,
 //! the outline, names and where they stand, completions, format.
 //!
 //! Plain data out; protocols and sockets are the business of the shells. Places are bytes of the

@@ -13,7 +13,7 @@ use crate::Program;
 pub struct LineMoves {
     /// Line of the text, from 1.
     pub line: u32,
-    /// Where the tool tip was behind the last of them, in program coordinates, mm and rad.
+    /// Where the tool tip was after the last of them, in program coordinates, mm and rad.
     pub to: PerAxis<f64>,
     /// Length of the path of all of them, mm.
     pub length_mm: f64,
@@ -97,7 +97,7 @@ impl Watch for Lines {
 }
 
 impl Program {
-    /// Runs the text and tells what its lines did.
+    /// Runs the text and says what its lines did.
     pub fn ran(&self) -> Ran {
         self.ran_by(&self.job())
     }

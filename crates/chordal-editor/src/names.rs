@@ -70,7 +70,7 @@ pub enum RenameError {
     #[error("there is no variable here; programs and N numbers keep their numbers")]
     NoVariable,
     /// The new name is none.
-    #[error("`{new}` is no name here: write it as `{example}`")]
+    #[error("`{new}` cannot be a name here: write it as `{example}`")]
     NotAName {
         /// What was asked for.
         new: String,
@@ -78,7 +78,7 @@ pub enum RenameError {
         example: String,
     },
     /// Somebody has it already.
-    #[error("`{new}` is used already, on line {line}")]
+    #[error("`{new}` is already used, on line {line}")]
     Taken {
         /// What was asked for.
         new: String,
@@ -86,7 +86,7 @@ pub enum RenameError {
         line: u32,
     },
     /// A variable is chosen by a value.
-    #[error("line {line} chooses a variable by its value (`{text}`), which may be this one")]
+    #[error("line {line} computes the number of a variable (`{text}`); it may be this one")]
     Computed {
         /// Where.
         line: u32,

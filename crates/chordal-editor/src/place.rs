@@ -3,8 +3,8 @@
 use chordal::Source;
 use chordal::diagnostics::TextRange;
 
-/// The byte of a line (from 1) and a column (from 0, UTF-16); a column behind the line's end is
-/// its end, one within a character is behind it.
+/// The byte of a line (from 1) and a column (from 0, UTF-16); a column after the line's end is
+/// its end, one within a character is after it.
 pub fn byte_of(source: &Source<'_>, line: u32, column: u32) -> u32 {
     let start = source.line_start(line);
     let text = source.line_text(line);

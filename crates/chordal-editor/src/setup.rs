@@ -19,7 +19,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// A machine, and nothing beside.
+    /// A machine, and nothing else.
     pub fn of(machine: Machine) -> Setup {
         let options = RunOptions::default();
         Setup { machine, why: None, options, program: None, beside: Vec::new() }

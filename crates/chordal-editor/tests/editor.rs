@@ -1,4 +1,4 @@
-//! What an editor is told about small programs.
+//! What an editor gets about small programs.
 
 use chordal::Machine;
 use chordal_editor::{Class, EntryKind, FormatError, Name, Numbering, Program, RenameError, Role};

@@ -1,4 +1,4 @@
-//! What columns cost: commands of a long program into Arrow, beside the same run to a sink that
+//! What columns cost: commands of a long program into Arrow, next to the same run to a sink that
 //! counts and a copy of as many bytes. Ratios within one run are what counts.
 //!
 //!     CHORDAL_LINES=1000000 cargo bench -p chordal-export --bench columns

@@ -73,7 +73,7 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
         self.write(command, |_| {})
     }
 
-    /// Writes a command of the tool centre: feed moves tell the side and the radius of cutter
+    /// Writes a command of the tool centre: feed moves have the side and the radius of cutter
     /// compensation, links that it made say so.
     ///
     /// # Errors
@@ -208,7 +208,7 @@ impl Context<'_> {
     fn ends(&self, object: &mut Object, motion: &Move) {
         object.object("from", |inner| self.position(inner, &motion.from));
         object.object("to", |inner| self.position(inner, &motion.to));
-        // Rotary axes that stand still are told only where a program turns them: most never do.
+        // Rotary axes that stand still are reported only where a program turns them: most never do.
         let mut told = AxisMask::LINEAR;
         for axis in 3..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);

@@ -8,7 +8,7 @@ use chordal_compare::{Comparison, Difference, Verdict};
 use crate::comparison::value_text;
 use crate::numbers::{Units, counted, grouped, short};
 
-/// Most differences that are told to people.
+/// Most differences that the text lists.
 const MOST_TOLD: usize = 20;
 
 /// A comparison for people, the two called by these names.
@@ -30,12 +30,12 @@ pub fn comparison_text(
         if unknown > 0 {
             let words = counted(unknown as u64, "word", "words");
             text += &format!(
-                "{name}: {words} not carried out, of which nothing is known; `chordal check` tells them\n"
+                "{name}: {words} not carried out, so their effect is not compared; `chordal check` lists them\n"
             );
         }
         if report.counts.errors > 0 {
             let errors = counted(report.counts.errors, "error", "errors");
-            text += &format!("{name}: {errors}; `chordal check` tells them\n");
+            text += &format!("{name}: {errors}; `chordal check` lists them\n");
         }
     }
     for one in found.differences.iter().take(MOST_TOLD) {
@@ -43,7 +43,7 @@ pub fn comparison_text(
     }
     let more = found.differences.len().saturating_sub(MOST_TOLD) as u64 + found.dropped;
     if more > 0 {
-        text += &format!("\nand {}\n", counted(more, "difference more", "differences more"));
+        text += &format!("\nand {}\n", counted(more, "more difference", "more differences"));
     }
     text
 }
@@ -55,7 +55,7 @@ pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) 
     match (found.verdict, found.max_distance_mm) {
         (Verdict::Same, None) if found.moves == [0, 0] => "same: neither moves\n".into(),
         (Verdict::Same, None) => {
-            "same as far as can be said: no move lies between places that are known \
+            "same as far as can be checked: no move lies between positions that are known \
                                  relative to the part\n"
                 .into()
         }
@@ -63,13 +63,13 @@ pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) 
             "same: {}\n",
             match found.moves {
                 [a, b] if a == b => counted(a, "move", "moves"),
-                [a, b] => format!("the motion of {a} moves in {b}"),
+                [a, b] => format!("{a} moves in the first program, {b} in the second"),
             }
         ),
         (Verdict::Within, most) => {
             let most = length_text(most.unwrap_or_default(), units);
             format!(
-                "within: the paths are at most {most} apart, {} are allowed\n",
+                "within the tolerance: the paths are at most {most} apart, allowed are {}\n",
                 length_text(tolerance_mm, units)
             )
         }
@@ -160,7 +160,7 @@ pub fn difference_text(
     let width = places.iter().map(|place| place.chars().count()).max().unwrap_or(0);
     for (side, SideWords { value, words, lacks }) in sides.into_iter().enumerate() {
         let lacks = lacks && one.blocks[side].is_some();
-        let words = if lacks { format!("(lacks it; after {words})") } else { words };
+        let words = if lacks { format!("(has no such block; after {words})") } else { words };
         let value = value.map_or_else(String::new, |value| format!("  {value}"));
         let moves = match one.steps[side] {
             0 | 1 => String::new(),

@@ -16,7 +16,7 @@ pub fn contour_ranges_text(found: &ContourRanges, job: &Job) -> String {
         text += "no contour with cutter compensation\n";
     }
     if found.left_out > 0 {
-        text += &format!("{} contours, too many or too long, were left out\n", found.left_out);
+        text += &format!("{} contours were left out: too many or too long\n", found.left_out);
     }
     text
 }
@@ -62,14 +62,20 @@ fn lines(limit: &OffsetLimit) -> String {
 fn reason(limit: &OffsetLimit) -> String {
     let at = lines(limit);
     match limit.reason {
-        LimitReason::Unlimited => "nothing limits it".into(),
+        LimitReason::Unlimited => "no limit".into(),
         LimitReason::InsideArc => format!("{at}: the tool runs inside this arc"),
-        LimitReason::ShortBlock => format!("{at}: the corners on both sides use this block up"),
-        LimitReason::Throat => format!("{at}: these walls face each other, twice this apart"),
-        LimitReason::InsideCorner => format!("{at}: no tool touches this inside corner"),
-        LimitReason::LeadArc => format!("{at}: the lead arc, with the tool inside, vanishes"),
-        LimitReason::LeadLength => format!("{at}: the lead-in is no longer than this"),
-        LimitReason::LeadIntoWall => format!("{at}: the lead-in starts this far from the wall"),
+        LimitReason::ShortBlock => {
+            format!("{at}: the offset corners on both sides leave nothing of this block")
+        }
+        LimitReason::Throat => format!("{at}: these walls face each other at twice this distance"),
+        LimitReason::InsideCorner => format!("{at}: no tool reaches this inside corner"),
+        LimitReason::LeadArc => {
+            format!("{at}: the lead-in or lead-out arc, with the tool inside, shrinks to nothing")
+        }
+        LimitReason::LeadLength => format!("{at}: the lead-in is not longer than this"),
+        LimitReason::LeadIntoWall => {
+            format!("{at}: the lead-in starts at this distance from the wall")
+        }
     }
 }
 
@@ -96,7 +102,7 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
             let line = job.sources().get(span.file).map_or(0, |s| s.line_of(span.range.start));
             let alarm = limit.alarm.alarm.as_deref().unwrap_or(job.control().table.title);
             format!(
-                "  control  up to {}; above, line {line}: {} ({alarm})\n",
+                "  control  up to {}; above that, line {line}: {} ({alarm})\n",
                 len(limit.radius_mm),
                 limit.alarm.message
             )
@@ -110,7 +116,7 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
     }
     if let Some((block, radius, Some(beside))) = range.lead_arc {
         text += &format!(
-            "           the lead arc of line {} has the radius {}; the line to it passes its centre \
+            "           the lead-in or lead-out arc of line {} has the radius {}; the line to it passes its centre \
              at {}\n",
             block.line,
             range.units.length_text(radius),
@@ -123,7 +129,7 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
         text += &format!("  table    offset{name} = {}: {verdict}\n", len(radius));
     }
     if !range.complete {
-        text += "           the search for narrow places was stopped; there may be narrower ones\n";
+        text += "           the search for narrow places stopped at its limit; there may be narrower ones\n";
     }
     text
 }

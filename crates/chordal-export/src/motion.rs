@@ -1,4 +1,4 @@
-//! What the writers of commands tell of a move beside its ends.
+//! What the writers of commands say about a move in addition to its ends.
 
 use chordal::Job;
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};

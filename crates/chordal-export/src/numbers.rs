@@ -10,7 +10,7 @@ pub enum Units {
 }
 
 impl Units {
-    /// Of a program, as `Summary::inch` tells them.
+    /// Of a program, as `Summary::inch` reports them.
     pub fn of(inch: bool) -> Units {
         if inch { Units::Inch } else { Units::Millimetre }
     }

@@ -94,10 +94,7 @@ pub(crate) fn sample_columns(
             Value::Speed => "speed of the tool along X, Y and Z".to_string(),
             Value::Axis { axis, order } => {
                 let what = ["place", "velocity", "acceleration"][order];
-                format!(
-                    "{what} of {}, going on evenly where offsets jump",
-                    Axis::ALL[axis].letter()
-                )
+                format!("{what} of {}, continuous where offsets jump", Axis::ALL[axis].letter())
             }
         };
         (column.name, column.unit, meaning)

@@ -7,7 +7,7 @@ use chordal::time::{Alternative, BlockTime, Change, CutEnds, Least, LeastReport,
 use chordal::{Job, Report};
 use serde_json::{Map, Value, json};
 
-/// What stands beside the time of a program.
+/// What stands in addition to the time of a program.
 #[derive(Clone, Copy, Debug)]
 pub struct TimeDocument<'a> {
     /// The time.
@@ -117,7 +117,7 @@ fn cut_ends(ends: &CutEnds) -> Value {
 }
 
 /// Where a part was too much work for the reference, there is none, and the share of the time
-/// that the part takes is told.
+/// that the part takes is reported.
 fn least_values(least: &Least) -> [(&'static str, Value); 3] {
     let reference = (least.unknown_s <= 0.0).then_some(least.reference_s);
     [

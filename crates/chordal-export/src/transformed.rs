@@ -38,7 +38,7 @@ fn changes(changes: &[Change]) -> Vec<Value> {
 }
 
 /// A program in parts, in the same schema: `parts` with their lines of the whole, the lines that are put
-/// in to begin with. `changed` is what was done before it was parted, to the first
+/// in to begin with. `changed` is what was done before it was split, to the first
 /// of the jobs; its certificate is `changed`. `written` are the names of the files.
 pub fn split_json(
     done: &Split,

@@ -130,7 +130,7 @@ impl<'a> Library<'a> {
             Diagnostic::new(
                 Code::DuplicateProgram,
                 span(*again),
-                format!("program O{number} is there twice"),
+                format!("there are two programs O{number}"),
             )
             .label("this one is never called")
             .also(span(*first), "the first one")

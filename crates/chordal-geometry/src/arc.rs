@@ -51,7 +51,7 @@ impl Arc {
     }
 
     /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` when the
-    /// three lie on a line, so far as doubles can tell, or two of them coincide.
+    /// three lie on a line, so far as doubles can show, or two of them coincide.
     #[must_use]
     pub fn through(start: Vec3, via: Vec3, end: Vec3) -> Option<Self> {
         let (a, b) = (via - start, end - start);

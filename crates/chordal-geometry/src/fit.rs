@@ -191,7 +191,10 @@ impl core::fmt::Display for RadiusError {
                 f.write_str("start and end coincide: a radius does not determine the centre")
             }
             RadiusError::TooShort { chord, radius, short_by } => {
-                write!(f, "radius {radius} is short by {short_by}: start and end are {chord} apart")
+                write!(
+                    f,
+                    "radius {radius} is too short by {short_by}: start and end are {chord} apart"
+                )
             }
             RadiusError::NotFinite => f.write_str("a coordinate or the radius is not finite"),
         }

@@ -7,7 +7,7 @@
 use crate::winding::Winding;
 use crate::{Vec3, math};
 
-/// Terms of the series behind its constant.
+/// Terms of the series after its constant.
 const TERMS: usize = 12;
 
 /// What the series may be off, mm, and as a share of the radius: far below rounding of a place

@@ -38,7 +38,7 @@ pub(crate) struct Intrinsic {
 }
 
 impl Intrinsic {
-    /// Behind their point.
+    /// After their point.
     pub(crate) fn behind(self, point: Vec3) -> [Vec3; 4] {
         [point, self.tangent, self.curvature, self.curvature_derivative]
     }
@@ -189,7 +189,7 @@ impl Winding {
         let around = r * th;
         let k2 = 1.0 / (around * around + self.straight_squared());
         let k = k2.sqrt();
-        // g' and g'' relative to g, and what the law of time makes of t.
+        // g' and g'' relative to g, and what the velocity profile makes of t.
         let bend = around * th * dr * k2;
         let second = dr * dr * th * th * k2 - bend * bend;
         let t1 = speed * k;

@@ -111,8 +111,8 @@ impl Kernel<'_> {
                 span,
                 format!("radius {number}"),
                 format!(
-                    "the machine file gives no diameter for offset {number}: compensation moves \
-                     nothing, the programmed contour is shown"
+                    "the machine file gives no diameter for offset {number}: compensation has no \
+                     effect, and the programmed contour is shown"
                 ),
                 format!("set it with --set tools.{number}.diameter=\"…\""),
             );

@@ -162,7 +162,7 @@ impl<'a> Kernel<'a> {
                 self.origin.span,
                 format!("stopped after {limit} blocks in calls and repeats"),
             )
-            .help("if the program is meant to run that long, raise the budget with --max-blocks"),
+            .help("if the program really runs that long, raise the budget with --max-blocks"),
         );
         false
     }

@@ -93,7 +93,7 @@ impl Kernel<'_> {
     pub fn tool_change(&mut self, word: Span, stops_spindle: bool) {
         self.state.arc_over_rapid = false;
         let Some(number) = self.state.selected_tool else {
-            let message = "a tool change, and no tool was named".to_string();
+            let message = "a tool change without a tool number".to_string();
             return self.missing_word(word, message, "write T and the tool's number before M6");
         };
         if self.state.side != Side::Off {

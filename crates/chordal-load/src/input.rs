@@ -9,10 +9,10 @@ use chordal::syntax::decode;
 
 use crate::error::LoadError;
 
-/// How much of a file in a folder is looked at to tell whether it is a program.
+/// How much of a file in a folder is looked at to decide whether it is a program.
 const SAMPLE: u64 = 16 * 1024;
 
-/// Endings of files that lie beside programs and are none, whatever they hold.
+/// Endings of files that lie next to programs and are none, whatever they hold.
 const NOT_PROGRAMS: &[&str] = &[
     "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
     "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet",
@@ -48,7 +48,7 @@ impl Input {
 }
 
 /// The programs that the arguments name. A folder stands for all programs below it; what
-/// cannot be read is told beside the rest.
+/// cannot be read is reported with the rest.
 pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
     let mut inputs = Vec::new();
     let mut failures = Vec::new();
@@ -61,7 +61,7 @@ pub fn find(arguments: &[PathBuf]) -> (Vec<Input>, Vec<LoadError>) {
             if inputs.len() + failures.len() == before {
                 failures.push(LoadError::wrong(
                     format!("there is no program in {}", argument.display()),
-                    "name the file itself to run it whatever it looks like",
+                    "name the file itself to run it anyway",
                 ));
             }
         } else {

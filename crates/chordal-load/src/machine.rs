@@ -26,7 +26,7 @@ pub enum Chosen {
     Given,
     /// `chordal.toml` says so.
     Folder(PathBuf),
-    /// Nothing in the text tells, and the ending of the file's name is LinuxCNC's own.
+    /// Nothing in the text says so, and the file extension is LinuxCNC's own.
     Ending,
     /// The program looks like one of this control.
     Recognized(Recognition),
@@ -38,7 +38,7 @@ impl Chosen {
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
             Chosen::Given | Chosen::Folder(_) => return None,
-            Chosen::Ending => format!("assumed {title} by the ending of its name"),
+            Chosen::Ending => format!("assumed {title} because of the file extension"),
             Chosen::Recognized(found) => match found.evidence.first() {
                 Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
                 None => {
@@ -168,13 +168,13 @@ fn of_folder(path: &Path) -> Result<Machine, LoadError> {
     if let Some((key, _)) = document.get_ref().iter().find(|(key, _)| key.get_ref() != "machine") {
         return Err(wrong(
             key.span(),
-            format!("`{}` has no meaning beside `machine`", key.get_ref()),
-            "write `inherits = \"…\"` instead of `machine = \"…\"`: then this file is a machine \
-             of its own",
+            format!("`{}` has no meaning together with `machine`", key.get_ref()),
+            "write `inherits = \"…\"` instead of `machine = \"…\"`: then this file describes a machine \
+             itself",
         ));
     }
     let DeValue::String(machine) = value.get_ref() else {
-        let message = "`machine` takes the name of a machine or of a file".to_string();
+        let message = "`machine` needs the name of a machine or of a file".to_string();
         return Err(wrong(value.span(), message, "write `machine = \"haas-vf2\"`"));
     };
     if builtin(machine).is_some() {
@@ -184,7 +184,7 @@ fn of_folder(path: &Path) -> Result<Machine, LoadError> {
     if !file.is_file() {
         return Err(wrong(
             value.span(),
-            format!("`{machine}` is neither a built-in machine nor a file beside this one"),
+            format!("`{machine}` is neither a built-in machine nor a file in this folder"),
             "`chordal machines` lists the built-in ones",
         ));
     }

@@ -29,7 +29,7 @@ pub struct Folders(BTreeMap<PathBuf, Folder>);
 
 impl Folders {
     /// The files that hold the programs which a text calls, and those which they call, as far
-    /// as they lie in the same folder. Files that cannot be read are passed over: then the
+    /// as they lie in the same folder. Files that cannot be read are skipped: then the
     /// subprogram is missing, and the run says so.
     pub fn find(&mut self, path: &Path, text: &[u8], lexicon: &Lexicon) -> Vec<Text> {
         let mut found: Vec<Text> = Vec::new();
@@ -83,7 +83,7 @@ pub fn without_called(inputs: Vec<Input>) -> Vec<Input> {
     let mut endless: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
     for (index, input) in inputs.iter().enumerate() {
         let (Some(path), Some(_)) = (&input.path, &input.root) else { continue };
-        // Who cannot be read is told when it is to be run.
+        // Who cannot be read is reported when it is to be run.
         let Ok(text) = Text::read(input) else { continue };
         let own: Vec<u32> = numbers(text.bytes(), lexicon).collect();
         let calls = called.entry(folder_of(path)).or_default();

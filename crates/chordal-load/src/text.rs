@@ -39,7 +39,7 @@ impl Deref for Bytes {
 pub struct Text {
     name: String,
     bytes: Bytes,
-    /// Where the text begins: behind a byte order mark.
+    /// Where the text begins: after a byte order mark.
     start: usize,
 }
 
@@ -87,7 +87,7 @@ impl Text {
     }
 
     /// Gives a program without a head the number that its file's name says. The head comes
-    /// before the words of the first line behind `%`, so that lines keep their numbers.
+    /// before the words of the first line after `%`, so that lines keep their numbers.
     pub(crate) fn give_head(&mut self, number: u32) {
         let text = self.bytes();
         let lines = text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r'));

@@ -54,7 +54,7 @@ pub fn actions(
             if fix.span.file == FileId(0) && touch(problem.primary.span.range, range) {
                 let safe = fix.applicability == Applicability::Safe;
                 let title =
-                    if safe { fix.title.clone() } else { format!("{} (look at it)", fix.title) };
+                    if safe { fix.title.clone() } else { format!("{} (check it)", fix.title) };
                 found.push(CodeAction {
                     title,
                     kind: Some(CodeActionKind::QUICKFIX),

@@ -82,7 +82,7 @@ pub fn symbols(program: &Program, entries: Vec<Entry>) -> Vec<DocumentSymbol> {
         .collect()
 }
 
-/// A problem; words of other files are told where the calls go through this one.
+/// A problem; words of other files are reported where the calls go through this one.
 pub fn diagnostic(program: &Program, uri: &Uri, found: &Diagnostic) -> lsp_types::Diagnostic {
     let source = program.source();
     let here = |label: &&Label| label.span.file == FileId(0);

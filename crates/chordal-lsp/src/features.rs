@@ -17,14 +17,14 @@ fn markdown(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::Markdown, value }
 }
 
-/// What a word does, and what is in force behind its line.
+/// What a word does, and what is active after its line.
 pub fn hover(program: &Program, ran: Option<&Ran>, place: Position) -> Option<Hover> {
     let offset = offset_of(program.source(), place);
     let found = program.hover(offset, ran)?;
     let mut text = found.text;
     if let Some(modal) = program.modal_behind(place.line + 1) {
         let state = program.modal_text(&modal);
-        text.push_str(&format!("\n\nBehind this line:\n```text\n{state}\n```"));
+        text.push_str(&format!("\n\nAfter this line:\n```text\n{state}\n```"));
     }
     let range = Some(range_of(program.source(), found.range));
     Some(Hover { contents: HoverContents::Markup(markdown(text)), range })
@@ -100,7 +100,7 @@ fn locations(program: &Program, uri: &Uri, found: Vec<Found>) -> Vec<Location> {
     locations
 }
 
-/// The address of a file, which texts beside are named by.
+/// The address of a file, by which other texts are named.
 fn uri_of(file: &str) -> Option<Uri> {
     url::Url::from_file_path(file).ok()?.as_str().parse().ok()
 }
@@ -116,7 +116,7 @@ pub fn renamable(program: &Program, place: Position) -> Option<Range> {
     variable.then(|| range_of(program.source(), found.range))
 }
 
-/// Length and place behind the moves of some lines.
+/// Length and place after the moves of some lines.
 pub fn hints(program: &Program, ran: &Ran, from: u32, to: u32) -> Vec<InlayHint> {
     let units = ran.units();
     let first = ran.lines.partition_point(|moves| moves.line < from);

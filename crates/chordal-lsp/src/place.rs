@@ -5,7 +5,7 @@ use chordal::diagnostics::TextRange;
 use chordal_editor::{byte_of, line_and_column};
 use lsp_types::{Position, Range};
 
-/// The byte of a place; a place behind the end of its line is the line's end.
+/// The byte of a place; a place after the end of its line is the line's end.
 pub fn offset_of(source: &Source<'_>, place: Position) -> u32 {
     byte_of(source, place.line.saturating_add(1), place.character)
 }

@@ -25,13 +25,13 @@ use crate::worker::{Done, Found, Task, Worker};
 #[derive(Debug, thiserror::Error)]
 pub enum ServeError {
     /// The editor spoke out of turn, or went away.
-    #[error("the editor did not keep to the protocol: {0}")]
+    #[error("the editor did not follow the protocol: {0}")]
     Protocol(#[from] lsp_server::ProtocolError),
     /// What the editor said of itself cannot be read.
     #[error("the editor's first message cannot be read: {0}")]
     Initialize(#[from] serde_json::Error),
     /// Nobody listens.
-    #[error("the editor went away")]
+    #[error("the connection to the editor was closed")]
     Gone,
 }
 
@@ -211,7 +211,8 @@ impl Server<'_> {
         let mut why = None;
         let program = opened.and_then(|setup| {
             why = setup.why.as_ref().map(|why| format!("{name}: {why}"));
-            let unknown = |errors| format!("settings of the machine are not known: {errors:?}");
+            let unknown =
+                |errors| format!("the control does not know settings of the machine: {errors:?}");
             Program::set_up(name, document.text().to_vec(), setup).map_err(unknown)
         });
         match program {
@@ -251,7 +252,7 @@ impl Server<'_> {
         }
     }
 
-    /// A run is over: what it found is told, if the text is still the same.
+    /// A run is over: what it found is reported, if the text is still the same.
     fn take(&mut self, Done { uri: key, version, found }: Done) {
         let Some((uri, document)) = self.documents.get_mut(&key) else { return };
         let Some(program) = document.program.clone().filter(|_| document.version == version) else {
@@ -265,7 +266,7 @@ impl Server<'_> {
             }
             Found::Ran(ran) => {
                 document.ran = Some((version, ran));
-                // Hints are asked for again when there is something new to tell.
+                // Hints are asked for again when there is something new to show.
                 let id = lsp_server::RequestId::from(format!("hints-{version}"));
                 let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
                 self.send(Request::new(id, refresh, Value::Null).into());
@@ -478,7 +479,7 @@ fn parse<T: DeserializeOwned>(params: Value) -> Result<T, ResponseError> {
         .map_err(|error| failed(ErrorCode::InvalidParams, error.to_string()))
 }
 
-/// A notification that cannot be read has nobody to be told to.
+/// A notification that cannot be read has nobody to be reported to.
 fn read<T: DeserializeOwned>(params: Value) -> Option<T> {
     serde_json::from_value(params).ok()
 }

@@ -33,7 +33,7 @@ pub struct Done {
 /// What a run found.
 #[derive(Debug)]
 pub enum Found {
-    /// The problems, which are told first.
+    /// The problems, which are reported first.
     Problems(Vec<Diagnostic>),
     /// What the lines did, too.
     Ran(Arc<Ran>),
@@ -66,7 +66,7 @@ struct Bench {
     results: Sender<Done>,
     /// What the last check of each document remembers.
     checked: HashMap<String, Checked>,
-    /// Programs whose problems were told and of which it is not known yet what the lines do.
+    /// Programs whose problems were reported and of which it is not known yet what the lines do.
     due: Vec<(String, i32, Arc<Program>)>,
 }
 

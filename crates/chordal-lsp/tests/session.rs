@@ -207,7 +207,7 @@ fn every_question_has_its_answer() {
 
     let hover = editor.of("hover", place(7, 1)).expect("a hover");
     let text = hover["contents"]["value"].as_str().expect("a text");
-    // Three quarters of a circle of radius 1 in, and what is in force behind it.
+    // Three quarters of a circle of radius 1 in, and what is active after it.
     assert!(text.contains("clockwise") && text.contains("4.7124 in"), "{text}");
     assert!(text.contains("G2 G17 G90 G94 G20 G40") && text.contains("X3 Y1"), "{text}");
 
@@ -245,7 +245,7 @@ fn every_question_has_its_answer() {
     let mut asked = place(6, 9);
     asked["newName"] = json!("depth");
     let refused = editor.of("rename", asked).expect_err("a refusal");
-    assert!(refused.contains("`depth` is no name here"), "{refused}");
+    assert!(refused.contains("`depth` cannot be a name here"), "{refused}");
 
     let hints = editor.of("inlayHint", json!({ "range": range((5, 0), (7, 0)) })).expect("hints");
     let labels: Vec<&str> = hints
@@ -403,7 +403,7 @@ fn problems_of_a_long_text_are_those_of_a_whole_check() {
     assert_eq!(arc(&editor.problems(2)), 9_006);
     editor.change(3, range((5_000, 0), (5_002, 0)), "");
     assert_eq!(arc(&editor.problems(3)), 9_004);
-    // Every position behind is another one.
+    // Every position after it is another one.
     editor.change(4, range((5, 0), (5, 0)), "G91\n");
     let fourth = editor.problems(4);
     editor.change(5, range((5, 0), (6, 0)), "");

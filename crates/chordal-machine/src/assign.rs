@@ -21,7 +21,7 @@ impl Machine {
     /// a shell eats them. On an error the machine stays as it was.
     pub fn set(&mut self, assignment: &str) -> Result<(), MachineError> {
         let source = Source::new(NAME, assignment);
-        let form = || Some("write `key=value`, as `tools.5.diameter=0.5 in`".to_string());
+        let form = || Some("write `key=value`, such as `tools.5.diameter=0.5 in`".to_string());
         let Some(equals) = find_equals(assignment) else {
             let span = Some(0..assignment.len());
             return Err(source.error(span, "an assignment needs a `=`", form()));

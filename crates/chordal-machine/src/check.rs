@@ -291,7 +291,7 @@ impl Value<'_> {
             },
             Slot::Table(_) => return Err(self.is_a_table()),
             Slot::Inherits => {
-                let message = "`inherits` stands in a machine file and cannot be changed later";
+                let message = "`inherits` belongs in a machine file and cannot be changed later";
                 return Err(self.error(message, None));
             }
         }
@@ -429,7 +429,7 @@ impl Value<'_> {
             let message = format!("`{}` is reversed: `{low}` is above `{high}`", self.name());
             return Err(self.error(message, Some(format!("write `[\"{high}\", \"{low}\"]`"))));
         }
-        Err(self.error(format!("`{}` has no room: both ends are `{low}`", self.name()), None))
+        Err(self.error(format!("`{}` is empty: both ends are `{low}`", self.name()), None))
     }
 
     fn text(&self, value: &Spanned<DeValue<'_>>) -> Result<String, MachineError> {
@@ -500,12 +500,13 @@ impl Value<'_> {
                 .map(SettingValue::Float)
                 .ok_or_else(|| {
                     self.error(
-                        format!("`{}` is no number a control can hold", number.as_str()),
+                        format!("a control cannot hold the number `{}`", number.as_str()),
                         None,
                     )
                 }),
             DeValue::Table(_) => {
-                let help = "a name with a point needs quotes, as `\"No. 3410\" = 5`".to_string();
+                let help =
+                    "a name with a point needs quotes, such as `\"No. 3410\" = 5`".to_string();
                 Err(self.takes("a text, a number or `true`/`false`", Some(help)))
             }
             _ => Err(self.takes("a text, a number or `true`/`false`", None)),

@@ -44,7 +44,7 @@ pub struct Machine {
     pub switches: Switches,
     /// The plane above which rapids may move freely, Z in work coordinates.
     pub clearance_mm: Option<f64>,
-    /// How it moves, beside the limits of its axes.
+    /// How it moves, in addition to the limits of its axes.
     pub motion: Motion,
     /// What takes time besides moving.
     pub times: Times,
@@ -199,7 +199,7 @@ pub struct Times {
     pub tool_change_s: Option<f64>,
     /// The spindle speeds up or slows down by 1000 rpm.
     pub spindle_per_1000_rpm_s: Option<f64>,
-    /// The spindle comes to stand at its mark (M19), beside its slowing down.
+    /// The time to orient the spindle (M19), in addition to the time it needs to stop.
     pub spindle_orient_s: Option<f64>,
     /// A probe touches and the control takes the place over.
     pub probe_s: Option<f64>,

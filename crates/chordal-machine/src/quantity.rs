@@ -107,7 +107,7 @@ impl Dimension {
 
 /// Why a text is not the quantity that is due.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{} is due; {}", self.dimension().noun(), self.fault())]
+#[error("this must be {}; {}", self.dimension().noun(), self.fault())]
 pub enum QuantityError {
     /// It does not start with a number.
     NotANumber {
@@ -174,7 +174,7 @@ impl QuantityError {
                 format!("`{text}` is {}", found.noun())
             }
             QuantityError::WrongDimension { text, found: None, .. } => {
-                format!("`{text}` is no quantity of a machine")
+                format!("`{text}` is not a quantity of a machine file")
             }
             QuantityError::OutOfRange { text, .. } => format!("`{text}` is out of range"),
         }

@@ -21,10 +21,12 @@ impl Machine {
     pub fn from_builtin(name: &str) -> Result<Machine, Vec<MachineError>> {
         let Some(text) = builtin(name) else {
             let help = builtin_help(name);
-            let message = format!("no machine named `{name}` is built in");
+            let message = format!("there is no built-in machine `{name}`");
             return Err(vec![Source::new(name, "").error(None, message, Some(help))]);
         };
-        read(&builtin_file(name), text, &|_| Err("built-in machines inherit built-in ones".into()))
+        read(&builtin_file(name), text, &|_| {
+            Err("built-in machines inherit only from built-in ones".into())
+        })
     }
 
     /// Reads a machine file. `inherits` names a built-in machine, or else a file, which `loader`
@@ -55,7 +57,7 @@ fn read(file: &str, text: &str, loader: Loader<'_>) -> Result<Machine, Vec<Machi
     if !reader.control_said && !reader.parts_missing {
         let names: Vec<&str> = ControlName::ALL.iter().map(|control| control.as_str()).collect();
         let help = format!("write `control = \"…\"` with {}", suggest::or_list(&names));
-        let message = "the machine's control is not said";
+        let message = "the machine file does not name its control";
         reader.errors.push(Source::new(file, text).error(None, message, Some(help)));
     }
     if !reader.errors.is_empty() {
@@ -122,7 +124,7 @@ impl Reader<'_> {
         let DeValue::String(name) = parent.get_ref() else {
             self.parts_missing = true;
             let help = "write `inherits = \"haas-vf2\"`".to_string();
-            let message = "`inherits` takes the name of a machine or of a file".to_string();
+            let message = "`inherits` needs the name of a machine or of a file".to_string();
             self.errors.push(refuse(message, Some(help)));
             return;
         };

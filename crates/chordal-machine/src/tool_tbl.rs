@@ -64,7 +64,7 @@ fn read_line(
                 // LinuxCNC's own files write `P-1` for "in no pocket".
                 Err(_) if letter == 'P' && value.parse::<i32>().is_ok() => {}
                 Err(_) => {
-                    let message = format!("`{letter}` takes a whole number, not `{value}`");
+                    let message = format!("`{letter}` needs a whole number, not `{value}`");
                     errors.push(source.error(Some(span), message, None));
                 }
             },
@@ -73,14 +73,14 @@ fn read_line(
                     Some(mm) if letter == 'D' => tool.diameter_mm = Some(mm),
                     Some(mm) => set_offset(&mut tool, letter, mm, value),
                     None => {
-                        let message = format!("`{letter}` takes a number, not `{value}`");
+                        let message = format!("`{letter}` needs a number, not `{value}`");
                         errors.push(source.error(Some(span), message, None));
                     }
                 }
             }
             _ => {
                 let message = format!("`{word}` is not a word of a tool table");
-                let help = "T, P, D, X Y Z A B C U V W, I, J and Q are; a comment starts with `;`";
+                let help = "the words are T, P, D, X Y Z A B C U V W, I, J and Q; a comment starts with `;`";
                 errors.push(source.error(Some(span), message, Some(help.to_string())));
             }
         }
@@ -92,11 +92,11 @@ fn read_line(
         None => {
             let start = words.len() - words.trim_start().len();
             let span = at + start..at + words.trim_end().len();
-            let help = "start the line with the tool's number, as `T1`".to_string();
+            let help = "start the line with the tool's number, such as `T1`".to_string();
             errors.push(source.error(Some(span), "this line names no tool", Some(help)));
         }
         Some((number, span)) if tools.contains_key(&number) => {
-            let message = format!("tool {number} is in the table already");
+            let message = format!("tool {number} is already in the table");
             errors.push(source.error(Some(span), message, None));
         }
         Some((number, _)) => {

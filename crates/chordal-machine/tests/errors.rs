@@ -109,7 +109,7 @@ mine.toml:6: `U` is not an axis
   = the axes are X, Y, Z, A, B and C
 mine.toml:7: `y` is not an axis
   ^ y
-  = did you mean `Y`? Axes are written in capitals
+  = did you mean `Y`? Axes are written in capital letters
 mine.toml:8: a machine file has no key `feeds`
   ^ feeds
   = did you mean `feed`?
@@ -118,14 +118,14 @@ mine.toml:11: `feed` has no key `max_velocity`
   = did you mean `feed.max`?
 mine.toml:12: `drill` is not a tool number
   ^ drill
-  = a tool is named by its number, as `tools.5`
+  = a tool is named by its number, such as `tools.5`
 mine.toml:13: a machine file has no key `tool_change`
   ^ tool_change
   = did you mean `times.tool_change`?
 mine.toml:15: `program` has no key `travel`
   ^ travel
   = did you mean `axes.<axis>.travel`?
-mine.toml: the machine's control is not said
+mine.toml: the machine file does not name its control
   = write `control = "…"` with fadal, haas, fanuc, mitsubishi or linuxcnc
 "#,
     );
@@ -158,7 +158,7 @@ mine.toml:5: `max_velocity` must be more than zero
   ^ "-25 m/min"
 mine.toml:6: `max_jerk` must be more than zero
   ^ "0 m/s^3"
-mine.toml:8: `travel` has no room: both ends are `1 in`
+mine.toml:8: `travel` is empty: both ends are `1 in`
   ^ ["1 in", "25.4 mm"]
 mine.toml:9: `max_velocity` takes a velocity; `1e999 m/min` is out of range
   ^ "1e999 m/min"
@@ -167,7 +167,7 @@ mine.toml:11: `travel` takes two lengths, not 1
   = write the lower and the higher end: `["0 mm", "762 mm"]`
 mine.toml:13: `tool_change` cannot be negative
   ^ "-1 s"
-mine.toml:15: `nan` is no number a control can hold
+mine.toml:15: a control cannot hold the number `nan`
   ^ nan
 "#,
     );
@@ -233,7 +233,7 @@ mine.toml:17: `G60` is not a work offset
   = work offsets are G54 to G59, "G59.1" to "G59.3", "G54.1 P1" to P300, "G154 P1" to P99, E1 to E48, G52 and EXT
 mine.toml:18: `settings.No` takes a text, a number or `true`/`false`; this is a table
   ^ [settings.No]
-  = a name with a point needs quotes, as `"No. 3410" = 5`
+  = a name with a point needs quotes, such as `"No. 3410" = 5`
 "#,
     );
 }
@@ -245,7 +245,7 @@ fn slips_of_syntax_hide_only_what_follows() {
     assert!(found.contains("\nmine.toml:2: "), "{found}");
     assert!(found.contains("\nmine.toml:5: "), "{found}");
     assert!(!found.contains("has no unit"), "{found}");
-    assert!(!found.contains("is not said"), "{found}");
+    assert!(!found.contains("does not name its control"), "{found}");
 }
 
 /// The errors of `a.toml` among a few files.
@@ -278,7 +278,7 @@ a.toml:3: `feed.max` takes a velocity; `5` has no unit
     let itself = errors_among(&[("a.toml", "inherits = \"a.toml\"")]);
     assert!(itself.contains("goes in a circle: a.toml -> a.toml"), "{itself}");
     let number = errors_among(&[("a.toml", "inherits = 5")]);
-    assert!(number.contains("`inherits` takes the name of a machine or of a file"), "{number}");
+    assert!(number.contains("`inherits` needs the name of a machine or of a file"), "{number}");
     let endless =
         Machine::from_toml("0", "inherits = \"00\"", &|name| Ok(format!("inherits = \"{name}0\"")));
     let endless = shown(&endless.expect_err("an error"));
@@ -310,7 +310,7 @@ fn no_such_built_in_machine() {
     let errors = Machine::from_builtin("fadal-4200").expect_err("an error");
     assert_eq!(
         shown(&errors),
-        "fadal-4200: no machine named `fadal-4200` is built in\n  = did you mean \"fadal-4020\"?"
+        "fadal-4200: there is no built-in machine `fadal-4200`\n  = did you mean \"fadal-4020\"?"
     );
 }
 

@@ -95,7 +95,7 @@ fn slips_are_told_with_their_place() {
             "feed_override = \"fast\"",
             "`feed_override` takes a percentage or a fraction; this is a text",
         ),
-        ("feed_override = nan", "`nan` is no number a control can hold"),
+        ("feed_override = nan", "a control cannot hold the number `nan`"),
         ("servo_period = \"0 ms\"", "`servo_period` must be more than zero"),
         ("servo_period = \"1 mm\"", "`servo_period` takes a time; `1 mm` is a length"),
         ("corner_tolerance = \"-1 mm\"", "`corner_tolerance` cannot be negative"),

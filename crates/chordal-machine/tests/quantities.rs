@@ -56,27 +56,42 @@ fn units() {
 fn refusals() {
     let refused =
         |text: &str, dimension| parse_quantity(text, dimension).expect_err(text).to_string();
-    assert_eq!(refused("25 m/min", Dimension::Length), "a length is due; `25 m/min` is a velocity");
-    assert_eq!(refused("25", Dimension::Velocity), "a velocity is due; `25` has no unit");
-    assert_eq!(refused("", Dimension::Time), "a time is due; `` does not start with a number");
+    assert_eq!(
+        refused("25 m/min", Dimension::Length),
+        "this must be a length; `25 m/min` is a velocity"
+    );
+    assert_eq!(refused("25", Dimension::Velocity), "this must be a velocity; `25` has no unit");
+    assert_eq!(
+        refused("", Dimension::Time),
+        "this must be a time; `` does not start with a number"
+    );
     assert_eq!(
         refused("inf mm", Dimension::Length),
-        "a length is due; `inf mm` does not start with a number"
+        "this must be a length; `inf mm` does not start with a number"
     );
-    assert_eq!(refused("1,5 mm", Dimension::Length), "a length is due; `,5 mm` is not a unit");
-    assert_eq!(refused("1 mm/s^4", Dimension::Length), "a length is due; `mm/s^4` is not a unit");
-    assert_eq!(refused("1 mm/mm", Dimension::Length), "a length is due; `mm/mm` is not a unit");
+    assert_eq!(
+        refused("1,5 mm", Dimension::Length),
+        "this must be a length; `,5 mm` is not a unit"
+    );
+    assert_eq!(
+        refused("1 mm/s^4", Dimension::Length),
+        "this must be a length; `mm/s^4` is not a unit"
+    );
+    assert_eq!(
+        refused("1 mm/mm", Dimension::Length),
+        "this must be a length; `mm/mm` is not a unit"
+    );
     assert_eq!(
         refused("1 s/s", Dimension::Time),
-        "a time is due; `1 s/s` is no quantity of a machine"
+        "this must be a time; `1 s/s` is not a quantity of a machine file"
     );
     assert_eq!(
         refused("1 rad/s", Dimension::SpindleSpeed),
-        "a spindle speed is due; `1 rad/s` is an angular velocity"
+        "this must be a spindle speed; `1 rad/s` is an angular velocity"
     );
     assert_eq!(
         refused("1e400 mm", Dimension::Length),
-        "a length is due; `1e400 mm` is out of range"
+        "this must be a length; `1e400 mm` is out of range"
     );
     let help = |text: &str, dimension| parse_quantity(text, dimension).expect_err(text).help();
     assert_eq!(

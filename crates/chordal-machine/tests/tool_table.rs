@@ -46,24 +46,24 @@ fn every_bad_line_is_reported() {
     assert_eq!(
         common::shown(&errors),
         "\
-tool.tbl:2: `D` takes a number, not `1/8`
+tool.tbl:2: `D` needs a number, not `1/8`
   ^ D1/8
-tool.tbl:2: `Z` takes a number, not `x`
+tool.tbl:2: `Z` needs a number, not `x`
   ^ Zx
 tool.tbl:3: this line names no tool
   ^ D5
-  = start the line with the tool's number, as `T1`
-tool.tbl:4: tool 1 is in the table already
+  = start the line with the tool's number, such as `T1`
+tool.tbl:4: tool 1 is already in the table
   ^ T1
 tool.tbl:5: `F5` is not a word of a tool table
   ^ F5
-  = T, P, D, X Y Z A B C U V W, I, J and Q are; a comment starts with `;`
+  = the words are T, P, D, X Y Z A B C U V W, I, J and Q; a comment starts with `;`
 tool.tbl:5: `D` appears twice in this line
   ^ D2
-tool.tbl:6: `T` takes a whole number, not `wo`
+tool.tbl:6: `T` needs a whole number, not `wo`
   ^ Two
 tool.tbl:7: `é` is not a word of a tool table
   ^ é
-  = T, P, D, X Y Z A B C U V W, I, J and Q are; a comment starts with `;`"
+  = the words are T, P, D, X Y Z A B C U V W, I, J and Q; a comment starts with `;`"
     );
 }

@@ -1,5 +1,5 @@
 //! How fast a piece of path may be travelled at all: limits of the axes turned into limits of
-//! the law of time that hold anywhere on the piece, together.
+//! the velocity profile that hold anywhere on the piece, together.
 
 use chordal_geometry::AXES;
 

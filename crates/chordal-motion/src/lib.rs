@@ -1,7 +1,7 @@
 //! From the exact path to timed setpoints.
 //!
 //! A [`Move`] is an exact curve with the speed asked for and a [`Corner`] that says how its end
-//! is passed. Moves go into a planner, which hands on [`Stretch`]es: smooth pieces of path and
+//! is passed. Moves go into a planner, which emits [`Stretch`]es: smooth pieces of path and
 //! the phases of constant jerk in which they are travelled. Whoever wants setpoints evaluates a
 //! stretch at a time, or lets a [`Sampler`] do it at a period.
 //!
@@ -13,7 +13,7 @@
 //! |---|---|---|
 //! | input | [`Move`] | `segment.rs` |
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
-//! | the law of time | [`Phase`], [`Stretch`] | `profile/` |
+//! | the velocity profile | [`Phase`], [`Stretch`] | `profile/` |
 //! | the least time | [`bound()`] | `bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`Sample`] | `cursor.rs`, `sampler.rs` |

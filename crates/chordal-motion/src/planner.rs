@@ -22,13 +22,13 @@ pub enum Level {
     Best,
 }
 
-/// What a planner may be told.
+/// The options of a planner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannerOptions {
     /// How hard it tries.
     pub level: Level,
     /// Moves are looked at together when they would take so long at their largest speeds, s.
-    /// What is certain of them is handed on, so that a servo loop is fed early. Infinite: as
+    /// What is certain of them is emitted, so that a servo loop is fed early. Infinite: as
     /// many as memory allows.
     pub row_s: f64,
 }
@@ -41,7 +41,7 @@ impl PlannerOptions {
 }
 
 /// So many pieces are looked at together. A row ends earlier where the axes stop; a longer one
-/// is handed on as far as later moves cannot change it.
+/// is emitted as far as later moves cannot change it.
 const ROW: usize = 8192;
 
 /// Shorter moves are left out, mm or rad: their direction would be rounding.
@@ -52,7 +52,7 @@ const GAP: f64 = 1e-6;
 
 /// Turns moves into steps: holds every limit, keeps the path, loses little time.
 ///
-/// `P` is what its stretches tell of the path: all of it ([`Planner::new`]) or only what times need
+/// `P` is what its stretches say about the path: all of it ([`Planner::new`]) or only what times need
 /// ([`Planner::of_times`]).
 #[derive(Debug)]
 pub struct Planner<P = Piece> {
@@ -109,7 +109,7 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Takes a move and hands on the steps that are certain now.
+    /// Takes a move and emits the steps that are certain now.
     ///
     /// # Errors
     /// When the move cannot be planned; it is left out.
@@ -200,7 +200,7 @@ impl<P: PathPart> Planner<P> {
         take(Step::Wait { seconds, tag });
     }
 
-    /// The axes come to rest: hands on the rest of the steps. The next move may begin anywhere.
+    /// The axes come to rest: emits the rest of the steps. The next move may begin anywhere.
     pub fn finish(&mut self, mut take: impl FnMut(Step<'_, P>)) {
         self.release(&mut take);
         self.end_run(&mut take);
@@ -244,7 +244,7 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Hands on the cells before a boundary, which is a station, from rest to rest where the
+    /// Emits the cells before a boundary, which is a station, from rest to rest where the
     /// axes rest before.
     fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_, P>)) {
         let mut begin = 0;
@@ -258,7 +258,7 @@ impl<P: PathPart> Planner<P> {
         self.row.time_s = self.row.cells.iter().map(|cell| cell.length / cell.speed).sum();
     }
 
-    /// Hands on the cells between two boundaries.
+    /// Emits the cells between two boundaries.
     fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(Step<'_, P>)) {
         let stretch = &mut self.stretch;
         stretch.phases.clear();
@@ -306,7 +306,7 @@ const EFFORT: reference::Effort = reference::Effort {
     programs: 4,
 };
 
-/// A quicker law of time for a stretch from rest to rest, where there is one. The speeds are the
+/// A quicker velocity profile for a stretch from rest to rest, where there is one. The speeds are the
 /// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
 fn improve(
     stretch: &mut Stretch<impl PathPart>,

@@ -1,4 +1,4 @@
-//! The axes at a place of a piece, moved by the law of time.
+//! The axes at a place of a piece, moved by the velocity profile.
 
 use chordal_geometry::{AXES, Tracer, Vec3};
 

@@ -68,7 +68,7 @@ impl Sampler {
         self.now_s
     }
 
-    /// Takes a step and hands on the setpoints that are certain now.
+    /// Takes a step and emits the setpoints that are certain now.
     pub fn push(&mut self, step: Step<'_>, mut take: impl FnMut(&Sample)) {
         match step {
             Step::Stretch(stretch) if stretch.phases.is_empty() => {}

@@ -67,7 +67,7 @@ pub enum MoveError {
     #[error("the tolerance of the corner is {0}: it must not be below zero")]
     Tolerance(f64),
     /// The move does not begin where the one before it ends.
-    #[error("the move begins {0} mm (or rad) away from the end of the one before")]
+    #[error("the move begins {0} mm (or rad) away from the end of the move before it")]
     Gap(f64),
 }
 

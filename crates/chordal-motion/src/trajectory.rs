@@ -20,7 +20,7 @@ pub struct Phase {
     pub jerk: f64,
 }
 
-/// The law of time at an instant: σ and its derivatives by time.
+/// The velocity profile at an instant: σ and its derivatives by time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Along {
     /// σ from the start of the stretch.
@@ -34,7 +34,7 @@ pub struct Along {
 }
 
 impl Phase {
-    /// The law of time `t` s after its start.
+    /// The velocity profile `t` s after its start.
     #[inline]
     pub fn at(&self, t: f64) -> Along {
         let Phase { from, speed, acceleration, jerk, .. } = *self;
@@ -85,7 +85,7 @@ const MOST_STEPS: u32 = 80;
 pub struct Stretch<P = Piece> {
     /// The path, in order.
     pub pieces: Vec<P>,
-    /// The law of time, in order.
+    /// The velocity profile, in order.
     pub phases: Vec<Phase>,
     /// How long before the end of the stretch before it begins, s. In that time the axes make
     /// both movements, which lets the tool pass the corner between them within its tolerance.

@@ -192,7 +192,7 @@ fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<
     (watch, points)
 }
 
-/// What rounding does to each coordinate: beside its own, that of the way along the path, whose
+/// What rounding does to each coordinate: in addition to its own, that of the way along the path, whose
 /// last bits a rotary axis turns into a larger angle the more it turns by the mm.
 fn rounding(moves: &[Move]) -> Axes {
     let lengths: Vec<f64> = moves.iter().map(|motion| motion.curve.length()).collect();

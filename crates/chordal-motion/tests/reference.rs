@@ -21,7 +21,7 @@ struct Found {
     best: Best,
 }
 
-/// All three laws; the best one is held against the limits.
+/// All three laws; the best one is compared with the limits.
 #[track_caller]
 fn solve(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Found {
     let run = Run::new(pieces, speeds, 0.0, limits).unwrap();
@@ -114,7 +114,7 @@ fn a_slow_feed_in_the_middle_is_kept() {
     let found = solve(&pieces, &[200.0, 50.0, 200.0], &machine);
     // With even speed at the seams: 5 mm at 50 mm/s take 0.1 s; on each side 20 mm from rest up
     // to 200 mm/s (0.09 s, 9 mm), on for 1 mm, and down to 50 (0.08 s, 10 mm). The least time is
-    // shorter: the brake may be let go of behind the seam, a little below 50 mm/s.
+    // shorter: the brake may be let go of after the seam, a little below 50 mm/s.
     let even = 0.1 + 2.0 * (0.09 + 0.08 + 1.0 / 200.0);
     assert!(found.best.time_s < even && found.best.time_s > 0.96 * even);
     for phase in &found.best.phases {

@@ -144,7 +144,7 @@ fn a_wait_for_ever_ends_at_the_budget() {
 
 #[test]
 fn a_budget_that_the_last_setpoint_exceeds_is_told() {
-    // Nothing is handed on before the end, so the number of setpoints tells.
+    // Nothing is emitted before the end, so the number of setpoints shows it.
     let line = line([0.0; AXES], X, 20.0, 1);
     let needed = (line.duration_s() / 0.001).ceil() as u64 + 1;
     for (most, exhausted) in [(needed, false), (needed - 1, true), (10, true)] {

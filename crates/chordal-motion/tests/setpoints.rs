@@ -1,4 +1,4 @@
-//! Setpoints against a slow evaluation of their own: the law of time and the defining formulas of
+//! Setpoints against a slow evaluation of their own: the velocity profile and the defining formulas of
 //! the curves, derivatives by differences of places alone.
 
 mod support;

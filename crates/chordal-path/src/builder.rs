@@ -64,7 +64,7 @@ impl<'a> PathBuilder<'a> {
         }
     }
 
-    /// From the program coordinates in force to the frame of the run.
+    /// From the active program coordinates to the frame of the run.
     fn shift(&mut self, cuts: bool) -> Vec3 {
         if cuts && self.base.is_none() {
             self.base = Some((self.frame.work, self.frame.known));

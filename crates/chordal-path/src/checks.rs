@@ -65,7 +65,7 @@ impl Default for Seen {
 }
 
 impl Seen {
-    /// With what the stretch behind has touched.
+    /// With what the stretch after has touched.
     pub fn and(&mut self, next: &Seen) {
         self.cut = self.cut.union(next.cut);
         let room = PLUNGES_KEPT.saturating_sub(self.plunges.len());
@@ -264,7 +264,7 @@ impl<'a> Checks<'a> {
 
     /// A rapid that ends below the clearance plane. Without a model of the stock, three
     /// things speak for a slip: it comes down at a slant, it joins two cuts at depth, or
-    /// (judged at the end) it plunges amid what is cut. Leaving a bore or a post sideways
+    /// (judged at the end) it plunges inside the region that the program cuts. Leaving a bore or a post sideways
     /// and then lifting is common and right.
     fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
         let at_depth = self.now.at_depth.take();
@@ -283,7 +283,7 @@ impl<'a> Checks<'a> {
             let depth = self.axis_text(Axis::Z, depth);
             report(self.rapid_into_part(
                 origin,
-                format!("a rapid comes down at a slant to {depth} below the clearance plane"),
+                format!("a rapid moves down at an angle to {depth} below the clearance plane"),
             ));
         } else if sideways {
             self.now.at_depth = at_depth.map(|rapid| rapid.or(Some((depth, origin))));
@@ -296,14 +296,16 @@ impl<'a> Checks<'a> {
         self.machine.clearance_mm.unwrap_or(0.0)
     }
 
-    /// A cut: a rapid that led here at depth from another cut is told now.
+    /// A cut: a rapid that led here at depth from another cut is reported now.
     #[inline]
     fn cut_at_depth(&mut self, motion: &Move, report: &mut impl FnMut(Diagnostic)) {
         if let Some(Some((depth, origin))) = self.now.at_depth {
             let depth = self.axis_text(Axis::Z, depth);
             report(self.rapid_into_part(
                 origin,
-                format!("between two cuts a rapid runs sideways {depth} below the clearance plane"),
+                format!(
+                    "between two cuts a rapid moves sideways {depth} below the clearance plane"
+                ),
             ));
         }
         let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
@@ -315,7 +317,7 @@ impl<'a> Checks<'a> {
             if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
         Diagnostic::new(Code::RapidIntoPart, origin.span, message)
             .label(format!("below {given} clearance plane"))
-            .help("cut there with G1, or lift the tool first")
+            .help("use G1 if this is a cut, or lift the tool first")
     }
 
     fn joint_of_line(
@@ -400,7 +402,7 @@ impl<'a> Checks<'a> {
                 let depth = self.axis_text(Axis::Z, depth);
                 report(self.rapid_into_part(
                     origin,
-                    format!("a rapid plunges {depth} below the clearance plane, amid what is cut"),
+                    format!("a rapid plunges {depth} below the clearance plane, inside the region that the program cuts"),
                 ));
             }
         }
@@ -415,14 +417,14 @@ impl<'a> Checks<'a> {
                         Code::TravelExceeded,
                         Default::default(),
                         format!(
-                            "the program runs over {} in {}, and the travel is {}",
+                            "the program needs {} in {}, and the travel is {}",
                             self.axis_text(axis, high - low),
                             axis.letter(),
                             self.axis_text(axis, to - from)
                         ),
                     )
                     .severity(Severity::Error)
-                    .help("it fits with no work offset; choose a larger machine"),
+                    .help("no work offset makes it fit; choose a larger machine"),
                 );
             }
         }

@@ -1,8 +1,8 @@
 //! Holds every compensated contour, from G41 or G42 to G40, against the whole path of its
-//! tool centre, and tells where the tool would cut into it.
+//! tool centre, and says where the tool would cut into it.
 //!
 //! The control's own checks see a few blocks; this one sees the contour. Its answer is the
-//! geometric truth, and it stands beside the alarm of the control, which may come too often
+//! geometric truth, and it is reported with the alarm of the control, which may come too often
 //! or not at all.
 
 use chordal_command::{Origin, Units};
@@ -14,7 +14,7 @@ use crate::contour_level::ContourLevel;
 use crate::gouge::{self, Gouge, GougeKind, Options};
 use crate::side_check::SideCheck;
 
-/// Gouges told of one contour: the deepest. What follows is only counted.
+/// Gouges reported for one contour: the deepest. What follows is only counted.
 const TOLD_PER_CONTOUR: usize = 8;
 
 /// Blocks kept of one contour. What comes after is not checked, and that is said.
@@ -81,13 +81,13 @@ impl ContourCheck {
         }
     }
 
-    /// Whether no contour is open: all that was found has been told.
+    /// Whether no contour is open: all that was found has been reported.
     pub fn is_settled(&self) -> bool {
         self.level.origins.is_empty() && self.alarms.is_empty() && self.beyond.is_none()
     }
 
     /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
-    /// that is told once the contour is known.
+    /// that is reported once the contour is known.
     pub fn alarm(&mut self, diagnostic: &Diagnostic) {
         let interference = matches!(
             diagnostic.code,
@@ -104,8 +104,9 @@ impl ContourCheck {
         self.alarms.clear();
         self.sides = SideCheck::default();
         if let Some(origin) = self.beyond.take() {
-            let message =
-                format!("a contour of more than {KEPT_BLOCKS} blocks is checked up to here");
+            let message = format!(
+                "this contour has more than {KEPT_BLOCKS} blocks; it is checked up to here"
+            );
             report(
                 Diagnostic::new(Code::ContourNotChecked, origin.span, message)
                     .help("end the contour with G40 earlier to have all of it checked"),
@@ -143,18 +144,17 @@ impl ContourCheck {
         if found.more {
             let message = format!("more than {TOLD_PER_CONTOUR} gouges in this contour");
             let diagnostic = Diagnostic::new(Code::CutterGouges, last.span, message);
-            report(diagnostic.label("the contour ends here; the deepest are told"), &last);
+            report(diagnostic.label("the contour ends here; the deepest ones are reported"), &last);
         }
         if let Some((first, second)) = found.ambiguous.first() {
             let [first, second] = [first, second].map(|tag| origins[*tag as usize]);
-            let message =
-                "the contour runs here and back: neither side of it is known to be the part";
+            let message = "the contour runs along this line in both directions: neither side is known to be the part";
             let diagnostic = Diagnostic::new(Code::SideAmbiguous, second.span, message)
-                .also(first.span, "the way there");
+                .also(first.span, "first direction");
             report(diagnostic, &second);
         }
         if !found.complete {
-            let message = "the contour is too crowded to be checked whole";
+            let message = "the contour is too dense to be checked completely";
             report(Diagnostic::new(Code::GougeSearchLimit, last.span, message), &last);
         }
     }
@@ -165,7 +165,7 @@ impl ContourCheck {
         let radius = self.length(radius);
         let (code, how) = match gouge.kind {
             GougeKind::Contour => (Code::CutterGouges, "cuts"),
-            GougeKind::AtLead => (Code::CutterGougesAtLead, "leads in or out and cuts"),
+            GougeKind::AtLead => (Code::CutterGougesAtLead, "on its lead-in or lead-out cuts"),
         };
         let itself = cutting.span == cut.span;
         let message = match itself {
@@ -179,7 +179,7 @@ impl ContourCheck {
         let along = |axis: usize, mm: f64| format!("{} {}", ["X", "Y", "Z"][axis], self.length(mm));
         let place = format!("{}, {}", along(first, gouge.center.a), along(second, gouge.center.b));
         let diagnostic = Diagnostic::new(code, cutting.span, message)
-            .label("here the tool cuts")
+            .label("the tool cuts here")
             .note(format!("deepest where the tool centre is at {place}"));
         if itself { diagnostic } else { diagnostic.also(cut.span, "this wall is cut") }
     }
@@ -191,8 +191,8 @@ impl ContourCheck {
 }
 
 fn false_alarm(origin: &Origin) -> Diagnostic {
-    let message = "the control alarms here, and the tool would cut into no wall";
+    let message = "the control alarms here, but the tool would not cut into a wall";
     Diagnostic::new(Code::FalseInterferenceAlarm, origin.span, message)
         .label("a false alarm of the control's look-ahead")
-        .help("only what the control accepts runs: take a smaller tool, or change this place")
+        .help("the control does not run this block: use a smaller tool, or change the contour here")
 }

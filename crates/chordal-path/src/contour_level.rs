@@ -70,7 +70,7 @@ impl ContourLevel {
         }
     }
 
-    /// The programmed contour, where there is one and the tool is beside it.
+    /// The programmed contour, if there is one and the tool is offset from it.
     pub fn contour(&mut self) -> Option<Contour> {
         if self.radius <= 0.0 || self.blocks.is_empty() {
             return None;

@@ -65,10 +65,10 @@ fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
         false => ("G42", "G41", "right", "left"),
     };
     let message = format!(
-        "the tool comes from the {far} of the contour and leaves to the {far}, and runs {side} of it"
+        "the tool comes from the {far} of the contour, runs {side} of it, and leaves to the {far}"
     );
     Diagnostic::new(Code::CompensationSideDoubtful, lead_in.span, message)
-        .label(format!("{code} puts the tool on the other side of the contour than the lead-in"))
-        .also(lead_out.origin.span, format!("the lead-out goes to the {far} again"))
+        .label(format!("{code} puts the tool on the opposite side of the contour from the lead-in"))
+        .also(lead_out.origin.span, format!("the lead-out goes back to the {far}"))
         .help(format!("write {other}, or a negative offset, if the tool belongs on the {far}"))
 }

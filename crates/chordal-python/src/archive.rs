@@ -30,7 +30,7 @@ pub fn archive_walk(
     entries.into_iter().map(named).collect()
 }
 
-/// True where a text calls programs that may lie in files beside it, by the rules of some control.
+/// True where a text calls programs that may lie in files in its folder, by the rules of some control.
 #[pyfunction]
 pub fn archive_calls(py: Python<'_>, text: &[u8]) -> bool {
     let text = text.to_vec();
@@ -60,7 +60,7 @@ pub struct ArchiveWorker {
 
 #[pymethods]
 impl ArchiveWorker {
-    /// `chordal.toml` counts up to the `roots`; paths that begin as the first of `renamed` are told
+    /// `chordal.toml` counts up to the `roots`; paths that begin as the first of `renamed` are reported
     /// as if they began as the second.
     #[new]
     fn new(
@@ -161,7 +161,7 @@ impl Journal {
 }
 
 fn finished() -> PyErr {
-    PyRuntimeError::new_err("the table is written already")
+    PyRuntimeError::new_err("the table is already written")
 }
 
 fn wrong(error: ArchiveError) -> PyErr {

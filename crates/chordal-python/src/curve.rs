@@ -88,7 +88,7 @@ pub fn spiral(
     finite(&[center, normal, towards, [radius_from, radius_to, sweep], [rise, 0.0, 0.0]])?;
     if radius_from < 0.0 || radius_to < 0.0 {
         return Err(error::value(format!(
-            "radii of {radius_from} and {radius_to} mm: a radius is not below zero"
+            "radii of {radius_from} and {radius_to} mm: a radius must not be below zero"
         )));
     }
     let [center, normal, towards] = [center, normal, towards].map(Vec3::from_array);
@@ -110,7 +110,7 @@ fn plane_of(word: &str) -> PyResult<Plane> {
         "xy" => Ok(Plane::Xy),
         "zx" => Ok(Plane::Zx),
         "yz" => Ok(Plane::Yz),
-        other => Err(error::value(format!("no plane is called `{other}`: xy, zx, yz are"))),
+        other => Err(error::value(format!("there is no plane `{other}`: write xy, zx or yz"))),
     }
 }
 
@@ -218,7 +218,9 @@ impl Curve {
             const MOST: u64 = 1 << 28;
             if chords.chord_count() > MOST {
                 let count = chords.chord_count();
-                return Err(error::value(format!("{count} chords; at most {MOST} are made")));
+                return Err(error::value(format!(
+                    "{count} chords would be needed; the limit is {MOST}"
+                )));
             }
             rows(chords.map(Vec3::to_array).collect())
         })

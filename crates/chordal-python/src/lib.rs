@@ -23,7 +23,7 @@ mod table;
 
 use pyo3::prelude::*;
 
-/// What a diagnostic, a G or M code or a letter means is told by the command; this is the list
+/// What a diagnostic, a G or M code or a letter means is explained by the command; this is the list
 /// of diagnostics: code, name, severity, summary and explanation of each.
 #[pyfunction]
 fn codes() -> Vec<(&'static str, &'static str, &'static str, &'static str, &'static str)> {

@@ -16,7 +16,7 @@ use crate::error;
 use crate::program::{level, period, too_many};
 use crate::table::Table;
 
-/// A planned motion: stretches of path with their law of time. It never changes.
+/// A planned motion: stretches of path with their velocity profile. It never changes.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct Motion {
     steps: Vec<Kept>,

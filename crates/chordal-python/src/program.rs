@@ -36,7 +36,7 @@ pub struct Program {
     report: OnceLock<Report>,
 }
 
-/// What the planner was told, and what it could not take.
+/// What the planner was given, and what it could not plan.
 type Planned = (u64, u64, Vec<(u32, String)>, Vec<String>);
 
 /// What a program is to run on, and how; a dictionary of Python's.
@@ -126,7 +126,7 @@ pub fn period(py: Python<'_>, seconds: f64) -> PyResult<f64> {
 
 /// More setpoints than asked for at most.
 pub fn too_many(py: Python<'_>, most: u64, seconds: f64) -> PyErr {
-    let message = format!("more than {most} setpoints: the run takes {seconds:.3} s or longer");
+    let message = format!("more than {most} setpoints: the run takes at least {seconds:.3} s");
     error::usage(py, &message, Some("give a longer period, or a larger max_samples"))
 }
 
@@ -308,7 +308,7 @@ impl Program {
         })
     }
 
-    /// The setpoints of the axes, and what the planner was told.
+    /// The setpoints of the axes, and what the planner was given.
     fn trajectory(
         &self,
         py: Python<'_>,
@@ -403,7 +403,7 @@ impl Program {
         })
     }
 
-    /// This program held against another, as JSON. Categories of `ignore` are no differences.
+    /// This program compared with another, as JSON. Categories of `ignore` are no differences.
     fn compare(
         &self,
         py: Python<'_>,

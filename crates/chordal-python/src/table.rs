@@ -213,7 +213,7 @@ fn objects<'py>(py: Python<'py>, array: &ArrayRef) -> PyResult<Vec<Bound<'py, Py
     }
 }
 
-/// Numbers in memory, as NumPy's array interface tells of them. It keeps them alive.
+/// Numbers in memory, as NumPy's array interface says about them. It keeps them alive.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct Block {
     address: usize,

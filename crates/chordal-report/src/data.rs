@@ -1,4 +1,4 @@
-//! Everything a report tells, as plain data.
+//! Everything a report says, as plain data.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ pub struct Rows<T> {
     pub left_out: u64,
 }
 
-/// Everything a report tells. Lengths are mm, angles degrees, times s, feeds mm/min.
+/// Everything a report says. Lengths are mm, angles degrees, times s, feeds mm/min.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Document {
     /// `chordal.report/1`.
@@ -42,7 +42,7 @@ pub struct Document {
     pub travel: Rows<Travel>,
     /// The same against the machine's travel.
     pub machine_travel: Vec<MachineTravel>,
-    /// Where an operator is wanted, and what the program tells him, in the order of the run.
+    /// Where an operator is wanted, and what the program shows, in the order of the run.
     pub stops: Rows<Stop>,
     /// Blocks that the block delete switch leaves out.
     pub skipped: Skipped,
@@ -186,7 +186,7 @@ pub struct Feeds {
     pub mm_per_min: Option<(f64, f64)>,
     /// mm per revolution.
     pub mm_per_rev: Option<(f64, f64)>,
-    /// Some cuts are told by the time of their block (G93).
+    /// Some cuts have the time of their block instead of a feed (G93).
     pub inverse_time: bool,
 }
 
@@ -203,9 +203,9 @@ pub struct Tool {
     pub line: Option<u32>,
     /// How often it goes into the spindle.
     pub changes: u64,
-    /// Numbers of the length offsets that are in force with it.
+    /// Numbers of the length offsets that are active with it.
     pub length_offsets: Vec<u32>,
-    /// Numbers of the radius offsets that are in force with it.
+    /// Numbers of the radius offsets that are active with it.
     pub radius_offsets: Vec<u32>,
     /// Diameter by the tool table, or where that gives none by a comment of the program, mm.
     pub diameter_mm: Option<f64>,
@@ -280,7 +280,7 @@ pub struct AxisRange {
     /// The same of the cuts.
     pub cuts: Option<(f64, f64)>,
     /// Where the zero of this work offset may lie in machine coordinates, so that everything is
-    /// within the machine's travel, mm; told where the offset is not set.
+    /// within the machine's travel, mm; given where the offset is not set.
     pub zero_may_lie: Option<(f64, f64)>,
 }
 
@@ -322,7 +322,7 @@ pub enum StopKind {
     Probe,
 }
 
-/// Where an operator is wanted, or told something.
+/// Where an operator is needed, or gets a message.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stop {
     /// What it is.
@@ -333,7 +333,7 @@ pub struct Stop {
     pub file: Option<String>,
     /// The tool in the spindle.
     pub tool: u32,
-    /// The message, or the comment beside the stop.
+    /// The message, or the comment next to the stop.
     pub text: Option<String>,
     /// How often.
     pub times: u64,
@@ -353,7 +353,7 @@ pub struct Skipped {
 pub struct Called {
     /// Its number, where it has one.
     pub number: Option<u32>,
-    /// The comment behind its head.
+    /// The comment after its head.
     pub title: Option<String>,
     /// Its file, where it is not the program's.
     pub file: Option<String>,

@@ -1,4 +1,4 @@
-//! The report of a program: what a shop prints, mails and lays beside the machine.
+//! The report of a program: what a shop prints, mails and keeps at the machine.
 //!
 //! [`gather`] runs a program once and gathers a [`Document`]: plain data, millimetres, seconds and
 //! degrees. [`html`] makes one page of it that needs nothing else, in the program's own units, and

@@ -1,4 +1,4 @@
-//! What comparing, converting, parting and fitting a program of 250,000 lines takes beside running it. Ratios
+//! What comparing, converting, splitting and fitting a program of 250,000 lines takes in addition to running it. Ratios
 //! within one run are what counts.
 
 #![allow(missing_docs, reason = "a benchmark")]

@@ -1,7 +1,7 @@
 //! Programs written anew: for another control, or changed in place.
 //!
 //! The old text is run, the new one is written from what it does and from how it is written, and
-//! both are held against each other move by move. What comes out is the text, a list of
+//! both are compared with each other move by move. What comes out is the text, a list of
 //! [`Change`]s with their reasons, and a [`Certificate`] of how far the two are apart.
 //!
 //! ```

@@ -1,4 +1,4 @@
-//! The certificate: old and new held against each other.
+//! The certificate: old and new compared with each other.
 
 use chordal::Job;
 use chordal_compare::{
@@ -40,7 +40,7 @@ impl Certificate {
     }
 }
 
-/// Runs both and holds them against each other; differences of the categories `expected` are told
+/// Runs both and holds them against each other; differences of the categories `expected` are reported
 /// apart from the others.
 pub fn prove(old: &Job, new: &Job, options: &Options, expected: &[Category]) -> Certificate {
     prove_mapped(old, new, options, expected, &Mapping::default())

@@ -16,7 +16,7 @@ use chordal_editor::{Program, Setup};
 pub(crate) enum Form {
     /// A section `L100` before the main program, called by `L101`.
     Letter,
-    /// From an N number behind the main program, called by M97.
+    /// From an N number after the main program, called by M97.
     Label,
     /// A program with an O number, called by M98.
     Program,
@@ -131,7 +131,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// What M97 calls behind the end of a main program.
+    /// What M97 calls after the end of a main program.
     fn find_labels(&mut self, control: &Control) {
         let mut labels = BTreeMap::new();
         for at in 0..self.blocks.len() {
@@ -163,7 +163,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The first block of a program behind its head and the remarks there.
+    /// The first block of a program after its head and the remarks there.
     pub fn first_words(&self, main: &Range<usize>) -> usize {
         let is_head = |at: usize| {
             let block = &self.blocks[at];
@@ -174,17 +174,17 @@ impl<'a> Source<'a> {
         main.clone().find(|at| !is_head(*at)).unwrap_or(main.end)
     }
 
-    /// The first block that begins at a byte or behind it.
+    /// The first block that begins at a byte or after it.
     pub fn first_at(&self, offset: u32) -> usize {
         self.blocks.partition_point(|block| block.range.start < offset)
     }
 
-    /// The byte that a block begins at; behind the last one the end of the text.
+    /// The byte that a block begins at; after the last one the end of the text.
     pub fn start_of(&self, at: usize) -> u32 {
         self.blocks.get(at).map_or(self.text.len() as u32, |block| block.range.start)
     }
 
-    /// The byte behind a block and its line end.
+    /// The byte after a block and its line end.
     pub fn end_of(&self, at: usize) -> u32 {
         self.start_of(at + 1)
     }

@@ -151,7 +151,7 @@ fn neither_loops_nor_variables_are_parted() {
     let text = "%\nO1\nT1 M6\nG90 G54 G0 X0 Y0 S1000 M3\nG43 H1 Z1.\n#1=0\nWHILE [#1 LT 3] DO1\n\
                 G0 X[#1]\nG1 Z-.1 F5.\nG0 Z1.\n#1=#1+1\nEND1\nG0 X5.\nG1 Z-.1\nG0 Z1.\nM30\n%\n";
     let refused = split(&job(text, "haas-vf2"), By::Bytes(100)).unwrap_err();
-    assert!(refused.what.contains("there is no place to part the program"), "{refused}");
+    assert!(refused.what.contains("there is no point to split the program"), "{refused}");
     assert!(refused.what.contains("from line 1 to line 13"), "{refused}");
     let done = proved(text, "haas-vf2", By::Bytes(130));
     assert_eq!(done.parts.len(), 2);
@@ -167,7 +167,7 @@ fn what_is_not_said_again_is_not_parted() {
     assert!(done.parts[1].lines[0] > 16, "{:?}", done.parts);
 }
 
-/// Codes that are not carried out may be in force: nothing is parted behind them, and M codes are told.
+/// Codes that are not carried out may be active: nothing is split after them, and M codes are reported.
 #[test]
 fn behind_unknown_codes_nothing_is_parted() {
     let text = THREE_TOOLS.replace("(SLOTS)", "G68 X0 Y0 R30.");
@@ -177,10 +177,14 @@ fn behind_unknown_codes_nothing_is_parted() {
     let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
     assert!(done.certificate.holds() && done.parts.len() == 3);
     assert_eq!(done.notes.len(), 1);
-    assert!(done.notes[0].starts_with("M82 (line 16)"), "{:?}", done.notes);
+    assert!(
+        done.notes[0].starts_with("Chordal does not carry out M82 (line 16)"),
+        "{:?}",
+        done.notes
+    );
 }
 
-/// The parts end as the whole does, and a tool that cannot begin a part is told with the reason.
+/// The parts end as the whole does, and a tool that cannot begin a part is reported with the reason.
 #[test]
 fn what_holds_tools_together_is_told() {
     let text = THREE_TOOLS
@@ -191,7 +195,7 @@ fn what_holds_tools_together_is_told() {
     let done = split(&job(&text, "haas-vf2"), By::Tool).unwrap();
     assert!(done.certificate.holds());
     assert_eq!(done.parts.len(), 2);
-    assert_eq!(done.notes, ["not parted before line 17, across #500"]);
+    assert_eq!(done.notes, ["not split before line 17, inside #500"]);
     assert!(texts(&done)[0].contains("\nM02\n"), "{}", texts(&done)[0]);
 }
 

@@ -54,7 +54,7 @@ fn job(text: Vec<u8>, machine: &str) -> Job<'static> {
 }
 
 /// Each with how many of the programs must come out proved; the others are refused, or differ in a way
-/// that is told (a travel that is exceeded, a printed position, a clearance that a parameter holds).
+/// that is reported (a travel that is exceeded, a printed position, a clearance that a parameter holds).
 fn steps() -> Vec<(&'static str, Step, usize)> {
     let rotate = |degrees: f64| Step::Rotate { angle: degrees.to_radians(), about: [25.4, 12.7] };
     vec![
@@ -95,7 +95,7 @@ fn every_program_through_every_step() {
                 Ok(done) => {
                     differ += 1;
                     let is_told = !done.certificate.comparison.differences.is_empty()
-                        || done.notes.iter().any(|note| note.contains("nothing is proved"));
+                        || done.notes.iter().any(|note| note.contains("nothing can be proved"));
                     assert!(is_told, "{name} {path:?}");
                 }
                 Err(refusal) => {
@@ -264,7 +264,7 @@ fn nothing_held_against_nothing_is_no_proof() {
     let done =
         transform(&job(text.into(), "linuxcnc-mill"), &[Step::Shift([1.0, 0.0, 0.0])]).unwrap();
     assert!(!done.certificate.holds());
-    assert!(done.notes.iter().any(|note| note.contains("name X, Y and Z")), "{:?}", done.notes);
+    assert!(done.notes.iter().any(|note| note.contains("program X, Y and Z")), "{:?}", done.notes);
 }
 
 proptest! {

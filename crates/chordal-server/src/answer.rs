@@ -1,4 +1,4 @@
-//! What the page is told, as JSON.
+//! The data for the page, as JSON.
 
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;

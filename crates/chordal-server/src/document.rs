@@ -31,7 +31,9 @@ pub struct Form {
 
 /// Why a text cannot be written as its file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line} has the character `{character}`, which the file's 8-bit encoding lacks")]
+#[error(
+    "line {line} has the character `{character}`, which the file's 8-bit encoding does not have"
+)]
 pub struct Unwritable {
     /// From 1.
     pub line: usize,

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::SystemTime;
 
-/// What a file held, as far as it takes to tell whether it holds something else.
+/// What a file held, as far as it takes to decide whether it holds something else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Content {
     length: usize,
@@ -22,7 +22,7 @@ impl Content {
     }
 }
 
-/// What a look at a file costs nothing to tell.
+/// What a look at a file gives for nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stamp {
     length: u64,
@@ -37,7 +37,7 @@ impl Stamp {
     }
 }
 
-/// Writes a file beside and puts it in its place, with the permissions of the one before. A link
+/// Writes a file next to it and puts it in its place, with the permissions of the one before. A link
 /// stays a link.
 ///
 /// # Errors

@@ -31,7 +31,7 @@ impl Token {
         &self.0
     }
 
-    /// Whether it is this one; how long that takes does not tell how much of it is right.
+    /// Whether it is this one; how long that takes does not say how much of it is right.
     pub fn is(&self, given: &str) -> bool {
         self.0.as_bytes().ct_eq(given.as_bytes()).into()
     }

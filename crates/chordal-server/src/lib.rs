@@ -62,7 +62,7 @@ pub enum ServeError {
         error: io::Error,
     },
     /// The system gives no random numbers.
-    #[error("the system gives no random numbers for the address: {0}")]
+    #[error("the system gave no random numbers for the address: {0}")]
     Random(getrandom::Error),
     /// The server broke off.
     #[error("the server ended: {0}")]

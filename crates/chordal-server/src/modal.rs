@@ -1,4 +1,4 @@
-//! What is in force, piece of path by piece of path.
+//! What is active, piece of path by piece of path.
 
 use chordal::control::{
     Command, CommandKind, Control, Coolant, FeedMode, Overrides, PathMode, Side, SpindleState,
@@ -9,13 +9,13 @@ use chordal::path::Frame;
 use chordal::{PathCommand, Segment};
 use serde_json::{Value, json};
 
-/// Changes that are kept; a program with more is told as its last kept one.
+/// Changes that are kept; a program with more is reported as its last kept one.
 const MOST: usize = 500_000;
 
 /// A shift below this is rounding, mm.
 const SAME_MM: f64 = 1e-9;
 
-/// What a control remembers from block to block, as far as its commands tell.
+/// What a control remembers from block to block, as far as its commands show.
 #[derive(Clone, Debug, PartialEq)]
 struct Modal {
     units: Units,
@@ -49,7 +49,7 @@ struct Mark {
     modal: Modal,
 }
 
-/// Notes what is in force while commands go by.
+/// Notes what is active while commands go by.
 #[derive(Clone, Debug)]
 pub struct ModalTrack {
     now: Modal,
@@ -103,7 +103,7 @@ impl ModalTrack {
         }
     }
 
-    /// A move tells where the program's zero is in the frame of the run.
+    /// A move says where the program's zero is in the frame of the run.
     fn motion(&mut self, command: &Command, segments: &[Segment]) -> bool {
         let cuts = command.kind.feed().is_some();
         if cuts && self.base.is_none() {
@@ -176,7 +176,7 @@ impl ModalTrack {
         json!({ "zeros": zeros.collect::<Vec<_>>(), "machine": base })
     }
 
-    /// What is in force once so many pieces of path are done, and beyond that on the blocks up to
+    /// What is active once so many pieces of path are done, and beyond that on the blocks up to
     /// a line that move nothing.
     pub fn at(&self, done: u32, line: u32) -> Value {
         let reached = self.marks.partition_point(|mark| mark.after < done);

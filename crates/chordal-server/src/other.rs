@@ -1,4 +1,4 @@
-//! The other program, which the shown one is held against: its path beside, and what differs.
+//! The other program, which the shown one is compared with: its path, and the differences.
 
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ struct Shown {
     rows: u64,
 }
 
-/// Shows the other program, and tells what differs.
+/// Shows the other program, and says what differs.
 pub struct Comparing {
     programs: Arc<dyn Programs>,
     out: Outbox,
@@ -54,7 +54,7 @@ impl Comparing {
         Comparing { programs, out, shown: None, version: 0 }
     }
 
-    /// The program that is shown beside.
+    /// The other program that is shown.
     pub fn program(&self) -> Option<Arc<Program>> {
         self.shown.as_ref().map(|shown| shown.program.clone())
     }
@@ -101,7 +101,7 @@ impl Comparing {
                 "run": ran.number,
                 "version": shown.version,
                 "message": format!(
-                    "the two have {moves} moves, more than the {MOST_MOVES} that are compared here; \
+                    "the two programs have {moves} moves; at most {MOST_MOVES} are compared here; \
                      `chordal compare` has no such limit"
                 ),
             }));
@@ -259,7 +259,7 @@ fn place(at: Place) -> Value {
 
 /// Lines of the other program around one, to be read.
 pub fn text_around(program: &Program, file: u32, line: u32) -> Value {
-    /// Lines before and behind that are sent.
+    /// Lines before and after that are sent.
     const BESIDE: usize = 2_000;
     /// Bytes that are sent.
     const MOST_TEXT: usize = 1 << 20;

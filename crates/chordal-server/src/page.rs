@@ -38,7 +38,7 @@ pub struct Site {
     room: Arc<Semaphore>,
 }
 
-/// The routes behind their guard.
+/// The routes after their guard.
 pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>) -> Router {
     let room = Arc::new(Semaphore::new(MOST_PAGES));
     let site = Site { token, hosts: Hosts::of(port), programs, room };

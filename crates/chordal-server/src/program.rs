@@ -24,7 +24,7 @@ pub struct MachineChoice {
     pub title: String,
 }
 
-/// What the command line says that a program is held against.
+/// What the command line says that a program is compared with.
 pub struct Against {
     /// Finds the other program; its machine is the one that it takes by itself.
     pub programs: Arc<dyn Programs>,
@@ -58,7 +58,7 @@ pub trait Programs: Send + Sync + 'static {
     /// The machines that [`Programs::open`] knows.
     fn machines(&self) -> Vec<MachineChoice>;
 
-    /// What the program is held against, where the command line says it.
+    /// What the program is compared with, where the command line says it.
     fn against(&self) -> Option<&Against> {
         None
     }

@@ -14,7 +14,7 @@ pub struct Change {
     pub insert: String,
 }
 
-/// What the program is held against.
+/// What the program is compared with.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Other {
@@ -53,7 +53,7 @@ pub enum Ask {
         /// As `chordal machines` lists it.
         name: Option<String>,
     },
-    /// What the program is held against.
+    /// What the program is compared with.
     Against {
         /// Nothing, what the command line names, or the same text on another machine.
         other: Other,
@@ -79,7 +79,7 @@ pub enum Ask {
         #[serde(default)]
         balanced: bool,
     },
-    /// What is in force once so many pieces of path are done and a line is reached.
+    /// What is active once so many pieces of path are done and a line is reached.
     State {
         /// Pieces of path that are done.
         done: u32,

@@ -20,7 +20,7 @@ use crate::wanted::Wanted;
 pub struct Ran {
     /// What was run.
     pub program: Arc<Program>,
-    /// What was in force where.
+    /// What was active where.
     pub modal: ModalTrack,
     /// Its number.
     pub number: u64,
@@ -28,7 +28,7 @@ pub struct Ran {
     pub rows: u64,
 }
 
-/// Runs a job and sends its path; gives what else the page is to be told, and how long it takes without
+/// Runs a job and sends its path; gives what else the page is to be reported, and how long it takes without
 /// acceleration, s; `None` when nobody wants it any more.
 pub fn run(
     number: u64,

@@ -66,12 +66,12 @@ struct Held {
     /// What the file held when it was last read or written.
     on_disk: Content,
     machine: Option<String>,
-    /// What was opened last, which tells the machine.
+    /// What was opened last; it decides the machine.
     opened: Option<Arc<Program>>,
     /// The text as an editor asks of it, until it changes.
     words: Option<Arc<Program>>,
     ran: Option<Arc<Ran>>,
-    /// What the program is held against.
+    /// What the program is compared with.
     other: Other,
     /// What the two paths may be apart, mm.
     tolerance_mm: f64,
@@ -80,7 +80,7 @@ struct Held {
 }
 
 impl Held {
-    /// Runs on another machine, and is held against the one before unless the command line names what to hold
+    /// Runs on another machine, and is compared with the one before unless the command line names what to hold
     /// it against.
     fn run_on(&mut self, machine: Option<String>) {
         let before = std::mem::replace(&mut self.machine, machine);
@@ -196,7 +196,7 @@ impl Shared {
 
     fn answer_words(&self, id: u64, tell: impl FnOnce(&Program) -> Value) {
         let Some(program) = self.words() else {
-            return self.out.refuse(id, "nothing has been run yet", None);
+            return self.out.refuse(id, "no program has run yet", None);
         };
         let mut told = tell(&program);
         told["id"] = json!(id);
@@ -305,7 +305,7 @@ impl Shared {
         let _ = comparisons.send(number);
     }
 
-    /// Another program, or none, is to be shown beside.
+    /// Another program, or none, is to be shown, too.
     fn against(&self, id: u64, other: Other, queues: &Queues) {
         if other == Other::Named && self.programs.against().is_none() {
             let help = Some("start `chordal view` with --against to name one");
@@ -317,7 +317,7 @@ impl Shared {
 
     fn tolerance(&self, id: u64, tolerance_mm: f64, queues: &Queues) {
         if !(tolerance_mm >= 0.0 && tolerance_mm.is_finite()) {
-            let message = format!("{tolerance_mm} mm is no tolerance");
+            let message = format!("{tolerance_mm} mm is not a tolerance");
             return self.out.refuse(id, &message, Some("give a length of zero or more"));
         }
         self.held().tolerance_mm = tolerance_mm;
@@ -399,7 +399,7 @@ impl Shared {
                 return self.out.refuse(
                     id,
                     &error.to_string(),
-                    Some("take that character out, then save"),
+                    Some("remove that character, then save"),
                 );
             }
         };
@@ -415,14 +415,14 @@ impl Shared {
             }
             Err(error) => {
                 let message = format!("cannot write {}: {error}", path.display());
-                self.out.refuse(id, &message, Some("the file is as it was"));
+                self.out.refuse(id, &message, Some("the file was not changed"));
             }
         }
     }
 
     fn chords(&self, id: u64, tolerance_mm: f64, balanced: bool) {
         let Some(ran) = self.held().ran.clone() else {
-            return self.out.refuse(id, "nothing has been run yet", None);
+            return self.out.refuse(id, "no program has run yet", None);
         };
         match chords::chords(&ran.program.job(), tolerance_mm, balanced) {
             Ok(frame) => self.out.binary(frame),
@@ -466,7 +466,7 @@ impl Shared {
         }
     }
 
-    /// Runs and tells; the time without acceleration where the run was not given up, s.
+    /// Runs and reports; the time without acceleration where the run was not given up, s.
     fn run_one(&self, number: u64, program: &Arc<Program>, wanted: &Wanted) -> Option<f64> {
         let job = program.job().interrupt(wanted.interrupt());
         self.out.json(&json!({
@@ -476,7 +476,7 @@ impl Shared {
             "why": program.setup().why,
         }));
         let (ran, told, about_s) = run(number, program, &job, &self.out, wanted)?;
-        // Whoever is told of the run may ask about it.
+        // Whoever knows of the run may ask about it.
         self.held().ran = Some(Arc::new(ran));
         self.out.json(&told);
         Some(about_s)
@@ -492,7 +492,7 @@ impl Shared {
                 (held.ran.clone(), held.other.clone(), held.tolerance_mm)
             };
             let is_something = other != Other::Nothing;
-            // What the page may ask of a program is there before the page is told of it.
+            // What the page may ask of a program is there before the page hears of it.
             match ran.filter(|_| wanted.is_wanted()) {
                 Some(ran) if is_something => {
                     comparing.show(&ran, &other, &wanted);
@@ -528,7 +528,7 @@ impl Shared {
         }
     }
 
-    /// Tells when the file holds something else than was read or written last, and compares anew when the
+    /// Says when the file holds something else than was read or written last, and compares anew when the
     /// other one does.
     fn watch(&self, comparisons: &Sender<u64>) {
         let path = self.programs.path();

@@ -18,7 +18,7 @@ pub const MOST_ROWS: u32 = 8_000_000;
 
 /// Sends the rows of a path.
 pub struct PathStream<'m> {
-    /// What each batch says beside its rows.
+    /// What each batch says in addition to its rows.
     header: Value,
     out: &'m Outbox,
     wanted: &'m Wanted,

@@ -156,7 +156,7 @@ struct Setpoints<'m> {
 
 impl Setpoints<'_> {
     /// The piece of path of a move: the next of its block and kind. Pieces that are no move, since
-    /// they have no length or no feed, are passed over.
+    /// they have no length or no feed, are skipped.
     fn row_of(&mut self, source: &StepSource) -> u32 {
         let StepKind::Move(kind) = source.kind else {
             return self.steps.back().map_or(0, |held| held.row);

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 /// Entries of an outline that are sent.
 const MOST_ENTRIES: usize = 2_000;
 
-/// Bytes of a text beside that are sent to be shown: subprograms are short.
+/// Bytes of another text that are sent to be shown: subprograms are short.
 const MOST_TEXT: usize = 1 << 20;
 
 /// The words of the lines from `from` up to, not including, `to`: four numbers each, which are
@@ -39,7 +39,7 @@ pub fn hover(program: &Program, line: u32, column: u32) -> Value {
 }
 
 /// Where the program, the label or the variable that stands at a line and a column is made; null
-/// where nothing makes it. One that is made in a text beside comes with that text.
+/// where nothing makes it. One that is made in another text comes with that text.
 pub fn definition(program: &Program, line: u32, column: u32) -> Value {
     let name = program.name_at(byte_of(program.source(), line, column));
     let made = name.and_then(|found| program.definitions(&found.name).into_iter().next());

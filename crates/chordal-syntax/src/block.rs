@@ -4,7 +4,7 @@ use chordal_diagnostics::{Diagnostic, TextRange};
 
 use crate::Decimal;
 
-/// What stands behind an address letter.
+/// What stands after an address letter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Value {
     /// A literal.
@@ -115,7 +115,7 @@ pub enum BlockKind {
     /// Words, comments, or both.
     #[default]
     Words,
-    /// `%`, with whatever stands behind it.
+    /// `%`, with whatever stands after it.
     Percent,
     /// A folder line of a memory dump (`&F=/USER/`).
     Folder,
@@ -149,7 +149,7 @@ pub struct Block {
     pub comments: Vec<TextRange>,
     /// A word's value is an expression.
     pub expressions: bool,
-    /// There are words behind a comma (`,R1.`), which are not among its letters.
+    /// There are words after a comma (`,R1.`), which are not among its letters.
     pub commas: bool,
     /// What could not be read.
     pub problems: Vec<Diagnostic>,

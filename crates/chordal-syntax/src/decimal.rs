@@ -10,7 +10,7 @@ use std::fmt;
 pub struct Decimal {
     /// The digits without the point, with the sign.
     pub mantissa: i64,
-    /// Digits behind the point.
+    /// Digits after the point.
     pub scale: u8,
     /// A point was written.
     pub has_point: bool,
@@ -96,7 +96,7 @@ impl Decimal {
     }
 
     /// The number with only so many decimals, cut and rounded (half away from zero); `None` where nothing
-    /// but zeros stand behind them.
+    /// but zeros stand after them.
     pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
         let power = *WHOLE_POWERS.get(usize::from(self.scale.checked_sub(decimals)?))?;
         let (whole, rest) = (self.mantissa / power, self.mantissa % power);
@@ -132,7 +132,7 @@ pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
 /// Bytes that [`scan_short`] looks at.
 pub(crate) const SHORT: usize = 16;
 
-/// Numbers that end within eight bytes behind the sign, point and all: nearly every number
+/// Numbers that end within eight bytes after the sign, point and all: nearly every number
 /// of a program. The eight bytes are taken at once and the point is squeezed out from
 /// between the digits. `None` sends the caller to [`scan`].
 #[inline]

@@ -25,7 +25,7 @@ pub struct Decoded<'a> {
     pub binary: bool,
 }
 
-/// How much of a file is looked at to tell what it is.
+/// How much of a file is looked at to decide what it is.
 const SAMPLE: usize = 64 * 1024;
 
 /// Finds out how a file is written. Content decides, not the name.

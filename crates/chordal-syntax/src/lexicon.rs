@@ -34,7 +34,7 @@ pub struct Lexicon {
     pub registers: bool,
     /// A line that begins with `#` is a macro line.
     pub macro_lines: bool,
-    /// Blanks inside a number are passed over (`X1 2.5` is 12.5).
+    /// Blanks inside a number are skipped (`X1 2.5` is 12.5).
     pub blanks_in_numbers: bool,
     /// `O` words may be flow control (`o100 sub`), not only program heads.
     pub o_words: bool,

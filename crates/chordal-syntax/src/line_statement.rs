@@ -1,4 +1,4 @@
-//! Statements of macro lines (Fadal): one statement a line behind `#`, in the manner of BASIC.
+//! Statements of macro lines (Fadal): one statement a line after `#`, in the manner of BASIC.
 
 use chordal_diagnostics::{Code, TextRange};
 
@@ -26,7 +26,7 @@ pub enum LineStatement {
         /// The value.
         value: Expression,
     },
-    /// `IF … THEN`; the statement behind it stays to be read.
+    /// `IF … THEN`; the statement after it stays to be read.
     If(Expression),
     /// `GOTO :LABEL`.
     GotoLabel(TextRange),
@@ -51,11 +51,11 @@ pub enum LineStatement {
     SetRadians(bool),
     /// `SET RND3`.
     SetPlaces(Expression),
-    /// Something that is no statement; told as a problem.
+    /// Something that is not a statement; reported as a problem.
     Unknown(TextRange),
 }
 
-/// Reads the next statement of a line, behind `#` or THEN. Problems are left in the parser.
+/// Reads the next statement of a line, after `#` or THEN. Problems are left in the parser.
 pub fn parse_line_statement(parser: &mut ExpressionParser<'_>) -> LineStatement {
     let mark = parser.next_mark();
     let start = parser.position();
@@ -71,7 +71,7 @@ pub fn parse_line_statement(parser: &mut ExpressionParser<'_>) -> LineStatement 
     if !matches!(rest, b'\'' | b'\n' | b'\r' | b';') && parser.problems.is_empty() {
         let range = TextRange::new(parser.position(), parser.end as u32);
         parser.problem(Code::BadStatement, range, |d| {
-            d.label("nothing is due here").help("a macro line holds one statement")
+            d.label("nothing may come here").help("a macro line holds one statement")
         });
     }
     parser.at = parser.end;
@@ -84,7 +84,7 @@ fn keyword(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {
         if parser.take_text("THEN") {
             return LineStatement::If(condition);
         }
-        return unknown(parser, start, "THEN and a statement are due: `#IF V1>2 THEN V1=0`");
+        return unknown(parser, start, "THEN and a statement are missing: `#IF V1>2 THEN V1=0`");
     }
     if parser.take_text("GOTO") {
         if parser.next_mark() == b':' {
@@ -126,7 +126,7 @@ fn label(parser: &mut ExpressionParser<'_>) -> TextRange {
     let range = TextRange::new(start as u32, parser.at as u32);
     if range.is_empty() {
         parser.problem(Code::BadStatement, range, |d| {
-            d.label("a label is due here").help("write letters and digits: `:END`")
+            d.label("a label is missing here").help("write letters and digits: `:END`")
         });
     }
     range
@@ -146,7 +146,7 @@ fn assignment(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {
         return unknown(parser, start, HELP);
     };
     if !parser.take(b'=') {
-        return unknown(parser, start, "`=` and a value are due behind the variable");
+        return unknown(parser, start, "`=` and a value are missing after the variable");
     }
     LineStatement::Assign { target, value: parser.expression() }
 }
@@ -227,7 +227,7 @@ fn set(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {
     } else if parser.take_text("RND") {
         LineStatement::SetPlaces(parser.expression())
     } else {
-        unknown(parser, start, "SET takes RADIANS, DEGREES or RND and a number of places")
+        unknown(parser, start, "SET takes RADIANS, DEGREES, or RND with a number of decimals")
     }
 }
 

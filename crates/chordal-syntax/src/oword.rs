@@ -13,7 +13,7 @@ pub enum OLabel {
     Computed(Expression),
 }
 
-/// The word behind the label.
+/// The word after the label.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 #[allow(missing_docs, reason = "the names are the words themselves")]
 pub enum FlowWord {
@@ -58,7 +58,7 @@ const WORDS: [(&str, FlowWord); 15] = [
 pub struct OWord {
     /// The label.
     pub label: OLabel,
-    /// The word; `None` where there is no such word, which is told.
+    /// The word; `None` where there is no such word, which is reported.
     pub word: Option<FlowWord>,
     /// Label and word.
     pub range: TextRange,
@@ -77,8 +77,8 @@ pub fn parse_o_word(parser: &mut ExpressionParser<'_>) -> OWord {
         parser.at = parser.end;
         let range = TextRange::new(word_at, parser.position());
         parser.problem(Code::BadStatement, range, |d| {
-            d.label("no word of flow control").help(
-                "behind an O word stands sub, endsub, call, return, if, elseif, else, endif, \
+            d.label("not a flow control word").help(
+                "after an O word comes sub, endsub, call, return, if, elseif, else, endif, \
                  while, endwhile, do, repeat, endrepeat, break or continue",
             )
         });

@@ -8,7 +8,7 @@ use crate::reader::Position;
 /// A program of a file: its head and the text up to the next head.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramHead {
-    /// The number behind `O` or `:`; `None` for text before the first head.
+    /// The number after `O` or `:`; `None` for text before the first head.
     pub number: Option<u32>,
     /// The head's own words.
     pub head: TextRange,

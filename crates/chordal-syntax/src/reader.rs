@@ -1,4 +1,4 @@
-//! Reads blocks; `macros` finds the ends of expressions and statements, `problems` tells what is
+//! Reads blocks; `macros` finds the ends of expressions and statements, `problems` says what is
 //! no word, `remark` finds prose.
 
 mod macros;
@@ -33,7 +33,7 @@ pub struct BlockReader<'a> {
     special: Letters,
 }
 
-/// How many unreadable places of one block are told; a megabyte of garbage on one line is
+/// How many unreadable places of one block are reported; a megabyte of garbage on one line is
 /// one problem, not a million.
 const PROBLEMS_PER_BLOCK: usize = 8;
 
@@ -67,7 +67,7 @@ const CLASSES: [Class; 256] = {
     table
 };
 
-/// Bytes right behind a number that mean it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
+/// Bytes right after a number that mean it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
 const STRANGE_BEHIND_NUMBER: [bool; 256] = {
     let mut table = [false; 256];
     let strange = b".Oo[#";
@@ -281,13 +281,13 @@ impl<'a> BlockReader<'a> {
         self.at = start + length + 1;
         self.problem(block, || {
             let inner = Span::new(self.file, inner as u32, inner as u32 + 1);
-            Diagnostic::new(Code::NestedComment, inner, "a comment stands in this comment")
-                .label("opened again here")
+            Diagnostic::new(Code::NestedComment, inner, "there is a comment inside this comment")
+                .label("the inner comment begins here")
                 .also(
                     Span::new(self.file, close - 1, close),
                     "the control takes this for the end of the comment",
                 )
-                .help("write brackets in place of the inner parentheses: `[` and `]`")
+                .help("write the brackets `[` and `]` instead of the inner parentheses")
         });
     }
 
@@ -397,7 +397,7 @@ impl<'a> BlockReader<'a> {
         0
     }
 
-    /// Digits behind blanks belong to the number where the lexicon says so.
+    /// Digits after blanks belong to the number where the lexicon says so.
     #[cold]
     fn more_digits(&mut self, number: Decimal) -> Value {
         let line = &self.text[self.at..self.end];
@@ -424,7 +424,7 @@ impl<'a> BlockReader<'a> {
         }
     }
 
-    /// Everything behind a letter that is not a plain number. `None` when the line turned
+    /// Everything after a letter that is not a plain number. `None` when the line turned
     /// out to be a macro statement.
     #[cold]
     fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<Value> {
@@ -486,8 +486,8 @@ impl<'a> BlockReader<'a> {
             let span = Span::new(self.file, start as u32, start as u32 + 1);
             let name = letter as char;
             Diagnostic::new(Code::MissingValue, span, format!("`{name}` has no number"))
-                .label("a number is due behind this letter")
-                .help(format!("write the number, or take the `{name}` out"))
+                .label("this letter needs a number")
+                .help(format!("write the number, or remove the `{name}`"))
         });
         Some(Value::Missing)
     }

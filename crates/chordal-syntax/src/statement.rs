@@ -73,11 +73,11 @@ pub enum Statement {
     End(u32),
     /// POPEN, PCLOS, DPRNT, BPRNT.
     Output(Output),
-    /// Something that is not a statement of this control; told as a problem.
+    /// Something that is not a statement of this control; reported as a problem.
     Unknown(TextRange),
 }
 
-/// Reads the next statement of a macro B line; what is behind it stays to be read
+/// Reads the next statement of a macro B line; what comes after it stays to be read
 /// ([`ExpressionParser::rest`]). Problems are left in the parser.
 pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
     let mark = parser.next_mark();
@@ -102,7 +102,7 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
         return Statement::Goto(parser.expression());
     }
     if parser.take_text("ENDIF") || parser.take_text("ELSE") || parser.take_text("THEN") {
-        return unknown(parser, start, "there is no IF block of several lines here");
+        return unknown(parser, start, "this control has no IF block over several lines");
     }
     if parser.take_text("END") {
         return match loop_number(parser) {
@@ -125,7 +125,7 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
     if parser.take_text("BPRNT") {
         return output(parser, start, Output::Binary);
     }
-    unknown(parser, start, "no macro statement of this control begins so")
+    unknown(parser, start, "no macro statement of this control begins like this")
 }
 
 fn assignment(parser: &mut ExpressionParser<'_>) -> Statement {
@@ -134,14 +134,14 @@ fn assignment(parser: &mut ExpressionParser<'_>) -> Statement {
     let range = index.range;
     let Some(kind) = kind else { return unknown_quietly(parser, start) };
     if !parser.take(b'=') {
-        return unknown(parser, start, "a variable alone does nothing: `=` and a value are due");
+        return unknown(parser, start, "a variable alone does nothing: write `=` and a value");
     }
     let value = parser.expression();
     let text = hugging_text(parser);
     Statement::Assign { target: Target { index, kind, range }, value, text }
 }
 
-/// The comment right behind the value.
+/// The comment right after the value.
 fn hugging_text(parser: &mut ExpressionParser<'_>) -> Option<TextRange> {
     if parser.next_mark() != b'(' {
         return None;
@@ -172,7 +172,7 @@ fn condition(parser: &mut ExpressionParser<'_>) -> Statement {
     let (at, end) = (parser.position(), parser.end as u32);
     parser.at = parser.end;
     parser.problem(Code::BadStatement, TextRange::new(at, end.max(at)), |d| {
-        d.label("GOTO or THEN is due here").help("write `IF[…]GOTO 10`, or `IF[…]THEN #1=2`")
+        d.label("GOTO or THEN is missing here").help("write `IF[…]GOTO 10`, or `IF[…]THEN #1=2`")
     });
     Statement::Unknown(TextRange::new(start, end))
 }
@@ -185,7 +185,7 @@ fn while_loop(parser: &mut ExpressionParser<'_>) -> Statement {
     let condition = parser.value();
     let at = parser.position();
     if !parser.take_text("DO") {
-        return unknown(parser, at, "DO and a number are due here: `WHILE[#1LT5]DO1`");
+        return unknown(parser, at, "DO and a number are missing here: `WHILE[#1LT5]DO1`");
     }
     do_number(parser, Some(condition), at)
 }
@@ -215,7 +215,7 @@ fn loop_number(parser: &mut ExpressionParser<'_>) -> Option<u32> {
 }
 
 fn bad_loop_number(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
-    unknown(parser, start, "DO and END take a number without a leading zero: `DO1`, `END1`")
+    unknown(parser, start, "DO and END need a number without a leading zero: `DO1`, `END1`")
 }
 
 fn output(
@@ -256,7 +256,7 @@ fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> Statemen
     Statement::Unknown(range)
 }
 
-/// The same where the problem is told already.
+/// The same where the problem is reported already.
 fn unknown_quietly(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
     if parser.problems.is_empty() {
         return unknown(parser, start, "a macro statement is an assignment, IF, WHILE, GOTO, END");

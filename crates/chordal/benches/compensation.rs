@@ -1,5 +1,5 @@
 //! How fast a compensated contour runs: interpreted alone, with the path of the tool centre, and
-//! with the whole contour held against that path. Ratios within one run are what counts.
+//! with the whole contour compared with that path. Ratios within one run are what counts.
 
 #![allow(missing_docs, reason = "a benchmark")]
 

@@ -45,7 +45,7 @@ pub struct OffsetLimit {
 pub struct ControlLimit {
     /// The largest offset without an alarm, mm.
     pub radius_mm: f64,
-    /// The alarm beyond, as it would be told.
+    /// The alarm beyond, as it would be reported.
     pub alarm: Diagnostic,
 }
 
@@ -121,7 +121,7 @@ impl Job<'_> {
     }
 }
 
-/// The commands from G41 or G42 to the move behind G40.
+/// The commands from G41 or G42 to the move after G40.
 #[derive(Debug)]
 struct Recorded {
     commands: Vec<Command>,

@@ -91,7 +91,7 @@ impl PathSink for Sides<'_> {
     }
 }
 
-/// The sink behind, and the diagnostics of compensation that wait for their calls.
+/// The next sink, and the diagnostics of compensation that wait for their calls.
 pub(crate) struct Told<'a, S> {
     pub inner: S,
     sources: &'a SourceMap<'a>,
@@ -106,7 +106,7 @@ impl<'a, S: PathSink> Compensated<'a, S> {
         Compensated::run_with(job, None, None, sink)
     }
 
-    /// The same, and tells where the tool would cut into a contour.
+    /// The same, and says where the tool would cut into a contour.
     pub fn judge(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
         Compensated::run_with(job, None, Some(ContourCheck::default()), sink)
     }
@@ -201,7 +201,7 @@ impl<S: PathSink> Sink for Compensated<'_, S> {
 impl<S: PathSink> RunSink for Compensated<'_, S> {}
 
 impl<S: PathSink> Told<'_, S> {
-    /// Lets the check of contours see something, and tells what it finds.
+    /// Lets the check of contours see something, and says what it finds.
     fn judge(&mut self, see: impl FnOnce(&mut ContourCheck, &mut dyn FnMut(Diagnostic, &Origin))) {
         if let Some(mut contours) = self.contours.take() {
             see(&mut contours, &mut |diagnostic, origin| self.diagnostic(diagnostic, origin));

@@ -14,7 +14,7 @@ use chordal_syntax::ProgramHead;
 #[derive(Debug, thiserror::Error)]
 pub enum JobError {
     /// Settings of the machine that its control does not have.
-    #[error("{} settings of the machine are not known to its control", .0.len())]
+    #[error("the control does not know {} settings of the machine", .0.len())]
     Settings(Vec<SettingError>),
 }
 
@@ -63,7 +63,7 @@ enum Chosen {
     Place(usize),
 }
 
-/// A program of the first text, as [`Job::programs`] tells it.
+/// A program of the first text, as [`Job::programs`] says it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TextProgram {
     /// Its head and its range in the text.

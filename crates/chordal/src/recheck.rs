@@ -87,7 +87,7 @@ struct Start {
 struct Findings {
     kept: Vec<Diagnostic>,
     places: BTreeMap<Code, BTreeSet<Span>>,
-    /// How often problems were told that are not kept.
+    /// How often problems were reported that are not kept.
     more: BTreeMap<(Code, Severity, Span), u64>,
 }
 
@@ -170,7 +170,7 @@ impl Stretch {
         self.looked.is_none_or(|looked| shift.leaves(looked))
     }
 
-    /// Whether it tells the numbers of lines, which may have moved.
+    /// Whether it names numbers of lines, which may have moved.
     fn tells_lines(&self) -> bool {
         let waiting = self.waiting.iter().map(|(diagnostic, _)| diagnostic);
         self.findings.kept.iter().chain(waiting).any(|diagnostic| {
@@ -298,7 +298,7 @@ impl Run {
         Some(self)
     }
 
-    /// What a whole run tells.
+    /// What a whole run reports.
     fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
         job.duplicates(language.library()).for_each(|diagnostic| collector.push(diagnostic));

@@ -12,7 +12,7 @@ use crate::summary::{Summary, SummaryBuilder};
 /// How many diagnostics of one code are kept.
 pub(crate) const KEPT_PER_CODE: usize = 200;
 
-/// What a run tells beside its commands.
+/// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Numbers for people.
@@ -20,7 +20,7 @@ pub struct Report {
     /// Problems by place: file, then line, as an editor lists them; those of one place in the
     /// order of the run.
     pub diagnostics: Vec<Diagnostic>,
-    /// Problems that were told but not kept, by code.
+    /// Problems that were reported but not kept, by code.
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
     pub counts: Counts,

@@ -190,7 +190,7 @@ impl SummaryBuilder {
         }
     }
 
-    /// The line of the command in the first text; a subprogram beside it has lines of its
+    /// The line of the command in the first text; a subprogram in another file has lines of its
     /// own, which would only confuse.
     fn main_line(&self, command: &Command) -> Option<u32> {
         let origin = command.origin;

@@ -14,7 +14,7 @@ use chordal::{
 use proptest::prelude::*;
 
 /// A closed contour: vertices, each with the bulge (tangent of a quarter of the sweep) of the
-/// edge behind it; the first edge is straight.
+/// edge after it; the first edge is straight.
 #[derive(Clone, Debug)]
 struct Contour {
     vertices: Vec<(Vec2, f64)>,

@@ -6,7 +6,7 @@
 use chordal::control::{CommandKind, SpindleState};
 use chordal::{Job, Machine, Severity, Source, SourceMap};
 
-/// A cycle: its code, its words beside place, depth and R, and its steps.
+/// A cycle: its code, its words other than position, depth and R, and its steps.
 ///
 /// `@` goes to the place; `r` and `f` go to a level (`I`, `R`, `Z`, `c` for the level of the
 /// return, or a number) at rapid and at feed; `D` waits; `off`, `cw`, `ccw`, `oriented` are of

@@ -32,7 +32,7 @@ struct Change {
     letter: char,
     text: String,
     zero: bool,
-    /// Axes that words of the block name beside the changed one.
+    /// Axes that other words of the block name, besides the changed one.
     left: Vec<usize>,
     /// Centre, radius or count words are left.
     arc_left: bool,

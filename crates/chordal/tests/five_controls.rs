@@ -92,7 +92,7 @@ fn an_arc_direction_that_stays_armed() {
 
 #[test]
 fn a_block_without_a_centre_after_an_arc() {
-    // G2 stays in force, except on a Fadal, where such a block is a straight cut.
+    // G2 stays active, except on a Fadal, where such a block is a straight cut.
     let error = "line X5, CH405";
     five("G2 X0. Y0. I5.", "X5.", ["line X5", error, error, error, error]);
 }
@@ -264,7 +264,7 @@ fn a_call_of_a_letter_l() {
 
 #[test]
 fn a_centre_outside_the_plane() {
-    // A height word of spirals is passed over where a control knows them, and said to be; a zero, as posts
+    // A height word of spirals is skipped where a control knows them, and said to be; a zero, as posts
     // write it, says nothing where the control does not refuse it.
     five("", "G2 X10. I5. K1.", ["arc -180 deg X10, CH404"; 5]);
     let (refused, taken) = ("arc -180 deg X10, CH404", "arc -180 deg X10");

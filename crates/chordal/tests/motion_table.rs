@@ -1,4 +1,4 @@
-//! The motion table: eleven programs, from their text to samples, beside what LinuxCNC takes for
+//! The motion table: eleven programs, from their text to samples, next to what LinuxCNC takes for
 //! them. `cargo test -p chordal --test motion_table -- --nocapture` prints the rows of
 //! docs/motion.md.
 
@@ -170,7 +170,7 @@ fn check(row: &Row) {
     let (machine, limits) = machine();
     let fast = Planned::new(row, &machine, Level::Fast);
     let (jerk, deviation) = held(row, &fast, &limits);
-    // The reference of the long rows takes a minute: they are held against the bound, which is
+    // The reference of the long rows takes a minute: they are compared with the bound, which is
     // below it.
     let no_work = Effort { total_nodes: 0, ..Effort::default() };
     let effort = if row.best { Effort::default() } else { no_work };

@@ -1,4 +1,4 @@
-//! A check taken up behind a change answers as a whole check does: random edits of the programs of
+//! A check taken up after a change answers as a whole check does: random edits of the programs of
 //! the suite, of the examples, and of programs made here, one change after the other.
 
 #![allow(clippy::disallowed_methods, reason = "reads the programs of the repository")]

@@ -135,7 +135,7 @@ fn a_second_method_agrees() {
         for distance in distances {
             (least, most) = (least.min(distance), most.max(distance));
         }
-        // Behind an alarm the control would not move; what is shown there need not touch.
+        // After an alarm the control would not move; what is shown there need not touch.
         let touches = most <= radius + 1e-6;
         assert!(alarmed || touches, "seed {seed}: the path leaves the contour by {most}");
         let theirs = polyline(&chain).parallel_offset(side.sign() * radius);

@@ -107,7 +107,7 @@ fn blocks_of_the_shop_run_as_a_subprogram() {
     let unused = report.diagnostics.iter().find(|problem| problem.code == Code::UnusedWord);
     let problem = unused.expect("Q beside G1");
     let name = |file| job.sources().get(file).map(Source::name);
-    assert_eq!(name(problem.primary.span.file), Some("M120 of the shop"));
+    assert_eq!(name(problem.primary.span.file), Some("custom code M120"));
     assert_eq!(job.sources().words(problem.primary.span), "Q1.");
     let calls: Vec<_> = problem.calls.iter().map(|call| job.sources().words(*call)).collect();
     assert_eq!(calls, ["M120 P2 X20."], "and through which block it was reached");
@@ -121,7 +121,7 @@ fn a_refusal_is_an_error_at_the_word() {
     let report = job.report();
     let problem = &report.diagnostics[0];
     assert_eq!(problem.code, Code::ShopCodeRefused);
-    assert_eq!(problem.message, "the shop's own rule refuses M120: the door is open");
+    assert_eq!(problem.message, "the rule for the custom code M120 refuses it: the door is open");
     assert_eq!(job.sources().words(problem.primary.span), "M120");
     assert_eq!(report.summary.dwells, 0);
 }
@@ -132,7 +132,11 @@ fn a_time_that_cannot_be_is_refused() {
         let job = job(FLIP, move |_| ShopAnswer::Wait { seconds, label: None });
         let report = job.report();
         assert_eq!(report.diagnostics[0].code, Code::ShopCodeRefused, "{seconds}");
-        assert!(report.diagnostics[0].message.ends_with(&format!("no time of {seconds} s")));
+        assert!(
+            report.diagnostics[0]
+                .message
+                .ends_with(&format!("a time of {seconds} s is not possible"))
+        );
     }
 }
 
@@ -221,7 +225,7 @@ impl chordal::Sink for Nothing {
 
 #[test]
 fn codes_of_the_control_are_not_the_shops() {
-    // M8 is carried out, M39 told as not simulated: that one a shop may answer.
+    // M8 is carried out, M39 reported as not simulated: that one the caller may answer.
     let text = "G21 G90 G0 X0 Y0 Z0\nM8\nM39\nM30\n";
     let job = job(text, |call| {
         assert_eq!(call.code, ShopCode::M(390));

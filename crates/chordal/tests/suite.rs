@@ -1,5 +1,5 @@
 //! Behaviour, written down as programs: every file under `tests/suite` and `examples` is a
-//! test. Expectations stand beside the lines of the program, see `suite/grammar.rs`. To add a
+//! test. Expectations are on the lines of the program, see `suite/grammar.rs`. To add a
 //! test, add a file.
 
 #![allow(

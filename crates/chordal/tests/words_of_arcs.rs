@@ -297,7 +297,7 @@ fn wrong(form: Form, asked: &Asked, done: &Done) -> Option<String> {
         curve_of(motion, shape.as_ref()).length() > 1e-9 || motion.from != motion.to
     };
     if !moves.iter().any(|(motion, shape, _)| goes(motion, shape)) {
-        // G2 alone is in force for the blocks after it.
+        // G2 alone is active for the blocks after it.
         let asks = asked.text.contains(['X', 'Y', 'Z', 'A', 'I', 'J', 'K']);
         return (said.is_empty() && asks).then(|| "moves nothing and says nothing".into());
     }

@@ -13,7 +13,7 @@ export function serverCommand(settings: Settings): { command: string; args: stri
   return { command: settings.command.trim() || "chordal", args: ["lsp", "--stdio"] };
 }
 
-/** What the server is told at its start. */
+/** What the server gets at its start. */
 export function initializationOptions(settings: Settings): { machine?: string } {
   const machine = settings.machine.trim();
   return machine === "" ? {} : { machine };

@@ -25,7 +25,7 @@ L9601 R0+10. R1+0 R2+3. R3+2. (= none | ! CH820 "compensation is on")
 X0 G40
 G0 Z.2
 G81 G99 R0+.1 Z-.2 F20. X0 Y0
-L9601 R0+10. R1+0 R2+3. R3+2. (= none | ! CH820 "cycle is in force")
+L9601 R0+10. R1+0 R2+3. R3+2. (= none | ! CH820 "cycle is active")
 G80
 G1 L9301 (= none | ! CH807 "L93")
 L9601 R0+450. R1+0 R2+3. R3+.5 (= line x3 | ! CH407 "450 in/min")

@@ -15,5 +15,5 @@ G1 X1. G41 F10.
 L9101 R1+1. (= none | ! CH306 | ! CH820 "compensation is on")
 X0 G40
 H0 D0
-L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (A (= none | ! CH306 | ! CH820 "no tool offset")
+L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (A (= none | ! CH306 | ! CH820 "without an active tool offset")
 M2

@@ -3,7 +3,7 @@
 S1000 M3
 G90 G0 X1. Y0 Z0 F10.
 I-1. G3 (= arc ccw sweep 360 feed 10)
-X2. (= rapid to X2 | ! CH417 "G0 is still in force")
+X2. (= rapid to X2 | ! CH417 "G0 is still active")
 X3. (= rapid to X3)
 G2 X4. (= rapid to X4 | ! CH405 "this control makes a rapid")
 I-1. G3

@@ -2,7 +2,7 @@
 (What subroutines may not do: a line repeat inside one, a subroutine that is not there, a head)
 (after the section, a return of nothing.)
 L100
-G91 X1. L2 (= rapid to X1 | rapid to X2 | ! CH206 "main program only")
+G91 X1. L2 (= rapid to X1 | rapid to X2 | ! CH206 "only in the main program")
 M17
 M30
 S1000 M3

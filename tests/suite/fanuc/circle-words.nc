@@ -18,6 +18,6 @@ G2 X40. I-100. L1 (= spiral cw radius 100..40 sweep 360)
 (Decimals below the increment are cut off; nine digits are too many.)
 G1 X10.0019 (= line to X10.001)
 G1 X1.23456789 (= line to X1.234 | ! CH311 "9 digits" "PS0003")
-(Two codes of a group: the last one counts.)
-G0 G1 X20. (= line to X20 | ! CH302 "follows the last")
+(Two codes of a group: the last one is used.)
+G0 G1 X20. (= line to X20 | ! CH302 "uses the last one")
 M30

@@ -61,6 +61,6 @@ O9001
 X71. (= rapid to X71)
 M99
 O9160
-G65 P9160 A#1 (= ! CH713 "5 deep" "PS0122")
+G65 P9160 A#1 (= ! CH713 "5 levels deep" "PS0122")
 M99
 %

@@ -13,7 +13,7 @@ G41 X.2501 (= line to X.2501)
 Y3.
 G40 X0
 Y0
-G41 Z-.1 (= line to Z-.1 | ! CH510 "moves Z alone")
+G41 Z-.1 (= line to Z-.1 | ! CH510 "moves only Z")
 X1.
 Y3.
 G40 Z0 (= line to Z0 | ! CH510 "does not move in the plane")

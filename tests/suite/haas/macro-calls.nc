@@ -41,7 +41,7 @@ O00030
 M99
 O00040
 #101= #101 + 1
-G65 P40 (= ! CH713 "10 deep" "531")
+G65 P40 (= ! CH713 "10 levels deep" "531")
 M99
 O00050
 X#1 (= rapid to X1 | rapid to X2)

@@ -24,8 +24,8 @@ const COLUMNS: &[(&str, &str, &str, &str)] = &[
     ("message", "utf8, or a gap", "", "why it could not be compared, or only in part"),
     ("released_sha256", "utf8, or a gap", "", "SHA-256 of the released file"),
     ("returned_sha256", "utf8, or a gap", "", "SHA-256 of the returned file"),
-    ("released_line", "uint32, or a gap", "", "line where the released one first differs"),
-    ("returned_line", "uint32, or a gap", "", "line where the returned one first differs"),
+    ("released_line", "uint32, or a gap", "", "first line of the released file that differs"),
+    ("returned_line", "uint32, or a gap", "", "first line of the returned file that differs"),
     ("feeds_differ", "bool, or a gap", "", "feeds or spindle speeds differ"),
     (
         "functions_differ",
@@ -34,7 +34,7 @@ const COLUMNS: &[(&str, &str, &str, &str)] = &[
         "tools, offsets, coolant, dwells, stops or path modes differ",
     ),
     ("distance_min_mm", "float64, or a gap", "mm", "the paths are at least this far apart"),
-    ("distance_max_mm", "float64, or a gap", "mm", "and at most this"),
+    ("distance_max_mm", "float64, or a gap", "mm", "the paths are at most this far apart"),
     ("released_at_feed_s", "float64, or a gap", "s", "time of the released one at feed"),
     ("returned_at_feed_s", "float64, or a gap", "s", "time of the returned one at feed"),
 ];

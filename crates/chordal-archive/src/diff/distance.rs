@@ -89,7 +89,7 @@ fn rounding<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<f64> {
     Some(64.0 * (f64::EPSILON / 2.0) * largest)
 }
 
-/// How many pieces are the same at the beginning, and at the end behind those.
+/// How many pieces are the same at the beginning, and at the end after those.
 fn common(a: &[Piece], b: &[Piece]) -> (usize, usize) {
     let head = a.iter().zip(b).take_while(|(a, b)| a == b).count();
     let (a, b) = (&a[head..], &b[head..]);
@@ -222,7 +222,7 @@ impl Search<'_> {
             // The distance from a line is convex along a line.
             let end = |s: f64| self.distance_of(&nearest, curve.point_at(s));
             part.high = part.high.min(end(from).max(end(to)).max(here));
-            // Beside an end of the other line, another one is likely to be the nearest.
+            // Near an end of the other line, another one is likely to be the nearest.
             let feet = [nearest.start(), nearest.end()].map(|end| curve.nearest(end).s);
             let inside = feet.into_iter().filter(|foot| from < *foot && *foot < to);
             let off = |foot: &f64| (foot - middle).abs();

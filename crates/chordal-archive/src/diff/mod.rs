@@ -1,4 +1,4 @@
-//! What came back from the machines, held against what was released.
+//! What came back from the machines, compared with what was released.
 //!
 //! "Same motion" is proved, not sampled: the exact curves, rapids and rotary axes of both runs are
 //! equal number for number and in the same order. Where they differ, the distance is the Hausdorff
@@ -51,7 +51,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All of them, in the order in which they are told.
+    /// All of them, in the order in which they are reported.
     pub const ALL: [Status; 9] = [
         Status::Same,
         Status::Text,
@@ -196,7 +196,7 @@ fn compare(loader: &mut impl Loader, name: &str, pair: &Pair, tolerance_mm: f64)
         (false, false) => {}
         (first, _) => {
             let which = if first { "released" } else { "returned" };
-            row.message = Some(format!("the {which} file holds no program"));
+            row.message = Some(format!("the {which} file has no program"));
             return row;
         }
     }
@@ -232,7 +232,7 @@ fn judge(mut row: DiffRow, before: &Motion, after: &Motion, tolerance_mm: f64) -
         let found = before.distance_to(after, tolerance_mm);
         row.distance_mm = found.map(|within| (within.low, within.high));
         row.message = (found.is_none()).then(|| {
-            "the paths have no distance: one lacks cuts or rapids, or rotary axes move".into()
+            "the distance is not defined: one path has no cuts or no rapids, or rotary axes move".into()
         });
     } else if row.feeds_differ == Some(true) {
         row.status = Status::Feeds;

@@ -1,4 +1,4 @@
-//! What a program does, to be held against what another does.
+//! What a program does, to be compared with what another does.
 
 use chordal::control::{Command, CommandKind, Feed};
 use chordal::{Job, PathCommand, Segment, SegmentKind, Watch};

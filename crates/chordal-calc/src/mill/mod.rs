@@ -137,7 +137,7 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
         Where::Inside => {
             let hole = ask.thread.minor_inside();
             let filled = format!("{major} − 1.082532·{pitch}");
-            worked.way("D1", "the hole before", length, hole, "D − 1.082532·P", filled);
+            worked.way("D1", "the hole before threading", length, hole, "D − 1.082532·P", filled);
             let filled = format!("({major} − {d})/2");
             worked.result(
                 "R",
@@ -177,7 +177,7 @@ fn worked(ask: &ThreadMill, plan: &Plan) -> Worked {
             let filled = format!("({} + {pitch})/{pitch}, rounded up", units.number(ask.depth));
             worked.result(
                 "N",
-                "turns: the last runs out above Z0",
+                "turns: the last one ends above Z0",
                 Kind::Number,
                 turns,
                 "(T + P)/P",

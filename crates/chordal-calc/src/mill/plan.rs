@@ -153,19 +153,19 @@ impl Plan {
             if reach > hole {
                 return Err(CalcError::new(
                     format!(
-                        "before an arc of 1/8 turn the tool of {} would already cut to a diameter of {}; the hole has {}",
+                        "before an arc of 1/8 turn the tool with diameter {} would already cut to a diameter of {}; the hole has {}",
                         units.length(ask.tool_diameter),
                         units.length(reach),
                         units.length(hole)
                     ),
-                    "take --ramp 1/4 without --compensation, or a smaller tool",
+                    "use --ramp 1/4 without --compensation, or a smaller tool",
                 ));
             }
         }
         let Some(wear) = ask.wear else { return Ok(()) };
         if ask.place == Where::Inside && self.ramp == Ramp::Quarter {
             return Err(CalcError::new(
-                "compensation needs a straight way in, and a ramp of 1/4 turn in a hole is an arc from its axis",
+                "compensation needs a straight lead-in, and a ramp of 1/4 turn in a hole is an arc from its axis",
                 "take --ramp 1/8",
             ));
         }
@@ -174,12 +174,12 @@ impl Plan {
         if wear >= room {
             return Err(CalcError::new(
                 format!(
-                    "a wear of {} does not fit: the way in is {} straight with an arc of {}",
+                    "a wear of {} does not fit: the lead-in is a line of {} and an arc of {}",
                     units.length(wear),
                     units.length(self.to_mm(straight)),
                     units.length(self.to_mm(self.lead_in))
                 ),
-                "D holds only the wear of the tool: the path is that of its centre",
+                "D holds only the wear of the tool: the program already gives the path of the tool centre",
             ));
         }
         Ok(())
@@ -203,7 +203,7 @@ fn turns(ask: &ThreadMill) -> Result<u32, CalcError> {
     }
     Err(CalcError::new(
         format!(
-            "a thread {} deep with a pitch of {} has {turns} turns; {MOST_TURNS} are written at most",
+            "a thread {} deep with a pitch of {} has {turns} turns; at most {MOST_TURNS} are written",
             ask.units.length(ask.depth),
             ask.units.length(ask.thread.pitch)
         ),
@@ -218,8 +218,8 @@ fn check_numbers(ask: &ThreadMill) -> Result<(), CalcError> {
     bounded(&[ask.tool_diameter, ask.depth, ask.clearance, root, wear], &[], units)?;
     if ask.thread.starts != 1 {
         return Err(CalcError::new(
-            format!("a thread of {} starts is not written as a program", ask.thread.starts),
-            "give one start; each further start is the same program with Z0 higher by the pitch",
+            format!("no program is written for a thread with {} starts", ask.thread.starts),
+            "give one start; for each further start run the same program with Z0 higher by the pitch",
         ));
     }
     positive("the diameter", units.length(ask.thread.major), ask.thread.major)?;
@@ -227,11 +227,11 @@ fn check_numbers(ask: &ThreadMill) -> Result<(), CalcError> {
     if ask.thread.pitch < finest {
         return Err(CalcError::new(
             format!(
-                "a pitch of {} is too fine for a program with steps of {}",
+                "a pitch of {} is too fine for a program with an increment of {}",
                 units.length(ask.thread.pitch),
                 units.length(step(units))
             ),
-            format!("give a pitch of {} at least", units.length(finest)),
+            format!("give a pitch of at least {}", units.length(finest)),
         ));
     }
     positive("the tool", units.length(ask.tool_diameter), ask.tool_diameter)?;
@@ -256,7 +256,7 @@ fn positive(what: &str, text: String, value: f64) -> Result<(), CalcError> {
 fn fits(ask: &ThreadMill, units: Units) -> Result<(), CalcError> {
     match (ask.place, ask.root) {
         (Where::Inside, Some(_)) => Err(CalcError::new(
-            "a root diameter is for an outside thread: inside the tool cuts to the major diameter",
+            "a root diameter is for an outside thread; inside, the tool cuts to the major diameter",
             "leave --root out",
         )),
         (Where::Inside, None) => {
@@ -266,13 +266,13 @@ fn fits(ask: &ThreadMill, units: Units) -> Result<(), CalcError> {
             }
             Err(CalcError::new(
                 format!(
-                    "the tool of {} does not go into the hole of {} (thread {} less 1.082532·{})",
+                    "the tool with diameter {} does not fit into the hole of {} (thread {} less 1.082532·{})",
                     units.length(ask.tool_diameter),
                     units.length(hole),
                     units.length(ask.thread.major),
                     units.number(ask.thread.pitch)
                 ),
-                "take a smaller tool",
+                "use a smaller tool",
             ))
         }
         (Where::Outside, None) => Ok(()),

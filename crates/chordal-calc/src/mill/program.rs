@@ -8,7 +8,7 @@ use chordal_dialect::{Post, table};
 use crate::post::fill;
 use crate::thread::{Hand, Where};
 
-/// Feed beside the part, mm/s: 40 in/min, 1000 mm/min.
+/// Feed away from the part, mm/s: 40 in/min, 1000 mm/min.
 const fn approach(units: Units) -> (f64, &'static str) {
     match units {
         Units::Inch => (40.0, "40."),
@@ -135,7 +135,7 @@ impl Words<'_> {
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),
             match ask.cutter {
                 Cutter::Hob => format!(
-                    "thread hob dia {tool}, pitch {}, teeth over {} at least: one turn",
+                    "thread hob dia {tool}, pitch {}, teeth over at least {}: one turn",
                     number(ask.thread.pitch),
                     number(ask.depth)
                 ),
@@ -143,26 +143,26 @@ impl Words<'_> {
             },
             format!("tool centre on radius {cut}/2 {sign} {tool}/2 = {}", number(plan.radius_mm)),
             format!(
-                "in and out on arcs of {} with {} of the pitch, lowest {}",
+                "lead-in and lead-out arcs of {} with {} of the pitch, lowest {}",
                 number(plan.to_mm(plan.lead_in)),
                 plan.ramp.text(),
                 self.word('Z', low)
             ),
             format!(
-                "{} on the diameter {cut} is {} of the centre",
+                "{} on diameter {cut} is {} of the tool centre",
                 self.feed(ask.feed),
                 self.feed(plan.feed)
             ),
         ];
         if ask.place == Where::Inside {
-            remarks.push(format!("the hole before: {}", number(ask.thread.minor_inside())));
+            remarks.push(format!("hole before threading: {}", number(ask.thread.minor_inside())));
             remarks.extend(small_hole(ask).map(String::from));
         } else {
-            remarks.push(format!("the boss before: {}", number(ask.thread.major)));
+            remarks.push(format!("boss before threading: {}", number(ask.thread.major)));
         }
         if let Some(wear) = ask.wear {
             remarks.push(format!(
-                "D{} is the wear only, at most {}: set it to 0 for a new tool",
+                "D{} is only the wear, at most {}: set it to 0 for a new tool",
                 ask.tool,
                 number(wear)
             ));

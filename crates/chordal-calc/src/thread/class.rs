@@ -6,11 +6,11 @@ use super::Where;
 use crate::error::CalcError;
 
 /// The classes that there are, for people.
-pub(super) const UNIFIED: &str = "1A 2A 3A outside and 1B 2B 3B inside; those of metric threads are fields of ISO \
-                                  965-1, as 6g 6H 4h 5H 7H 6e 8g or 4g6g";
+pub(super) const UNIFIED: &str = "1A 2A 3A outside and 1B 2B 3B inside; those of metric threads are tolerance classes of ISO \
+                                  965-1, such as 6g 6H 4h 5H 7H 6e 8g or 4g6g";
 /// The same of metric threads.
-pub(super) const METRIC: &str = "a grade with e f g h outside, as 6g 8g 6e 4h or 4g6g (3 to 9; 4, 6 or 8 \
-                                 for the major diameter), and a grade with G H inside, as 6H 5H 4H 7H 6G or \
+pub(super) const METRIC: &str = "a grade with e f g h outside, such as 6g 8g 6e 4h or 4g6g (3 to 9; 4, 6 or 8 \
+                                 for the major diameter), and a grade with G H inside, such as 6H 5H 4H 7H 6G or \
                                  4H5H (4 to 8); those of unified threads are 1A 2A 3A 1B 2B 3B";
 
 /// A class of fit.

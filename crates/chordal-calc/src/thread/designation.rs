@@ -57,7 +57,7 @@ impl Designation {
                 "calc thread gives its sizes",
             )),
             Form::Npt | Form::Nptf | Form::R => Err(CalcError::new(
-                "a pipe thread with a taper of 1:16 needs a path that grows wider with every turn; \
+                "a pipe thread with a taper of 1:16 needs a path that becomes wider with every turn; \
                  programs are written for parallel threads",
                 "calc thread gives its sizes",
             )),
@@ -87,7 +87,7 @@ impl Designation {
         };
         if self.hand.is_some_and(|other| other != own) {
             return Err(CalcError::new(
-                "a thread is not both left and right hand",
+                "a thread cannot be both left and right hand",
                 "give one of LH and RH",
             ));
         }
@@ -99,8 +99,8 @@ impl Designation {
 /// What is said of a name that is none.
 pub(super) fn no_thread(text: &str) -> CalcError {
     CalcError::new(
-        format!("`{text}` is no thread"),
-        "write it as M30x2, 1.5-8, 1 1/16-28, #10-24, 1/2 NPT or G 1/2: inch threads need their threads \
+        format!("`{text}` is not a thread"),
+        "write it like M30x2, 1.5-8, 1 1/16-28, #10-24, 1/2 NPT or G 1/2; inch threads need the threads \
          per inch",
     )
 }

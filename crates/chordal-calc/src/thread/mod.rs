@@ -71,22 +71,22 @@ impl Thread {
         if !good(major) || !good(pitch) || starts == 0 {
             return Err(CalcError::new(
                 format!(
-                    "a thread of diameter {} with a pitch of {} and {starts} starts cannot be",
+                    "a thread with diameter {}, pitch {} and {starts} starts is not possible",
                     units.length(major),
                     units.length(pitch)
                 ),
-                "diameter, pitch and starts are above zero",
+                "diameter, pitch and starts must be above zero",
             ));
         }
         if OUTSIDE * pitch >= major {
             return Err(CalcError::new(
                 format!(
-                    "a pitch of {} cuts {} off a diameter of {}: nothing is left",
+                    "a pitch of {} takes {} off a diameter of {}: nothing is left",
                     units.length(pitch),
                     units.length(OUTSIDE * pitch),
                     units.length(major)
                 ),
-                "check the pitch; threads per inch go to --tpi, a distance to --pitch",
+                "check the pitch; --tpi takes threads per inch, --pitch a distance",
             ));
         }
         Ok(())
@@ -114,7 +114,7 @@ impl Thread {
 /// When the thread cannot be.
 pub fn thread_data(thread: &Thread, units: Units) -> Result<Worked, CalcError> {
     let mut worked = basic(thread, units)?;
-    worked.note("Basic sizes without allowance or tolerance: the class of fit comes on top.");
+    worked.note("Basic sizes without allowance or tolerance; the class of fit adds them.");
     Ok(worked)
 }
 
@@ -153,10 +153,10 @@ fn sixty(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcEr
     }
     if units != name.units {
         let unit = name.units.name();
-        worked.note(format!("The formulas of the limits are filled with numbers in {unit}."));
+        worked.note(format!("The numbers in the formulas of the limits are in {unit}."));
     }
     if starts > 1 {
-        worked.note("The limits are those of a thread with one start.");
+        worked.note("The limits are for a thread with one start.");
     }
     Ok(worked)
 }

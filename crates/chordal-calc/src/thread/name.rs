@@ -34,7 +34,7 @@ impl Designation {
 
 fn unknown_form(text: &str, form: &str) -> CalcError {
     CalcError::new(
-        format!("`{text}`: {form} have a root of their own, which is not calculated"),
+        format!("`{text}`: {form} have a special root, which Chordal does not calculate"),
         "give M, UN, NPT, G or R",
     )
 }
@@ -51,7 +51,7 @@ fn metric(text: &str, words: &[String]) -> Result<Designation, CalcError> {
         None => {
             let pitch = coarse(major).ok_or_else(|| {
                 CalcError::new(
-                    format!("`{text}` has no pitch, and ISO 261 no coarse pitch of M{first}"),
+                    format!("`{text}` has no pitch, and ISO 261 has no coarse pitch for M{first}"),
                     format!("write the pitch: M{first}x1.5"),
                 )
             })?;
@@ -81,11 +81,15 @@ fn doubtful_case(text: &str, class: &str) -> Option<String> {
     let capital = text.chars().any(|c| c.is_ascii_uppercase());
     if class.contains('G') && !small(text) {
         let other = class.to_ascii_lowercase();
-        return Some(format!("{class} is inside; outside is {other}, with a small letter."));
+        return Some(format!(
+            "{class} is for inside threads; outside is {other}, with a small letter."
+        ));
     }
     if class.contains('h') && !capital {
         let other = class.to_ascii_uppercase();
-        return Some(format!("{class} is outside; inside is {other}, with a capital letter."));
+        return Some(format!(
+            "{class} is for outside threads; inside is {other}, with a capital letter."
+        ));
     }
     None
 }
@@ -148,7 +152,7 @@ fn inch_rest(
             if own.is_some_and(|own| (own - tpi).abs() > 1e-9) {
                 return Err(CalcError::new(
                     format!(
-                        "{letters} of {} threads per inch is named on a thread that has {tpi}",
+                        "{letters} has {} threads per inch, but the thread has {tpi}",
                         trimmed(own.unwrap_or(0.0), 3)
                     ),
                     "give one pitch",
@@ -183,9 +187,9 @@ fn inch_rest(
 /// A word that is no class: what begins with a digit was meant as one.
 fn unknown(word: &str, kind: &str, classes: &str, others: &str) -> CalcError {
     let what = if word.starts_with(|c: char| c.is_ascii_digit()) {
-        format!("`{word}` is no class of a {kind} thread")
+        format!("`{word}` is not a class of a {kind} thread")
     } else {
-        format!("`{word}` is nothing that the name of a {kind} thread has")
+        format!("`{word}` is not part of the name of a {kind} thread")
     };
     CalcError::new(what, format!("the classes are {classes}; {others}"))
 }
@@ -208,7 +212,7 @@ fn numbered(text: &str, number: f64) -> Result<f64, CalcError> {
         return Ok((60.0 + 13.0 * number) / 1000.0);
     }
     Err(CalcError::new(
-        format!("`{text}`: a screw has no number {number}"),
+        format!("`{text}`: there is no screw size number {number}"),
         "the numbers go from 0 to 12; larger threads are named by inches",
     ))
 }

@@ -71,7 +71,7 @@ pub(super) fn read(text: &str, words: &[String]) -> Result<Designation, CalcErro
             }
             _ => {
                 return Err(CalcError::new(
-                    format!("`{word}` is nothing that the name of a pipe thread has"),
+                    format!("`{word}` is not part of the name of a pipe thread"),
                     "the classes of G threads are A and B outside; NPT and R have none; a hand is LH or RH",
                 ));
             }
@@ -114,10 +114,10 @@ fn find(form: Form, asked: f64) -> Result<&'static PipeSize, CalcError> {
 
 /// Sizes of a pipe thread.
 pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Worked, CalcError> {
-    let found = name.pipe.ok_or_else(|| no_thread("a pipe thread without its size"))?;
+    let found = name.pipe.ok_or_else(|| no_thread("the size of the pipe thread is missing"))?;
     if starts != 1 {
         return Err(CalcError::new(
-            format!("a pipe thread of {starts} starts cannot be"),
+            format!("a pipe thread cannot have {starts} starts"),
             "leave --starts out",
         ));
     }
@@ -144,10 +144,10 @@ pub(super) fn worked(name: &Designation, starts: u32, units: Units) -> Result<Wo
     if name.form == Form::Nptf {
         worked.note(
             "NPTF has the diameters, pitch and taper of NPT; its crests and roots are cut to seal (ASME \
-             B1.20.3), so h and the minor diameters differ a little. Gauges decide.",
+             B1.20.3), so h and the minor diameters differ a little. Check with gauges.",
         );
     }
-    worked.note("A program for it is not written: thread-mill writes parallel threads of 60°.");
+    worked.note("thread-mill writes no program for it: only for parallel 60° threads.");
     let (height, half) = if inch { (0.8, 30f64) } else { (WHITWORTH, 27.5) };
     let slope = if name.form == Form::G { 0.0 } else { 1.0 / 32.0 };
     worked.figure = profile(name.pitch, height, half.to_radians(), slope, units);
@@ -186,7 +186,7 @@ fn npt(worked: &mut Worked, found: &PipeSize) {
     give("K0", "minor diameter at the end of the pipe", small - height, "E0 − h", filled);
     let filled = format!("{} − {}", n(large), n(height));
     give("K1", "minor diameter at the mouth of the hole", large - height, "E1 − h", filled);
-    worked.note("The formulas are in inches. Basic sizes: the gauge may stand off by one turn.");
+    worked.note("The formulas are in inches. Basic sizes: the gauge may be off by one turn.");
 }
 
 /// Sizes of G and R, which have one profile.

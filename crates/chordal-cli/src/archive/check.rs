@@ -16,13 +16,13 @@ Examples:
   chordal archive check released/ returned/ --out results.parquet --machine haas-vf2
   chordal archive check archive/ --out results.parquet --jobs 4 --no-plan
 
-Every file of the folders gets a row, and every program of a file that holds several. Interrupted and
-started again with the same --out, it goes on where it was. The same archive gives the same table,
-byte for byte, whatever the number of jobs. docs/archives.md lists the columns.
+Every file of the folders gets a row, and so does every program of a file that holds several. If it is
+interrupted, start it again with the same --out: it continues. The same archive gives the same table,
+byte for byte, with any number of jobs. docs/archives.md lists the columns.
 
 Exit code: 0 clean, 1 problems in a program, 2 wrong use or a table that cannot be written.";
 
-/// Checks every program of folder trees into one table
+/// Checks every program of folder trees and writes one table
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -30,19 +30,19 @@ pub struct Args {
     #[arg(required = true, value_name = "DIR")]
     folders: Vec<PathBuf>,
 
-    /// The table, as Parquet; written whole or not at all
+    /// The table, a Parquet file; written completely or not at all
     #[arg(long, short, value_name = "FILE.parquet")]
     out: PathBuf,
 
-    /// How many files are worked on at the same time; as many as there are processors
+    /// How many files are processed at the same time; default: the number of processors
     #[arg(long, short, value_name = "N")]
     jobs: Option<usize>,
 
-    /// Leaves out the times with acceleration and jerk, which is faster
+    /// Leaves out the times with acceleration and jerk; this is faster
     #[arg(long)]
     no_plan: bool,
 
-    /// Tells how far it is on standard error, also where that is no terminal
+    /// Shows the progress on standard error, even if that is not a terminal
     #[arg(long)]
     progress: bool,
 
@@ -72,7 +72,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     Ok(if is_clean { Verdict::Clean } else { Verdict::Problems })
 }
 
-/// The table is a Parquet file, so that a slip of the keyboard does not take a program's place.
+/// The table must be a Parquet file, so that a typing error does not overwrite a program.
 pub fn keep_programs(out: &Path) -> Result<(), Failure> {
     let ending = out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
     if ending && !out.is_dir() {

@@ -20,13 +20,13 @@ Examples:
   chordal archive diff released/ returned/ --format json > changes.json
   chordal archive diff released/ returned/ --out changes.parquet --tolerance 0.001
 
-Files are compared that have the same path below the folders. `text`, `functions` and `feeds` are proved
-to have the same motion, curve for curve; for `path` the distance is told that the two paths have from
-each other as sets of points, exact within the tolerance.
+Files with the same path below the two folders are compared. `text`, `functions` and `feeds` are proved
+to have the same motion, curve for curve; for `path` the distance between the two paths, as sets of
+points, is given exactly within the tolerance.
 
-Exit code: 0 every file is the same or differs in its text only, 1 otherwise, 2 wrong use.";
+Exit code: 0 every file is the same or differs only in its text, 1 otherwise, 2 wrong use.";
 
-/// Compares what came back from the machines with what was released
+/// Compares programs that came back from the machines with the released ones
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -36,23 +36,23 @@ pub struct Args {
     /// The folder of returned programs
     returned: PathBuf,
 
-    /// How changes are told
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 
-    /// The comparison as a table, too; written whole or not at all
+    /// Writes the comparison as a Parquet table; written completely or not at all
     #[arg(long, short, value_name = "FILE.parquet")]
     out: Option<PathBuf>,
 
-    /// How exactly distances are found, mm
+    /// Accuracy of the distances, mm
     #[arg(long, value_name = "MM", default_value_t = 0.001)]
     tolerance: f64,
 
-    /// Lists files that are the same, too
+    /// Also lists files that are the same
     #[arg(long)]
     all: bool,
 
-    /// How many files are worked on at the same time; as many as there are processors
+    /// How many files are processed at the same time; default: the number of processors
     #[arg(long, short, value_name = "N")]
     jobs: Option<usize>,
 
@@ -116,7 +116,7 @@ fn how(row: &DiffRow) -> String {
     let mut parts = Vec::new();
     if let Some((low, high)) = row.distance_mm {
         parts.push(if high == 0.0 {
-            "the same points, cut or ordered otherwise".to_string()
+            "the same points, divided or ordered differently".to_string()
         } else if low < 0.000_05 {
             format!("at most {:.4} mm apart", high.max(0.0001))
         } else {

@@ -31,16 +31,16 @@ enum Command {
 struct Machines {
     /// The machine of all programs: a built-in name or a machine file
     ///
-    /// Without it, `chordal.toml` in a program's folder says, and else the control is recognized
+    /// Without it, `chordal.toml` in the program's folder decides, or else the control is recognized
     /// from each program.
     #[arg(long, short, value_name = "NAME|FILE.toml", conflicts_with = "control")]
     machine: Option<String>,
 
-    /// The control of all programs, on a typical machine of it
+    /// The control of all programs, on a typical machine with it
     #[arg(long, value_name = "NAME")]
     control: Option<ControlName>,
 
-    /// Overrides any key of the machine, as `tools.5.diameter="0.5 in"`
+    /// Overrides any key of the machine, such as `tools.5.diameter="0.5 in"`
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<String>,
 
@@ -48,11 +48,11 @@ struct Machines {
     #[arg(long, value_name = "tool.tbl")]
     tools: Option<PathBuf>,
 
-    /// Block delete: leaves out the blocks that start with `/`
+    /// Block delete: skips the blocks that start with `/`
     #[arg(long)]
     block_delete: bool,
 
-    /// Most blocks carried out in calls, repeats and jumps before a program counts as endless
+    /// Largest number of blocks carried out in calls, repeats and jumps before a program counts as endless
     #[arg(long, value_name = "N")]
     max_blocks: Option<u64>,
 }

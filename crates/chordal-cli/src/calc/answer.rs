@@ -14,11 +14,11 @@ use crate::terminal::say;
 /// What every calculation takes.
 #[derive(clap::Args)]
 pub struct Answer {
-    /// Units of the answer, and of numbers that have none
+    /// Units of the answer, and of numbers without a unit
     #[arg(long, value_enum)]
     pub units: Option<UnitsName>,
 
-    /// How the answer is written
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     pub format: Format,
 
@@ -29,9 +29,9 @@ pub struct Answer {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum Format {
-    /// For people
+    /// Text for the reader
     Text,
-    /// For programs
+    /// JSON for programs
     Json,
 }
 
@@ -67,8 +67,8 @@ pub fn give(worked: Result<Worked, CalcError>, answer: &Answer) -> Result<(), Fa
     for path in &answer.outputs {
         let kind = picture(path).ok_or_else(|| {
             Failure::wrong(
-                format!("a figure is not written as {}", path.display()),
-                "the endings are .svg and .png",
+                format!("a figure cannot be written as {}", path.display()),
+                "the extensions are .svg and .png",
             )
         })?;
         pictures.push((path, kind));

@@ -58,7 +58,7 @@ pub struct LineArcArgs {
     #[arg(long, value_enum, default_value = "near")]
     line: LineSide,
 
-    /// The corner along the line from the arc's centre, where the drawing gives it
+    /// The corner along the line from the arc's centre, if the drawing gives it
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     corner: Option<Written>,
 
@@ -197,7 +197,7 @@ Examples:
   chordal calc chords --radius 10mm --tolerance 0.001mm
   chordal calc chords --radius 2in --tolerance 0.0005in --sweep 90deg";
 
-/// How many chords stand for an arc within a tolerance
+/// How many chords replace an arc within a tolerance
 #[derive(clap::Args)]
 #[command(after_help = CHORD_EXAMPLES)]
 pub struct ChordsArgs {

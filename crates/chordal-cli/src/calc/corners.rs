@@ -19,7 +19,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = CORNER_EXAMPLES)]
 pub struct CornerArgs {
-    /// Angle of the slanted line to the axis: by how much the path bends
+    /// Angle of the slanted line to the axis: by how much the path turns
     #[arg(long, short, value_parser = angle, allow_hyphen_values = true)]
     angle: f64,
 
@@ -35,7 +35,7 @@ pub struct CornerArgs {
     #[arg(long)]
     inside: bool,
 
-    /// How far the slanted line goes across the axis: tells where it ends
+    /// Distance that the slanted line goes across the axis: gives the end of the line
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     rise: Option<Written>,
 
@@ -125,7 +125,7 @@ const TANGENT_EXAMPLES: &str = "\
 Examples:
   chordal calc tangent --angle 45deg --tool 0.5in        0.17678 in along X and Y";
 
-/// Cutter offset where a line touches an arc, or an arc another
+/// Cutter offset where a line touches an arc, or an arc another arc
 #[derive(clap::Args)]
 #[command(after_help = TANGENT_EXAMPLES)]
 pub struct TangentArgs {

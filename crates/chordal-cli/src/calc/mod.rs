@@ -20,7 +20,7 @@ Examples:
       --spindle 3000 --control haas -o thread.nc -o thread.svg
 
 Every answer has its formula, the formula with the numbers, and, with -o figure.svg or
--o figure.png, a drawing. Lengths have a unit (1.5in, 38mm), or --units says it for all.
+-o figure.png, a drawing. Lengths have a unit (1.5in, 38mm), or --units gives it for all.
 A tool is given by its diameter.";
 
 /// Shop mathematics: cutter offsets, arcs, chords, threads, thread mill programs

@@ -39,7 +39,7 @@ pub struct Size {
     #[arg(value_name = "THREAD")]
     name: Option<String>,
 
-    /// Major (nominal) diameter, where no name is given
+    /// Major (nominal) diameter, if no name is given
     #[arg(long, value_name = "LENGTH", value_parser = length, conflicts_with = "name")]
     diameter: Option<Written>,
 
@@ -74,8 +74,8 @@ impl Asked {
 
 fn not_said() -> Failure {
     Failure::wrong(
-        "which thread is not said",
-        "name it, as M30x2 or 1.5-8, or give --diameter with --pitch or --tpi",
+        "no thread is given",
+        "give its name, such as M30x2 or 1.5-8, or --diameter with --pitch or --tpi",
     )
 }
 
@@ -110,7 +110,7 @@ impl Size {
             (Some(pitch), _) => Ok(Some(numbers.of(pitch)?)),
             (None, Some(tpi)) if tpi > 0.0 && tpi.is_finite() => Ok(Some(25.4 / tpi)),
             (None, Some(tpi)) => Err(Failure::wrong(
-                format!("{tpi} threads per inch cannot be"),
+                format!("{tpi} threads per inch are not possible"),
                 "give a number above zero",
             )),
             (None, None) => Ok(None),

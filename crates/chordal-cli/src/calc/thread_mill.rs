@@ -21,9 +21,9 @@ Examples:
   chordal calc thread-mill M30x2 --outside --hand left --cutter single --tool 12mm \\
       --depth 24mm --feed 400mm/min --spindle 2500 --control fanuc -o thread.nc -o thread.svg
 
-Without -o for it, the program goes to standard output. The path is that of the tool's centre;
+Without -o for it, the program goes to standard output. The path is that of the tool centre;
 the teeth cut to the major diameter inside, and to the root diameter outside. A right-hand thread
-is climb cut upwards in a hole (G3) and downwards on a boss (G2), with the spindle at M3.";
+is climb cut upwards in a hole (G3) and downwards on a boss (G2), with the spindle turning with M3.";
 
 /// Writes a program that mills a thread
 #[derive(clap::Args)]
@@ -32,7 +32,7 @@ pub struct Args {
     #[command(flatten)]
     size: Size,
 
-    /// Who reads the program: fadal, haas, fanuc, mitsubishi, linuxcnc
+    /// The control that runs the program: fadal, haas, fanuc, mitsubishi, linuxcnc
     #[arg(long, value_parser = control)]
     control: ControlName,
 
@@ -44,11 +44,11 @@ pub struct Args {
     #[arg(long)]
     inside: bool,
 
-    /// Hand of the thread; right when neither this nor LH in its name says it
+    /// Hand of the thread; right if neither this nor LH in its name gives it
     #[arg(long, value_enum)]
     hand: Option<HandName>,
 
-    /// The tool: a hob cuts all in one turn, a single point takes a turn for each pitch
+    /// The tool: a hob cuts the whole thread in one turn, a single point needs one turn for each pitch
     #[arg(long, value_enum, default_value = "hob")]
     cutter: CutterName,
 
@@ -56,7 +56,7 @@ pub struct Args {
     #[arg(long)]
     conventional: bool,
 
-    /// Share of a turn on which the tool comes in and goes out, with as much of the pitch
+    /// Part of a turn for the lead-in and for the lead-out, with the same part of the pitch
     #[arg(long, value_parser = ramp, value_name = "1/8|1/4")]
     ramp: Option<Ramp>,
 
@@ -68,15 +68,15 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     depth: Written,
 
-    /// Feed at the cutting diameter; the centre's feed is worked out
+    /// Feed at the cutting diameter; the feed of the tool centre is computed
     #[arg(long, value_name = "FEED", value_parser = feed)]
     feed: Written,
 
-    /// Speed of the spindle
+    /// Spindle speed
     #[arg(long, value_name = "RPM", value_parser = spindle)]
     spindle: f64,
 
-    /// Root diameter of an outside thread, where it is not that of the basic profile
+    /// Root diameter of an outside thread, if it is not that of the basic profile
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     root: Option<Written>,
 
@@ -84,11 +84,11 @@ pub struct Args {
     #[arg(long)]
     compensation: bool,
 
-    /// Largest wear that D may hold; 0.01 in or 0.25 mm when left out
+    /// Largest wear that D may hold; default: 0.01 in or 0.25 mm
     #[arg(long, value_name = "LENGTH", value_parser = length, requires = "compensation")]
     wear: Option<Written>,
 
-    /// Height of rapids above Z0; 0.1 in or 2.5 mm when left out
+    /// Height of rapids above Z0; default: 0.1 in or 2.5 mm
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     clearance: Option<Written>,
 
@@ -100,11 +100,11 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value = "1001", value_parser = clap::value_parser!(u32).range(1..=9999))]
     number: u32,
 
-    /// Units of the program, and of numbers that have none
+    /// Units of the program, and of numbers without a unit
     #[arg(long, value_enum)]
     units: Option<UnitsName>,
 
-    /// How the answer is written
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 
@@ -123,7 +123,7 @@ enum HandName {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 enum CutterName {
-    /// Teeth of the pitch all along
+    /// Many rows of teeth, at the pitch
     Hob,
     /// One row of teeth
     Single,
@@ -186,8 +186,8 @@ fn hand(args: &Args, asked: &Asked) -> Result<Hand, Failure> {
     let named = asked.name.as_ref().and_then(|name| name.hand);
     match (said, named) {
         (Some(said), Some(named)) if said != named => Err(Failure::wrong(
-            "the thread's name and --hand say different hands",
-            "leave --hand out, or LH and RH",
+            "the name of the thread and --hand give different hands",
+            "leave out --hand, or LH or RH",
         )),
         _ => Ok(said.or(named).unwrap_or(Hand::Right)),
     }

@@ -8,7 +8,7 @@ use chordal::time::TimeReport;
 
 use crate::numbers::counted;
 
-/// What was counted, and the settings and machine data behind it.
+/// What was counted, and the settings and machine data after it.
 pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
     let mut notes = Vec::new();
     let ends = &time.cut_ends;
@@ -19,8 +19,8 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
         notes.push(format!("{cuts} into the next one, within {tolerance} of the corner"));
     }
     let other = [
-        (ends.exact, "in exact path mode: a kink is a stop"),
-        (ends.at_rest, "at rest: exact stop, or a rapid or a wait comes next"),
+        (ends.exact, "in exact path mode: the tool stops at a corner"),
+        (ends.at_rest, "at a stop: exact stop, or a rapid or a dwell comes next"),
     ];
     for (count, how) in other.into_iter().filter(|(count, _)| *count > 0) {
         notes.push(format!("{} {how}", counted(count, "cut ends", "cuts end")));
@@ -33,8 +33,8 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
         let joints = counted(time.tangent_stops, "joint", "joints");
         let stop = if time.tangent_stops == 1 { "is a stop" } else { "are stops" };
         notes.push(format!(
-            "{joints} of a line and its tangent arc {stop}: exact path mode keeps the path, whose \
-             curvature jumps there; --set motion.exact_path_tolerance=\"0.002 mm\" eases them"
+            "{joints} of a line and a tangent arc {stop}: exact path mode keeps the path, and its \
+             curvature jumps there; --set motion.exact_path_tolerance=\"0.002 mm\" allows it to round them"
         ));
     }
     notes
@@ -46,21 +46,21 @@ fn default(job: &Job, units: ProgramUnits) -> String {
     let named = |field| setting(job, field).map_or("", |setting| setting.name);
     match (rules.start, rules.of_level(rules.level)) {
         (StartMode::ExactStop, _) => format!(
-            "this control begins in exact stop mode (setting `{}`): every block stops until the \
-             program says otherwise",
+            "this control starts in exact stop mode (setting `{}`): the tool stops at the end of every block until the \
+             program changes the mode",
             named(PathField::Start)
         ),
         (StartMode::ExactPath, _) => format!(
-            "this control begins in exact path mode (setting `{}`)",
+            "this control starts in exact path mode (setting `{}`)",
             named(PathField::Start)
         ),
         (StartMode::Continuous, Some(tolerance)) => format!(
-            "where the program names no tolerance it is {} (setting `{}`)",
+            "where the program gives no tolerance it is {} (setting `{}`)",
             units.length_text(tolerance),
             named(PathField::Rounding)
         ),
         (StartMode::Continuous, None) => format!(
-            "where the program names no tolerance it is {} (--set motion.corner_tolerance=…)",
+            "where the program gives no tolerance it is {} (--set motion.corner_tolerance=…)",
             units.length_text(job.machine().motion.corner_tolerance_mm())
         ),
     }

@@ -47,15 +47,15 @@ fn above(least: &Least) -> String {
 /// What the columns mean, and what is missing.
 pub fn notes(least: &LeastReport) -> Vec<String> {
     let mut notes = vec![
-        "without jerk: the least time while every axis holds its velocity and acceleration; with \
-         jerk: its jerk as well; on the same path, with the same stops"
+        "without jerk: the least time in which every axis keeps its limits of velocity and acceleration; with \
+         jerk: its limit of jerk, too; on the same path, with the same stops"
             .to_string(),
     ];
     let Least { unknown_s, time_s, .. } = least.whole;
     if unknown_s > 0.0 {
         notes.push(format!(
-            "{} of the time ({}) is in runs too long for the limit with jerk: the part above is \
-             told by the limit without it",
+            "{} of the time ({}) is in runs too long for the limit with jerk: there the part above is \
+             compared with the limit without jerk",
             format_args!("{} %", short(unknown_s / time_s * 100.0, 0)),
             fine(unknown_s)
         ));

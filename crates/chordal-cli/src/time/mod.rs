@@ -24,7 +24,7 @@ use crate::terminal::{Terminal, say};
 
 const EXAMPLES: &str = "\
 Examples:
-  chordal time part.nc                         by tool, the costliest blocks, what if
+  chordal time part.nc                         by tool, the slowest blocks, what if
   chordal time part.nc --machine vf2.toml
   chordal time part.nc --set motion.feed_override=0.8
   chordal time part.nc --format json | jq .total_s
@@ -32,22 +32,22 @@ Examples:
   chordal time part.nc --operations comment    from comment to comment
   chordal time part.nc --bound                 how far above the physical limit it runs
 
-The time holds the velocity, acceleration and jerk of every axis, and passes corners as the
-control's path mode says. `lost` is what moves take beyond their length at feed or rapid speed.
+The time keeps the limits of velocity, acceleration and jerk of every axis, and passes corners as the
+path mode of the control says. `lost` is the time above that at the programmed feed or rapid speed.
 Problems of the program go to standard error; the exit code is 1 when there are errors.";
 
-/// Tells how long a program takes, where the time goes and why
+/// Reports how long a program takes, where the time goes and why
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The program; `-` is standard input
     file: PathBuf,
 
-    /// How hard the planner tries
+    /// Effort of the planner
     #[arg(long, value_enum, default_value = "fast")]
     level: LevelName,
 
-    /// How the time is told
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 
@@ -55,17 +55,17 @@ pub struct Args {
     #[arg(long, short, value_name = "PICTURE")]
     output: Option<PathBuf>,
 
-    /// Plans again with other overrides and path modes, however long the program is
+    /// Plans again with other overrides and path modes, for programs of any length
     ///
-    /// Without it, that is done for programs of up to 20,000 moves.
+    /// Without it, Chordal does so for programs of up to 20,000 moves.
     #[arg(long)]
     what_if: bool,
 
-    /// Tells how far above the physical limit the program and each operation run
+    /// Reports how far the program and each operation are above the physical limit
     ///
-    /// The bound is the least time while velocity and acceleration of every axis are held, the
-    /// reference the least with jerk as well. Takes up to a minute; what is too much work goes
-    /// without a reference.
+    /// The bound is the least time within the limits of velocity and acceleration of every axis; the
+    /// reference is the least time with jerk, too. Takes up to a minute; runs that need too much
+    /// work get no reference.
     #[arg(long)]
     bound: bool,
 
@@ -95,7 +95,7 @@ impl From<OperationName> for OperationStart {
     }
 }
 
-/// How hard the planner tries.
+/// Effort of the planner.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum LevelName {
     /// In one pass, for programs of any length

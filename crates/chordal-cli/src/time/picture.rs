@@ -26,8 +26,8 @@ impl Picture {
             Some("png") => true,
             _ => {
                 return Err(Failure::wrong(
-                    format!("the ending of {} says no format of pictures", path.display()),
-                    "the endings are .svg, .png",
+                    format!("the extension of {} is not a picture format", path.display()),
+                    "the extensions are .svg and .png",
                 ));
             }
         };

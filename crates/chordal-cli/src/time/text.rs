@@ -37,8 +37,8 @@ pub fn text(
     if time.operations.len() > time.tools.len() {
         let named = time.operations.iter().any(|operation| operation.comment.is_some());
         let title = match named {
-            true => "operations, from comment or tool change to the next",
-            false => "operations, from tool change to tool change",
+            true => "operations, from one comment or tool change to the next",
+            false => "operations, from one tool change to the next",
         };
         sheet.table(title, &operations(time, job, named));
         let more = time.operations.len().saturating_sub(MOST_OPERATIONS) as u64;
@@ -52,7 +52,7 @@ pub fn text(
     // In a short program both lists hold the same blocks.
     let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
     if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
-        let title = "blocks that lose the most to speeding up and slowing down";
+        let title = "blocks that lose the most time to acceleration and deceleration";
         sheet.table(title, &blocks(costliest, |block| block.loses, job));
     }
     if let Some(limits) = document.least {
@@ -89,10 +89,10 @@ fn totals(time: &TimeReport, level: Level) -> Vec<String> {
         shares.map(|(what, seconds)| format!("{what} {}", fine(*seconds))).collect();
     let moving = times.cutting_s + times.rapid_s;
     let mut rows =
-        vec![format!("{}, acceleration and jerk held{tried}", fine(total)), parts.join(", ")];
+        vec![format!("{}, with acceleration and jerk{tried}", fine(total)), parts.join(", ")];
     if moving > 0.0 {
         rows.push(format!(
-            "speeding up and slowing down costs {}, {} % of the moves' time",
+            "acceleration and deceleration take {}, {} % of the time of the moves",
             fine(times.lost_s),
             short(times.lost_s / moving * 100.0, 1)
         ));
@@ -203,7 +203,7 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
             Change::Corners(PathMode::ExactStop) => "exact stop at every corner".to_string(),
             Change::Corners(PathMode::ExactPath) => "exact path".to_string(),
             Change::Corners(PathMode::Continuous { tolerance_mm: None }) => {
-                "corners as the machine file lets them".to_string()
+                "corners as the machine file allows them".to_string()
             }
             Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
                 format!("corners within {}", units.length_text(*tolerance))
@@ -246,14 +246,14 @@ fn assumed(quantity: Quantity, motion: &MotionReport) -> Option<String> {
     let values: Vec<&str> = kinds.iter().map(|(_, value)| value.as_str()).collect();
     (!axes.is_empty()).then(|| {
         format!(
-            "the machine file gives no {key} of {}: {}, typical of such axes, are taken",
+            "the machine file gives no {key} for {}: {}, typical of such axes, are used",
             axes.join(" "),
             values.join(" and ")
         )
     })
 }
 
-/// What the time rests on, beside the program.
+/// What the time rests on, in addition to the program.
 fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {
     let machine = job.machine();
     let mut notes: Vec<String> = machine.notes.clone();
@@ -264,7 +264,7 @@ fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {
         [("feed", machine.motion.feed_override()), ("rapid", machine.motion.rapid_override())]
     {
         if part != 1.0 {
-            notes.push(format!("the {what} override stands at {} %", short(part * 100.0, 1)));
+            notes.push(format!("the {what} override is {} %", short(part * 100.0, 1)));
         }
     }
     if time.tool_changes > 0 && machine.times.tool_change_s.is_none() {
@@ -276,7 +276,7 @@ fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {
     }
     if motion.unknown_moves > 0 {
         notes.push(format!(
-            "{} between places that are not all known: work offsets or tool lengths that are \
+            "{} between positions that are not all known: work offsets or tool lengths that are \
              not given count as zero",
             counted(motion.unknown_moves, "move", "moves")
         ));

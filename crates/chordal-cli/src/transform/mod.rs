@@ -26,23 +26,23 @@ use crate::view::{self, Made};
 const EXAMPLES: &str = "\
 Examples:
   chordal transform part.nc --shift X5 Y-2.5 Z.1        shows what would change
-  chordal transform part.nc --shift X5 -o moved.nc      and writes it, once it is proved
-  chordal transform part.nc --shift X5 --view           both paths over one another
+  chordal transform part.nc --shift X5 -o moved.nc      and writes it if it is proved
+  chordal transform part.nc --shift X5 --view           both paths in one picture
   chordal transform part.nc --rotate 30 --about 1,2 -o turned.nc
-  chordal transform part.nc --mirror x -o left.nc       G2 and G3, G41 and G42 change places
+  chordal transform part.nc --mirror x -o left.nc       swaps G2 and G3, G41 and G42
   chordal transform part.nc --units mm --feed 90% -o metric.nc
   chordal transform surface.nc --fit 0.01mm -o arcs.nc  chords as tangent arcs and lines
   chordal transform part.nc --shrink 8000 -o small.nc   for a control with little memory
-  chordal transform part.nc --split 32k -o part.nc      part-1.nc, part-2.nc, …: each stands by itself
+  chordal transform part.nc --split 32k -o part.nc      part-1.nc, part-2.nc, …: each runs by itself
 
 Steps are made in the order: units, mirror, rotate, scale, shift, feed and speed, chords, simplify,
-fit, arcs, comments, numbers, shrink, split. Lengths without a unit are those of the program. Each word is changed by what it means where it stands. The new
-program is run and held against the old path, taken where it is meant to go; where that fails,
-nothing is written.
+fit, arcs, comments, numbers, shrink, split. Lengths without a unit are in the units of the program.
+Each word is changed by its meaning in its block. The new program is run and compared with the old path
+after the same changes; if they differ, nothing is written.
 
 Exit code: 0 proved, 1 refused or not proved, 2 wrong use.";
 
-/// Moves, turns, mirrors, scales or rewrites a program, and proves that the motion is the one meant
+/// Moves, rotates, mirrors, scales or rewrites a program, and proves that the motion is as intended
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -57,11 +57,11 @@ pub struct Args {
     #[arg(long, value_name = "x|y", value_enum)]
     mirror: Option<Mirror>,
 
-    /// Turns the path about Z, in degrees, counter-clockwise
+    /// Rotates the path about Z, in degrees, counter-clockwise
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     rotate: Option<f64>,
 
-    /// The place about which it is turned
+    /// The point about which it is rotated
     #[arg(long, value_name = "X,Y", requires = "rotate", allow_hyphen_values = true)]
     about: Option<String>,
 
@@ -69,15 +69,15 @@ pub struct Args {
     #[arg(long, value_name = "FACTOR", value_parser = factor)]
     scale: Option<f64>,
 
-    /// Moves the path: `X1 Y2 Z3`, with a unit as `X1in` or in the program's own
+    /// Moves the path: `X1 Y2 Z3`, with a unit such as `X1in`, or in the program's units
     #[arg(long, value_name = "AXIS", num_args = 1..=3)]
     shift: Vec<String>,
 
-    /// Multiplies the feeds of cuts, as 90% or 0.9
+    /// Multiplies the feeds of cuts, such as 90% or 0.9
     #[arg(long, value_name = "PART", value_parser = factor)]
     feed: Option<f64>,
 
-    /// Multiplies spindle speeds, and the feeds of taps with them
+    /// Multiplies spindle speeds, and with them the feeds of taps
     #[arg(long, value_name = "PART", value_parser = factor)]
     speed: Option<f64>,
 
@@ -89,31 +89,31 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH")]
     chords: Option<String>,
 
-    /// Writes rows of chords as tangent arcs and lines within this length
+    /// Writes sequences of chords as tangent arcs and lines within this length
     #[arg(long, value_name = "LENGTH")]
     fit: Option<String>,
 
-    /// Leaves out chords, so that the path stays within this length
+    /// Removes chords, as long as the path stays within this length
     #[arg(long, value_name = "LENGTH")]
     simplify: Option<String>,
 
-    /// Numbers the blocks that have numbers anew: `10` or `100,5` for the first and the step
+    /// Renumbers the blocks that have numbers: `10`, or `100,5` for the first number and the step
     #[arg(long, value_name = "FIRST[,STEP]", num_args = 0..=1, default_missing_value = "10,10")]
     renumber: Option<String>,
 
-    /// Takes out block numbers that nothing goes to
+    /// Removes block numbers that nothing jumps to
     #[arg(long)]
     no_numbers: bool,
 
-    /// Takes out comments
+    /// Removes comments
     #[arg(long)]
     strip_comments: bool,
 
-    /// Makes the text no longer than this: blanks, digits, numbers and comments go as far as they must
+    /// Makes the text no longer than this many bytes: removes blanks, digits, numbers and comments as far as needed
     #[arg(long, value_name = "BYTES")]
     shrink: Option<usize>,
 
-    /// Writes the program in parts of at most this many bytes (32000 or 32k), or one for each `tool`
+    /// Writes the program in parts of at most this many bytes (32000 or 32k), or one part for each tool (`tool`)
     #[arg(long, value_name = "BYTES|tool", value_parser = parted)]
     split: Option<By>,
 
@@ -125,15 +125,15 @@ pub struct Args {
     #[arg(long)]
     dry_run: bool,
 
-    /// Shows both paths over one another in the browser, as they are, until Ctrl-C
+    /// Shows both paths in one picture in the browser, as they are, until Ctrl-C
     #[arg(long, conflicts_with = "split")]
     view: bool,
 
-    /// Writes the new program where the proof fails, too
+    /// Writes the new program even if the proof fails
     #[arg(long)]
     unproved: bool,
 
-    /// How the answer is told
+    /// Format of the answer
     #[arg(long, value_enum, default_value = "text")]
     format: AnswerFormat,
 
@@ -164,7 +164,7 @@ fn factor(text: &str) -> Result<f64, String> {
     let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
     match number.trim().parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value / part),
-        _ => Err("a factor above zero is due, as 0.9 or 90%".into()),
+        _ => Err("write a factor above zero, such as 0.9 or 90%".into()),
     }
 }
 
@@ -178,7 +178,7 @@ fn parted(text: &str) -> Result<By, String> {
         lower.strip_suffix('k').map_or((lower.as_str(), 1), |number| (number, 1000));
     match number.trim().parse::<usize>().ok().and_then(|number| number.checked_mul(times)) {
         Some(bytes) if bytes > 0 => Ok(By::Bytes(bytes)),
-        _ => Err("a number of bytes is due, as 32000 or 32k, or the word `tool`".into()),
+        _ => Err("write a number of bytes, such as 32000 or 32k, or the word `tool`".into()),
     }
 }
 
@@ -186,7 +186,10 @@ fn parted(text: &str) -> Result<By, String> {
 fn length(text: &str, units: Units) -> Result<f64, Failure> {
     let bare = text.trim().parse::<f64>().map(|value| value * units.length_mm()).map_err(|_| ());
     bare.or_else(|()| quantity(text, Dimension::Length)).map_err(|error| {
-        Failure::wrong(format!("`{text}` is no length: {error}"), "write it as 5, 5mm or 0.2in")
+        Failure::wrong(
+            format!("`{text}` is not a length: {error}"),
+            "write it like 5, 5mm or 0.2in",
+        )
     })
 }
 
@@ -204,8 +207,8 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
         if let Some(text) = &args.about {
             let Some((x, y)) = text.split_once(',') else {
                 return Err(Failure::wrong(
-                    format!("`{text}` is no place"),
-                    "write X and Y with a comma between, as 1.5,-2",
+                    format!("`{text}` is not a position"),
+                    "write X and Y with a comma between them, such as 1.5,-2",
                 ));
             };
             about = [length(x, units)?, length(y, units)?];
@@ -224,8 +227,8 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
         match length(text, units)? {
             mm if mm > 0.0 => Ok(Some(mm)),
             _ => Err(Failure::wrong(
-                format!("`{text}` is no tolerance"),
-                "a length above zero is due, as 0.01mm",
+                format!("`{text}` is not a tolerance"),
+                "write a length above zero, such as 0.01mm",
             )),
         }
     };
@@ -241,8 +244,8 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
         let (first, step) = text.split_once(',').unwrap_or((text, "10"));
         let (Ok(first), Ok(step)) = (first.trim().parse(), step.trim().parse()) else {
             return Err(Failure::wrong(
-                format!("`{text}` is no numbering"),
-                "write the first number and the step, as 100,5",
+                format!("`{text}` is not a numbering"),
+                "write the first number and the step, such as 100,5",
             ));
         };
         steps.push(Step::Renumber { first, step });
@@ -251,7 +254,7 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
     if steps.is_empty() && args.split.is_none() {
         return Err(Failure::wrong(
             "there is nothing to do",
-            "say what is to change, as --shift X5; `chordal transform --help` lists it",
+            "give a change, such as --shift X5; `chordal transform --help` lists them",
         ));
     }
     Ok(steps)
@@ -263,8 +266,8 @@ fn shift(words: &[String], units: Units) -> Result<Option<[f64; 3]>, Failure> {
         let axis = word.chars().next().and_then(|axis| "XYZ".find(axis.to_ascii_uppercase()));
         let Some(axis) = axis else {
             return Err(Failure::wrong(
-                format!("`{word}` names no axis"),
-                "write the axis before the way, as X5 or Z-0.1in",
+                format!("`{word}` has no axis letter"),
+                "write the axis before the distance, such as X5 or Z-0.1in",
             ));
         };
         by[axis] = length(&word[1..], units)?;
@@ -359,10 +362,10 @@ fn text(
     let mut text = difference(done, loaded, jobs);
     let certificate = &done.certificate;
     text += &match (&args.output, is_written, certificate.holds()) {
-        (None, _, true) => "nothing is written: -o says where\n".to_string(),
+        (None, _, true) => "nothing is written: give a file with -o\n".to_string(),
         (Some(path), true, true) => format!("written: {}\n", path.display()),
-        (Some(path), true, false) => format!("written, though not proved: {}\n", path.display()),
-        (_, _, false) => "nothing is written: the proof fails (--unproved writes it)\n".into(),
+        (Some(path), true, false) => format!("written, but not proved: {}\n", path.display()),
+        (_, _, false) => "nothing is written: the proof failed (--unproved writes it)\n".into(),
         (Some(_), false, true) => "nothing is written: --dry-run\n".into(),
     };
     text
@@ -382,7 +385,7 @@ fn difference(done: &Transformed, loaded: &Loaded, jobs: [&Job; 2]) -> String {
         text += &format!("note: {note}\n");
     }
     let certificate = &done.certificate;
-    text += "proof: the new program against the path that is meant\n";
+    text += "proof: the new program against the intended path\n";
     text +=
         &comparison_text(&certificate.comparison, ["meant", "new"], jobs, certificate.tolerance_mm);
     text

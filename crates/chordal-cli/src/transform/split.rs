@@ -82,14 +82,14 @@ fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> 
     let count = counted(done.parts.len() as u64, "part", "parts");
     let mut text = match by {
         By::Bytes(most) => format!("{count} of at most {} bytes\n", grouped(most as u64)),
-        By::Tool => format!("{count}, parted before every tool change\n"),
+        By::Tool => format!("{count}, split before every tool change\n"),
     };
     for (index, part) in done.parts.iter().enumerate() {
         let number = part.number.map_or(String::new(), |number| format!("O{number}: "));
         let begins = match (index, part.at_tool_change) {
             (0, _) => "",
             (_, true) => ", before a tool change",
-            (_, false) => ", where the tool stands clear of all cuts",
+            (_, false) => ", where the tool is clear of all cuts",
         };
         text += &format!(
             "{:>3}  {number}lines {} to {}, {} bytes{begins}\n",
@@ -106,7 +106,7 @@ fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> 
         text += &format!("note: {note}\n");
     }
     let certificate = &done.certificate;
-    text += "proof: the parts, run one after the other, against the whole\n";
+    text += "proof: the parts, run one after the other, against the whole program\n";
     text += &comparison_text(
         &certificate.comparison,
         ["whole", "parts"],
@@ -115,12 +115,12 @@ fn text(done: &Split, job: &Job, by: By, asked: &Asked, written: &[PathBuf]) -> 
     );
     let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
     text += &match (names.as_slice(), certificate.holds(), &asked.args.output) {
-        ([], true, None) => "nothing is written: -o says where\n".to_string(),
+        ([], true, None) => "nothing is written: give a file with -o\n".to_string(),
         ([], true, Some(_)) => "nothing is written: --dry-run\n".into(),
-        ([], false, _) => "nothing is written: the proof fails (--unproved writes it)\n".into(),
+        ([], false, _) => "nothing is written: the proof failed (--unproved writes it)\n".into(),
         ([one], ..) => format!("written: {one}\n"),
         ([first, .., last], true, _) => format!("written: {first} to {last}\n"),
-        ([first, .., last], false, _) => format!("written, though not proved: {first} to {last}\n"),
+        ([first, .., last], false, _) => format!("written, but not proved: {first} to {last}\n"),
     };
     text
 }

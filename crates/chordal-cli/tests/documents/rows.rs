@@ -71,7 +71,7 @@ pub struct Row {
     pub kind: Kind,
     /// What stands there, in words of our own.
     pub says: String,
-    /// A program with its expectations beside the lines, as those of `tests/suite`. With
+    /// A program with its expectations on the lines, as those of `tests/suite`. With
     /// `command` it is the file `part.nc` of the command's folder.
     pub program: Option<String>,
     /// A command line, and what it must print.

@@ -9,8 +9,8 @@ pub(super) const ON_ARC: CodeInfo = CodeInfo {
     name: "compensation-on-arc",
     severity: Severity::Error,
     summary: "compensation starts or ends on an arc",
-    explanation: r#"Cutter radius compensation comes on and goes off along a straight move, the lead-in and the
-lead-out. With G41, G42 or G40 on an arc the control alarms."#,
+    explanation: r#"Cutter radius compensation starts and ends on a straight move, the lead-in and the lead-out.
+With G41, G42 or G40 on an arc the control alarms."#,
 };
 
 pub(super) const WITHOUT_OFFSET: CodeInfo = CodeInfo {
@@ -18,9 +18,9 @@ pub(super) const WITHOUT_OFFSET: CodeInfo = CodeInfo {
     id: "CH503",
     name: "compensation-without-offset",
     severity: Severity::Warning,
-    summary: "compensation is on with no offset chosen",
-    explanation: r#"G41 or G42 stands with no D (on a Fadal in Format 1, H) chosen before. Nothing says how far to stay
-away from the contour."#,
+    summary: "compensation is on without an offset number",
+    explanation: r#"G41 or G42 is programmed, and no D word (on a Fadal in Format 1, H) came before it. Nothing says how
+far the tool centre must stay away from the contour."#,
 };
 
 pub(super) const PLANE_CHANGE: CodeInfo = CodeInfo {
@@ -29,8 +29,8 @@ pub(super) const PLANE_CHANGE: CodeInfo = CodeInfo {
     name: "plane-change-in-compensation",
     severity: Severity::Error,
     summary: "the plane changes while compensation is on",
-    explanation: r#"The offset is applied in the plane that was active when compensation came on; a change of plane before
-G40 is refused."#,
+    explanation: r#"The offset is applied in the plane that was active when compensation started. The control refuses a
+change of plane before G40."#,
 };
 
 pub(super) const AT_END: CodeInfo = CodeInfo {
@@ -39,7 +39,7 @@ pub(super) const AT_END: CodeInfo = CodeInfo {
     name: "compensation-at-end",
     severity: Severity::Warning,
     summary: "compensation is still on at the end of the program",
-    explanation: r#"The program ends with G41 or G42 active. Some controls alarm, others begin the next program with it.
+    explanation: r#"The program ends with G41 or G42 active. Some controls alarm, others start the next program with compensation on.
 Put a G40 on the lead-out."#,
 };
 
@@ -56,8 +56,8 @@ arc without cutting its neighbours.
     G1 X0.
     G3 X4.5 Y4.5 I0. J4.5        inside radius 4.5 mm
 
-Take a smaller tool, or a larger radius. Look also at the offset: a diameter typed where the control
-wants a radius doubles it."#,
+Use a smaller tool, or a larger radius. Check the offset, too: a diameter entered where the control
+expects a radius doubles it."#,
 };
 
 pub(super) const INTERFERENCE: CodeInfo = CodeInfo {
@@ -66,12 +66,12 @@ pub(super) const INTERFERENCE: CodeInfo = CodeInfo {
     name: "compensation-interference",
     severity: Severity::Error,
     summary: "the offset does not fit between two corners",
-    explanation: r#"Between its two corners the compensated move goes against the programmed one: a groove, a step or a
-pocket is narrower than the tool. The control's own look-ahead finds this only between
-neighbouring blocks. The block before may cut too deep already.
+    explanation: r#"Between its two corners the compensated move runs opposite to the programmed one: a groove, a step or
+a pocket is narrower than the tool. The control's own look-ahead finds this only between neighbouring
+blocks. The block before may already cut too deep.
 
-Controls also alarm for a step lower than the tool radius where nothing would be cut. Take a smaller
-tool, or change the contour at this place."#,
+Controls also alarm for a step lower than the tool radius where nothing would be cut. Use a smaller
+tool, or change the contour at this point."#,
 };
 
 pub(super) const NO_INTERSECTION: CodeInfo = CodeInfo {
@@ -80,9 +80,9 @@ pub(super) const NO_INTERSECTION: CodeInfo = CodeInfo {
     name: "no-offset-intersection",
     severity: Severity::Error,
     summary: "the offset paths of two blocks do not meet",
-    explanation: r#"At an inside corner the tool goes to where the two offset paths cross. Here they do not: an arc beside the
-corner is too small for the tool, or begins and ends so that no point is at the offset from
-both."#,
+    explanation: r#"At an inside corner the tool goes to the point where the two offset paths cross. Here they do not
+cross: an arc next to the corner is too small for the tool, or it begins and ends so that no point is
+at the offset distance from both blocks."#,
 };
 
 pub(super) const LEAD_IN_TOO_SHORT: CodeInfo = CodeInfo {
@@ -91,9 +91,9 @@ pub(super) const LEAD_IN_TOO_SHORT: CodeInfo = CodeInfo {
     name: "lead-in-too-short",
     severity: Severity::Error,
     summary: "the move that starts compensation is not longer than the offset",
-    explanation: r#"The control wants a straight lead-in in the plane that is longer than the offset, so that the tool can
-move aside on the way. Start further away. On a Haas the block of G41 or G42 must move X or Y; a block that
-moves Z alone is no lead-in. The same holds for the lead-out, the move of G40."#,
+    explanation: r#"The control needs a straight lead-in in the plane that is longer than the offset, so that the tool can
+move to its side of the contour. Start further away. On a Haas the block of G41 or G42 must move X or Y;
+a block that moves only Z is not a lead-in. The same holds for the lead-out, the move with G40."#,
 };
 
 pub(super) const SIDE_CHANGE: CodeInfo = CodeInfo {
@@ -103,7 +103,7 @@ pub(super) const SIDE_CHANGE: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "G41 changes to G42 without G40 between",
     explanation: r#"This control does not change the side here. Cancel with G40 on a move away from the contour, then start
-anew."#,
+compensation again."#,
 };
 
 pub(super) const PLANE: CodeInfo = CodeInfo {
@@ -121,7 +121,7 @@ pub(super) const TWICE: CodeInfo = CodeInfo {
     id: "CH513",
     name: "compensation-twice",
     severity: Severity::Error,
-    summary: "compensation is turned on and is on already",
+    summary: "compensation is turned on and is already on",
     explanation: r#"This control refuses G41 or G42 while compensation is on. Cancel with G40 first."#,
 };
 
@@ -130,8 +130,8 @@ pub(super) const NEW_OFFSET: CodeInfo = CodeInfo {
     id: "CH514",
     name: "new-offset-refused",
     severity: Severity::Error,
-    summary: "another D while compensation is on",
-    explanation: r#"This control does not take another offset here: not while compensation is on, or not on an arc."#,
+    summary: "a new D while compensation is on",
+    explanation: r#"This control does not accept a new offset here: not while compensation is on, or not on an arc."#,
 };
 
 pub(super) const LOOK_AHEAD_LOST: CodeInfo = CodeInfo {
@@ -141,15 +141,15 @@ pub(super) const LOOK_AHEAD_LOST: CodeInfo = CodeInfo {
     severity: Severity::Warning,
     summary: "too many blocks without motion between two moves",
     explanation: r#"The control looks ahead over few blocks. With more blocks without motion (M8, G4, a comment line with a
-number) it does not know where the contour goes on, and sets the tool square to the end of the
-block before. At an inside corner that cuts into the part by up to the tool radius.
+number) it does not know how the contour goes on, and puts the tool square to the end of the
+block before. At an inside corner this cuts into the part by up to the tool radius.
 
     X0.            the control needs the next move here
     M8
     G4 P500
     Y40.           too late
 
-Put M and G4 blocks elsewhere, or in the block of a move."#,
+Put the M and G4 codes elsewhere, or into the block of a move."#,
 };
 
 pub(super) const SPIRAL: CodeInfo = CodeInfo {
@@ -158,9 +158,9 @@ pub(super) const SPIRAL: CodeInfo = CodeInfo {
     name: "spiral-in-compensation",
     severity: Severity::Error,
     summary: "a spiral while compensation is on",
-    explanation: r#"The offset of a spiral is no spiral. Some controls refuse it; others (Fanuc) take circles through its ends
-and set the tool off along the radius, which is a little nearer to the wall than square to it. The path is
-shown so on every control."#,
+    explanation: r#"The offset of a spiral is not a spiral. Some controls refuse it. Others (Fanuc) take circles through its
+ends and offset the tool along the radius; that is a little nearer to the wall than an offset square to
+it. Chordal shows this path on every control."#,
 };
 
 pub(super) const SHIFT: CodeInfo = CodeInfo {
@@ -169,7 +169,7 @@ pub(super) const SHIFT: CodeInfo = CodeInfo {
     name: "shift-in-compensation",
     severity: Severity::Error,
     summary: "coordinates shift while compensation is on",
-    explanation: r#"G28, G53, G52, G92 or a work offset stands between G41 or G42 and G40. Controls refuse it or drop the
+    explanation: r#"G28, G53, G52, G92 or a work offset comes between G41 or G42 and G40. Controls refuse it, or drop the
 offset for that move. Cancel with G40 first."#,
 };
 
@@ -178,9 +178,9 @@ pub(super) const AVOIDED: CodeInfo = CodeInfo {
     id: "CH519",
     name: "interference-avoided",
     severity: Severity::Warning,
-    summary: "the control leaves a block out to avoid interference",
-    explanation: r#"Interference avoidance is on: where a block does not fit, the control goes on at the crossing of its
-neighbours. The contour of the block left out is not cut to size."#,
+    summary: "the control skips a block to avoid interference",
+    explanation: r#"Interference avoidance is on: where a block does not fit, the control skips it and goes to the crossing
+of its neighbours. The contour of the skipped block is not cut to size."#,
 };
 
 pub(super) const TURN_LOST: CodeInfo = CodeInfo {
@@ -189,8 +189,8 @@ pub(super) const TURN_LOST: CodeInfo = CodeInfo {
     name: "full-turn-lost",
     severity: Severity::Warning,
     summary: "a compensated arc of more than a turn is cut short",
-    explanation: r#"By a change of side or by G40 with I J the compensated arc comes to more than a full turn. This control
-then runs the short arc, and a part of the circle stays uncut."#,
+    explanation: r#"A change of side, or G40 with I J, makes the compensated arc longer than a full turn. This control then
+runs the short arc, and a part of the circle stays uncut."#,
 };
 
 pub(super) const TOO_MANY_IDLE: CodeInfo = CodeInfo {
@@ -198,9 +198,9 @@ pub(super) const TOO_MANY_IDLE: CodeInfo = CodeInfo {
     id: "CH521",
     name: "too-many-idle-blocks",
     severity: Severity::Error,
-    summary: "too many commands without motion within compensation",
-    explanation: r#"The next move of a compensated contour must come within a few thousand commands. Compensation goes on as
-if the contour ended square to the last move."#,
+    summary: "too many commands without motion while compensation is on",
+    explanation: r#"The next move of a compensated contour must come within a few thousand commands. Compensation continues
+as if the contour ended square to the last move."#,
 };
 
 pub(super) const REFERENCE: CodeInfo = CodeInfo {
@@ -209,9 +209,9 @@ pub(super) const REFERENCE: CodeInfo = CodeInfo {
     name: "reference-in-compensation",
     severity: Severity::Error,
     summary: "G28, G30 or G53 while compensation is on",
-    explanation: r#"Fadal and LinuxCNC refuse a return to the reference point while compensation is on. Fanuc takes the
-offset away at the point on the way and puts it back with the next move; other controls do not say what they
-do. The path is shown as if the move were one of the contour. Cancel with G40 first."#,
+    explanation: r#"Fadal and LinuxCNC refuse a return to the reference point while compensation is on. Fanuc cancels the
+offset at the intermediate point and restores it with the next move; the manuals of other controls do not
+say what happens. The path is shown as if the move were part of the contour. Cancel with G40 first."#,
 };
 
 pub(super) const TOOL_CHANGE: CodeInfo = CodeInfo {
@@ -220,8 +220,8 @@ pub(super) const TOOL_CHANGE: CodeInfo = CodeInfo {
     name: "tool-change-in-compensation",
     severity: Severity::Error,
     summary: "the tool is changed while compensation is on",
-    explanation: r#"M6 does not cancel compensation: the next tool would run with the offset of the last one, and no move takes
-the old offset away. Fadal and LinuxCNC stop here. Put G40 on the move away from the contour, before M6."#,
+    explanation: r#"M6 does not cancel compensation: the next tool would run with the offset of the last one, and no move
+removes the old offset. Fadal and LinuxCNC stop here. Put G40 on the move away from the contour, before M6."#,
 };
 
 pub(super) const GOUGE: CodeInfo = CodeInfo {
@@ -231,14 +231,15 @@ pub(super) const GOUGE: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the tool cuts into the programmed contour",
     explanation: r#"Somewhere on its compensated path the tool centre comes nearer to the contour of the part than the
-tool radius: metal goes that should stay. The message names the depth, the point, the block that cuts
-and the block that is cut. The two may lie many blocks apart, in a neck or a slot narrower than the
-tool; a control looks only a few blocks ahead and often runs such a program without an alarm.
+tool radius, so it removes material that should stay. The message names the depth, the point, the
+block that cuts and the block that is cut. The two blocks may be far apart in the program, in a neck or
+a slot narrower than the tool; a control looks only a few blocks ahead and often runs such a program
+without an alarm.
 
-This is what the geometry says. What the control itself does, alarm or cut, is told separately: an
+This is what the geometry says. What the control itself does, alarm or cut, is reported separately: an
 alarm without this message is a false alarm, this message without an alarm is the dangerous case.
 
-Take a smaller tool or a smaller offset; `chordal comp-range` gives the largest one and the block that
+Use a smaller tool or a smaller offset; `chordal comp-range` gives the largest one and the block that
 limits it. Depths under 2 microns, or under twice the least increment, are not reported."#,
 };
 
@@ -248,13 +249,13 @@ pub(super) const GOUGE_AT_LEAD: CodeInfo = CodeInfo {
     name: "cutter-gouges-at-lead",
     severity: Severity::Warning,
     summary: "the lead-in or lead-out cuts into the end of the contour",
-    explanation: r#"While compensation comes on or goes off, the tool moves aslant and is not yet, or no longer, a full
-radius away from the first or last wall. Within a tool radius of that end it cuts into the contour.
+    explanation: r#"On the lead-in and the lead-out the tool moves at an angle to the wall and is not yet, or no longer, a
+full radius away from it. Within a tool radius of that end of the contour it cuts into the contour.
 Programs often begin and end off the part, where this cuts air; then nothing is wrong.
 
-The way in is clear of the first wall if its start lies at least a tool radius to the tool's side of
-that wall, measured square to it. A lead-in in line with the wall always cuts a little: 0.15 mm with a
-radius of 5 and 20 mm of lead. Start farther to the side, or lead in with an arc."#,
+The lead-in is clear of the first wall if its start lies at least a tool radius away from that wall, on
+the tool's side, measured square to it. A lead-in along the line of the wall always cuts a little:
+0.15 mm with a radius of 5 mm and a lead-in of 20 mm. Start further to the side, or lead in with an arc."#,
 };
 
 pub(super) const SIDE_AMBIGUOUS: CodeInfo = CodeInfo {
@@ -264,8 +265,9 @@ pub(super) const SIDE_AMBIGUOUS: CodeInfo = CodeInfo {
     severity: Severity::Note,
     summary: "a contour is run both ways, so neither side of it is the part",
     explanation: r#"Two blocks run along the same line or arc in opposite directions with compensation on the same side.
-The tool passes on both sides of it, as in a slot programmed along its middle, and nothing tells on
-which side metal should stay. The check for gouges takes the curve itself as the limit on both sides."#,
+The tool passes on both sides of it, as in a slot programmed along its centre line, and nothing says on
+which side the material should stay. The check for gouges takes the curve itself as the limit on both
+sides."#,
 };
 
 pub(super) const GOUGE_SEARCH_LIMIT: CodeInfo = CodeInfo {
@@ -273,9 +275,10 @@ pub(super) const GOUGE_SEARCH_LIMIT: CodeInfo = CodeInfo {
     id: "CH533",
     name: "gouge-search-limit",
     severity: Severity::Warning,
-    summary: "not every place of the contour was checked for gouges",
-    explanation: r#"The contour folds so often within a tool radius that the check stopped at its limit of comparisons.
-What it reported is real; there may be more. Check the contour in parts, or with a smaller tool."#,
+    summary: "not all of the contour was checked for gouges",
+    explanation: r#"The contour turns back on itself so often within a tool radius that the check stopped at its limit of
+comparisons. The gouges it reported are real; there may be more. Check the contour in parts, or with a
+smaller tool."#,
 };
 
 pub(super) const SIDE_DOUBTFUL: CodeInfo = CodeInfo {
@@ -285,14 +288,14 @@ pub(super) const SIDE_DOUBTFUL: CodeInfo = CodeInfo {
     severity: Severity::Warning,
     summary: "the tool comes from one side of the contour and runs on the other",
     explanation: r#"The lead-in begins on one side of the first wall, the lead-out ends on the same side of the last one, and
-G41 or G42 puts the tool on the other. It has to cross the contour twice: the other code was probably
-meant, or an offset of the other sign.
+G41 or G42 puts the tool on the other side. The tool has to cross the contour twice: probably the other
+code was meant, or an offset with the other sign.
 
     G18
     Z-.56 G41 G1              comes down from above the profile
     X1.6315 Z.942             G41 is below it here: G42 is meant
 
-In G18 the side is judged as seen from +Y, where +X points up and +Z to the right."#,
+In G18 the side is as seen from +Y, where +X points up and +Z to the right."#,
 };
 
 pub(super) const NOT_CHECKED: CodeInfo = CodeInfo {
@@ -300,9 +303,9 @@ pub(super) const NOT_CHECKED: CodeInfo = CodeInfo {
     id: "CH535",
     name: "contour-not-checked",
     severity: Severity::Warning,
-    summary: "a contour is too long to be checked whole",
-    explanation: r#"The check for gouges keeps the whole contour from G41 or G42 to G40, up to a few million blocks. What comes
-after is run but not checked. End the contour with G40 earlier."#,
+    summary: "a contour is too long to be checked completely",
+    explanation: r#"The check for gouges keeps the whole contour from G41 or G42 to G40, up to a few million blocks. The
+blocks after that are run but not checked. End the contour with G40 earlier."#,
 };
 
 pub(super) const FALSE_ALARM: CodeInfo = CodeInfo {
@@ -311,10 +314,10 @@ pub(super) const FALSE_ALARM: CodeInfo = CodeInfo {
     name: "false-interference-alarm",
     severity: Severity::Note,
     summary: "the control alarms for interference where no wall would be cut",
-    explanation: r#"Controls judge interference by a few neighbouring blocks: a move that would run backwards, an arc that comes
-out longer. A step or a groove lower than the tool radius can set this off although the tool would touch no
-wall, and so can rounded coordinates (LinuxCNC allows an arc in inch programs 0.001 rad).
+    explanation: r#"Controls decide on interference from a few neighbouring blocks: a move that would run backwards, an arc
+that becomes longer. A step or a groove lower than the tool radius can cause this although the tool
+would touch no wall, and so can rounded coordinates (LinuxCNC allows an arc in inch programs 0.001 rad).
 
-The alarm stands: the control does not run the program. This note says that the geometry is sound, so
-that a smaller offset, a larger radius or other coordinates are enough."#,
+The alarm remains: the control does not run the program. This note says that the contour itself is
+right, so that a smaller offset, a larger radius or changed coordinates are enough."#,
 };

@@ -9,8 +9,8 @@ pub(super) const TRAVEL_EXCEEDED: CodeInfo = CodeInfo {
     name: "travel-exceeded",
     severity: Severity::Error,
     summary: "a move leaves the travel of the machine",
-    explanation: r#"The end (or the bulge of an arc) lies outside the travel of an axis; or, where the work offset is not
-known, the program as a whole is longer than the axis."#,
+    explanation: r#"The end point (or a point of an arc) lies outside the travel of an axis; or, where the work offset is
+not known, the program as a whole needs more travel than the axis has."#,
 };
 
 pub(super) const RAPID_INTO_PART: CodeInfo = CodeInfo {
@@ -19,8 +19,8 @@ pub(super) const RAPID_INTO_PART: CodeInfo = CodeInfo {
     name: "rapid-into-part",
     severity: Severity::Warning,
     summary: "a rapid move runs below the clearance plane",
-    explanation: r#"A rapid comes down at a slant below the clearance plane, joins two cuts below it, or plunges below
-it amid the region that the program cuts. Often a G0 that should have been a G1. The clearance plane
+    explanation: r#"A rapid moves down at an angle below the clearance plane, joins two cuts below it, or plunges below it
+inside the region that the program cuts. Often a G0 should have been a G1. The clearance plane
 is Z0 of the work coordinates unless the machine file's `[program] clearance` says otherwise."#,
 };
 
@@ -30,7 +30,7 @@ pub(super) const OFFSET_NOT_SET: CodeInfo = CodeInfo {
     name: "offset-not-set",
     severity: Severity::Note,
     summary: "the machine file has no value for an offset that the program uses",
-    explanation: r#"Where the machine stands relative to the part is not known, so moves in machine coordinates (G28, G53)
+    explanation: r#"The position of the machine relative to the part is not known, so moves in machine coordinates (G28, G53)
 are not drawn and travel is checked only for the program as a whole. Give `[work_offsets.G54]` and
 `[tools.1] length` in the machine file or with `--set`."#,
 };
@@ -41,8 +41,8 @@ pub(super) const LENGTH_OFFSET_OF_OTHER_TOOL: CodeInfo = CodeInfo {
     name: "length-offset-of-other-tool",
     severity: Severity::Note,
     summary: "the length offset is not that of the tool in the spindle",
-    explanation: r#"H (or D) names another number than the tool in the spindle. Shops that number offsets as tools do so to
-catch exactly this slip; a Haas alarms on it (Setting 15)."#,
+    explanation: r#"The number of H (or D) is not the number of the tool in the spindle. Where offsets have the numbers of
+their tools, this is a mistake; a Haas alarms on it (Setting 15)."#,
 };
 
 pub(super) const BAD_SETTING: CodeInfo = CodeInfo {
@@ -50,9 +50,10 @@ pub(super) const BAD_SETTING: CodeInfo = CodeInfo {
     id: "CH605",
     name: "bad-setting",
     severity: Severity::Error,
-    summary: "a setting of the machine file is not one of this control",
-    explanation: r#"`[settings]` holds the control's own parameters. The name is not known for this control, or the value is
-not one it can have. `chordal machines NAME` lists them with defaults and sources."#,
+    summary: "the control has no such setting, or not with this value",
+    explanation: r#"`[settings]` of the machine file holds the control's own parameters. The control has no setting of this
+name, or the setting cannot have this value. `chordal machines NAME` lists the settings with defaults and
+sources."#,
 };
 
 pub(super) const SPINDLE_OVER_LIMIT: CodeInfo = CodeInfo {
@@ -69,6 +70,6 @@ pub(super) const INTERNAL_ERROR: CodeInfo = CodeInfo {
     id: "CH901",
     name: "internal-error",
     severity: Severity::Error,
-    summary: "Chordal made a mistake",
+    summary: "Chordal has a defect",
     explanation: r#"This is a defect of Chordal, not of the program. Please report it with the program."#,
 };

@@ -9,7 +9,7 @@ pub(super) const BAD_EXPRESSION: CodeInfo = CodeInfo {
     name: "bad-expression",
     severity: Severity::Error,
     summary: "an expression cannot be read",
-    explanation: r#"A value is a number, a variable (`#101`), a function (`SIN[30.]`) or a bracket, and values are joined by
+    explanation: r#"A value is a number, a variable (`#101`), a function (`SIN[30.]`) or a bracket. Values are joined by
 `+ - * / MOD AND OR XOR EQ NE GT GE LT LE`. What cannot be read is marked; the word or the assignment it
 belongs to is left out. On Fanuc, Haas, Mitsubishi and LinuxCNC brackets of expressions are `[ ]`, since
 `( )` is a comment; on a Fadal they are `( )`."#,
@@ -21,7 +21,7 @@ pub(super) const UNBALANCED_BRACKETS: CodeInfo = CodeInfo {
     name: "unbalanced-brackets",
     severity: Severity::Error,
     summary: "a bracket of an expression is not closed",
-    explanation: r#"Every `[` needs its `]` on the same line. In long formulas count up by one at each `[` and down by one at
+    explanation: r#"Every `[` needs its `]` on the same line. In a long formula count up by one at each `[` and down by one at
 each `]`: the count must end at zero and never be below it."#,
 };
 
@@ -31,8 +31,8 @@ pub(super) const BRACKETS_TOO_DEEP: CodeInfo = CodeInfo {
     name: "brackets-too-deep",
     severity: Severity::Error,
     summary: "brackets are nested deeper than the control reads",
-    explanation: r#"Fanuc and Mitsubishi read five levels of brackets, those of functions and of the IF or WHILE around the
-condition counted. Compute a part of the formula into a variable before."#,
+    explanation: r#"Fanuc and Mitsubishi read five levels of brackets; those of functions and of the condition of IF or WHILE
+count as well. Compute a part of the formula first and store it in a variable."#,
 };
 
 pub(super) const UNSUPPORTED_MACRO: CodeInfo = CodeInfo {
@@ -42,7 +42,7 @@ pub(super) const UNSUPPORTED_MACRO: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "a macro form that this control does not have",
     explanation: r#"Macro languages differ in their functions and forms: FUP is not on a Haas, `##1` only on LinuxCNC, `AX[…]`
-and `SETVN` only on late Fanucs. The form is passed over, and what depends on it is not known."#,
+and `SETVN` only on newer Fanucs. The form is skipped, and values that depend on it are not known."#,
 };
 
 pub(super) const BAD_STATEMENT: CodeInfo = CodeInfo {
@@ -53,8 +53,7 @@ pub(super) const BAD_STATEMENT: CodeInfo = CodeInfo {
     summary: "a macro statement cannot be read",
     explanation: r#"The macro statements of Fanuc, Haas and Mitsubishi are the assignment `#1=…`, `IF[…]GOTO n`,
 `IF[…]THEN …`, `GOTO n`, `WHILE[…]DO n` with `END n`, and the output statements POPEN, DPRNT, BPRNT and
-PCLOS. `IF … ENDIF` over several lines is not among them, whatever a generator of programs writes. The
-statement is passed over."#,
+PCLOS. `IF … ENDIF` over several lines is not one of them. The statement is skipped."#,
 };
 
 pub(super) const BAD_VARIABLE: CodeInfo = CodeInfo {
@@ -63,9 +62,9 @@ pub(super) const BAD_VARIABLE: CodeInfo = CodeInfo {
     name: "bad-variable",
     severity: Severity::Error,
     summary: "there is no variable of that number",
-    explanation: r#"Variables have the numbers that the control gives them: locals 1–33, common ones such as 100–199 and 500–999
-(on a Haas NGC 10000–10999 too), and system variables. A number from a computation must be whole; the
-message shows what it came to. Reading gives null (or zero on controls without null); writing is passed over."#,
+    explanation: r#"The control defines the numbers of variables: local ones 1–33, common ones such as 100–199 and 500–999
+(on a Haas NGC also 10000–10999), and system variables. A computed number must be whole; the message shows
+the value. Reading gives null (or zero on controls without null); writing is skipped."#,
 };
 
 pub(super) const READ_ONLY_VARIABLE: CodeInfo = CodeInfo {
@@ -74,7 +73,7 @@ pub(super) const READ_ONLY_VARIABLE: CodeInfo = CodeInfo {
     name: "read-only-variable",
     severity: Severity::Error,
     summary: "this variable cannot be written",
-    explanation: r#"Null (#0), positions, modal codes and inputs can be read only. The assignment is passed over."#,
+    explanation: r#"Null (#0), positions, modal codes and inputs are read-only. The assignment is skipped."#,
 };
 
 pub(super) const DIVISION_BY_ZERO: CodeInfo = CodeInfo {
@@ -83,8 +82,8 @@ pub(super) const DIVISION_BY_ZERO: CodeInfo = CodeInfo {
     name: "division-by-zero",
     severity: Severity::Error,
     summary: "a division by zero",
-    explanation: r#"The divisor came to zero, or is a variable that was never set: null counts as zero in arithmetic. The word
-or the assignment is passed over; the control stops with an alarm."#,
+    explanation: r#"The divisor is zero, or a variable that was never set: null counts as zero in arithmetic. The word or
+the assignment is skipped; the control stops with an alarm."#,
 };
 
 pub(super) const OUTSIDE_DOMAIN: CodeInfo = CodeInfo {
@@ -94,8 +93,8 @@ pub(super) const OUTSIDE_DOMAIN: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "a function has no value for its argument",
     explanation: r#"The root of a negative number, the logarithm of zero, ASIN or ACOS beyond 1, the tangent of 90°. The
-message shows the argument. Values that should be 1 and come to 1.0000000001 are the usual cause; cut them
-with IF before the function."#,
+message shows the argument. The usual cause is a value that should be 1 and is 1.0000000001; limit it with
+IF before the function."#,
 };
 
 pub(super) const NUMBER_OVERFLOW: CodeInfo = CodeInfo {
@@ -104,7 +103,7 @@ pub(super) const NUMBER_OVERFLOW: CodeInfo = CodeInfo {
     name: "number-overflow",
     severity: Severity::Error,
     summary: "a value is too large",
-    explanation: r#"A result is larger than the control can hold, or than the address takes that it stands behind."#,
+    explanation: r#"A result is larger than the control can hold, or larger than its address accepts."#,
 };
 
 pub(super) const CONDITION_AS_VALUE: CodeInfo = CodeInfo {
@@ -112,8 +111,8 @@ pub(super) const CONDITION_AS_VALUE: CodeInfo = CodeInfo {
     id: "CH710",
     name: "condition-as-value",
     severity: Severity::Error,
-    summary: "a comparison stands where a number is due",
-    explanation: r#"On a Fanuc and a Mitsubishi a comparison (EQ, NE, GT, GE, LT, LE) belongs into the condition of IF or WHILE and
+    summary: "a comparison is used where a number is needed",
+    explanation: r#"On a Fanuc and a Mitsubishi a comparison (EQ, NE, GT, GE, LT, LE) belongs in the condition of IF or WHILE and
 cannot be assigned. A Haas gives 1. or 0."#,
 };
 
@@ -133,8 +132,8 @@ pub(super) const LOOP_MISMATCH: CodeInfo = CodeInfo {
     name: "loop-mismatch",
     severity: Severity::Error,
     summary: "DO and END do not belong together",
-    explanation: r#"Each `DOn` needs an `ENDn` further down in the same program, loops must not cross, and a GOTO may leave a loop
-but not enter one. An END without its DO is passed over; a DO without its END ends the run."#,
+    explanation: r#"Each `DOn` needs an `ENDn` further down in the same program. Loops must not cross. A GOTO may leave a loop
+but not enter one. An END without its DO is skipped; a DO without its END ends the run."#,
 };
 
 pub(super) const MACRO_NESTING: CodeInfo = CodeInfo {
@@ -143,8 +142,8 @@ pub(super) const MACRO_NESTING: CodeInfo = CodeInfo {
     name: "macro-nesting",
     severity: Severity::Error,
     summary: "macro calls are nested deeper than the control allows",
-    explanation: r#"G65, G66 and codes that call macros may be nested four deep (five on late Fanucs, nine on a Haas). The call
-is not made."#,
+    explanation: r#"G65, G66 and codes that call macros may be nested four levels deep (five on newer Fanucs, nine on a Haas).
+The call is not made."#,
 };
 
 pub(super) const BAD_ARGUMENT: CodeInfo = CodeInfo {
@@ -153,9 +152,9 @@ pub(super) const BAD_ARGUMENT: CodeInfo = CodeInfo {
     name: "bad-argument",
     severity: Severity::Error,
     summary: "a word cannot be an argument of a macro call",
-    explanation: r#"G65 and G66 hand all their words to the macro as #1 to #26, but not G, L, N, O and P, which belong to the call
-itself. A to Z of type I and the sets of I, J, K of type II may be mixed; of two values for the same
-variable the later one counts."#,
+    explanation: r#"G65 and G66 pass their words to the macro as #1 to #26, except G, L, N, O and P, which belong to the call
+itself. A to Z (type I) and the sets of I, J, K (type II) may be mixed; of two values for the same
+variable the later one is used."#,
 };
 
 pub(super) const MIXED_BLOCK: CodeInfo = CodeInfo {
@@ -163,9 +162,9 @@ pub(super) const MIXED_BLOCK: CodeInfo = CodeInfo {
     id: "CH715",
     name: "mixed-block",
     severity: Severity::Error,
-    summary: "a macro statement and NC words stand in one block",
-    explanation: r#"A Fanuc refuses NC words in the block of a macro statement (alarm 127); only N may stand before it. Write two
-blocks. The words before the statement are carried out here, then the statement."#,
+    summary: "a macro statement and NC words in one block",
+    explanation: r#"A Fanuc refuses NC words in the block of a macro statement (alarm 127); only N may come before it. Write two
+blocks. Chordal carries out the words before the statement, then the statement."#,
 };
 
 pub(super) const PROGRAM_ALARM: CodeInfo = CodeInfo {
@@ -174,8 +173,8 @@ pub(super) const PROGRAM_ALARM: CodeInfo = CodeInfo {
     name: "program-alarm",
     severity: Severity::Error,
     summary: "the program stops itself with an alarm",
-    explanation: r#"`#3000=n (TEXT)` is how a program refuses to go on: a missing argument, a wrong tool, a part that is not
-there. The run ends here with the program's own text. Look at the conditions that led to this line."#,
+    explanation: r#"With `#3000=n (TEXT)` a program stops itself: an argument is missing, a tool is wrong, a part is not there.
+The run ends here with the program's own text. Look at the conditions that led to this line."#,
 };
 
 pub(super) const OUTPUT_LIMIT: CodeInfo = CodeInfo {
@@ -184,7 +183,7 @@ pub(super) const OUTPUT_LIMIT: CodeInfo = CodeInfo {
     name: "output-limit",
     severity: Severity::Warning,
     summary: "the program prints more than is kept",
-    explanation: r#"DPRNT in a loop can print without end. What comes after the limit is not kept; the run goes on."#,
+    explanation: r#"DPRNT in a loop can print without end. Text after the limit is not kept; the run continues."#,
 };
 
 pub(super) const BAD_OUTPUT: CodeInfo = CodeInfo {
@@ -194,8 +193,8 @@ pub(super) const BAD_OUTPUT: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the text of DPRNT cannot be read",
     explanation: r#"DPRNT prints the letters and digits between its brackets; `*` is a blank; `#1[53]` prints variable #1 with five
-places before and three behind the point. Both digits are needed. A Haas takes 0 to 9 for each, older
-controls at most 8 places in all."#,
+digits before the decimal point and three after it. Both numbers are needed. A Haas accepts 0 to 9 for each,
+older controls at most 8 digits together."#,
 };
 
 pub(super) const SYSTEM_VARIABLE: CodeInfo = CodeInfo {
@@ -204,8 +203,8 @@ pub(super) const SYSTEM_VARIABLE: CodeInfo = CodeInfo {
     name: "system-variable",
     severity: Severity::Note,
     summary: "a system variable has a value that Chordal does not know",
-    explanation: r#"The variable exists on the control and shows something that a program alone does not tell: an input, a timer,
-a load. Its value is taken as given in the machine file's `[macros] variables`, else as zero."#,
+    explanation: r#"The variable exists on the control, and its value does not follow from the program: an input, a timer, a
+load. Chordal takes the value from the machine file's `[macros] variables`; without one it is zero."#,
 };
 
 pub(super) const WORD_ROUNDED: CodeInfo = CodeInfo {
@@ -213,9 +212,9 @@ pub(super) const WORD_ROUNDED: CodeInfo = CodeInfo {
     id: "CH720",
     name: "word-rounded",
     severity: Severity::Warning,
-    summary: "a value was not whole where the address takes whole numbers",
-    explanation: r#"The value behind M, T, H, D, S, P or L was computed and has decimals; the control rounds it. If it should
-have been whole, look at the computation; if not, write ROUND or FIX so that the reader sees it."#,
+    summary: "a value was not whole where the address needs a whole number",
+    explanation: r#"The value of M, T, H, D, S, P or L was computed and has decimals; the control rounds it. If it should
+be whole, check the computation; if not, write ROUND or FIX so that a reader sees it."#,
 };
 
 pub(super) const UNSET_NAME: CodeInfo = CodeInfo {
@@ -224,7 +223,7 @@ pub(super) const UNSET_NAME: CodeInfo = CodeInfo {
     name: "unset-name",
     severity: Severity::Error,
     summary: "a named variable is read before it is set",
-    explanation: r#"Named variables (`#<name>`) must be written before they are read. A slip in the name looks the same."#,
+    explanation: r#"Named variables (`#<name>`) must be set before they are read. A typing error in the name looks the same."#,
 };
 
 pub(super) const PROGRAM_STOP: CodeInfo = CodeInfo {
@@ -242,8 +241,8 @@ pub(super) const SKIP_ASSUMED: CodeInfo = CodeInfo {
     name: "skip-assumed",
     severity: Severity::Note,
     summary: "where a skip move stops is assumed",
-    explanation: r#"A probe or skip move (G31, LinuxCNC G38.2 to G38.5) ends where the probe touches the part, which no program
-tells. The machine file says what to assume:
+    explanation: r#"A probe or skip move (G31, LinuxCNC G38.2 to G38.5) ends where the probe touches the part; no program
+says where that is. The machine file says what to assume:
 
     [probe]
     hit = "end"             # it touches where the move ends (the default)
@@ -259,8 +258,8 @@ pub(super) const DATE_NOT_SET: CodeInfo = CodeInfo {
     name: "date-not-set",
     severity: Severity::Note,
     summary: "the program reads the date or the time",
-    explanation: r#"A run must give the same result every day, so Chordal never asks a clock. Date and time come from the machine
-file: `[macros] date = "2024-05-17"`, `time = "13:45:00"`; without them they are zero."#,
+    explanation: r#"A run must give the same result every day, so Chordal never reads the clock. Date and time come from the
+machine file: `[macros] date = "2024-05-17"`, `time = "13:45:00"`; without them they are zero."#,
 };
 
 pub(super) const OUTPUT_CLOSED: CodeInfo = CodeInfo {
@@ -269,7 +268,7 @@ pub(super) const OUTPUT_CLOSED: CodeInfo = CodeInfo {
     name: "output-closed",
     severity: Severity::Note,
     summary: "the program prints without POPEN",
-    explanation: r#"On most controls POPEN must open the port before DPRNT sends anything. The text is kept all the same."#,
+    explanation: r#"On most controls POPEN must open the port before DPRNT sends anything. Chordal keeps the text anyway."#,
 };
 
 pub(super) const NUMBER_OUT_OF_RANGE: CodeInfo = CodeInfo {
@@ -278,9 +277,9 @@ pub(super) const NUMBER_OUT_OF_RANGE: CodeInfo = CodeInfo {
     name: "number-out-of-range",
     severity: Severity::Warning,
     summary: "a value is outside the range of the control",
-    explanation: r#"A Fadal refuses numbers of twelve digits and more, and results that are not zero but nearer to it than 0.0001
-(NUMBER OUT OF RANGE). Differences that should be zero are the usual cause: round them with RND before they are
-used. The value is kept here."#,
+    explanation: r#"A Fadal refuses numbers with twelve digits or more, and results between -0.0001 and 0.0001 that are not
+zero (NUMBER OUT OF RANGE). The usual cause is a difference that should be zero: round it with RND before it
+is used. Chordal keeps the value."#,
 };
 
 pub(super) const MACRO_LINE_TOO_LONG: CodeInfo = CodeInfo {
@@ -288,8 +287,8 @@ pub(super) const MACRO_LINE_TOO_LONG: CodeInfo = CodeInfo {
     id: "CH741",
     name: "macro-line-too-long",
     severity: Severity::Warning,
-    summary: "a macro line is longer than the control takes",
-    explanation: r#"A Fadal reads 63 characters of a macro line. Compute a part of the formula in a line before."#,
+    summary: "a macro line is longer than the control reads",
+    explanation: r#"A Fadal reads 63 characters of a macro line. Compute a part of the formula in a line of its own before it."#,
 };
 
 pub(super) const INPUT_NOT_ANSWERED: CodeInfo = CodeInfo {
@@ -297,15 +296,15 @@ pub(super) const INPUT_NOT_ANSWERED: CodeInfo = CodeInfo {
     id: "CH742",
     name: "input-not-answered",
     severity: Severity::Error,
-    summary: "the program asks the operator, and nothing answers",
-    explanation: r#"`#INPUT V1` stops the program until the operator has typed a number. A run here has no operator: the answers
+    summary: "the program asks the operator for a number, and none is given",
+    explanation: r#"`#INPUT V1` stops the program until the operator has typed a number. Chordal has no operator: the answers
 come from the machine file, in the order in which the program asks:
 
     [macros]
     inputs = [1.5, 2]
 
-Without an answer 0 is taken, which is what the control takes for an empty one, and what depends on it means
-little."#,
+Without an answer Chordal takes 0, as the control does when nothing is typed. What the program computes
+from it means little."#,
 };
 
 pub(super) const PROBE_WITHOUT_HIT: CodeInfo = CodeInfo {
@@ -313,9 +312,9 @@ pub(super) const PROBE_WITHOUT_HIT: CodeInfo = CodeInfo {
     id: "CH744",
     name: "probe-without-hit",
     severity: Severity::Warning,
-    summary: "a probe move touches nothing, and the control takes that for an error",
+    summary: "a probe move touches nothing, and the control stops with an error",
     explanation: r#"G38.2 and G38.4 of LinuxCNC stop the program with an error when the move ends without a touch; G38.3 and G38.5
-go on. The machine file's `[probe] hit` says what the probe finds."#,
+continue. The machine file's `[probe] hit` says where the probe touches."#,
 };
 
 pub(super) const BAD_PROBE_MOVE: CodeInfo = CodeInfo {
@@ -324,6 +323,6 @@ pub(super) const BAD_PROBE_MOVE: CodeInfo = CodeInfo {
     name: "bad-probe-move",
     severity: Severity::Error,
     summary: "a probe move that the control refuses",
-    explanation: r#"A probe move needs a point to go to that is not where it stands, a feed, no cutter compensation, and on
-LinuxCNC no inverse-time feed."#,
+    explanation: r#"A probe move needs an end point different from its start, a feed, cutter compensation off, and on
+LinuxCNC a feed that is not inverse time."#,
 };

@@ -9,8 +9,8 @@ pub(super) const RADIUS_MISMATCH: CodeInfo = CodeInfo {
     name: "radius-mismatch",
     severity: Severity::Error,
     summary: "start and end of an arc lie at different distances from its centre",
-    explanation: r#"An arc by centre states the same circle twice: the start point is on it, and so must the end point be.
-When the two distances differ by more than the control's tolerance, one of the numbers is wrong.
+    explanation: r#"An arc by its centre gives the same circle twice: the start point is on it, and the end point must be,
+too. When the two distances differ by more than the control's tolerance, one of the numbers is wrong.
 
     G18
     G1 X-3.4585 Z-1.168
@@ -19,7 +19,7 @@ When the two distances differ by more than the control's tolerance, one of the n
 The message gives the two radii, the difference, and the tolerance of this control
 (`radius_error_tolerance`, on Fanuc No. 3410, on Mitsubishi #1084 RadErr). Look for swapped
 digits and lost signs in the end point of this block *and of the block before*, then in the
-centre words. Common further causes: centre words that another control reads as absolute, and
+centre words. Other common causes: centre words that another control reads as absolute, and
 an R0 or I0 that was typed as another number."#,
 };
 
@@ -30,7 +30,7 @@ pub(super) const RADIUS_TOO_SHORT: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the radius does not reach from start to end",
     explanation: r#"The distance from start to end is more than twice the radius, so no circle of that radius passes
-through both. Chordal shows the shortest radius that would do."#,
+through both. Chordal shows the shortest radius that is possible."#,
 };
 
 pub(super) const FULL_CIRCLE_BY_RADIUS: CodeInfo = CodeInfo {
@@ -39,7 +39,7 @@ pub(super) const FULL_CIRCLE_BY_RADIUS: CodeInfo = CodeInfo {
     name: "full-circle-by-radius",
     severity: Severity::Error,
     summary: "a full circle cannot be given by its radius",
-    explanation: r#"Through one point pass endless circles of a radius. Give the centre instead (I, J or K), and leave the
+    explanation: r#"Any number of circles with one radius pass through one point. Give the centre (I, J or K), and leave the
 end point out."#,
 };
 
@@ -50,7 +50,7 @@ pub(super) const CENTER_OUTSIDE_PLANE: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "a centre word does not belong to the plane",
     explanation: r#"In G17 the centre is given by I and J, in G18 by I and K, in G19 by J and K. The third letter has
-no meaning there: either the plane or the letter is wrong."#,
+no meaning in that plane: either the plane or the letter is wrong."#,
 };
 
 pub(super) const NO_CENTER: CodeInfo = CodeInfo {
@@ -60,7 +60,7 @@ pub(super) const NO_CENTER: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "an arc has neither centre nor radius",
     explanation: r#"G2 and G3 need the centre (I, J, K) or the radius (R). On a Fadal a block without them is a straight
-line, and Chordal warns only where G2 or G3 stands in that very block."#,
+line, and Chordal warns only where G2 or G3 is in the same block."#,
 };
 
 pub(super) const MISSING_FEED: CodeInfo = CodeInfo {
@@ -68,9 +68,9 @@ pub(super) const MISSING_FEED: CodeInfo = CodeInfo {
     id: "CH406",
     name: "missing-feed",
     severity: Severity::Error,
-    summary: "a cutting move before any feed was given",
-    explanation: r#"G1, G2 and G3 need a feed. Before the first F the control alarms (or keeps the feed of the program
-that ran before: worse). In inverse time (G93) every block needs its own F."#,
+    summary: "a cutting move before the first feed",
+    explanation: r#"G1, G2 and G3 need a feed. Before the first F the control alarms, or, worse, uses the feed of the
+program that ran before. In inverse time (G93) every block needs its own F."#,
 };
 
 pub(super) const FEED_OVER_LIMIT: CodeInfo = CodeInfo {
@@ -79,8 +79,8 @@ pub(super) const FEED_OVER_LIMIT: CodeInfo = CodeInfo {
     name: "feed-over-limit",
     severity: Severity::Error,
     summary: "the feed is above what the machine allows",
-    explanation: r#"The machine file says how fast the machine may cut. Controls alarm, or cut at their maximum without
-saying so: the program takes longer than it says."#,
+    explanation: r#"The machine file gives the largest feed. Controls alarm, or cut at their maximum without a message: the
+program takes longer than its feeds say."#,
 };
 
 pub(super) const RADIUS_OVER_LIMIT: CodeInfo = CodeInfo {
@@ -89,8 +89,8 @@ pub(super) const RADIUS_OVER_LIMIT: CodeInfo = CodeInfo {
     name: "radius-over-limit",
     severity: Severity::Error,
     summary: "the radius is larger than the control can interpolate",
-    explanation: r#"Controls have a largest radius: a Fadal 399.9999 in, with cutter compensation 99.9999 in. Cut a
-larger one as a line or in pieces."#,
+    explanation: r#"Controls have a largest radius: a Fadal 399.9999 in, with cutter compensation 99.9999 in. Program a
+larger arc as lines."#,
 };
 
 pub(super) const CENTER_AND_RADIUS: CodeInfo = CodeInfo {
@@ -99,8 +99,8 @@ pub(super) const CENTER_AND_RADIUS: CodeInfo = CodeInfo {
     name: "center-and-radius",
     severity: Severity::Error,
     summary: "an arc has both a centre and a radius",
-    explanation: r#"Centre and radius say the same thing twice. Where both stand in a block, Fanuc-style controls follow
-R and pass over the centre; LinuxCNC refuses."#,
+    explanation: r#"Centre and radius say the same thing twice. When a block has both, Fanuc-style controls use R and ignore
+the centre; LinuxCNC refuses the block."#,
 };
 
 pub(super) const SPIRAL_TURNS: CodeInfo = CodeInfo {
@@ -120,8 +120,8 @@ pub(super) const NO_SPIRALS: CodeInfo = CodeInfo {
     name: "no-spirals",
     severity: Severity::Error,
     summary: "this control has no spiral command",
-    explanation: r#"The block asks for a spiral or a cone, which this control cannot interpolate. A conversion would cut
-it in arcs or chords."#,
+    explanation: r#"The block asks for a spiral or a cone, which this control cannot interpolate. A conversion would write
+arcs or chords."#,
 };
 
 pub(super) const ZERO_RADIUS: CodeInfo = CodeInfo {
@@ -130,8 +130,8 @@ pub(super) const ZERO_RADIUS: CodeInfo = CodeInfo {
     name: "zero-radius",
     severity: Severity::Error,
     summary: "the centre of an arc is its start point",
-    explanation: r#"All centre words are zero, or the centre given in absolute coordinates is where the tool stands. There
-is no circle to follow."#,
+    explanation: r#"All centre words are zero, or the centre, given in absolute coordinates, is the position of the tool.
+There is no circle to follow."#,
 };
 
 pub(super) const SPINDLE_STOPPED: CodeInfo = CodeInfo {
@@ -140,8 +140,8 @@ pub(super) const SPINDLE_STOPPED: CodeInfo = CodeInfo {
     name: "spindle-stopped",
     severity: Severity::Warning,
     summary: "a cutting move with the spindle stopped",
-    explanation: r#"The program feeds along a path and no M3 or M4 came before, or the spindle was stopped since. Told
-once for each tool."#,
+    explanation: r#"The program cuts, and no M3 or M4 came before, or the spindle was stopped after it. Reported once for
+each tool."#,
 };
 
 pub(super) const NEARLY_TANGENT: CodeInfo = CodeInfo {
@@ -150,8 +150,8 @@ pub(super) const NEARLY_TANGENT: CodeInfo = CodeInfo {
     name: "nearly-tangent",
     severity: Severity::Note,
     summary: "an arc joins its neighbour almost, but not quite, tangentially",
-    explanation: r#"The direction turns by a small angle where an arc begins or ends. Rounding of coordinates makes
-hundredths of a degree; tenths are usually a slip in a number. It leaves a visible mark."#,
+    explanation: r#"The direction turns by a small angle where an arc begins or ends. Rounded coordinates cause hundredths
+of a degree; tenths of a degree are usually a mistake in a number. The corner leaves a visible mark."#,
 };
 
 pub(super) const ROTARY_OVER_LIMIT: CodeInfo = CodeInfo {
@@ -169,10 +169,10 @@ pub(super) const ROTARY_IN_ARC: CodeInfo = CodeInfo {
     id: "CH416",
     name: "rotary-in-arc",
     severity: Severity::Warning,
-    summary: "a rotary axis in the block of an arc, on a control that does not turn it there",
+    summary: "a rotary axis in the block of an arc, on a control that does not turn it with the arc",
     explanation: r#"Circular interpolation moves the two axes of the plane, and on most controls a third linear axis for a
-helix. Some controls do not turn a rotary axis in the same block; others do. What a control does is
-its setting `rotary_in_arc`. Chordal shows the arc with the rotary axis turning along.
+helix. Some controls do not turn a rotary axis in the same block; others do. The setting
+`rotary_in_arc` says what the control does. Chordal shows the arc with the rotary axis turning with it.
 
     G1 A90. F500.
     G3 I-1. F10.             the axis turned before the arc"#,
@@ -184,7 +184,7 @@ pub(super) const RAPID_AFTER_ARC: CodeInfo = CodeInfo {
     name: "rapid-after-arc",
     severity: Severity::Warning,
     summary: "a block without a motion code, after an arc, moves at rapid speed",
-    explanation: r#"On a Fadal G2 and G3 give a direction and leave G0 or G1 in force. After G0 an arc runs at the feed, and
+    explanation: r#"On a Fadal G2 and G3 give a direction, and G0 or G1 stays active. After G0 an arc runs at the feed, and
 the next block without a centre runs at rapid speed again.
 
     G0 X2. Y0
@@ -201,11 +201,11 @@ pub(super) const CLEARANCE_IN_INCREMENTAL: CodeInfo = CodeInfo {
     severity: Severity::Note,
     summary: "a rapid in G91 repeats the number of a clearance height in G90",
     explanation: r#"The program goes to a height such as Z0.1 in G90, and later to the same number in G91. There it is a
-distance: the tool lifts by 0.1 from where it stands and ends elsewhere. G90 was probably forgotten; then
-the depths before it were counted from another height, too.
+distance: the tool moves up by 0.1 and ends at another height. G90 was probably forgotten; then the
+depths before it were measured from another height, too.
 
     G43 H01 Z0.1              G90: to 0.1
     G91 G01 Z-0.5156          to -0.4156
     G03 I-0.5 Z0.125 L5       up to 0.2094
-    G00 Z0.1                  up by 0.1 to 0.3094: G91 is still in force"#,
+    G00 Z0.1                  up by 0.1 to 0.3094: G91 is still active"#,
 };

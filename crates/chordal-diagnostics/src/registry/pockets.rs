@@ -9,10 +9,10 @@ pub(super) const IMPROPER_FIXED_ROUTINE: CodeInfo = CodeInfo {
     name: "improper-fixed-routine",
     severity: Severity::Error,
     summary: "a rule of the fixed routines is broken",
-    explanation: r#"The fixed routines (Fadal L91 to L99) are called with all of their R words in the same block, with a tool
-offset in force whose diameter in the table is not zero, with no drilling cycle and no cutter compensation
-in force, and never by hand (MDI). R1 of the pockets is the corner radius of the tool: 0 for a square end,
-never the radius of the tool itself, which would leave no flat to step over with.
+    explanation: r#"The fixed routines (Fadal L91 to L99) need all of their R words in the same block, an active tool offset
+with a diameter above zero in the table, no active drilling cycle and no active cutter compensation. They
+cannot be called in MDI. R1 of the pockets is the corner radius of the tool: 0 for a square end mill. It is
+never the radius of the tool itself: then the tool would have no flat end to clear the floor with.
 
     H3 D3 Z.1 M8
     L9601 R0+40. R1+.01 R2+2.98 R3+1.98"#,
@@ -23,10 +23,10 @@ pub(super) const TOO_SMALL: CodeInfo = CodeInfo {
     id: "CH821",
     name: "pocket-too-small",
     severity: Severity::Error,
-    summary: "the tool does not go into the pocket",
-    explanation: r#"A pocket's size must be above the diameter of the tool, and the radii of a round pocket must grow: tool
-radius, then I, then K. Compare the diameter in the offset table with the program's sizes; a radius
-entered as a diameter, or the reverse, is the usual cause."#,
+    summary: "the tool does not fit into the pocket",
+    explanation: r#"A pocket must be larger than the diameter of the tool, and the radii of a round pocket must increase: tool
+radius, then I, then K. Compare the diameter in the offset table with the sizes in the program. The usual
+cause is a radius entered as a diameter, or the reverse."#,
 };
 
 pub(super) const WITHOUT_DIAMETER: CodeInfo = CodeInfo {
@@ -34,9 +34,9 @@ pub(super) const WITHOUT_DIAMETER: CodeInfo = CodeInfo {
     id: "CH822",
     name: "pocket-without-diameter",
     severity: Severity::Error,
-    summary: "a pocket needs the diameter of the tool, and there is none",
-    explanation: r#"Pocket cycles offset by the radius of the tool on their own. They need the D word (or, where H brings the
-diameter too, H) and a diameter in the machine file's tool table:
+    summary: "a pocket needs the diameter of the tool, and none is given",
+    explanation: r#"Pocket cycles offset by the tool radius themselves. They need the D word (or, where H also gives the
+diameter, H) and a diameter in the machine file's tool table:
 
     chordal check pocket.nc --set tools.1.diameter="0.5 in""#,
 };
@@ -46,8 +46,8 @@ pub(super) const WITHOUT_GEOMETRY: CodeInfo = CodeInfo {
     id: "CH823",
     name: "pocket-without-geometry",
     severity: Severity::Error,
-    summary: "a pocket cycle names no outline, or one that is not there",
-    explanation: r#"G150 takes the outline of the pocket from the blocks that P names: those behind an N number of the same
+    summary: "the outline of a pocket cycle is missing",
+    explanation: r#"G150 takes the outline of the pocket from the blocks that P names: those after an N number of the same
 program, or a program with that O number, up to M99."#,
 };
 
@@ -58,9 +58,9 @@ pub(super) const GEOMETRY: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the outline of a pocket cannot be used",
     explanation: r#"The outline of G150 is a closed chain of lines and arcs (G1, G2, G3) in the XY plane that does not cross
-itself: at most 40 moves, without macro variables. The first move goes from the start hole to the outline
-and the last one ends where the outline began, not at the start hole. The side of the compensation is the
-inside: G41 with a counter-clockwise outline, G42 with a clockwise one."#,
+itself: at most 40 moves, without macro variables. The first move goes from the start hole to the outline.
+The last move ends where the outline began, not at the start hole. The compensation must be on the inside:
+G41 with a counter-clockwise outline, G42 with a clockwise one."#,
 };
 
 pub(super) const REFUSED: CodeInfo = CodeInfo {
@@ -69,9 +69,9 @@ pub(super) const REFUSED: CodeInfo = CodeInfo {
     name: "pocket-refused",
     severity: Severity::Error,
     summary: "a pocket cycle where the control does not allow one",
-    explanation: r#"Pocket cycles work in the XY plane (G17), with cutter compensation off before them, and with the words
-that they need: G12 and G13 take I, or I with K and Q; G150 takes Z, R, Q, one of I and J, and G41 or G42
-with D."#,
+    explanation: r#"Pocket cycles need the XY plane (G17), cutter compensation off before them, and the words
+of the cycle: I, or I with K and Q, for G12 and G13; Z, R, Q, one of I and J, and G41 or G42 with D for
+G150."#,
 };
 
 pub(super) const RIDGES: CodeInfo = CodeInfo {
@@ -79,10 +79,10 @@ pub(super) const RIDGES: CodeInfo = CodeInfo {
     id: "CH826",
     name: "pocket-ridges",
     severity: Severity::Warning,
-    summary: "the stepover leaves material standing",
+    summary: "the stepover leaves material",
     explanation: r#"The passes of the pocket are further apart than the diameter of the tool, or the first circle is so large
-that a core stays in the middle. What stays is hit by the next move through it. Choose a stepover below
-the diameter, about two thirds of it for a clean floor."#,
+that a core stays in the middle. The next move through this material hits it. Choose a stepover below the
+diameter, about two thirds of it for a clean floor."#,
 };
 
 pub(super) const UNREACHED: CodeInfo = CodeInfo {
@@ -91,8 +91,8 @@ pub(super) const UNREACHED: CodeInfo = CodeInfo {
     name: "pocket-unreached",
     severity: Severity::Warning,
     summary: "the tool does not reach all of the pocket",
-    explanation: r#"The pocket has a throat or an arm narrower than the tool (with its finishing allowance). Only the part in
-which the start hole lies is milled. Take a smaller tool, or mill the other parts by pockets of their own."#,
+    explanation: r#"The pocket has a neck or an arm narrower than the tool (with its finishing allowance). Only the part with
+the start hole is milled. Use a smaller tool, or mill the other parts as separate pockets."#,
 };
 
 pub(super) const PATH_ASSUMED: CodeInfo = CodeInfo {
@@ -100,8 +100,8 @@ pub(super) const PATH_ASSUMED: CodeInfo = CodeInfo {
     id: "CH828",
     name: "pocket-path-assumed",
     severity: Severity::Note,
-    summary: "the exact path of a routine is a choice",
+    summary: "the exact path of a routine is assumed",
     explanation: r#"The control's manual gives the size, the depth, the start and the end of this routine, but not every move
-of it. Chordal shows a path that clears the pocket wall to wall and never leaves it; the control's own
-order and stepover may differ, and with them the time."#,
+of it. Chordal shows a path that clears the whole pocket and never leaves it; the control's own order and
+stepover may differ, and so may the time."#,
 };

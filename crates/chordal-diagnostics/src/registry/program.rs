@@ -8,11 +8,10 @@ pub(super) const MISSING_SUBPROGRAM: CodeInfo = CodeInfo {
     id: "CH201",
     name: "missing-subprogram",
     severity: Severity::Error,
-    summary: "a called program is not there",
-    explanation: r#"The program calls another by number or name, and neither this file nor the folder beside it holds
-one. Chordal looks for an `O` (or `:`) head with that number in the file, then for files of the same
-folder whose first head has the number, or whose name is the number (`O1000`, `O1000.nc`, `1000.nc`).
-The call is passed over."#,
+    summary: "a called program was not found",
+    explanation: r#"The program calls another program by number or name, and neither this file nor its folder has it.
+Chordal looks for an `O` (or `:`) number in the file, then for files in the same folder that begin with
+that number or have it as their name (`O1000`, `O1000.nc`, `1000.nc`). The call is skipped."#,
 };
 
 pub(super) const MISSING_LABEL: CodeInfo = CodeInfo {
@@ -20,7 +19,7 @@ pub(super) const MISSING_LABEL: CodeInfo = CodeInfo {
     id: "CH202",
     name: "missing-label",
     severity: Severity::Error,
-    summary: "no block has the N number that is jumped to",
+    summary: "a jump to an N number that no block has",
     explanation: r#"`M97 P100`, `M99 P100` or `M98 P1 H100` jump to the block with `N100`. No block of the program has
 it. The program ends here, as it would on the machine."#,
 };
@@ -31,8 +30,8 @@ pub(super) const NESTING_TOO_DEEP: CodeInfo = CodeInfo {
     name: "nesting-too-deep",
     severity: Severity::Error,
     summary: "calls are nested deeper than the control allows",
-    explanation: r#"A subprogram may call another, up to a depth that belongs to the control. A program that calls
-itself without end arrives here too. The call is not made."#,
+    explanation: r#"A subprogram may call another, up to the depth that the control allows. A program that calls
+itself without end gets this message, too. The call is not made."#,
 };
 
 pub(super) const ENDLESS_LOOP: CodeInfo = CodeInfo {
@@ -41,8 +40,8 @@ pub(super) const ENDLESS_LOOP: CodeInfo = CodeInfo {
     name: "endless-loop",
     severity: Severity::Error,
     summary: "the program repeats itself without end",
-    explanation: r#"`M99` in a main program starts it again, and `M99 P` may jump back; both are used on purpose with
-bar feeders and pallets, and by accident. Chordal runs the program once through, says that it
+    explanation: r#"`M99` in a main program starts it again, and `M99 P` may jump back. Both are used on purpose with bar
+feeders and pallets, and both happen by mistake. Chordal runs the program once, reports that it
 repeats, and stops."#,
 };
 
@@ -61,7 +60,7 @@ pub(super) const REPEAT_NOT_ALLOWED: CodeInfo = CodeInfo {
     id: "CH206",
     name: "repeat-not-allowed",
     severity: Severity::Error,
-    summary: "a line repeat stands where the control has none",
+    summary: "a line repeat where the control has none",
     explanation: r#"`L` on a line repeats that line. A Fadal does this in the main program only, not in subroutines and
 subprograms; there a loop must be a call with repeats. Other controls have no line repeat at all."#,
 };
@@ -72,7 +71,7 @@ pub(super) const CALL_NOT_ALLOWED: CodeInfo = CodeInfo {
     name: "call-not-allowed",
     severity: Severity::Error,
     summary: "this form of call is not allowed here",
-    explanation: r#"Controls restrict which program may call which: on a Fadal a subprogram (O, M98) may not contain
+    explanation: r#"Controls limit which kind of program may call which: on a Fadal a subprogram (O, M98) may not contain
 or call subroutines (L)."#,
 };
 
@@ -81,8 +80,8 @@ pub(super) const RETURN_WITHOUT_CALL: CodeInfo = CodeInfo {
     id: "CH208",
     name: "return-without-call",
     severity: Severity::Warning,
-    summary: "a return stands where nothing was called",
-    explanation: r#"A return code (M17, M99) was met outside any subroutine or subprogram."#,
+    summary: "a return where nothing was called",
+    explanation: r#"There is a return code (M17, M99) outside any subroutine or subprogram."#,
 };
 
 pub(super) const DUPLICATE_PROGRAM: CodeInfo = CodeInfo {
@@ -91,7 +90,7 @@ pub(super) const DUPLICATE_PROGRAM: CodeInfo = CodeInfo {
     name: "duplicate-program",
     severity: Severity::Warning,
     summary: "two programs of the file have the same number",
-    explanation: r#"Only one can be called. Chordal takes the first; a control refuses to load the second, or replaces
+    explanation: r#"Only one of them can be called. Chordal takes the first; a control refuses to load the second, or replaces
 the first."#,
 };
 
@@ -100,9 +99,9 @@ pub(super) const HEADER_OUT_OF_PLACE: CodeInfo = CodeInfo {
     id: "CH210",
     name: "header-out-of-place",
     severity: Severity::Error,
-    summary: "a subroutine head stands outside the subroutine section",
-    explanation: r#"On a Fadal all subroutines (L100, L200, …) come before the main program and M30 closes their
-section. A head after that M30 is not found by the control."#,
+    summary: "a subroutine begins outside the subroutine section",
+    explanation: r#"On a Fadal all subroutines (L100, L200, …) come before the main program, and M30 closes their section.
+The control does not find a subroutine after that M30."#,
 };
 
 pub(super) const BUDGET_REACHED: CodeInfo = CodeInfo {
@@ -112,7 +111,7 @@ pub(super) const BUDGET_REACHED: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the run was stopped by its budget",
     explanation: r#"Loops, repeats and calls can make an endless run out of three lines. The run stops when it has carried
-out more blocks than its budget allows; the number is told, and `--max-blocks` sets another."#,
+out more blocks than its budget allows. The message gives the number; `--max-blocks` sets another."#,
 };
 
 pub(super) const SHOP_CODE_REFUSED: CodeInfo = CodeInfo {
@@ -120,13 +119,13 @@ pub(super) const SHOP_CODE_REFUSED: CodeInfo = CodeInfo {
     id: "CH212",
     name: "shop-code-refused",
     severity: Severity::Error,
-    summary: "a rule of the shop refuses one of its own codes",
-    explanation: r#"M codes and programs that the control does not have may be answered by the shop itself: in Python
-with `chordal.load(…, shop_codes=…)`, in Rust with `RunOptions::shop_codes`. The answer was a refusal, or one that
-cannot be carried out: a time below zero, or more text than a run takes. The code is passed over; the message says what
-the shop's rule said.
+    summary: "a custom M code or a custom program was refused",
+    explanation: r#"You can say what custom M codes and custom programs do, those that the control itself does not have: in Python
+with `chordal.load(…, shop_codes=…)`, in Rust with `RunOptions::shop_codes`. Here the answer was a refusal, or it
+cannot be carried out: a time below zero, or more text than a run accepts. The code is skipped; the message quotes
+the answer.
 
-In a machine file `[shop_codes.M120]` gives such an M code its `time` and its `label`; that never refuses."#,
+In a machine file `[shop_codes.M120]` gives a custom M code its `time` and its `label`; this is never refused."#,
 };
 
 pub(super) const REPEATS_STAND_STILL: CodeInfo = CodeInfo {
@@ -135,8 +134,8 @@ pub(super) const REPEATS_STAND_STILL: CodeInfo = CodeInfo {
     name: "repeats-stand-still",
     severity: Severity::Warning,
     summary: "a helix is repeated with L in G90",
-    explanation: r#"L repeats a block as it stands. In G90 the third axis is at its end after the first time, so the repeats
-are flat circles at that depth. For one turn after the other write the block in G91:
+    explanation: r#"L repeats a block without any change. In G90 the third axis is at its end point after the first time, so
+the repeats are flat circles at that depth. For one turn below the other write the block in G91:
 
     G91 I-.5 G3 Z-.1 L3
     G90"#,
@@ -148,7 +147,7 @@ pub(super) const ENDS_ELSEWHERE: CodeInfo = CodeInfo {
     name: "ends-elsewhere",
     severity: Severity::Note,
     summary: "a subprogram with a contour in G91 does not come back to where it began",
-    explanation: r#"A pocket or a boss in G91 leads in from where it is called, and its lead-out comes back there, so that
-the next call finds the tool at the same place. Here the sum of the moves is not zero: blocks are missing,
-or a number is wrong. Where the subprogram steps on purpose, nothing is wrong."#,
+    explanation: r#"A pocket or a boss in G91 starts at the position where it is called, and its lead-out comes back to it, so
+that the next call starts there, too. Here the sum of the moves is not zero: blocks are missing, or a
+number is wrong. If the subprogram moves on to the next position on purpose, nothing is wrong."#,
 };

@@ -9,15 +9,15 @@ pub(super) const BAD_NUMBER: CodeInfo = CodeInfo {
     name: "bad-number",
     severity: Severity::Error,
     summary: "a number cannot be read",
-    explanation: r#"A word is a letter and a number: an optional sign, digits, at most one decimal point. What
-stands here is something else: two points, two signs, a sign without digits, or more digits
-than any control keeps.
+    explanation: r#"A word is a letter and a number: an optional sign, digits, at most one decimal point. This
+is something else: two points, two signs, a sign without digits, or more digits than any
+control keeps.
 
     G1 X1..5 F10.      two points
     G1 X--2. F10.      two signs
 
-A control refuses the block. Chordal leaves the word out and goes on, so that the rest of the
-program can still be looked at."#,
+A control refuses the block. Chordal skips the word and continues, so that the rest of the
+program can still be checked."#,
 };
 
 pub(super) const MISSING_ADDRESS: CodeInfo = CodeInfo {
@@ -25,9 +25,9 @@ pub(super) const MISSING_ADDRESS: CodeInfo = CodeInfo {
     id: "CH102",
     name: "missing-address",
     severity: Severity::Error,
-    summary: "a number stands without its address letter",
-    explanation: r#"Every number in a block belongs to a letter. A lone number is usually a letter that was lost, or
-the letter I typed as the digit 1:
+    summary: "a number without its address letter",
+    explanation: r#"Every number in a block belongs to a letter. For a number alone, usually the letter was lost, or the
+letter I was typed as the digit 1:
 
     N120 G17 G02 X3. Y2. 12. J2.      meant: I2. J2.
 
@@ -39,9 +39,9 @@ pub(super) const LETTER_FOR_DIGIT: CodeInfo = CodeInfo {
     id: "CH103",
     name: "letter-for-digit",
     severity: Severity::Error,
-    summary: "a letter stands where a digit was meant",
-    explanation: r#"The letter O inside a number was meant to be a zero, and a small l or a capital I inside a number
-a one:
+    summary: "a letter where a digit was meant",
+    explanation: r#"A letter O inside a number was meant to be a zero; a small l or a capital I inside a number was meant to
+be a one:
 
     G1 X1O.5          meant: X10.5
 
@@ -53,10 +53,10 @@ pub(super) const UNCLOSED_COMMENT: CodeInfo = CodeInfo {
     id: "CH104",
     name: "unclosed-comment",
     severity: Severity::Error,
-    summary: "a comment is opened and not closed",
-    explanation: r#"A comment that begins with `(` ends with `)` on the same line. Without it the rest of the line is
-lost to the control, or the control alarms. (On a Fadal the closing parenthesis may be left out,
-and Chordal does not complain there.)"#,
+    summary: "a comment is not closed",
+    explanation: r#"A comment that begins with `(` ends with `)` on the same line. Without it the control does not read
+the rest of the line, or alarms. (On a Fadal the closing parenthesis may be left out, and Chordal does
+not report it.)"#,
 };
 
 pub(super) const UNEXPECTED_CHARACTER: CodeInfo = CodeInfo {
@@ -74,10 +74,9 @@ pub(super) const REPEATED_WORD: CodeInfo = CodeInfo {
     id: "CH106",
     name: "repeated-word",
     severity: Severity::Error,
-    summary: "a letter stands twice in a block",
-    explanation: r#"G and M may stand several times in a block, other letters once. With two X words one of them is a
-slip; controls take the last one or alarm, so Chordal does not guess silently: it says so and takes
-the last."#,
+    summary: "a letter appears twice in a block",
+    explanation: r#"G and M may appear several times in a block, other letters once. With two X words one of them is a
+mistake. Controls use the last one or alarm; Chordal reports it and uses the last one."#,
 };
 
 pub(super) const NOT_A_PROGRAM: CodeInfo = CodeInfo {
@@ -87,7 +86,7 @@ pub(super) const NOT_A_PROGRAM: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "the file does not look like an NC program",
     explanation: r#"The file holds bytes that no program text holds (binary data, an archive, a picture), or it could not
-be read as any of the encodings known. Nothing was run."#,
+be read in any known encoding. Nothing was run."#,
 };
 
 pub(super) const EMPTY_PROGRAM: CodeInfo = CodeInfo {
@@ -104,9 +103,9 @@ pub(super) const MISSING_VALUE: CodeInfo = CodeInfo {
     id: "CH109",
     name: "missing-value",
     severity: Severity::Error,
-    summary: "an address letter stands without a number",
-    explanation: r#"A letter needs a value: `X` alone says nothing. Letters with nothing behind them are refused by
-every control; the common reasons are a deleted number and a comment without its parenthesis."#,
+    summary: "an address letter without a number",
+    explanation: r#"A letter needs a value: `X` alone means nothing. Every control refuses a letter without a number. The
+usual causes are a deleted number and a comment without its parenthesis."#,
 };
 
 pub(super) const NESTED_COMMENT: CodeInfo = CodeInfo {
@@ -114,14 +113,14 @@ pub(super) const NESTED_COMMENT: CodeInfo = CodeInfo {
     id: "CH110",
     name: "nested-comment",
     severity: Severity::Error,
-    summary: "a comment stands in a comment",
+    summary: "a comment inside a comment",
     explanation: r#"A comment ends at the first `)`. With parentheses in parentheses the rest of the comment is read as
 words, or the control refuses the block:
 
-    (ROUGH (LEFT SIDE) TWICE)       TWICE) is no comment any more
-    (ROUGH [LEFT SIDE] TWICE)       is one
+    (ROUGH (LEFT SIDE) TWICE)       TWICE) is outside the comment
+    (ROUGH [LEFT SIDE] TWICE)       all of it is a comment
 
-Chordal tells it once and reads on behind the last `)`."#,
+Chordal reports it once and continues after the last `)`."#,
 };
 
 pub(super) const LOOKS_LIKE_REMARK: CodeInfo = CodeInfo {
@@ -129,11 +128,10 @@ pub(super) const LOOKS_LIKE_REMARK: CodeInfo = CodeInfo {
     id: "CH111",
     name: "looks-like-remark",
     severity: Severity::Error,
-    summary: "a sentence stands between the words of the program",
-    explanation: r#"A remark without its parentheses, or one that was wrapped onto the next line, is read as words by the
-control, and most of them are none. Chordal says it once for all the lines of a remark and passes them
-over.
+    summary: "a sentence between the words of the program",
+    explanation: r#"The control reads a remark without parentheses, or one that was wrapped onto the next line, as words of
+the program, and most of it is not. Chordal reports it once for all lines of the remark and skips them.
 
     (ROUGH THE POCKET AND LEAVE
-    STOCK ON THE WALLS)             this line is no comment"#,
+    STOCK ON THE WALLS)             this line is not a comment"#,
 };

@@ -10,7 +10,7 @@ pub(super) const UNKNOWN_CODE: CodeInfo = CodeInfo {
     severity: Severity::Error,
     summary: "this control has no such code",
     explanation: r#"The G or M code is not in the table of this control. Perhaps the program was written for another
-one: `chordal explain G154 --machine haas-vf2` tells what a code does where, and
+one: `chordal explain G154 --machine haas-vf2` says what a code does on each control, and
 `chordal machines` lists the controls."#,
 };
 
@@ -19,10 +19,9 @@ pub(super) const SAME_GROUP: CodeInfo = CodeInfo {
     id: "CH302",
     name: "same-group",
     severity: Severity::Error,
-    summary: "two codes of one modal group stand in a block",
+    summary: "two codes of one modal group in a block",
     explanation: r#"Codes of one group exclude each other: a block cannot be G0 and G1 at once. Some controls alarm,
-others take the last one. (On a Fadal G90 and G91 may both stand in a block and act from left to
-right.)"#,
+others use the last one. (On a Fadal a block may have both G90 and G91; they act from left to right.)"#,
 };
 
 pub(super) const BAD_WORD_VALUE: CodeInfo = CodeInfo {
@@ -31,8 +30,8 @@ pub(super) const BAD_WORD_VALUE: CodeInfo = CodeInfo {
     name: "bad-word-value",
     severity: Severity::Error,
     summary: "a word has a value that it cannot have here",
-    explanation: r#"The letter is right and the number is not: a fraction where a whole number is due, a negative count,
-a number outside the table."#,
+    explanation: r#"The letter is right and the number is not: decimals where a whole number is needed, a negative count,
+a number that is not in the table."#,
 };
 
 pub(super) const UNUSED_WORD: CodeInfo = CodeInfo {
@@ -41,8 +40,8 @@ pub(super) const UNUSED_WORD: CodeInfo = CodeInfo {
     name: "unused-word",
     severity: Severity::Warning,
     summary: "a word has no effect in this block",
-    explanation: r#"Nothing in the block takes the word. The control passes over it or alarms; in either case it does not
-do what was meant."#,
+    explanation: r#"Nothing in the block uses the word. The control ignores it or alarms; in either case it does not do
+what was meant."#,
 };
 
 pub(super) const MISSING_DECIMAL_POINT: CodeInfo = CodeInfo {
@@ -52,8 +51,8 @@ pub(super) const MISSING_DECIMAL_POINT: CodeInfo = CodeInfo {
     severity: Severity::Warning,
     summary: "a number without a decimal point is read in least increments",
     explanation: r#"On this control `X3` is not three inches but three least increments: 0.0003 in, or 0.003 mm. With a
-point (`X3.`) it is three. Where a program writes points elsewhere, a missing one is nearly always a
-slip, and a dangerous one."#,
+point (`X3.`) it is three inches. In a program that otherwise writes points, a missing one is nearly
+always a mistake, and a dangerous one."#,
 };
 
 pub(super) const NOT_SIMULATED: CodeInfo = CodeInfo {
@@ -62,8 +61,8 @@ pub(super) const NOT_SIMULATED: CodeInfo = CodeInfo {
     name: "not-simulated",
     severity: Severity::Note,
     summary: "the code is known, and what it does is not simulated",
-    explanation: r#"The control carries the code out; Chordal reads it, does nothing, and says so, so that nothing is
-silently missing from the picture."#,
+    explanation: r#"The control carries the code out. Chordal does not, and reports it, so that you know what is missing
+from the path and the time."#,
 };
 
 pub(super) const NOT_ALONE: CodeInfo = CodeInfo {
@@ -72,8 +71,8 @@ pub(super) const NOT_ALONE: CodeInfo = CodeInfo {
     name: "not-alone",
     severity: Severity::Error,
     summary: "the code must be the only one of its kind in the block",
-    explanation: r#"Some codes may not share their block with others of the same letter: on a Fadal G92 and G53 must be
-the only G code of the block."#,
+    explanation: r#"Some codes must not be in one block with others of the same letter: on a Fadal G92 and G53 must be
+the only G code of their block."#,
 };
 
 pub(super) const MISSING_WORD: CodeInfo = CodeInfo {
@@ -81,7 +80,7 @@ pub(super) const MISSING_WORD: CodeInfo = CodeInfo {
     id: "CH308",
     name: "missing-word",
     severity: Severity::Error,
-    summary: "the code needs a word that is not there",
+    summary: "the code needs a word that is missing",
     explanation: r#"A code such as M98 needs its P, a dwell its time, a tool change its T. Without it the control alarms."#,
 };
 
@@ -100,10 +99,10 @@ pub(super) const EXCESS_DECIMALS: CodeInfo = CodeInfo {
     id: "CH310",
     name: "excess-decimals",
     severity: Severity::Note,
-    summary: "a length has more decimals than the control",
-    explanation: r#"A control counts in least increments: 0.0001 in, 0.001 mm. What a number has below that is cut off or
-rounded, so that the axis goes to another place than the text says. In G91 the differences add up. The
-setting `excess_decimals` says what a control does; it is said once in a program."#,
+    summary: "a length has more decimals than the control uses",
+    explanation: r#"A control counts in least increments: 0.0001 in, 0.001 mm. Decimals beyond that are cut off or rounded, so
+the axis does not go exactly where the text says. In G91 the differences add up. The setting
+`excess_decimals` says what a control does. Reported once for a program."#,
 };
 
 pub(super) const TOO_MANY_DIGITS: CodeInfo = CodeInfo {
@@ -111,8 +110,8 @@ pub(super) const TOO_MANY_DIGITS: CodeInfo = CodeInfo {
     id: "CH311",
     name: "too-many-digits",
     severity: Severity::Error,
-    summary: "a number has more digits than the control takes",
-    explanation: r#"A Fanuc-style control takes eight digits in a number. With more it alarms, even if all of
+    summary: "a number has more digits than the control accepts",
+    explanation: r#"A Fanuc-style control accepts eight digits in a number. With more it alarms, even if all of
 them are decimals.
 
     X1.23456789              nine digits: PS0003 on a Fanuc"#,

@@ -92,7 +92,7 @@ pub const COMMON: &[Setting] = &[
     plain(
         "compensation_zero_move",
         CompensationField::ZeroMoveCounts,
-        "as how many blocks without motion a move of length zero counts",
+        "a move of length zero counts as this many blocks without motion",
     ),
     plain(
         "compensation_stops_end_look_ahead",
@@ -102,7 +102,7 @@ pub const COMMON: &[Setting] = &[
     plain(
         "compensation_alone",
         CompensationField::Alone,
-        "G41 or G40 without a move: `waits`, or moves the tool aside (`perpendicular`)",
+        "G41 or G40 without a move: `waits`, or offsets the tool at once (`perpendicular`)",
     ),
     plain(
         "compensation_cancel_direction",
@@ -127,12 +127,12 @@ pub const COMMON: &[Setting] = &[
     plain(
         "compensation_new_offset",
         CompensationField::NewOffset,
-        "another D while compensation is on: `allowed`, `ignored` or `refused`",
+        "a new D while compensation is on: `allowed`, `ignored` or `refused`",
     ),
     plain(
         "compensation_new_offset_on_arc",
         CompensationField::NewOffsetOnArc,
-        "another D in the block of an arc: `allowed` or `refused`",
+        "a new D in the block of an arc: `allowed` or `refused`",
     ),
     plain(
         "compensation_lead",
@@ -143,17 +143,17 @@ pub const COMMON: &[Setting] = &[
     plain(
         "compensation_interference",
         CompensationField::Interference,
-        "what the control looks for: `direction`, `arc-angle`, `vectors` or `strict`",
+        "how the control checks for interference: `direction`, `arc-angle`, `vectors` or `strict`",
     ),
     plain(
         "compensation_check",
         CompensationField::Check,
-        "the control looks for interference: `on` or `off`",
+        "the control checks for interference: `on` or `off`",
     ),
     plain(
         "compensation_remedy",
         CompensationField::Remedy,
-        "where a block interferes: `alarm`, or leave it out (`avoid`)",
+        "where a block interferes: `alarm`, or skip it (`avoid`)",
     ),
     plain(
         "compensation_equal_radius",
@@ -163,12 +163,12 @@ pub const COMMON: &[Setting] = &[
     plain(
         "compensation_spirals",
         CompensationField::Spirals,
-        "spirals: `refused`, or done by `circles`",
+        "spirals: `refused`, or offset as `circles`",
     ),
     plain(
         "compensation_coordinate_change",
         CompensationField::CoordinateChange,
-        "G28, G52, G92 or another work offset within: `allowed` or `refused`",
+        "G28, G52, G92 or a new work offset while compensation is on: `allowed` or `refused`",
     ),
 ];
 
@@ -183,8 +183,9 @@ pub(crate) fn set(
     word: &str,
     value: &SettingValue,
 ) -> Result<(), String> {
-    let length =
-        || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.002 mm\"".to_string());
+    let length = || {
+        value.as_length_mm().map_err(|_| "a length with its unit, such as \"0.002 mm\"".to_string())
+    };
     let rules = &mut p.rules.compensation;
     match field {
         CompensationField::Tangent => rules.tangent_mm = length()?,

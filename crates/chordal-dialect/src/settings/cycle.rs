@@ -96,8 +96,9 @@ pub(crate) fn set(
     word: &str,
     value: &SettingValue,
 ) -> Result<(), String> {
-    let length =
-        || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.02 in\"".to_string());
+    let length = || {
+        value.as_length_mm().map_err(|_| "a length with its unit, such as \"0.02 in\"".to_string())
+    };
     let rules = &mut p.rules.cycles;
     match field {
         CycleField::Axis => rules.axis = choose(word, AXES)?,

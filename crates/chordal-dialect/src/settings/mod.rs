@@ -135,7 +135,11 @@ const GENERAL: &[Setting] = &[
         Field::ExcessDecimals,
         "decimals beyond the least increment (X1.23456 in inch): `cut`, `rounded`, `exact`, or `unknown` (exact, with a note)",
     ),
-    common("most_digits", Field::MostDigits, "most digits of a length; 0 for no limit"),
+    common(
+        "most_digits",
+        Field::MostDigits,
+        "largest number of digits of a length; 0 for no limit",
+    ),
     common("feed_digits_inch", Field::FeedDigits, "decimals of an inch F written without a point"),
     common("arc_center", Field::ArcCenter, "I J K: `from-start`, `absolute` or `from-center`"),
     common("plane_codes", Field::PlaneCodes, "`standard`, or `swapped` (G18 is YZ, G19 is ZX)"),
@@ -163,7 +167,7 @@ const GENERAL: &[Setting] = &[
     common(
         "spiral_on_ray",
         Field::SpiralOnRay,
-        "a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+        "a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
     ),
     common(
         "rotary_in_arc",
@@ -173,17 +177,17 @@ const GENERAL: &[Setting] = &[
     common(
         "omitted_center",
         Field::OmittedCenter,
-        "a centre word left out, where they are coordinates: that of the `start`, or `zero`",
+        "a missing centre word, where centres are coordinates: that of the `start`, or `zero`",
     ),
     common(
         "machine_move",
         Field::MachineMove,
-        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+        "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
     ),
     common(
         "rapid_disarms_arc",
         Field::RapidDisarmsArc,
-        "G0 takes back the direction that G2 or G3 armed, where they arm one: `on` or `off`",
+        "G0 cancels the direction that G2 or G3 gave, where they only give a direction: `on` or `off`",
     ),
     common(
         "spiral_end_tolerance",
@@ -214,7 +218,7 @@ const GENERAL: &[Setting] = &[
         Field::CompensationEntry,
         "start and end of compensation: `A`, `B` or `contour`",
     ),
-    common("nesting", Field::Nesting, "how deep calls may be nested"),
+    common("nesting", Field::Nesting, "largest number of nested calls"),
     common("chip_break", Field::ChipBreak, "lift of a chip-breaking peck (G73)"),
     common("peck_clearance", Field::PeckClearance, "clearance of a full-retract peck (G83)"),
 ];
@@ -318,8 +322,11 @@ fn shown(value: &SettingValue) -> String {
 
 /// Sets one parameter; the error says what it takes.
 fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Result<(), String> {
-    let length =
-        || value.as_length_mm().map_err(|_| "a length with its unit, as \"0.0005 in\"".to_string());
+    let length = || {
+        value
+            .as_length_mm()
+            .map_err(|_| "a length with its unit, such as \"0.0005 in\"".to_string())
+    };
     let count = || match value {
         SettingValue::Integer(number) if (0..=100_000).contains(number) => Ok(*number as u32),
         _ => Err("a whole number".to_string()),

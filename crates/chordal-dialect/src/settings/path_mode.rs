@@ -87,7 +87,7 @@ pub(crate) fn set(
 ) -> Result<(), String> {
     let length = || match value.as_length_mm() {
         Ok(mm) if mm >= 0.0 => Ok(mm),
-        _ => Err("a length with its unit, as \"0.05 mm\", or `none`".to_string()),
+        _ => Err("a length with its unit, such as \"0.05 mm\", or `none`".to_string()),
     };
     let optional = || if word.eq_ignore_ascii_case("none") { Ok(None) } else { length().map(Some) };
     let rules = &mut p.rules.path;

@@ -35,7 +35,7 @@ pub fn code_brief(letter: u8, code: u16, view: &View) -> Option<String> {
 fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     let mut facts = Facts::new(row.title);
     if row.action == Action::NotSimulated {
-        let note = "the control carries it out; Chordal does not, and says so where it stands";
+        let note = "the control carries it out; Chordal does not, and reports each use";
         facts.add("note", note);
         return facts.text;
     }
@@ -44,19 +44,19 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     }
     if row.words != Letters::NONE {
         let letters: Vec<String> = row.words.iter().map(String::from).collect();
-        facts.add("takes", &format!("{}, beside the axes and F", letters.join(" ")));
+        facts.add("takes", &format!("{}, with the axes and F", letters.join(" ")));
     }
     let arc = matches!(
         row.action,
         Action::Motion(MotionCode::ArcCw) | Action::Motion(MotionCode::ArcCcw)
     );
     match row.group {
-        Group::OneShot => facts.add("holds", "in its own block only"),
+        Group::OneShot => facts.add("holds", "only in its own block"),
         Group::Auxiliary | Group::Stopping | Group::Calling | Group::ToolChange => {}
         Group::Motion if arc && view.table.motion == MotionModality::Armed => {
             facts.add(
                 "holds",
-                "as the direction of every block with a centre or a radius; others go on with G1",
+                "as the direction of every block with a centre or a radius; other blocks move as G1",
             );
         }
         group => {
@@ -82,7 +82,7 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     facts.text
 }
 
-/// What the table says of an action beside its settings.
+/// What the table says of an action in addition to its settings.
 fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
     if action == Action::Once(OnceCode::Dwell) {
         for word in view.table.dwell {
@@ -106,8 +106,8 @@ fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
     if matches!(action, Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw)) {
         match view.table.arc_turns {
             ArcTurns::None => {}
-            ArcTurns::Extra => facts.add("turns", "P: full turns beside the arc's own"),
-            ArcTurns::Total => facts.add("turns", "P: all turns, the arc's own counted as one"),
+            ArcTurns::Extra => facts.add("turns", "P: full turns in addition to the arc itself"),
+            ArcTurns::Total => facts.add("turns", "P: all turns, the arc itself counted as one"),
         }
     }
 }
@@ -126,7 +126,7 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
     match target {
         DataTarget::WorkOffset => "work offset P",
         DataTarget::WorkOffsetFromPosition => {
-            "work offset P, so that the position gets these numbers"
+            "work offset P, so that the current position becomes these numbers"
         }
         DataTarget::ExtendedWorkOffset => "extended work offset P",
         DataTarget::Tool(ToolValue::Length) => "length of tool P",

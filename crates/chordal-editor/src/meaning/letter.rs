@@ -29,19 +29,19 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
     match letter {
         b'G' => add("chooses a preparatory code: `chordal explain G2` explains one"),
         b'M' => add("chooses a miscellaneous code: `chordal explain M3` explains one"),
-        b'N' => add("the number of a block, for jumps and for people"),
+        b'N' => add("the number of a block, for jumps and for the reader"),
         b'O' => add("the number of a program, at its head"),
         b'F' => add("feed"),
         b'S' => add("spindle speed"),
         b'T' => add("tool"),
-        b'D' => add("offset of the tool's radius or diameter"),
+        b'D' => add("number of the radius or diameter offset"),
         b'H' if parameters.length_by_h_alone => {
-            add("offset of the tool's length; H alone brings it into force");
+            add("number of the length offset; H alone makes it active");
         }
-        b'H' => add("offset of the tool's length, with G43 or G44"),
+        b'H' => add("number of the length offset, with G43 or G44"),
         b'E' if table.work_names.by_e => add("chooses the work offset: E1, E2, …"),
         b'X' | b'Y' | b'Z' if table.axis_letters.contains(name) => {
-            add("an axis: where to, or how far in incremental mode");
+            add("an axis: the end position, or the distance in incremental mode");
         }
         b'A' | b'B' | b'C' if table.axis_letters.contains(name) => {
             add("a rotary axis, in degrees");
@@ -82,11 +82,11 @@ pub fn letter_meanings(letter: u8, view: &View) -> Vec<String> {
     if letter == b'P' {
         match table.arc_turns {
             ArcTurns::None => {}
-            ArcTurns::Extra => add("with an arc: further full turns"),
-            ArcTurns::Total => add("with an arc: all turns, its own counted as one"),
+            ArcTurns::Extra => add("with an arc: additional full turns"),
+            ArcTurns::Total => add("with an arc: all turns, the arc itself counted as one"),
         }
         if parameters.packed_calls {
-            add("with a call: repeats and program number together, P51000 is 5 times O1000");
+            add("with a call: repeats and program number together; P51000 is 5 times O1000");
         }
     }
     if table.call_start_label == Some(letter) {

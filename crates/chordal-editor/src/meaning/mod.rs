@@ -143,7 +143,7 @@ pub(crate) struct Facts {
 }
 
 impl Facts {
-    /// A text that begins behind the title.
+    /// A text that begins after the title.
     pub fn new(first: &str) -> Facts {
         Facts { text: format!(" {first}\n"), label: "" }
     }

@@ -34,14 +34,14 @@ pub(super) fn columns() -> Vec<Column> {
     let mut columns = vec![
         Column::new("line", Cell::Integer, "", "line of the block, from 1"),
         Column::new("file", Cell::File, "", "the text that the block is in"),
-        Column::new("kind", Cell::Word, "", "what the chord belongs to"),
+        Column::new("kind", Cell::Word, "", "kind of move of the chord"),
         Column::new("tool", Cell::Integer, "", "the tool in the spindle"),
     ];
     let places = |end, meaning| places(AxisMask::LINEAR, end, Cell::Number, meaning);
-    columns.extend(places("from", "where the chord begins, frame of the run"));
-    columns.extend(places("to", "where the chord ends, frame of the run"));
+    columns.extend(places("from", "start of the chord, frame of the run"));
+    columns.extend(places("to", "end of the chord, frame of the run"));
     columns.push(Column::new("length_mm", Cell::Number, "mm", "length of the chord"));
-    let error = "how far the curve may be from the chord";
+    let error = "largest distance of the curve from the chord";
     columns.push(Column::new("error_mm", Cell::Number, "mm", error));
     columns
 }
@@ -128,7 +128,7 @@ impl Rows for ChordColumns<'_> {
 }
 
 impl<W: Write + Send> ColumnFile<W, ChordColumns<'_>> {
-    /// Writes the chords of a segment; they are handed on as they come, since one arc may have
+    /// Writes the chords of a segment; they are emitted as they come, since one arc may have
     /// a million.
     ///
     /// # Errors

@@ -95,35 +95,40 @@ pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
         column("file", File, "", "the text that the block is in"),
         column("kind", Word, "", "what the command does"),
     ];
-    columns.extend(places(axes, "from", NumberOrGap, "where a move begins, program coordinates"));
-    columns.extend(places(axes, "to", NumberOrGap, "where a move ends, program coordinates"));
+    columns.extend(places(axes, "from", NumberOrGap, "start of a move, program coordinates"));
+    columns.extend(places(axes, "to", NumberOrGap, "end of a move, program coordinates"));
     columns.extend([
         column("plane", WordOrGap, "", "plane of an arc, or the new plane"),
         column("center_a_mm", NumberOrGap, "mm", "centre of an arc, first axis of its plane"),
         column("center_b_mm", NumberOrGap, "mm", "centre of an arc, second axis of its plane"),
-        column("direction", WordOrGap, "", "sense of an arc"),
+        column("direction", WordOrGap, "", "direction of an arc"),
         column("sweep_deg", NumberOrGap, "deg", "angle of an arc, without its sign"),
         column("radius_from_mm", NumberOrGap, "mm", "radius at the start of an arc"),
         column("radius_to_mm", NumberOrGap, "mm", "radius at the end of an arc"),
         column("length_mm", NumberOrGap, "mm", "length of a cut"),
-        column("feed_mm_per_min", NumberOrGap, "mm/min", "feed along a cut, whatever F counts"),
-        column("seconds", NumberOrGap, "s", "how long a dwell is"),
+        column(
+            "feed_mm_per_min",
+            NumberOrGap,
+            "mm/min",
+            "feed along a cut, whatever the unit of F",
+        ),
+        column("seconds", NumberOrGap, "s", "time of a dwell"),
         column("number", IntegerOrGap, "", "number of a tool or of an offset"),
-        column("state", TextOrGap, "", "what the spindle, a mode or a switch becomes"),
+        column("state", TextOrGap, "", "new state of the spindle, a mode or a switch"),
         column("rpm", NumberOrGap, "rev/min", "speed of the spindle"),
         column("value", NumberOrGap, "", "length or radius of an offset, mm; F in its own unit"),
         column(
             "text",
             TextOrGap,
             "",
-            "a message, a printed line, the name of a work offset, what a shop code is",
+            "a message, a printed line, the name of a work offset, the label of a custom M code",
         ),
     ]);
     if of_path {
         columns.extend([
             column("compensation", WordOrGap, "", "side of cutter compensation of a cut"),
-            column("cutter_radius_mm", NumberOrGap, "mm", "radius by which a cut is offset"),
-            column("inserted", FlagOrGap, "", "a move that compensation put in"),
+            column("cutter_radius_mm", NumberOrGap, "mm", "tool radius by which a cut is offset"),
+            column("inserted", FlagOrGap, "", "a move that compensation inserted"),
         ]);
     }
     columns

@@ -13,7 +13,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::schema::types::ColumnPath;
 
-/// Rows that are gathered before they are handed on, and the rows of a batch of an Arrow file.
+/// Rows that are gathered before they are emitted, and the rows of a batch of an Arrow file.
 pub(crate) const BATCH: usize = 1 << 13;
 
 /// Rows of a group of a Parquet file: what a reader reads at once, some 10 MB.

@@ -52,32 +52,32 @@ pub(super) fn columns(axes: AxisMask) -> Vec<Column> {
     let mut columns = vec![
         column("line", Integer, "", "line of the block, from 1"),
         column("file", File, "", "the text that the block is in"),
-        column("kind", Word, "", "what the piece is"),
+        column("kind", Word, "", "kind of the piece"),
         column("tool", Integer, "", "the tool in the spindle"),
         column("known", Flag, "", "both ends are known relative to the part"),
     ];
-    columns.extend(places(axes, "from", Number, "where the piece begins, frame of the run"));
-    columns.extend(places(axes, "to", Number, "where the piece ends, frame of the run"));
+    columns.extend(places(axes, "from", Number, "start of the piece, frame of the run"));
+    columns.extend(places(axes, "to", Number, "end of the piece, frame of the run"));
     for letter in ["x", "y", "z"] {
         let name = format!("{letter}_center_mm");
         columns.push(column(&name, NumberOrGap, "mm", "centre at the height of the start"));
     }
     for letter in ["x", "y", "z"] {
         let name = format!("{letter}_axis");
-        columns.push(column(&name, NumberOrGap, "", "unit vector of the axis of turning"));
+        columns.push(column(&name, NumberOrGap, "", "unit vector of the axis of rotation"));
     }
     columns.extend([
         column("radius_from_mm", NumberOrGap, "mm", "radius at the start"),
         column("radius_to_mm", NumberOrGap, "mm", "radius at the end"),
-        column("sweep_deg", NumberOrGap, "deg", "angle about the axis, counter-clockwise above 0"),
+        column("sweep_deg", NumberOrGap, "deg", "angle about the axis, positive counter-clockwise"),
         column("rise_mm", NumberOrGap, "mm", "movement along the axis"),
         column("length_mm", Number, "mm", "length of the curve"),
-        column("seconds", NumberOrGap, "s", "time without acceleration, where a feed is known"),
+        column("seconds", NumberOrGap, "s", "time without acceleration, if the feed is known"),
     ]);
     columns
 }
 
-/// What a curve that turns has beside its ends.
+/// What a curve that turns has in addition to its ends.
 struct Turn {
     center: Vec3,
     normal: Vec3,

@@ -24,7 +24,7 @@ Rotary axes A, B and C have columns only if the machine has them. A gap is null 
 
 **Units: millimetres, degrees, mm/min and seconds, also for programs in inches.**
 
-| command | file of |
+|| command | rows 
 |---|---|
 | `chordal commands part.nc -o part.parquet` | commands as programmed |
 | `chordal path part.nc -o part.parquet` | commands of the tool centre |

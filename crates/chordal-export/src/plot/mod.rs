@@ -25,7 +25,7 @@ pub use motion::MotionPlot;
 pub use page::{PageTool, PageView, Viewpoint};
 use store::Store;
 
-/// What stands on the sheet beside the path, and how large it is.
+/// What stands on the sheet in addition to the path, and how large it is.
 #[derive(Clone, Debug)]
 pub struct PlotOptions {
     /// First line of the caption: the file's name.
@@ -57,7 +57,7 @@ impl Default for PlotOptions {
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     /// The sheet is empty or larger than can be held.
-    #[error("a picture of {0} by {1} pixels cannot be drawn; 200 to 16384 each way can")]
+    #[error("a picture of {0} by {1} pixels cannot be drawn; both must be between 200 and 16384")]
     Size(u32, u32),
     /// The drawing was not accepted by the renderer.
     #[error("the drawing could not be rendered: {0}")]
@@ -88,7 +88,7 @@ impl Plot {
         Plot { store: Store::default(), inch }
     }
 
-    /// Two runs over one another: the first as a band, the second as a line in it. Where they go
+    /// Two runs in one picture: the first as a band, the second as a line in it. Where they go
     /// different ways, band and line part.
     pub fn overlay(jobs: [&Job; 2], names: [String; 2]) -> Plot {
         let mut plot = Plot::new(jobs[0]);
@@ -104,7 +104,7 @@ impl Plot {
         plot
     }
 
-    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` tells what
+    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what
     /// the program was in.
     pub fn set_inch(&mut self, inch: bool) {
         self.inch = inch;

@@ -15,7 +15,7 @@ pub(super) struct Palette {
     tools: [&'static str; 7],
 }
 
-/// After Okabe and Ito: told apart by the colour-blind, and by their grey in print. Yellow is
+/// After Okabe and Ito: distinguished by the colour-blind, and by their grey in print. Yellow is
 /// left out, because it does not show on white.
 static LIGHT: Palette = Palette {
     sheet: "#ffffff",

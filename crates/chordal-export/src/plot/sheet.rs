@@ -136,7 +136,7 @@ fn extents(store: &Store, grid: &Grid, inch: bool) -> Vec<String> {
         lines.push(format!("grid {}", grid.text()));
     }
     if store.has_unknown() && store.extent().is_some() {
-        lines.push("cuts whose place is not known are left out".into());
+        lines.push("cuts at unknown positions are left out".into());
     }
     lines
 }
@@ -258,7 +258,7 @@ fn end_mark(out: &mut String, at: (f64, f64), unit: f64, colors: &Palette) {
 fn nothing(out: &mut String, store: &Store, layout: &Layout, colors: &Palette) {
     let unit = layout.unit;
     let text = if store.has_unknown() {
-        "no motion whose place relative to the part is known"
+        "no motion at a known position relative to the part"
     } else {
         "no motion"
     };

@@ -29,7 +29,7 @@ pub(super) struct Run {
     first: usize,
 }
 
-/// A tool, as the legend tells it.
+/// A tool, as the legend says it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tool {
     pub number: u32,
@@ -50,7 +50,7 @@ pub(super) struct Store {
     end: Vec3,
     limit: usize,
     unknown: bool,
-    /// Two programs over one another, by these names, not tools.
+    /// Two programs in one picture, by these names, not tools.
     pub overlay: Option<[String; 2]>,
 }
 

@@ -4,7 +4,7 @@ use chordal::{Diagnostic, Report, Severity, SourceMap};
 
 use super::place::place;
 
-/// All problems of a run as workflow commands, one a line: GitHub shows them beside the
+/// All problems of a run as workflow commands, one a line: GitHub shows them next to the
 /// lines of the program.
 pub fn github(report: &Report, sources: &SourceMap) -> String {
     report.diagnostics.iter().map(|diagnostic| annotation(diagnostic, sources)).collect()

@@ -10,7 +10,7 @@ pub struct Place<'a> {
     pub file: &'a str,
     /// Its first character.
     pub start: LineColumn,
-    /// Behind its last character.
+    /// After its last character.
     pub end: LineColumn,
 }
 

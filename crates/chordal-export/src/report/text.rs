@@ -105,7 +105,7 @@ fn footer<'d>(diagnostic: &'d Diagnostic, sources: &SourceMap) -> Vec<Element<'d
         lines.push(Level::NOTE.message(clean(&called_from(*call, sources))).into());
     }
     if let more @ 1.. = diagnostic.calls.len().saturating_sub(MOST_CALLS) {
-        lines.push(Level::NOTE.message(format!("and {more} calls further out")).into());
+        lines.push(Level::NOTE.message(format!("and {more} more calls")).into());
     }
     if let Some(help) = &diagnostic.help {
         lines.push(Level::HELP.message(clean(help)).into());
@@ -130,7 +130,7 @@ fn fix_excerpts(fix: &Fix, sources: &SourceMap) -> Excerpts {
 fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> Group<'f> {
     let title = match fix.applicability {
         Applicability::Safe => clean(&fix.title),
-        Applicability::Unsafe => format!("{} (look at it first)", clean(&fix.title)),
+        Applicability::Unsafe => format!("{} (check it first)", clean(&fix.title)),
     };
     let group = Group::with_title(Level::HELP.secondary_title(title));
     let words = sources.words(fix.span);

@@ -132,7 +132,7 @@ impl Interpreter<'_> {
             )
             .severity(severity)
             .label(format!("only {} and {} here", a as char, b as char))
-            .help("take the word out, or choose the plane with G17, G18 or G19"),
+            .help("remove the word, or choose the plane with G17, G18 or G19"),
         );
         !passed_over
     }
@@ -164,7 +164,7 @@ impl Interpreter<'_> {
         let message = if explicit {
             "this arc has neither a centre nor a radius"
         } else {
-            "an arc is in force from a block before, and this block has neither centre nor radius"
+            "an arc is active from a block before, and this block has neither centre nor radius"
         };
         self.kernel.report(
             Diagnostic::new(Code::NoCenter, span, message)
@@ -178,7 +178,7 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters::of("G"));
         let rapid = self.kernel.state.motion == Motion::Rapid;
         let message = if rapid {
-            "G2 or G3 without a centre, and G0 is in force: this control makes a rapid"
+            "G2 or G3 without a centre, and G0 is active: this control makes a rapid"
         } else {
             "G2 or G3 without a centre: this control makes a straight line"
         };
@@ -202,7 +202,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::RapidAfterArc,
                 span,
-                "this block is a rapid: G0 is still in force, for G2 and G3 do not cancel it here",
+                "this block is a rapid: G0 is still active, because G2 and G3 do not cancel it here",
             )
             .label("no motion code, after an arc")
             .help("write G1 for a cut, G0 for a rapid"),
@@ -225,9 +225,9 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters::of("IJKR"));
         let title = self.control.table.title;
         let message = if by_radius {
-            "R0 stands in a move, and no G2 or G3 came before".to_string()
+            "R0 in a move, and no G2 or G3 came before".to_string()
         } else {
-            "a centre is given, and no G2 or G3 came before".to_string()
+            "a centre is given, but no G2 or G3 came before".to_string()
         };
         let mut diagnostic = Diagnostic::new(Code::NoCenter, span, message)
             .label("which direction?")

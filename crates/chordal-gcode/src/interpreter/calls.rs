@@ -87,7 +87,7 @@ impl Interpreter<'_> {
                 span,
                 "the subroutine section is not closed by M30, so there is no main program",
             )
-            .help("put M30 behind the last subroutine, and the main program behind it"),
+            .help("put M30 after the last subroutine, and the main program after it"),
         );
         let end = self.reader.text().len() as u32;
         self.reader.seek(TextPosition { offset: end, line: begin.line });
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             } else {
                 (
                     Code::HeaderOutOfPlace,
-                    format!("the subroutine head L{value} stands outside the subroutine section"),
+                    format!("the subroutine L{value} begins outside the subroutine section"),
                 )
             };
             let help = if alone {
@@ -146,9 +146,7 @@ impl Interpreter<'_> {
                     format!("there is no subroutine L{number}00"),
                 )
                 .label(format!("calls subroutine {number}, {repeats} times"))
-                .help(format!(
-                    "write the subroutine under the head L{number}00 before the main program"
-                )),
+                .help(format!("write the subroutine L{number}00 before the main program")),
             );
             return;
         };
@@ -229,9 +227,9 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::MissingSubprogram,
                 self.span(word.range),
-                format!("there is no program O{number} in this file or beside it"),
+                format!("there is no program O{number} in this file or its folder"),
             )
-            .label("the call is passed over")
+            .label("the call is skipped")
             .help(format!("put O{number} into the file, or a file O{number} into its folder")),
         );
     }
@@ -275,10 +273,10 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::NestingTooDeep,
                     self.span(word.range),
-                    format!("this call would be {depth} deep; the control allows {limit}"),
+                    format!("this call would be {depth} levels deep; the control allows {limit}"),
                 )
                 .label("not called")
-                .help("a program that calls itself never returns; look at the calls above"),
+                .help("a program that calls itself never returns; check the calls above"),
             );
             return false;
         }
@@ -318,8 +316,8 @@ impl Interpreter<'_> {
     fn report_return_without_call(&mut self, block: &Block, at: usize) {
         let span = self.span(block.words[at].range);
         self.kernel.report(
-            Diagnostic::new(Code::ReturnWithoutCall, span, "a return, and nothing was called")
-                .help("take it out, or end the program with M30"),
+            Diagnostic::new(Code::ReturnWithoutCall, span, "a return where nothing was called")
+                .help("remove it, or end the program with M30"),
         );
     }
 
@@ -345,11 +343,11 @@ impl Interpreter<'_> {
                     Diagnostic::new(
                         Code::EndlessLoop,
                         span,
-                        "M99 in the main program begins it again without end",
+                        "M99 in the main program starts it again without end",
                     )
-                    .label("shown once through")
+                    .label("shown once")
                     .severity(Severity::Warning)
-                    .help("end the program with M30, unless the repeat is meant"),
+                    .help("end the program with M30, unless the repeat is intended"),
                 );
                 Flow::End(EndReason::Repeats)
             }
@@ -365,9 +363,9 @@ impl Interpreter<'_> {
         if *taken > 1 && self.frames.is_empty() && !self.macros.used {
             let span = self.span(block.words[at].range);
             self.kernel.report(
-                Diagnostic::new(Code::EndlessLoop, span, "this jump is taken again and again")
+                Diagnostic::new(Code::EndlessLoop, span, "this jump repeats without end")
                     .label("stopped here")
-                    .help("nothing ends the loop: look at the N number it jumps to"),
+                    .help("nothing ends the loop: check the N number it jumps to"),
             );
             return Flow::End(EndReason::Repeats);
         }
@@ -461,7 +459,7 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
         self.kernel.report(
             Diagnostic::new(Code::MissingLabel, span, format!("no block has the number N{label}"))
-                .help(format!("put N{label} before the block that is meant")),
+                .help(format!("put N{label} before the block you mean")),
         );
     }
 

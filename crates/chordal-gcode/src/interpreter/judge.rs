@@ -70,9 +70,9 @@ impl Interpreter<'_> {
                     Diagnostic::new(
                         Code::RepeatedWord,
                         self.span(word.range),
-                        format!("`{letter}` stands more than once in this block"),
+                        format!("`{letter}` appears more than once in this block"),
                     )
-                    .label("the last one counts")
+                    .label("the last one is used")
                     .also(self.span(first), "the first")
                     .help("keep one of them"),
                 );

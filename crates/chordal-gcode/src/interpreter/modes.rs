@@ -238,11 +238,11 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::SameGroup,
                 self.span(block.words[at].range),
-                format!("{arc} makes no arc in the block of {taker}, which takes the axis words"),
+                format!("{arc} makes no arc in the block of {taker}, which uses the axis words"),
             )
             .severity(chordal_diagnostics::Severity::Warning)
-            .label("the arc is left out")
-            .help("write the arc into a block of its own"),
+            .label("the arc is skipped")
+            .help("write the arc in a separate block"),
         );
     }
 

@@ -73,7 +73,7 @@ impl Interpreter<'_> {
                     span,
                     format!("the machine {machine} has no {letter} axis"),
                 )
-                .label("this word is passed over")
+                .label("this word is skipped")
                 .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine")),
             );
         }
@@ -158,7 +158,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::NoMotionInForce,
                 span,
-                "axis words, and no motion code is in force after G80",
+                "axis words, and no motion code is active after G80",
             )
             .help("write G0 or G1 into this block"),
         );
@@ -228,7 +228,7 @@ impl Interpreter<'_> {
                     self.span(word.range),
                     format!("a feed cannot be negative: F{number}"),
                 )
-                .help("take the sign out"),
+                .help("remove the sign"),
             );
         }
     }

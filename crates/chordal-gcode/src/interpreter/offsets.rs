@@ -33,8 +33,8 @@ impl Interpreter<'_> {
         if self.moves_on_arc(block) {
             let span = self.words_span(block, Letters::of("E"));
             self.kernel.report(
-                Diagnostic::new(Code::BadWordValue, span, "E may not stand in a block with an arc")
-                    .label("the work offset changes with G0 or G1 only")
+                Diagnostic::new(Code::BadWordValue, span, "E may not be in a block with an arc")
+                    .label("the work offset changes only with G0 or G1")
                     .help("put E into the block before"),
             );
         }
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
             None => {
                 let span = self.span(block.words[at].range);
                 let message = "an extended work offset without its number".to_string();
-                self.kernel.missing_word(span, message, "write P and the number behind the code");
+                self.kernel.missing_word(span, message, "write P and the number after the code");
             }
         }
     }
@@ -87,7 +87,7 @@ impl Interpreter<'_> {
             )
             .severity(severity)
             .label(format!("tool {tool} is in the spindle"))
-            .help(format!("write H{tool}, if offsets are numbered as tools")),
+            .help(format!("write H{tool} if offsets have the numbers of their tools")),
         );
     }
 
@@ -105,14 +105,10 @@ impl Interpreter<'_> {
             let alarms = self.control.table.alarm(code).is_some();
             let severity = if alarms { Severity::Error } else { code.info().severity };
             self.kernel.report(
-                Diagnostic::new(
-                    code,
-                    span,
-                    "compensation is turned on and no offset was chosen before",
-                )
-                .severity(severity)
-                .label("no offset for this")
-                .help("put the D word into this block or before it"),
+                Diagnostic::new(code, span, "compensation is turned on without an offset number")
+                    .severity(severity)
+                    .label("no offset number for this")
+                    .help("put the D word into this block or before it"),
             );
         }
         if before == Side::Off {
@@ -143,7 +139,7 @@ impl Interpreter<'_> {
                 Code::LeadInTooShort,
                 span,
                 format!(
-                    "compensation starts in a block that moves {normal} alone: this is no lead-in"
+                    "compensation starts in a block that moves only {normal}: this is not a lead-in"
                 ),
             )
             .label(format!("no {a} or {b} in this block"))
@@ -293,7 +289,7 @@ impl Interpreter<'_> {
                     .collect();
                 let help = format!("this control has {}", known.join(", "));
                 let message = match l {
-                    Some(l) => format!("G10 L{l} is not known to this control"),
+                    Some(l) => format!("this control does not have G10 L{l}"),
                     None => "G10 without L".to_string(),
                 };
                 self.kernel.report(Diagnostic::new(Code::BadWordValue, span, message).help(help));

@@ -62,12 +62,12 @@ impl Interpreter<'_> {
                 Code::NotSimulated,
                 self.span(word),
                 format!(
-                    "lines within {} of one straight line are not joined to one move",
+                    "Chordal does not join lines within {} of one straight line into one move",
                     self.kernel.length_text(within)
                 ),
             )
             .label("the control may join them")
-            .help("corners are rounded within P; the path and its time are those of the lines as written")
+            .help("corners are rounded within P; path and time are those of the programmed lines")
             .severity(Severity::Note),
         );
     }
@@ -83,7 +83,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word),
-                    format!("G187 knows the levels P1, P2 and P3; this is P{level}"),
+                    format!("G187 has the levels P1, P2 and P3; this is P{level}"),
                 )
                 .help("write P1 (rough), P2 (medium) or P3 (finish)"),
             );

@@ -76,7 +76,7 @@ impl Interpreter<'_> {
                     self.span(word.range),
                     format!("a dwell cannot be negative: {}{number}", word.letter as char),
                 )
-                .help("take the sign out"),
+                .help("remove the sign"),
             );
             return;
         }
@@ -117,8 +117,8 @@ impl Interpreter<'_> {
                 let span = self.span(block.range);
                 return self.kernel.missing_word(
                     span,
-                    "a return to the reference point names no axis".into(),
-                    "name the axes that go home, as in `G91 G28 Z0`",
+                    "a return to the reference point without an axis".into(),
+                    "give the axes that return, such as `G91 G28 Z0`",
                 );
             }
             named = self.control.axes();

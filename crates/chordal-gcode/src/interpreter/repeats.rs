@@ -16,7 +16,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::RepeatNotAllowed,
                     self.span(word.range),
-                    "L repeats a line in the main program only, and this is a subprogram",
+                    "L repeats a line only in the main program, and this is a subprogram",
                 )
                 .label("carried out once")
                 .help("repeat the call instead, or write the line out"),
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
                 )
                 .severity(Severity::Warning)
                 .label("executed no times")
-                .help("take L0 out, or the block"),
+                .help("remove L0, or the block"),
             );
         }
         self.cut_to_limit(word, count)
@@ -126,13 +126,11 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::EndsElsewhere,
                 self.kernel.origin.span,
-                format!("this subprogram ends X {dx}, Y {dy} away from where it began"),
+                format!("this subprogram ends X {dx}, Y {dy} away from its start"),
             )
             .label("returns from here")
-            .also(contour, "its contour in G91 leads in from where it was called")
-            .help(
-                "look for missing blocks, if it is meant to come back; a second call begins here",
-            ),
+            .also(contour, "its contour in G91 starts from the position of the call")
+            .help("look for missing blocks if it should come back; a second call starts here"),
         );
     }
 }

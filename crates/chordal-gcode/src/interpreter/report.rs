@@ -42,7 +42,7 @@ impl Interpreter<'_> {
         )
         .label("unknown code");
         diagnostic = if others.is_empty() {
-            diagnostic.help("look for a slip in the number")
+            diagnostic.help("check the number")
         } else {
             diagnostic.help(format!("{} has it: is the machine right?", others.join(", ")))
         };
@@ -63,12 +63,12 @@ impl Interpreter<'_> {
         let (message, severity) = match self.control.table.last_of_group_counts {
             true if first.code == second.code => (
                 format!(
-                    "{one} stands twice: {title} executes only the last one, with the words of both"
+                    "{one} appears twice: {title} executes only the last one, with the words of both"
                 ),
                 Severity::Warning,
             ),
             true => (
-                format!("{one} and {two} exclude each other; {title} follows the last"),
+                format!("{one} and {two} exclude each other; {title} uses the last one"),
                 Severity::Warning,
             ),
             false => (format!("{one} and {two} exclude each other"), Severity::Error),
@@ -84,16 +84,16 @@ impl Interpreter<'_> {
 
     pub(super) fn unused_word(&mut self, word: &Word) {
         let letter = word.letter as char;
-        let help = self.spiral_word_help(word.letter).unwrap_or_else(|| {
-            "take it out, or look for the code that it was meant for".to_string()
-        });
+        let help = self
+            .spiral_word_help(word.letter)
+            .unwrap_or_else(|| "remove it, or check for which code it was meant".to_string());
         self.kernel.report(
             Diagnostic::new(
                 Code::UnusedWord,
                 self.span(word.range),
                 format!("`{letter}` has no effect in this block"),
             )
-            .label("nothing here takes it")
+            .label("nothing in this block uses it")
             .help(help),
         );
     }
@@ -161,7 +161,7 @@ impl Interpreter<'_> {
                 self.span(range),
                 "macro statements are not carried out by this version",
             )
-            .label("passed over")
+            .label("skipped")
             .severity(Severity::Warning),
         );
     }
@@ -188,7 +188,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::CompensationAtEnd,
                 self.kernel.origin.span,
-                "cutter compensation is still on where the program ends",
+                "cutter compensation is still on at the end of the program",
             )
             .help("put G40 on the move away from the contour"),
         );

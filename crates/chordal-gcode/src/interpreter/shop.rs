@@ -19,7 +19,7 @@ static SHOP_CODE: CodeRow = CodeRow {
     group: Group::Auxiliary,
     action: Action::After(AfterCode::ShopCode),
     words: Letters::of("EIJKLPQRUVW"),
-    title: "a code of the shop's own",
+    title: "a custom M code",
 };
 
 /// What an interpreter keeps of the shop's codes.
@@ -109,12 +109,10 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::NotAlone,
                     self.span(word.range),
-                    format!(
-                        "{code} runs blocks of the shop's own beside a code that goes elsewhere"
-                    ),
+                    format!("{code} runs custom blocks, together with a code that jumps or calls"),
                 )
                 .label("not carried out")
-                .also(other, "this one goes elsewhere")
+                .also(other, "this code jumps or calls")
                 .help("write two blocks"),
             );
             return;
@@ -212,7 +210,11 @@ impl Interpreter<'_> {
 
     fn shop_wait(&mut self, word: &Word, code: ShopCode, seconds: f64, label: Option<Arc<str>>) {
         if !(seconds >= 0.0 && seconds.is_finite()) {
-            return self.refuse_shop_code(word, code, &format!("it takes no time of {seconds} s"));
+            return self.refuse_shop_code(
+                word,
+                code,
+                &format!("a time of {seconds} s is not possible"),
+            );
         }
         if seconds > 0.0 {
             let label = label.unwrap_or_else(|| Arc::from(code.to_string()));
@@ -225,17 +227,17 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::ShopCodeRefused,
                 self.span(word.range),
-                format!("the shop's own rule refuses {code}: {why}"),
+                format!("the rule for the custom code {code} refuses it: {why}"),
             )
             .label("not carried out")
-            .help(format!("correct the block, or what the shop's rule says of {code}")),
+            .help(format!("correct the block, or the rule for {code}")),
         );
     }
 
     /// Goes into an answered text as into a subprogram.
     fn enter_shop_text(&mut self, word: &Word, code: ShopCode, text: &str, repeats: u32) -> bool {
-        let Some(file) = self.library.sources().append(&format!("{code} of the shop"), text) else {
-            let why = "its blocks are more text than a run takes (10,000 texts, 64 MiB)";
+        let Some(file) = self.library.sources().append(&format!("custom code {code}"), text) else {
+            let why = "its blocks are more text than a run accepts (10,000 texts, 64 MiB)";
             self.refuse_shop_code(word, code, why);
             return false;
         };

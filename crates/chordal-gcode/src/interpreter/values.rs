@@ -93,7 +93,7 @@ impl Interpreter<'_> {
         let increment = self.control.parameters.rules.least_increment(self.kernel.state.units);
         let increment = self.kernel.length_text(increment);
         let what = if kept == number {
-            "whether this control rounds or cuts is not known; computed as written".to_string()
+            "it is not known whether this control rounds or cuts; computed as written".to_string()
         } else {
             format!("this control takes {letter}{kept}")
         };
@@ -105,7 +105,7 @@ impl Interpreter<'_> {
                     "`{letter}{number}` has decimals below the least increment {increment}: {what}"
                 ),
             )
-            .label("the first of them in this program")
+            .label("the first one in this program")
             .help("write no more decimals than the control has; see the setting `excess_decimals`"),
         );
     }
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::TooManyDigits,
                 self.span(word.range),
-                format!("a number of {digits} digits; this control takes {most}"),
+                format!("a number with {digits} digits; this control accepts {most}"),
             )
             .label(format!("at most {most} digits"))
             .help("write fewer decimals"),
@@ -178,7 +178,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word.range),
-                    format!("`{letter}` takes a whole number, not {number}"),
+                    format!("`{letter}` needs a whole number, not {number}"),
                 )
                 .help(format!("write `{letter}` with a whole number that is not negative")),
             );

@@ -165,7 +165,7 @@ fn defined(result: Result<f64, Undefined>, step: &Step) -> Result<f64, Fault> {
         Code::NumberOverflow,
         step.range,
         "this value is too large for the control",
-        "look for a divisor near zero, or a loop that multiplies on and on",
+        "look for a divisor near zero, or a loop that multiplies without end",
     ))
 }
 

@@ -32,7 +32,7 @@ impl Terms {
     }
 }
 
-/// A symmetric system: of each row the diagonal and the entries behind it, `W` in all.
+/// A symmetric system: of each row the diagonal and the entries after it, `W` in all.
 #[derive(Clone)]
 pub(super) struct Band<const W: usize> {
     pub(super) rows: Vec<[f64; W]>,

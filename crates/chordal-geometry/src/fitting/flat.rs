@@ -13,7 +13,7 @@ pub(super) struct Flat {
     pub(super) height: Vec<f64>,
     /// Length of the chords up to a point, in the plane.
     pub(super) along: Vec<f64>,
-    /// For every point, the next chord from there on that no arc may take in; one behind the last
+    /// For every point, the next chord from there on that no arc may take in; one after the last
     /// chord where there is none.
     pub(super) stiff: Vec<usize>,
     /// Chords whose middle may lie noticeably deeper than its ends.
@@ -49,7 +49,7 @@ impl Flat {
         };
         let depth = |index: usize| {
             let length = along[index + 1] - along[index];
-            // The sagitta of an arc that turns as the path does beside this chord.
+            // The sagitta of an arc that turns as the path does at this chord.
             length * turn(index).max(turn(index + 1)) / 8.0
         };
         let depths: Vec<f64> = (0..chords).map(depth).collect();
@@ -77,7 +77,7 @@ impl Flat {
         self.along[to] - self.along[from]
     }
 
-    /// The point at a place: a whole number is a point, a fraction lies on the chord behind it.
+    /// The point at a place: a whole number is a point, a fraction lies on the chord after it.
     pub(super) fn point(&self, place: f64) -> (Vec2, f64) {
         let whole = (place as usize).min(self.end());
         let fraction = place - whole as f64;

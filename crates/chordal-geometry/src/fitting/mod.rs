@@ -87,9 +87,11 @@ pub enum FitError {
 impl core::fmt::Display for FitError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            FitError::Tolerance(value) => write!(f, "a tolerance above zero is due, not {value}"),
+            FitError::Tolerance(value) => {
+                write!(f, "the tolerance must be above zero, not {value}")
+            }
             FitError::NotFinite(index) => {
-                write!(f, "point {index} has a coordinate that is no number")
+                write!(f, "point {index} has a coordinate that is NaN or infinite")
             }
         }
     }
@@ -101,7 +103,7 @@ impl core::error::Error for FitError {}
 /// arcs without gaps needs, ∫(|κ′|/(72√3·e))^⅓ ds.
 ///
 /// Chords too long for an arc within the tolerance stay lines with their ends. Where `tangent` is
-/// asked and cannot be had within the tolerance, two pieces meet at an angle; [`breaks`] tells where.
+/// asked and cannot be had within the tolerance, two pieces meet at an angle; [`breaks`] says where.
 /// A path that ends where it begins, without a corner there, is tangent there, too.
 /// Points that repeat the one before count for nothing; fewer than two others give no piece.
 ///

@@ -93,7 +93,7 @@ impl Reach<'_> {
         let line =
             self.furthest(from, last, hint, |to, look| self.line(from, to, self.tolerance, look));
         let straight = || {
-            // Further than the straight part of the path a line only cuts into the bend behind it.
+            // Further than the straight part of the path a line only cuts into the bend after it.
             let fine = self.tolerance / 10.0;
             let to = line.span[1] as usize;
             let near =

@@ -19,7 +19,7 @@ const PATIENCE: usize = 8;
 const FIRST_STEPS: usize = 3;
 /// Chords of a piece after which its path is looked at; longer ones at as many points.
 const PROBES: usize = 20;
-/// Weight of the directions' equality beside distances.
+/// Weight of the directions' equality relative to distances.
 const DIRECTION: f64 = 1e5;
 /// How hard joints may slide, of what the strip's width and the pieces' length let expect.
 const SLIDE: f64 = 16.0;

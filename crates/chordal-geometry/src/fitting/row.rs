@@ -120,7 +120,7 @@ impl Row {
             _ if to == count => self.directions[1],
             _ => (self.kinds[to] != Joint::Corner).then(|| self.direction(to, false)),
         };
-        // What is taken once, and what behind the start.
+        // What is taken once, and what after the start.
         let (once, again) = (from..to.min(count), 0..to.saturating_sub(count));
         let pieces = || once.clone().chain(again.clone());
         let joints = || from..=to;
@@ -264,7 +264,7 @@ impl Row {
     /// The least change that meets the equations, as far as they are linear: W·Aᵀ·λ with A·W·Aᵀ·λ = −off.
     fn least_change(&self, equations: &[Option<(Terms, f64)>]) -> Option<Vec<f64>> {
         let weight = |unknown: usize| if unknown % EACH == 1 { SLIDE } else { 1.0 };
-        // The equation that closes a row stands beside the band.
+        // The equation that closes a row stands outside the band.
         let closing = equations[0].as_ref().filter(|_| self.is_closed);
         let inner =
             |joint: usize| equations[joint].as_ref().filter(|_| joint > 0 || closing.is_none());

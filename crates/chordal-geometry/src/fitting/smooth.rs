@@ -25,7 +25,7 @@ const HOPELESS: f64 = 0.02;
 /// Pieces relaxed at once when a row is new, and how many of them again with the next.
 const BLOCK: usize = 64;
 const OVERLAP: usize = 16;
-/// Pieces on either side of a place whose joints are spread anew, and beside them that only give way.
+/// Pieces on either side of a place whose joints are spread anew, and next to them those that only give way.
 const SPREAD: usize = 8;
 const GIVE: usize = 4;
 /// The most pieces spread at once.
@@ -34,7 +34,7 @@ const WINDOW: usize = 24;
 const ATTEMPTS: usize = 8;
 /// How often a row is cut where it cannot be tangent.
 const CUTS: usize = 4;
-/// Where arcs are due is told by a row within this part of the tolerance.
+/// A row within this part of the tolerance decides where arcs are needed.
 const FINE: f64 = 0.05;
 /// Pieces are lines to stay where they are nearer than this part of the tolerance.
 const STRAIGHT: f64 = 0.1001;
@@ -196,7 +196,7 @@ impl Fit<'_> {
             if bad.is_empty() {
                 break;
             }
-            // From behind, so that numbers before stay what they are.
+            // From the end, so that numbers before stay what they are.
             for [from, to] in self.windows(&mut measured, &bad).into_iter().rev() {
                 self.widen(&mut measured, [from, to], density);
             }
@@ -217,7 +217,7 @@ impl Fit<'_> {
             let to = if from + BLOCK + OVERLAP >= count { count } else { from + BLOCK };
             let mut part = measured.row.part(from, to);
             if to < count {
-                // What is behind is not tangent yet.
+                // What comes after is not tangent yet.
                 part.directions[1] = None;
                 if from == 0 && measured.row.is_closed {
                     part.directions[0] = None;
@@ -233,7 +233,7 @@ impl Fit<'_> {
         }
     }
 
-    /// Measures what is not, and tells which pieces are too far off or do not meet others in one direction.
+    /// Measures what is not, and says which pieces are too far off or do not meet others in one direction.
     fn bad(&self, measured: &mut Measured) -> Vec<usize> {
         let FitOptions { tolerance, measure, .. } = *self.options;
         let row = &measured.row;
@@ -278,7 +278,7 @@ impl Fit<'_> {
         }
         let mut windows: Vec<[usize; 2]> = Vec::new();
         for piece in bad.iter().copied() {
-            // Beside a line that has to stay.
+            // Next to a line that has to stay.
             let about = if row.lines[piece] {
                 [piece.checked_sub(1), (piece + 1 < row.len()).then_some(piece + 1)]
             } else {
@@ -393,7 +393,7 @@ impl Fit<'_> {
         (0..measured.row.len()).map(with).collect()
     }
 
-    /// Cuts a row at the points beside pieces that cannot be tangent; there pieces through the points stay.
+    /// Cuts a row at the points next to pieces that cannot be tangent; there pieces through the points stay.
     fn cut(&self, row: &Row, bad: &[usize], density: &Density, cuts: usize) -> Vec<Piece> {
         let ends = [row.places[0] as usize, row.places[row.len()] as usize];
         let mut gaps: Vec<[usize; 2]> = Vec::new();

@@ -163,9 +163,9 @@ impl Kernel<'_> {
                 Diagnostic::new(
                     Code::CycleWithoutShift,
                     span,
-                    "boring with an oriented spindle, and no shift is given",
+                    "boring with an oriented spindle, without a shift",
                 )
-                .label("the tip stays at the wall on the way out")
+                .label("the tip stays at the wall during the retract")
                 .help(format!("give the shift with {words}")),
             );
             [0.0; 2]

@@ -141,7 +141,7 @@ impl Kernel<'_> {
                 Diagnostic::new(
                     Code::CycleWithoutPeck,
                     span,
-                    format!("a peck of {text} never gets to the bottom"),
+                    format!("a peck of {text} never reaches the bottom"),
                 )
                 .label("no hole is made")
                 .help("give the depth of a peck with a Q above zero"),
@@ -154,7 +154,7 @@ impl Kernel<'_> {
         }
         let by_lead = rules.tap.feed == TapFeed::SpeedWithLeadQ && words.kind.is_tap();
         if by_lead && words.q.is_none_or(|q| q == 0.0) {
-            let help = "give the lead of the thread with Q; F is the speed".to_string();
+            let help = "give the lead of the thread with Q; F is the spindle speed".to_string();
             return missing(Code::CycleWithoutLead, "the lead of its thread (Q)", help);
         }
         true
@@ -180,7 +180,7 @@ impl Kernel<'_> {
         let free = order == LevelOrder::Free;
         let span = at.span();
         let mut problem = Diagnostic::new(Code::CycleLevels, span, message)
-            .help("from top to bottom: initial level, R, depth; look at the signs");
+            .help("from top to bottom: initial level, R, depth; check the signs");
         problem = if free {
             problem.severity(Severity::Warning).label("the tool feeds upwards here")
         } else {

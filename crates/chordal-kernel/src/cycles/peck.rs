@@ -106,10 +106,10 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::TooManyPecks,
                 span,
-                format!("{MAX_PECKS} pecks do not get through a depth of {depth}"),
+                format!("{MAX_PECKS} pecks do not reach a depth of {depth}"),
             )
             .label("the rest is drilled in one go")
-            .help("look at Q (or I, J, K): is the decimal point right?"),
+            .help("check Q (or I, J, K): is the decimal point right?"),
         );
     }
 }

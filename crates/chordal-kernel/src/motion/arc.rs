@@ -329,7 +329,7 @@ impl Kernel<'_> {
                 format!("a radius of {is} is above the {allowed} that this control allows{with}"),
             )
             .label(format!("at most {allowed}"))
-            .help("cut it as a line, or with arcs of a smaller radius"),
+            .help("program it as lines, or with arcs of a smaller radius"),
         );
     }
 
@@ -360,8 +360,8 @@ impl Kernel<'_> {
                 span,
                 format!("a rotary axis in the block of an arc: {title} does not turn it there"),
             )
-            .label("shown turning along with the arc")
-            .help("turn it in a block before; where this machine does it, set `rotary_in_arc`"),
+            .label("shown turning with the arc")
+            .help("turn it in a block before; if this machine turns it with the arc, set `rotary_in_arc`"),
         );
     }
 }

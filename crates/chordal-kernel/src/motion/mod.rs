@@ -50,13 +50,13 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::ClearanceInIncremental,
                 at.span(),
-                format!("G91 is in force: Z lifts by {lift} to {end}"),
+                format!("G91 is active: Z moves up by {lift} to {end}"),
             )
             .label("a distance, not a height")
             .note(format!(
-                "G91 came into force at Z {lift}: what is cut since then is {lift} higher than the numbers of its Z words"
+                "G91 became active at Z {lift}: all cuts after that are {lift} higher than their Z words"
             ))
-            .help("write G90 before it, if the height is meant"),
+            .help("write G90 before it if the height is meant"),
         );
     }
 
@@ -118,7 +118,7 @@ impl Kernel<'_> {
         let message = match (inverse, zero) {
             (true, _) => "in inverse time (G93) every cutting block needs its own F",
             (_, true) => "a cutting move at feed zero",
-            _ => "a cutting move before any feed was given",
+            _ => "a cutting move before the first feed",
         };
         let span = at.span();
         self.report(

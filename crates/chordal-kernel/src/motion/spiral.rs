@@ -144,7 +144,7 @@ impl Kernel<'_> {
                     span,
                     "start, end and centre of this spiral are one point",
                 )
-                .help("give the way from the start to the centre"),
+                .help("give the distance from the start to the centre"),
             );
             return None;
         }
@@ -234,7 +234,7 @@ impl Kernel<'_> {
             )
             .severity(Severity::Warning)
             .label("the first turn, and no further one")
-            .help("write the count with L, or take the word out"),
+            .help("write the count with L, or remove the word"),
         );
     }
 
@@ -258,7 +258,7 @@ impl Kernel<'_> {
                 format!("`{letter}` asks for a change in each turn, {why}"),
             )
             .label("shown as one full circle")
-            .help(format!("take {letter} out for a circle, or give the end of the spiral")),
+            .help(format!("remove {letter} for a circle, or give the end of the spiral")),
         );
     }
 
@@ -275,7 +275,7 @@ impl Kernel<'_> {
             .severity(Severity::Warning)
             .label(format!("the angle there is not known; shown as that of the {other}"))
             .help(
-                "whether the control takes it is not known: end it a little away from the centre",
+                "it is not known whether the control accepts it: end it a little away from the centre",
             ),
         );
     }
@@ -458,7 +458,7 @@ impl Kernel<'_> {
                 format!("{where_to}, and {count} it makes no turn"),
             )
             .severity(Severity::Warning)
-            .label(format!("shown as the words say: {shown}"))
+            .label(format!("shown as programmed: {shown}"))
             .help(format!("write {more} for one turn, or give another end")),
         );
     }

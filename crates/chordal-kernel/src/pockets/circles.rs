@@ -37,7 +37,7 @@ impl Kernel<'_> {
         let path = rings(&centers, 1, pocket.direction);
         let center = Vec2::new(self.state.position[0], self.state.position[1]);
         let placed: Vec<Step> = path.iter().map(|step| step.shifted(center)).collect();
-        let choice = "half circles between full circles are shown, tangent and of one sense";
+        let choice = "half circles between full circles are shown, tangent and in one direction";
         let label = format!("circles: {}", pocket.radii.len());
         self.note_assumed_path(pocket.word, pocket.name, choice, label);
         let down = pocket.level.map_or(0.0, |level| level - self.state.position[2]);
@@ -91,7 +91,7 @@ impl Kernel<'_> {
                 format!("a ring {width} wide stays {what}: the tool is {tool}"),
             )
             .label("more than the diameter of the tool")
-            .help("take a smaller step, or a larger tool"),
+            .help("use a smaller step, or a larger tool"),
         );
     }
 }

@@ -89,7 +89,7 @@ impl Kernel<'_> {
                 format!("the manuals do not give the exact path of {name}: {choice}"),
             )
             .label(text)
-            .help("size, depth, start and end are the control's; leave room for another order"),
+            .help("size, depth, start and end are those of the control; the order of the passes may differ"),
         );
     }
 
@@ -102,7 +102,7 @@ impl Kernel<'_> {
                 format!("this pocket would take more than {MAX_RINGS} {what}"),
             )
             .label("not carried out")
-            .help("look for a slip in the step: a decimal point, a unit"),
+            .help("check the step: a decimal point, a unit"),
         );
     }
 }

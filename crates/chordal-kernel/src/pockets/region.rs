@@ -67,7 +67,7 @@ impl Kernel<'_> {
             return self.report_too_many_passes(at.words(What::Steps), "rows");
         }
         let label = format!("levels: {}", words.levels.len());
-        let choice = "the order of its rows and the ways between them are Chordal's";
+        let choice = "the order of its passes and the moves between them are assumed";
         self.note_assumed_path(words.word, words.name, choice, label);
         let mut over = words.start;
         over[2] = self.state.position[2];
@@ -119,10 +119,10 @@ impl Kernel<'_> {
                 Diagnostic::new(
                     Code::PocketRidges,
                     at.words(What::Stepover),
-                    format!("ridges {left} wide stay between the rows: the tool is {tool}"),
+                    format!("ridges {left} wide stay between the passes: the tool is {tool}"),
                 )
                 .label("more than the diameter of the tool")
-                .help("take a smaller stepover, or a larger tool"),
+                .help("use a smaller stepover, or a larger tool"),
             );
         }
         let Ok(steps) = rough.clear(words.along, words.step, MAX_RINGS as usize) else {
@@ -145,13 +145,13 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::PocketTooSmall,
                 span,
-                format!("the start hole is {away} from the wall, and the tool with K takes {keep}"),
+                format!("the start hole is {away} from the wall, and the tool with K needs {keep}"),
             )
-            .help("put the start hole where the tool has room, or take a smaller tool")
+            .help("put the start hole where the tool has room, or use a smaller tool")
         } else {
             let message = "the start hole lies outside the outline";
             Diagnostic::new(Code::PocketGeometry, span, message)
-                .help("X and Y are a place inside the pocket; the first move goes to the outline")
+                .help("X and Y are a point inside the pocket; the first move goes to the outline")
         };
         self.report(diagnostic.label("not carried out"));
     }
@@ -171,10 +171,12 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::PocketUnreached,
                 words.word,
-                format!("a tool of {tool} stays {left} away from the wall at X {x}, Y {y}"),
+                format!(
+                    "a tool with diameter {tool} stays {left} away from the wall at X {x}, Y {y}"
+                ),
             )
-            .label("only the part of the start hole is milled")
-            .help("take a smaller tool, or mill the rest by a pocket of its own"),
+            .label("only the part with the start hole is milled")
+            .help("use a smaller tool, or mill the rest as a separate pocket"),
         );
     }
 }

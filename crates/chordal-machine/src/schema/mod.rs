@@ -165,8 +165,9 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
             let found = Axis::ALL.into_iter().find(|axis| axis.letter().to_string() == key);
             keys.axis = Some(found.ok_or_else(|| {
                 let help = match key.as_bytes() {
-                    [letter] => Axis::from_letter(*letter)
-                        .map(|axis| format!("did you mean `{axis}`? Axes are written in capitals")),
+                    [letter] => Axis::from_letter(*letter).map(|axis| {
+                        format!("did you mean `{axis}`? Axes are written in capital letters")
+                    }),
                     _ => None,
                 };
                 let all = || "the axes are X, Y, Z, A, B and C".to_string();
@@ -176,13 +177,13 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
         "<rotary>" => {
             let place = ["A", "B", "C"].iter().position(|letter| *letter == key);
             keys.number = place.map(|place| place as u32).ok_or_else(|| {
-                let help = "the rotary axes are A, B and C, in capitals".to_string();
+                let help = "the rotary axes are A, B and C, in capital letters".to_string();
                 (format!("`{key}` is not a rotary axis"), help)
             })?;
         }
         "<tool>" => {
             keys.number = whole(key).ok_or_else(|| {
-                let help = "a tool is named by its number, as `tools.5`".to_string();
+                let help = "a tool is named by its number, such as `tools.5`".to_string();
                 (format!("`{key}` is not a tool number"), help)
             })?;
         }
@@ -190,7 +191,7 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
             let digits = key.strip_prefix('#').unwrap_or(key);
             keys.number = whole(digits).filter(|number| *number > 0).ok_or_else(|| {
                 let help =
-                    "a variable is named by its number, as `macros.variables.500`".to_string();
+                    "a variable is named by its number, such as `macros.variables.500`".to_string();
                 (format!("`{key}` is not the number of a variable"), help)
             })?;
         }
@@ -198,7 +199,7 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
             let digits = key.strip_prefix(['M', 'm']).unwrap_or_default();
             let number = whole(digits).and_then(|number| u16::try_from(number).ok());
             keys.code = number.filter(|number| *number <= LARGEST_M_CODE).ok_or_else(|| {
-                let help = "an M code is named by letter and number, as `shop_codes.M120`";
+                let help = "an M code is named by letter and number, such as `shop_codes.M120`";
                 (format!("`{key}` is not an M code"), help.to_string())
             })?;
         }
@@ -287,7 +288,7 @@ impl Row {
             Slot::Override(_) => {
                 "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
             }
-            Slot::Setting => "a text, a number or `true`/`false`, as the control takes it".into(),
+            Slot::Setting => "a text, a number or `true`/`false`, depending on the setting".into(),
             Slot::Table(_) => "a table".into(),
             Slot::Axis => "a table, or `false`".into(),
         }
@@ -342,8 +343,8 @@ pub fn schema_reference() -> String {
     let mut text = String::from(
         "A quantity is a text with its unit. Lengths: `mm`, `cm`, `m`, `um`, `in` (also `inch` or \
          `\"`), `ft`. Times: `s`, `ms`, `min`. Angles: `deg`, `rad`, `rev`. Rates are per `s` or \
-         `min` (`in/min`, `mm/s^2`, `m/s³`), with `ipm` and `rpm` for short.\n\n\
-         | key | takes | meaning |\n|---|---|---|\n",
+         `min` (`in/min`, `mm/s^2`, `m/s³`); `ipm` and `rpm` are short forms.\n\n\
+         || key | value | meaning \n|---|---|---|\n",
     );
     for row in ROWS {
         let (path, takes, doc) = (row.path, row.takes(), row.doc);

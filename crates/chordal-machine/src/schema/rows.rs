@@ -50,9 +50,9 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "name",
         slot: Slot::Text(|m, _| &mut m.name),
-        doc: "the name it is called by; otherwise the file's name without folder and ending",
+        doc: "the short name of the machine; default: the file's name without folder and extension",
     },
-    Row { path: "title", slot: Slot::Text(|m, _| &mut m.title), doc: "a name for people" },
+    Row { path: "title", slot: Slot::Text(|m, _| &mut m.title), doc: "the full name, for display" },
     Row { path: "notes", slot: Slot::TextList(|m, _| &mut m.notes), doc: "notes for people" },
     Row {
         path: "control",
@@ -65,12 +65,12 @@ pub(crate) const ROWS: &[Row] = &[
                 }
             },
         },
-        doc: "whose rules its programs are read by",
+        doc: "the control that runs its programs",
     },
     Row {
         path: "axes.<axis>",
         slot: Slot::Axis,
-        doc: "an axis of the machine: X, Y, Z, or the rotary A, B, C. A file that names none has X, Y and Z without limits; `A = false` takes an inherited axis away",
+        doc: "an axis of the machine: X, Y, Z, or the rotary A, B, C. A file that names none has X, Y and Z without limits; `A = false` removes an inherited axis",
     },
     Row {
         path: "axes.<axis>.travel",
@@ -101,21 +101,21 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Jerk,
         Sign::Positive,
         |m, k| &mut axis(m, k).max_jerk,
-        "the largest change of acceleration",
+        "the largest jerk, the rate of change of acceleration",
     ),
     quantity(
         "axes.<axis>.rapid_acceleration",
         Dimension::Acceleration,
         Sign::Positive,
         |m, k| &mut axis(m, k).rapid_acceleration,
-        "the largest acceleration of rapids, where it is not that of cuts",
+        "the largest acceleration of rapids, if it differs from that of cuts",
     ),
     quantity(
         "axes.<axis>.rapid_jerk",
         Dimension::Jerk,
         Sign::Positive,
         |m, k| &mut axis(m, k).rapid_jerk,
-        "the largest change of acceleration of rapids, where it is not that of cuts",
+        "the largest jerk of rapids, if it differs from that of cuts",
     ),
     Row {
         path: "rotary.<rotary>.turns",
@@ -132,7 +132,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "rotary.<rotary>.reversed",
         slot: Slot::Flag(|m, k| &mut rotary(m, k).reversed),
-        doc: "`true`: it counts the other way than ISO 841, where a positive angle turns the tool about the part as a right-hand screw goes along X, Y or Z",
+        doc: "`true`: its positive direction is opposite to ISO 841, where a positive angle turns the tool about the part like a right-hand screw along X, Y or Z",
     },
     position(
         "rotary.<rotary>.center.<axis>",
@@ -144,14 +144,14 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Velocity,
         Sign::Positive,
         |m, _| &mut m.feed.max_mm_per_s,
-        "the fastest feed that may be programmed",
+        "the largest feed that may be programmed",
     ),
     quantity(
         "feed.max_rotary",
         Dimension::AngularVelocity,
         Sign::Positive,
         |m, _| &mut m.feed.max_rad_per_s,
-        "the same for moves of rotary axes alone",
+        "the same for moves of only rotary axes",
     ),
     Row {
         path: "rapid.shape",
@@ -164,14 +164,14 @@ pub(crate) const ROWS: &[Row] = &[
                     .find(|s| s.as_str() == word);
             },
         },
-        doc: "rapids of several axes: each axis at its own speed (`dog-leg`), or along the line (`straight`); otherwise the control's default",
+        doc: "rapids of several axes: each axis at its own speed (`dog-leg`), or along a straight line (`straight`); default: that of the control",
     },
     quantity(
         "spindle.max",
         Dimension::SpindleSpeed,
         Sign::Positive,
         |m, _| &mut m.spindle_max_rpm,
-        "the fastest spindle speed",
+        "the largest spindle speed",
     ),
     Row {
         path: "tools.<tool>",
@@ -185,7 +185,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::Any,
         |m, k| &mut tool(m, k).diameter_mm,
-        "its diameter; some controls take a negative one for the other side",
+        "its diameter; on some controls a negative diameter is for the other side",
     ),
     quantity(
         "tools.<tool>.diameter_wear",
@@ -230,7 +230,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::NotNegative,
         |m, k| &mut tool(m, k).corner_radius_mm,
-        "the radius between its side and its end",
+        "the corner radius, between its side and its end",
     ),
     quantity(
         "tools.<tool>.point_angle",
@@ -312,7 +312,7 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Table(|m, k| {
             work_offset(m, k);
         }),
-        doc: "a work offset: `G54` to `G59`, `\"G59.1\"` to `\"G59.3\"`, `\"G54.1 P1\"`, `\"G154 P1\"` (also `G110`), `E1` to `E48`, `G52`, `EXT`. A name with a point or a space needs its quotes",
+        doc: "a work offset: `G54` to `G59`, `\"G59.1\"` to `\"G59.3\"`, `\"G54.1 P1\"`, `\"G154 P1\"` (also `G110`), `E1` to `E48`, `G52`, `EXT`. A name with a point or a space needs quotes",
     },
     position(
         "work_offsets.<offset>.<axis>",
@@ -332,7 +332,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "switches.block_delete",
         slot: Slot::Switches,
-        doc: "`true` skips every block that starts with `/`; a list as `[1, 3]` only those of these numbers, of which a bare `/` is 1",
+        doc: "`true` skips every block that starts with `/`; a list such as `[1, 3]` skips only the blocks with these numbers; a `/` without a number is 1",
     },
     Row {
         path: "switches.optional_stop",
@@ -356,12 +356,12 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "motion.feed_override",
         slot: Slot::Override(|m, _| &mut m.motion.feed_override),
-        doc: "where the feed override stands; otherwise 100 %",
+        doc: "the feed override; default: 100 %",
     },
     Row {
         path: "motion.rapid_override",
         slot: Slot::Override(|m, _| &mut m.motion.rapid_override),
-        doc: "where the rapid override stands; otherwise 100 %",
+        doc: "the rapid override; default: 100 %",
     },
     quantity(
         "motion.corner_tolerance",
@@ -375,28 +375,28 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::NotNegative,
         |m, _| &mut m.motion.exact_path_tolerance_mm,
-        "how far from the path the tool may be in exact path mode where a line meets a tangent arc; otherwise 0: it stops there",
+        "how far from the path the tool may be in exact path mode where a line meets a tangent arc; default: 0, so it stops there",
     ),
     quantity(
         "motion.rapid_corner_tolerance",
         Dimension::Length,
         Sign::NotNegative,
         |m, _| &mut m.motion.rapid_corner_tolerance_mm,
-        "how far the bends of a dog-leg rapid, and corners between rapids that do not stop, may be rounded; otherwise 10 mm, which is a choice",
+        "how far the bends of a dog-leg rapid, and corners between rapids that do not stop, may be rounded; default: 10 mm (assumed)",
     ),
     quantity(
         "motion.rotary_tolerance",
         Dimension::Angle,
         Sign::NotNegative,
         |m, _| &mut m.motion.rotary_tolerance_rad,
-        "how far a rotary axis may be from its angle at a rounded corner; otherwise 0.01 deg, which is a choice",
+        "how far a rotary axis may be from its angle at a rounded corner; default: 0.01 deg (assumed)",
     ),
     quantity(
         "times.tool_change",
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.tool_change_s,
-        "how long a change of tool takes",
+        "the time of a tool change",
     ),
     quantity(
         "times.spindle_per_1000_rpm",
@@ -424,7 +424,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.m_code_s,
-        "how long an M code that switches coolant takes until the control goes on",
+        "the time an M code that switches coolant takes until the control continues",
     ),
     Row {
         path: "macros.variables.<variable>",
@@ -434,7 +434,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "macros.date",
         slot: Slot::Stamp { stamp: Stamp::Date, place: |m, _| &mut m.macros.date },
-        doc: "the date that macro programs read; a run never asks a clock",
+        doc: "the date that macro programs read; Chordal never reads the clock",
     },
     Row {
         path: "macros.time",
@@ -451,19 +451,19 @@ pub(crate) const ROWS: &[Row] = &[
         slot: Slot::Table(|m, k| {
             m.shop_codes.entry(k.code).or_default();
         }),
-        doc: "an M code that the machine has and its control does not, as `shop_codes.M120`; one that the control has but Chordal does not carry out may be named, too",
+        doc: "a custom M code: one that the machine has and its control does not, such as `shop_codes.M120`; it may also be one that the control has and Chordal does not carry out",
     },
     quantity(
         "shop_codes.<code>.time",
         Dimension::Time,
         Sign::NotNegative,
         |m, k| &mut m.shop_codes.entry(k.code).or_default().time_s,
-        "how long the machine takes for it",
+        "the time the machine takes for it",
     ),
     Row {
         path: "shop_codes.<code>.label",
         slot: Slot::OptionalText(|m, k| &mut m.shop_codes.entry(k.code).or_default().label),
-        doc: "what it is, for people",
+        doc: "what it does, for display",
     },
     Row {
         path: "probe.hit",
@@ -491,7 +491,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "settings.<setting>",
         slot: Slot::Setting,
-        doc: "a parameter of the control, by the name its manual uses",
+        doc: "a parameter of the control, with the name that its manual uses",
     },
 ];
 

@@ -1,4 +1,4 @@
-//! The time that no law of time can beat while velocities and accelerations are held: the
+//! The time that no velocity profile can beat while velocities and accelerations are held: the
 //! two-pass time scaling, without jerk.
 //!
 //! With b = σ̇² the acceleration of an axis is q′b′/2 + q″b. Backwards from rest, the first pass
@@ -33,7 +33,7 @@ const ROUNDS: usize = 14;
 /// Largest turn on a cell of the first grid, rad.
 const TURN: f64 = 0.1;
 
-/// The law of time that is fastest without limits of jerk.
+/// The velocity profile that is fastest without limits of jerk.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
     /// No faster law exists, s.

@@ -19,11 +19,11 @@ pub struct Run<'a> {
     limits: Limits,
 }
 
-/// A run that has no law of time.
+/// A run that has no velocity profile.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RunError {
     /// Not as many speeds as pieces.
-    #[error("{pieces} pieces of path were given {speeds} speeds")]
+    #[error("the path has {pieces} pieces, and {speeds} speeds were given")]
     Count {
         /// How many pieces.
         pieces: usize,
@@ -31,7 +31,7 @@ pub enum RunError {
         speeds: usize,
     },
     /// A length or a speed that is not a positive number, by the number of its piece.
-    #[error("piece {0} has a length, a speed or a derivative that is no positive number")]
+    #[error("piece {0} has a length, a speed or a derivative that is not a positive number")]
     NotPositive(usize),
     /// No way at all.
     #[error("the run has no length")]

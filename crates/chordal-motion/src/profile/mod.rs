@@ -1,4 +1,4 @@
-//! The law of time along a path: jerk-limited changes of speed between places that are passed at
+//! The velocity profile along a path: jerk-limited changes of speed between places that are passed at
 //! even speed.
 //!
 //! A path is a row of cells, each with its own limits of speed and ability. Where the fastest law
@@ -14,7 +14,7 @@ use ramp::{Aim, peak};
 
 use crate::trajectory::Phase;
 
-/// The limits of the law of time on a piece of path.
+/// The limits of the velocity profile on a piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Extent in σ.

@@ -102,7 +102,7 @@ impl Effort {
         2.0 * right / (half + (half * half + 2.0 * right).sqrt())
     }
 
-    /// The phases of a change of speed, handed on in order.
+    /// The phases of a change of speed, emitted in order.
     pub fn phases(self, at: f64, from: f64, to: f64, mut take: impl FnMut(Phase)) {
         let change = (to - from).abs();
         if change <= 0.0 {
@@ -283,7 +283,7 @@ impl Ability {
         most
     }
 
-    /// The phases of a change of speed, handed on in order.
+    /// The phases of a change of speed, emitted in order.
     pub fn phases(&self, at: f64, (from, to): (f64, f64), aim: Aim, mut take: impl FnMut(Phase)) {
         let parts = self.parts(from.min(to), from.max(to), aim);
         let mut place = at;

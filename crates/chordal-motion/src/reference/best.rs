@@ -7,7 +7,7 @@ use super::polish::polish;
 use crate::bound::Run;
 use crate::trajectory::Phase;
 
-/// A law of time in phases.
+/// A velocity profile in phases.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Best {
     /// How long it takes, s.
@@ -27,9 +27,9 @@ impl Best {
 
 /// Phases at most; longer runs keep the law they have.
 const MOST_PHASES: usize = 6000;
-/// Linear programmes at most.
+/// Linear programs at most.
 const PROGRAMS: usize = 16;
-/// The iteration ends when a programme gains less than this share of the time.
+/// The iteration ends when a program gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
 /// By which share speeds may change at a time at first.
 const REACH: f64 = 0.5;
@@ -40,7 +40,7 @@ const GROW: f64 = 1.5;
 const MARGIN: f64 = 1e-8;
 
 /// The law as phases, stretched until every limit is held; `None` when that was not found, the
-/// run does not begin at rest (it cannot be stretched) or is too long for one programme.
+/// run does not begin at rest (it cannot be stretched) or is too long for one program.
 ///
 /// Phases end where pieces do, as far as the pieces there differ: a jerk of the axes that steps
 /// with the path is answered by a step of the jerk along it.

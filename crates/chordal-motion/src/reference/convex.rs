@@ -25,7 +25,7 @@ const MUCH: f64 = 0.1;
 /// The right side of the limit of jerk.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Jerk {
-    /// J/√b̄ with b̄ at least b: the first programme.
+    /// J/√b̄ with b̄ at least b: the first program.
     Fixed,
     /// The tangent of J/√b.
     Tangent,

@@ -1,4 +1,4 @@
-//! How far a law of time exceeds the limits: every axis, on its polynomials.
+//! How far a velocity profile exceeds the limits: every axis, on its polynomials.
 
 use crate::bound::Run;
 use crate::reader::state_of;
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-9;
 /// Samples below this share of the largest so far are not followed to their peak.
 const NEAR: f64 = 0.9;
 
-/// Measures a law of time: the largest shares of the limits that it uses, that of the velocities
+/// Measures a velocity profile: the largest shares of the limits that it uses, that of the velocities
 /// and of the feed being one.
 pub(crate) fn excess(run: &Run<'_>, phases: &[Phase]) -> Use {
     let mut most = Use::default();

@@ -92,7 +92,7 @@ impl Gauge {
     }
 
     /// Takes a step, with the programmed speed of each tag (σ per s; infinite for a rapid), and
-    /// hands on each run that it ends.
+    /// emits each run that it ends.
     pub fn push(
         &mut self,
         step: Step<'_>,

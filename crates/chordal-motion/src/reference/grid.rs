@@ -7,7 +7,7 @@ use super::Effort;
 use crate::bound::{Bound, Run};
 use crate::root::cbrt;
 
-/// Nodes this share of a cell beside a seam are left out.
+/// Nodes this near to a seam, as a share of a cell, are left out.
 const BESIDE: f64 = 0.3;
 /// Seams are at least this share of a cell apart.
 const APART: f64 = 1e-4;

@@ -2,21 +2,21 @@
 //!
 //! 1. The bound without jerk gives b̄ ≥ b = σ̇².
 //! 2. A grid evenly spaced in time (`grid.rs`).
-//! 3. A first programme with |jerk| ≤ J/√b̄, which is conservative.
-//! 4. Programmes with the tangent of J/√b at the law before (`convex.rs`), each a second-order
-//!    cone programme; every law is a start for the next, and the times fall.
+//! 3. A first program with |jerk| ≤ J/√b̄, which is conservative.
+//! 4. Programs with the tangent of J/√b at the law before (`convex.rs`), each a second-order
+//!    conic program; every law is a start for the next, and the times fall.
 //!
 //! 5. Cells that turn out to take longer than was aimed at are cut, and it goes on.
 //! 6. For the level best (`best.rs`) the law becomes phases of even jerk between the nodes
-//!    (`plan.rs`), which linear programmes with the true jerks at both ends of each phase make
+//!    (`plan.rs`), which linear programs with the true jerks at both ends of each phase make
 //!    hold every limit (`polish.rs`); what is left is measured (`excess.rs`) and stretched away.
 //!
 //! A [`Gauge`] holds the steps of any planner against the bound and the reference.
 //!
 //! Pieces must fit in place, direction and curvature, as those of a planner do: a step of the
-//! curvature at speed is a jerk without limit, which no law of time avoids and none here sees.
+//! curvature at speed is a jerk without limit, which no velocity profile avoids and none here sees.
 //!
-//! (Verscheure and others 2009 for the convex programme without jerk; Debrouwere and others 2013
+//! (Verscheure and others 2009 for the convex program without jerk; Debrouwere and others 2013
 //! for the sequence with jerk.)
 
 mod best;
@@ -48,7 +48,7 @@ pub struct Effort {
     /// Nodes at most over all runs that a [`Gauge`] holds against the reference; later runs go
     /// without. At about half a millisecond each.
     pub total_nodes: usize,
-    /// Convex programmes at most.
+    /// Convex programs at most.
     pub programs: usize,
 }
 
@@ -64,12 +64,14 @@ impl Default for Effort {
     }
 }
 
-/// The iteration ends when a programme gains less than this share of the time.
+/// The iteration ends when a program gains less than this share of the time.
 const SETTLED: f64 = 1e-4;
 
 /// No law was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the programme for the least time has no solution: the run cannot be brought to rest")]
+#[error(
+    "the conic program for the least time has no solution: the run cannot be brought to a stop"
+)]
 pub struct ReferenceError;
 
 /// The least time of a run within every limit, jerk included: a local optimum to the accuracy

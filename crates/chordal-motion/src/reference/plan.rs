@@ -1,4 +1,4 @@
-//! A law of time as phases of even jerk between places of the path.
+//! A velocity profile as phases of even jerk between places of the path.
 //!
 //! Between two places σ̈ grows evenly in time, so that the accelerations at the places say it
 //! all: with Δ the way and h the time, Δ = v₀h + (2a₀ + a₁)h²/6 and v₁ = v₀ + (a₀ + a₁)h/2. From

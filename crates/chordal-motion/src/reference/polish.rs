@@ -1,4 +1,4 @@
-//! One linear programme about a law of time: the largest use of any limit becomes as small as
+//! One linear program about a velocity profile: the largest use of any limit becomes as small as
 //! can be while the run takes the same time.
 //!
 //! Variables by node: σ̇ and σ̈; by phase: its duration; all linear about the law before, as what

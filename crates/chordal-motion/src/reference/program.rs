@@ -1,4 +1,4 @@
-//! A convex programme, row by row, and its solution.
+//! A convex program, row by row, and its solution.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -47,7 +47,7 @@ pub(crate) struct Program {
     pub(crate) cones: Vec<[Affine; 3]>,
 }
 
-/// How a programme ended without a solution.
+/// How a program ended without a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unsolved;
 
@@ -71,7 +71,7 @@ impl Program {
     }
 
     /// Solves it. The solver runs in one thread and without a limit of time, so that the same
-    /// programme has the same solution to the bit.
+    /// program has the same solution to the bit.
     pub(crate) fn solve(&self) -> Result<Vec<f64>, Unsolved> {
         let columns = self.cost.len();
         let rows = self.zero.iter().chain(&self.positive).chain(self.cones.iter().flatten());

@@ -56,7 +56,7 @@ pub enum Joint {
     Stop,
     /// Corrections take the steps away without loss of time.
     Ease(Step),
-    /// Easing takes time, and the lengths of the legs tell whether a rest takes less.
+    /// Easing takes time, and the lengths of the legs say whether a rest takes less.
     Slow(Slow),
 }
 
@@ -145,7 +145,7 @@ impl Step {
         self.sides[0].0.max(self.sides[1].0)
     }
 
-    /// It is nearly as fast on both sides, so that what a correction costs is told by its speed.
+    /// It is nearly as fast on both sides, so that its speed shows what a correction costs.
     pub fn is_even(&self) -> bool {
         let [(before, _), (after, _)] = self.sides;
         before.min(after) > 0.99 * before.max(after)

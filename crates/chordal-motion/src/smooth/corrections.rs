@@ -36,7 +36,7 @@ pub struct Corrections {
 
 /// Where a bend's ramp turns, as shares of its half width, and by how many slopes.
 const BEND_TURNS: [(f64, f64); 4] = [(-1.0, -1.0), (-TURN, 2.0), (TURN, -2.0), (1.0, 1.0)];
-/// The same of a kink, beside the kink itself.
+/// The same of a kink, next to the kink itself.
 const KINK_TURNS: [(f64, f64); 2] = [(-1.0, 1.0), (1.0, 1.0)];
 
 impl Corrections {

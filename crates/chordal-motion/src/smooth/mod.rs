@@ -97,7 +97,7 @@ fn half_within(kinks: f64, bends: f64) -> f64 {
 /// Smooths one run from rest to rest, as its moves arrive.
 #[derive(Debug, Default)]
 pub struct Smoother {
-    /// Legs that have not been handed on; the first has the number `legs_gone`.
+    /// Legs that have not been emitted; the first has the number `legs_gone`.
     legs: VecDeque<Leg>,
     legs_gone: usize,
     /// Parts of those legs beyond their first, in order.
@@ -416,7 +416,7 @@ impl Smoother {
         if far >= LEAST * half { far.min(half) } else { half }
     }
 
-    /// Tells the legs around a node that it reaches into them.
+    /// Marks in the legs around a node that it reaches into them.
     fn reach(&mut self, number: usize, first: usize, at: f64, half: f64) {
         let first = first - self.legs_gone;
         for leg in self.legs.range_mut(..first).rev().take_while(|leg| leg.end() > at - half) {

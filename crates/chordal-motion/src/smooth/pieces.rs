@@ -14,7 +14,7 @@ use crate::smooth::span::PathPart;
 /// Limits that differ by less are the same.
 const SAME: f64 = 1e-12;
 
-/// No cell goes over more pieces, so that a long row can be handed on in its middle.
+/// No cell goes over more pieces, so that a long row can be emitted in its middle.
 const MOST_PIECES: u32 = 1024;
 /// And over no more time, s, than this and one piece.
 const MOST_S: f64 = 0.5;

@@ -131,7 +131,7 @@ impl Hull {
             if one.sigma >= *from && (two.sigma <= end || last) {
                 self.take(&on(one), &on(middle), &on(two));
             } else {
-                // Short pieces are met within a step: the law of time there lies between the two.
+                // Short pieces are met within a step: the velocity profile there lies between the two.
                 let at = |sigma: f64| on(&between(one, two, part(sigma)));
                 let (from, to) = (from.max(one.sigma), end.min(two.sigma));
                 self.take(&at(from), &at((from + to) / 2.0), &at(to));

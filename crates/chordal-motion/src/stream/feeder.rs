@@ -85,7 +85,7 @@ pub enum FeedError {
     Finished,
 }
 
-/// So many moves may be with the planner before it hands on a step; then the axes stop after
+/// So many moves may be with the planner before it emits a step; then the axes stop after
 /// the last of them, which bounds memory whatever the program is.
 /// Moves are planned together when they would take so long at their largest speeds, s: well
 /// above any stop, well below what a window's late arrival would cost.
@@ -244,7 +244,7 @@ impl Line {
         if self.timeline.items.is_empty() {
             self.flushing = false;
         }
-        // What was flushed goes out before anything is laid behind it.
+        // What was flushed goes out before anything is laid after it.
         Ok(!self.flushing && self.next_end_s().is_none())
     }
 

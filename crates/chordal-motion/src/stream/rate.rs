@@ -14,7 +14,7 @@ use super::window::{Stop, Window};
 const STEP_S: f64 = 0.001;
 /// How many steps a check may take.
 const STEPS: f64 = 48.0;
-/// How many times a step is held against a block at most.
+/// How many times a step is compared with a block at most.
 const BUDGET: usize = 384;
 
 /// A time with a constant second derivative of the rate.

@@ -42,7 +42,7 @@ pub struct Setpoint {
 /// The pull side, for the thread that serves the axes: [`Servo::next`] allocates nothing, frees
 /// nothing, takes no lock and has no loop that grows with the program.
 ///
-/// The path and the law of time come planned; what changes here is the rate φ at which planned
+/// The path and the velocity profile come planned; what changes here is the rate φ at which planned
 /// time passes. Velocity, acceleration and jerk of an axis are vφ, aφ² + vφ̇ and
 /// jφ³ + 3aφφ̇ + vφ̈. Every course of φ is checked against what all axes do in the time ahead
 /// before its first instant is sent, and ends at an even rate of 1 at most, which is safe for

@@ -76,7 +76,7 @@ pub(super) struct Timeline {
 const SPARE: usize = 8;
 
 impl Timeline {
-    /// Puts a step behind the others.
+    /// Puts a step after the others.
     pub fn push(&mut self, step: Step<'_>) {
         match step {
             Step::Stretch(stretch) if stretch.phases.is_empty() || stretch.pieces.is_empty() => {}
@@ -97,7 +97,7 @@ impl Timeline {
         self.measure();
     }
 
-    /// Whether a wait stands behind the stretches of this part of the line.
+    /// Whether a wait stands after the stretches of this part of the line.
     pub fn wait_index(&self) -> Option<usize> {
         self.items.iter().position(|item| matches!(item, Item::Wait(..)))
     }

@@ -42,7 +42,7 @@ pub(super) struct Leg {
 /// How the motion ends when no further window comes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stop {
-    /// None was found: the stop of a window before stays in force.
+    /// None was found: the stop of a window before stays active.
     Unknown,
     /// The plan itself rests at the end of the window.
     Rest,
@@ -98,7 +98,7 @@ impl Window {
         self.last = false;
     }
 
-    /// The law of time of a leg at `t`, with its phase from `hint` on.
+    /// The velocity profile of a leg at `t`, with its phase from `hint` on.
     #[inline]
     pub fn along(&self, leg: &Leg, hint: &mut usize, t: f64) -> Along {
         let (first, end) = leg.phases;
@@ -107,7 +107,7 @@ impl Window {
         phase.at((t - from_s).clamp(0.0, phase.duration_s))
     }
 
-    /// The piece of a leg that the law of time is on, from `hint` on.
+    /// The piece of a leg that the velocity profile is on, from `hint` on.
     #[inline]
     pub fn piece(&self, leg: &Leg, hint: &mut usize, along: &Along) -> &Placed {
         let (first, end) = leg.pieces;

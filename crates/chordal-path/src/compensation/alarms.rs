@@ -1,4 +1,4 @@
-//! What is told about a compensated contour.
+//! Diagnostics of a compensated contour.
 
 use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -9,7 +9,7 @@ use super::queue::Block;
 use super::{Compensator, PathSink};
 
 impl Compensator {
-    /// Tells a problem with what the control shows; `{n}` stays for who knows the N word.
+    /// Reports a problem with what the control shows; `{n}` stays for who knows the N word.
     fn tell<P: PathSink>(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut P) {
         self.tell_of(diagnostic, false, origin, out);
     }
@@ -63,7 +63,7 @@ impl Compensator {
             format!("inside radius {radius} is {how} than the offset {offset}"),
         )
         .label("the tool runs inside this arc")
-        .help(format!("take a tool of less than {radius} radius, or look at the offset"));
+        .help(format!("use a tool with a radius below {radius}, or check the offset"));
         self.tell_of(diagnostic, true, origin, out);
     }
 
@@ -74,11 +74,11 @@ impl Compensator {
         let diagnostic = Diagnostic::new(
             Code::InsideArcTooSmall,
             origin.span,
-            format!("this inside arc is as large as the offset {offset}: the tool centre stands still on it"),
+            format!("this inside arc is as large as the offset {offset}: the tool centre does not move on it"),
         )
         .severity(Severity::Note)
         .label("the arc shrinks to a point")
-        .help("a larger offset does not fit; a smaller tool cuts the arc without dwelling in it");
+        .help("a larger offset does not fit; a smaller tool cuts the arc without stopping in it");
         self.tell_of(diagnostic, true, origin, out);
     }
 
@@ -92,7 +92,7 @@ impl Compensator {
                 self.length(*lost),
             ),
             Found::Turned { programmed, becomes } => format!(
-                "this arc of {:.3} degrees comes out as {:.3} with the offset {offset}",
+                "this arc of {:.3} degrees becomes {:.3} degrees with the offset {offset}",
                 programmed.to_degrees().abs(),
                 becomes.to_degrees() * programmed.signum(),
             ),
@@ -102,7 +102,7 @@ impl Compensator {
         };
         let diagnostic = Diagnostic::new(Code::CompensationInterference, origin.span, what)
             .label("does not fit between its neighbours")
-            .help("take a smaller tool, or change the contour here");
+            .help("use a smaller tool, or change the contour here");
         self.tell_of(diagnostic, block.curve.is_arc(), origin, out);
     }
 
@@ -112,9 +112,9 @@ impl Compensator {
         let diagnostic = Diagnostic::new(
             Code::InterferenceAvoided,
             origin.span,
-            format!("with the offset {offset} the control leaves this block out"),
+            format!("with the offset {offset} the control skips this block"),
         )
-        .help("take a smaller tool, or change the contour here");
+        .help("use a smaller tool, or change the contour here");
         self.tell(diagnostic, origin, out);
     }
 
@@ -127,7 +127,7 @@ impl Compensator {
             format!("at the start of this block the offset paths of {offset} do not meet"),
         )
         .also(before.command.origin.span, "the block before")
-        .help("take a smaller tool, or change the corner");
+        .help("use a smaller tool, or change the corner");
         self.tell_of(diagnostic, new.curve.is_arc(), origin, out);
     }
 
@@ -147,7 +147,7 @@ impl Compensator {
         let diagnostic = Diagnostic::new(
             Code::LeadInTooShort,
             origin.span,
-            "G40 stands in a block that does not move in the plane: compensation is cancelled on the next move",
+            "G40 is in a block that does not move in the plane: compensation is cancelled on the next move",
         )
         .severity(Severity::Warning)
         .label("no lead-out")
@@ -163,7 +163,7 @@ impl Compensator {
         self.on_arc("ends", "put G40 on a straight move away from the contour", origin, out);
     }
 
-    /// In the block of the code itself this was told when the block was read.
+    /// In the block of the code itself this was reported when the block was read.
     fn on_arc<P: PathSink>(&self, what: &str, help: &str, origin: &Origin, out: &mut P) {
         if self.code.span == origin.span {
             return;
@@ -185,21 +185,21 @@ impl Compensator {
     pub(super) fn side_change_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
         let message = "compensation changes to the other side here";
         let diagnostic = Diagnostic::new(Code::SideChangeRefused, origin.span, message)
-            .help("cancel with G40 on a move away from the contour, then start anew");
+            .help("cancel with G40 on a move away from the contour, then start compensation again");
         self.tell(diagnostic, origin, out);
     }
 
     pub(super) fn new_offset_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
-        let message = "another offset is chosen while compensation is on";
+        let message = "a new offset number while compensation is on";
         let diagnostic = Diagnostic::new(Code::NewOffsetRefused, origin.span, message)
             .help("cancel with G40 first");
         self.tell(diagnostic, origin, out);
     }
 
     pub(super) fn twice<P: PathSink>(&self, origin: &Origin, out: &mut P) {
-        let message = "compensation is on already";
+        let message = "compensation is already on";
         let diagnostic = Diagnostic::new(Code::CompensationTwice, origin.span, message)
-            .help("take this code out, or cancel with G40 first");
+            .help("remove this code, or cancel with G40 first");
         self.tell(diagnostic, origin, out);
     }
 
@@ -229,7 +229,7 @@ impl Compensator {
 
     pub(super) fn too_many_idle<P: PathSink>(&self, origin: &Origin, out: &mut P) {
         let limit = super::queue::MAX_TRAILING;
-        let message = format!("more than {limit} commands without motion within compensation");
+        let message = format!("more than {limit} commands without motion while compensation is on");
         let diagnostic = Diagnostic::new(Code::TooManyIdleBlocks, origin.span, message)
             .help("cancel compensation with G40 first");
         self.tell(diagnostic, origin, out);
@@ -240,11 +240,11 @@ impl Compensator {
             SpiralCompensation::Refused => {
                 let message = "a spiral while compensation is on";
                 Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
-                    .label("shown with the offset along its radius")
+                    .label("shown with the offset along the radius")
                     .help("program the tool-centre path for this spiral")
             }
             SpiralCompensation::ByCircles => {
-                let message = "this spiral is offset along its radius, by circles through its ends";
+                let message = "the control offsets this spiral along the radius, with circles through its ends";
                 Diagnostic::new(Code::SpiralInCompensation, origin.span, message)
                     .severity(Severity::Note)
                     .label("the exact offset would be square to the spiral")
@@ -262,7 +262,7 @@ impl Compensator {
 
     pub(super) fn turn_lost<P: PathSink>(&self, block: &Block, out: &mut P) {
         let origin = &block.command.origin;
-        let message = "with its offset this arc is longer than a turn; the control runs the rest";
+        let message = "with its offset this arc is longer than a full turn; the control runs only the part over one turn";
         let diagnostic = Diagnostic::new(Code::FullTurnLost, origin.span, message)
             .help("divide the circle, or lead out tangentially");
         self.tell(diagnostic, origin, out);

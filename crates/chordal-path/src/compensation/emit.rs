@@ -38,7 +38,7 @@ impl Compensator {
         position[b] = at.b;
     }
 
-    /// A block and what stands behind it.
+    /// A block and what stands after it.
     pub(super) fn emit<P: PathSink>(&mut self, block: Box<Block>, out: &mut P) {
         let corner = block.corner.unwrap_or_else(|| Corner::at(block.square_end()));
         let mut centre = Vec::with_capacity(1 + corner.points().len());

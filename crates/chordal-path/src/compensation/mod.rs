@@ -138,10 +138,10 @@ pub struct Compensator {
     toward: Option<Vec2>,
     /// The same code stands again; the block before ends square if it stands alone.
     again: bool,
-    /// G39 beside the next move.
+    /// G39 with the next move.
     round_next: Option<Origin>,
     queue: VecDeque<Box<Block>>,
-    /// The tool centre, where it is beside the programmed point.
+    /// The tool centre, if it is away from the programmed point.
     at: Option<Vec2>,
     stretch: u32,
 }
@@ -267,7 +267,7 @@ impl Compensator {
             CommandKind::Plane(plane) => {
                 if self.phase != Phase::Off {
                     self.leave(out);
-                    // The place beside the contour was in the coordinates of the old plane.
+                    // The offset position was in the coordinates of the old plane.
                     self.at = None;
                 }
                 self.plane = *plane;
@@ -289,7 +289,7 @@ impl Compensator {
         }
     }
 
-    /// A command that moves nothing: behind what waits.
+    /// A command that moves nothing: after what waits.
     fn pass_on<P: PathSink>(&mut self, command: &Command, out: &mut P) {
         if self.queue.is_empty() {
             return self.put(command, out);

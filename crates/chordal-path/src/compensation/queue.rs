@@ -12,7 +12,7 @@ use super::corner::{Corner, CornerRules, corner, rounded};
 use super::plane::{Edge, PlaneCurve};
 use super::{Compensator, PathSink, Phase, Role, entry};
 
-/// Most commands without motion that wait behind a block.
+/// Most commands without motion that wait after a block.
 pub(super) const MAX_TRAILING: usize = 4096;
 
 /// A move that waits for the corner at its end.
@@ -35,14 +35,14 @@ pub(super) struct Block {
     pub made_up: bool,
     /// Round the corner at its end by an arc.
     pub round: bool,
-    /// Its corner is an error that was told.
+    /// Its corner is an error that was reported.
     pub told: bool,
     /// An arc that goes straight, since its corner points were left out.
     pub straight: bool,
     /// Set square to its end whatever follows.
     pub square: bool,
     pub corner: Option<Corner>,
-    /// Blocks without motion behind it.
+    /// Blocks without motion after it.
     pub idle: u32,
     pub zero_move: Option<Span>,
     /// The commands between it and the next move.
@@ -409,7 +409,7 @@ impl Compensator {
     }
 }
 
-/// The move aside of a G41 alone, at the feed of the block behind it.
+/// The move aside of a G41 alone, at the feed of the block after it.
 fn aside_move(kind: &CommandKind) -> CommandKind {
     let still = |motion: &chordal_command::Move| {
         let mut motion = *motion;

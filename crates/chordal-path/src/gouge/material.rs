@@ -8,7 +8,7 @@ use super::shape::{PlaneCurve, wrapped};
 use super::{Block, Contour, Options, Role, distance};
 
 /// So many blocks at either end may be the run up to the contour or away from it. A vertex that a
-/// longer tail leaves behind is a loop of the contour, not its closing point.
+/// longer tail leaves is a loop of the contour, not its closing point.
 const LONGEST_TAIL: usize = 3;
 
 /// The contour of the part, and what was taken away to find it.

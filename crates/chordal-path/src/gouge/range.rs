@@ -293,7 +293,7 @@ impl Chain<'_> {
         }
     }
 
-    /// What is left of a block beside the corners at both ends: a length, or a sweep in rad.
+    /// What is left of a block in addition to the corners at both ends: a length, or a sweep in rad.
     fn left_over(&self, k: usize, before: Option<usize>, after: Option<usize>, r: f64) -> f64 {
         let curve = &self.material.curves[k];
         let whole = match *curve {
@@ -384,7 +384,7 @@ fn meeting(first: &Beside, second: &Beside, corner: Vec2) -> Option<Vec2> {
     met.nearest_to(corner)
 }
 
-/// What the blocks beside the part allow: lead arcs and lengths, and the way past the first wall.
+/// What the blocks off the part allow: lead arcs and lengths, and the way past the first wall.
 fn leads(contour: &Contour, material: &Material) -> (Limit, Limit, Option<LeadArc>) {
     let side = contour.side.sign();
     let mut leads = Limit::none();

@@ -10,7 +10,7 @@ use super::{Contour, Move};
 
 /// Tangents that span no more than this cannot bring the path back to its own contour.
 ///
-/// Of a path at distance r beside its contour, for u behind s, (p(u) − c(s))·t(u) is the integral
+/// Of a path at distance r from its contour, for u after s, (p(u) − c(s))·t(u) is the integral
 /// of (1 − κr) t(v)·t(u) dv, not negative while no block is reversed and the tangents lie within a
 /// right angle: the distance never falls below r.
 const CONE: f64 = FRAC_PI_2 + 1e-9;
@@ -260,7 +260,7 @@ fn is_beyond(curve: &PlaneCurve, bounds: &Bounds, limit: f64) -> bool {
     gap > 0.0 && gap * gap * (1.0 - 1e-12) >= limit
 }
 
-/// Finds for each move of the path the blocks it lies beside. Clears `broken` of the blocks that have
+/// Finds for each move of the path the blocks it runs along. Clears `broken` of the blocks that have
 /// a move which is their true offset, in their own direction, and no move that is anything else.
 fn offsets(
     contour: &Contour,
@@ -294,7 +294,7 @@ fn offsets(
     hulls
 }
 
-/// Whether a move runs beside a block, at the distance `signed` to its left, in its direction.
+/// Whether a move runs next to a block, at the distance `signed` to its left, in its direction.
 fn is_offset(step: &PlaneCurve, block: &PlaneCurve, signed: f64, slack: f64) -> bool {
     match (step, block) {
         (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {

@@ -1,4 +1,4 @@
-//! One run, watched, and everything a report tells of it.
+//! One run, watched, and everything a report says about it.
 
 pub(crate) mod problems;
 mod stops;
@@ -22,7 +22,7 @@ use crate::data::{Document, Head, Moves, Picture, Pictures, Rows, Skipped, ToolS
 
 pub use self::text::title;
 
-/// Lines of the program's own output that are told.
+/// Lines of the program's own output that are reported.
 const MOST_PRINTED: usize = 40;
 /// The sides of a picture, px of its own.
 const PICTURE_PX: (u32, u32) = (500, 400);
@@ -40,7 +40,7 @@ pub struct About<'a> {
     pub date: Option<&'a str>,
 }
 
-/// A report, and what else the run told.
+/// A report, and what else the run found.
 #[derive(Clone, Debug)]
 pub struct Gathered {
     /// The report.
@@ -49,7 +49,7 @@ pub struct Gathered {
     pub report: Report,
 }
 
-/// Runs a program once, with all checks and its time planned, and gathers what a report tells.
+/// Runs a program once, with all checks and its time planned, and gathers what a report says.
 /// Memory is that of the run; what is kept is bounded.
 pub fn gather(job: &Job, about: &About) -> Gathered {
     let mut seen = Seen::new(job);
@@ -202,20 +202,20 @@ fn ends(job: &Job, report: &Report) -> Vec<String> {
         let sentence = match outcome.end {
             EndReason::ProgramEnd => continue,
             EndReason::EndOfText if outcome.blocks == 0 => continue,
-            EndReason::EndOfText => "The text ends without the end of a program (M2, M30).",
+            EndReason::EndOfText => "The text ends without an end code (M2, M30).",
             EndReason::Repeats => {
-                "It ends with M99: the control begins again at the top. This report is of one run."
+                "It ends with M99: the control starts again from the top. This report covers one run."
             }
             EndReason::LostJump => {
-                "It jumps to a block that is not there. This report is of the run up to there."
+                "It jumps to a block that does not exist. This report covers the run up to there."
             }
             EndReason::Alarm => {
-                "It stops itself with an alarm. This report is of the run up to there."
+                "It stops itself with an alarm. This report covers the run up to there."
             }
             EndReason::Budget => {
-                "It does not end: the run was given up, and this report is of what came before."
+                "It does not end: Chordal stopped the run. This report covers the run up to there."
             }
-            EndReason::Interrupted => "The run was ended early; this report is of its beginning.",
+            EndReason::Interrupted => "The run ended early; this report covers its beginning.",
         };
         if !sentences.iter().any(|own| own == sentence) {
             sentences.push(sentence.to_string());
@@ -240,7 +240,7 @@ fn pictures(plot: &Plot, plane_mm: &[f64; 3]) -> Pictures {
         }
     }
     let (width, height) = PICTURE_PX;
-    let views = [(Viewpoint::Isometric, "from the front right above"), (main.0, main.1)];
+    let views = [(Viewpoint::Isometric, "from the front, right and above"), (main.0, main.1)];
     let view = |(from, what): (Viewpoint, &str)| {
         let drawn = plot.page_view(from, width, height)?;
         Some(Picture { caption: format!("{what}; grid {}", drawn.grid), svg: drawn.svg })

@@ -7,11 +7,11 @@ use chordal_export::report::{excerpt, place};
 use super::text::{clean, file_name};
 use crate::data::{Problem, Rows};
 
-/// Problems that are told; the others are counted.
+/// Problems that are reported; the others are counted.
 const MOST: usize = 100;
 /// Characters of a sentence.
 const LONGEST: usize = 600;
-/// Calls told of a deep nesting.
+/// Calls reported of a deep nesting.
 const MOST_CALLS: usize = 4;
 
 /// The problems of a run, the gravest first, those of one severity by place.
@@ -61,7 +61,7 @@ pub fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Problem {
 }
 
 /// The lines with the words underlined. The program's own name is left out: a sheet that is mailed
-/// need not tell in which folder it lay.
+/// need not say in which folder it was.
 fn shown_lines(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let own = sources.get(FileId(0)).map_or("", |source| source.name());
     let names_own = |line: &str| {

@@ -1,4 +1,4 @@
-//! Where an operator is wanted, or told something; and the programs that run.
+//! Where an operator is needed, or gets a message; and the programs that run.
 
 use std::collections::BTreeMap;
 
@@ -9,9 +9,9 @@ use chordal::{Job, Span};
 use super::text::{Comments, clean, file_name, title};
 use crate::data::{Called, Rows, Stop, StopKind};
 
-/// Stops that are told.
+/// Stops that are reported.
 const MOST: usize = 200;
-/// Programs that are told.
+/// Programs that are reported.
 const MOST_CALLED: usize = 60;
 
 #[derive(Debug)]
@@ -56,7 +56,7 @@ impl Stops {
         }
     }
 
-    /// The stops with what the program says beside them.
+    /// The stops with the comments next to them.
     pub fn finish(&self, job: &Job, comments: &Comments) -> Rows<Stop> {
         let of_stop = |seen: &Seen| Stop {
             kind: seen.kind,

@@ -7,13 +7,13 @@ use chordal::{Job, Span};
 
 use crate::data::Rows;
 
-/// Characters of a comment that are told.
+/// Characters of a comment that are reported.
 const LONGEST: usize = 160;
 /// Characters of a program's title.
 const LONGEST_TITLE: usize = 60;
 /// Blocks among which the head of a program ends.
 const MOST_HEAD_BLOCKS: usize = 200;
-/// Comments of the head that are told.
+/// Comments of the head that are reported.
 const MOST_HEAD_COMMENTS: usize = 24;
 /// Lines with block delete that are named.
 const MOST_SKIPPED: usize = 60;
@@ -40,7 +40,7 @@ pub fn file_name(path: &str) -> String {
     clean(path.rsplit(['/', '\\']).next().unwrap_or(path), 200)
 }
 
-/// The comment behind the head of a program that ends at `from`: `BRACKET, SIDE 2`.
+/// The comment after the head of a program that ends at `from`: `BRACKET, SIDE 2`.
 pub fn title(text: &[u8], from: usize) -> Option<String> {
     let line = text.get(from..)?.split(|byte| matches!(byte, b'\n' | b'\r')).next()?;
     let line = &line[..line.len().min(4 * LONGEST_TITLE)];
@@ -61,11 +61,11 @@ pub fn comment(span: Span, job: &Job) -> Option<String> {
 /// A comment at the head of a program.
 struct HeadComment {
     text: String,
-    /// It stands behind the program's number, and is its title.
+    /// It stands after the program's number, and is its title.
     is_title: bool,
 }
 
-/// Finds what people wrote beside the blocks.
+/// Finds the comments next to the blocks.
 pub struct Comments<'j> {
     job: &'j Job<'j>,
     head: Vec<HeadComment>,
@@ -113,7 +113,7 @@ impl<'j> Comments<'j> {
     }
 
     /// What the program says of a tool: in the block of its call, in a list at the head, on the
-    /// line before or on the line behind.
+    /// line before or on the line after.
     pub fn of_tool(&self, number: u32, call: &Origin) -> Option<String> {
         let file = call.span.file;
         let behind_head = file != FileId(0) || call.line > self.head_end + 1;
@@ -126,7 +126,7 @@ impl<'j> Comments<'j> {
             .or_else(|| self.alone(file, call.line + 1))
     }
 
-    /// What the program says beside a block: in it, on the line before, on the line behind.
+    /// What the program says next to a block: in it, on the line before, on the line after.
     pub fn beside(&self, origin: &Origin) -> Option<String> {
         let (file, line) = (origin.span.file, origin.line);
         self.in_line(file, line)

@@ -7,7 +7,7 @@ use super::stops::other_file;
 use super::text::{clean, comment};
 use crate::data::{Block, Operation, Rows, Time, Tool, Wait};
 
-/// Operations that are told.
+/// Operations that are reported.
 const MOST: usize = 200;
 
 /// The time; operations without a comment of their own have that of their tool. `head` are the

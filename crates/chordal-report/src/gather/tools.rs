@@ -11,9 +11,9 @@ use chordal::{Job, Summary};
 use super::text::{Comments, clean};
 use crate::data::{Feeds, Register, Rows, Tool};
 
-/// Tools and offsets that are told; a magazine holds fewer.
+/// Tools and offsets that are reported; a magazine holds fewer.
 const MOST: usize = 200;
-/// Numbers of offsets told of a tool, and of tools told of an offset.
+/// Numbers of offsets listed with a tool, and of tools listed with an offset.
 const MOST_NUMBERS: usize = 12;
 /// Offsets that differ by less are the same, mm.
 const SAME_MM: f64 = 1e-9;

@@ -11,7 +11,7 @@ use chordal::{Job, Machine};
 
 use crate::data::{AxisRange, AxisValue, MachineTravel, Rows, Travel, WorkOffset};
 
-/// Work coordinate systems that are told apart, those included that the program moves.
+/// Work coordinate systems that are listed separately, those included that the program moves.
 const MOST: usize = 60;
 /// Lines named where the program moves a work offset.
 const MOST_LINES: usize = 6;
@@ -122,7 +122,7 @@ impl Travels {
         }
         for axis in 0..AXES {
             let stands = motion.from[axis] == motion.to[axis] && bounds.is_none();
-            // An axis that turns is told when it turns.
+            // An axis that turns is reported when it turns.
             if axis >= 3 && stands {
                 continue;
             }

@@ -147,7 +147,7 @@ fn banner(document: &Document) -> Markup {
                     strong {
                         "Do not run: " (counted(document.errors, "error", "errors")) "."
                     }
-                    " The control would stop, or do something else than the text says. "
+                    " The control would stop, or would not do what the text says. "
                     a href="#problems" { "All problems" }
                 }
                 @if let Some(first) = first {
@@ -199,7 +199,7 @@ fn facts(document: &Document, show: &Show) -> Markup {
             @if let Some(date) = &head.date { (fact("Date", date, false)) }
         }
         @if let Some(why) = &head.recognized {
-            p.faint { "Nobody said which machine: " (why) "." }
+            p.faint { "No machine was given: " (why) "." }
         }
     }
 }
@@ -210,7 +210,7 @@ fn pictures(document: &Document) -> Markup {
         section aria-labelledby="path" {
             h2 #path { "Path" }
             @if pictures.views.is_empty() {
-                p { "Nothing moves whose place relative to the part is known." }
+                p { "No move is at a known position relative to the part." }
             } @else {
                 div.pictures {
                     @for picture in &pictures.views {
@@ -229,10 +229,10 @@ fn pictures(document: &Document) -> Markup {
                     }
                     li.faint { "dashed: rapids" }
                     li.faint { "quartered circle: zero of the work offset of the first cut" }
-                    li.faint { "ring and square: begin and end" }
+                    li.faint { "ring and square: start and end" }
                 }
                 @if pictures.cuts_left_out {
-                    p.faint { "Cuts whose place is not known are left out." }
+                    p.faint { "Cuts at unknown positions are left out." }
                 }
             }
         }
@@ -258,7 +258,7 @@ fn scrolling(label: &str, rows: usize, table: Markup) -> Markup {
     }
 }
 
-/// The line that tells what a table leaves out.
+/// The line that says what a table leaves out.
 fn left_out<T>(rows: &Rows<T>, shown: usize, what: &str) -> Markup {
     let more = rows.left_out + rows.rows.len().saturating_sub(shown) as u64;
     html! { @if more > 0 { p.faint { "and " (grouped(more)) " more " (what) } } }
@@ -269,7 +269,7 @@ fn problems(document: &Document) -> Markup {
         section aria-labelledby="problems" {
             h2 #problems { "Problems" }
             @if document.problems.rows.is_empty() {
-                p { "None: all checks of this control and machine are passed." }
+                p { "None: the program passed all checks of this control and machine." }
             } @else {
                 p { (upper_first(&counts(document))) "." }
                 @for each in &document.problems.rows { (problem(each)) }
@@ -309,7 +309,7 @@ fn foot(document: &Document) -> Markup {
             }
             p {
                 "Made by Chordal " (document.chordal) ". Times hold velocity, acceleration and jerk of "
-                "every axis of the machine as its file gives them; nobody has measured this part. There "
+                "every axis, as the machine file gives them; the times are not measured. There "
                 "is no model of stock, fixtures or holders."
             }
         }

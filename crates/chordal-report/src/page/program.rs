@@ -16,7 +16,7 @@ pub fn stops(document: &Document) -> Markup {
         section aria-labelledby="stops" {
             h2 #stops { "Stops and messages" }
             @if stops.rows.is_empty() && skipped.lines.rows.is_empty() {
-                p { "None: it runs through to its end." }
+                p { "None: it runs to its end without a stop." }
             }
             @if !stops.rows.is_empty() {
                 (scrolling("Stops and messages", stops.rows.len(), html! { table {
@@ -60,7 +60,7 @@ fn skipped_blocks(skipped: &Skipped) -> Markup {
     let lines: Vec<String> = skipped.lines.rows.iter().map(u32::to_string).collect();
     html! {
         p {
-            "Block delete (/) stands on line " (lines.join(", "))
+            "Block delete (/) is on line " (lines.join(", "))
             @if skipped.lines.left_out > 0 { " and " (grouped(skipped.lines.left_out)) " more" }
             ". This report is of a run with the switch "
             strong { @if skipped.left_out { "on" } @else { "off" } } "."

@@ -37,7 +37,7 @@ pub fn offsets(document: &Document, show: &Show) -> Markup {
                 || registers.rows.iter().any(is_unset)
             {
                 p.faint {
-                    "A line to write on: the machine file has no value. Set it at the control and note it here."
+                    "An empty line: the machine file has no value. Set it at the control and write it here."
                 }
             }
         }
@@ -85,7 +85,7 @@ fn work_offsets(offsets: &[WorkOffset], show: &Show) -> Markup {
             } }))
             @for offset in offsets.iter().filter(|offset| !offset.moved_at.is_empty()).take(MOST) {
                 p.faint {
-                    (offset.name) " is set or moved by the program itself, line "
+                    (offset.name) " is set or shifted by the program itself, line "
                     (numbers(&offset.moved_at)) "."
                 }
             }
@@ -268,7 +268,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
         section aria-labelledby="travel" {
             h2 #travel { "Travel" }
             @if document.travel.rows.is_empty() {
-                p { "Nothing moves whose place relative to the part is known." }
+                p { "No move is at a known position relative to the part." }
             } @else {
                 (scrolling("Travel by work offset", 3 * document.travel.rows.len(), html! { table {
                         thead {
@@ -280,7 +280,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
                                 th.n scope="col" { "All moves from" }
                                 th.n scope="col" { "to" }
                                 th scope="col" { "" span.hidden { "Unit" } }
-                                th.n scope="col" { "Zero may lie at" }
+                                th.n scope="col" { "Zero may be at" }
                             }
                         }
                         tbody {
@@ -305,7 +305,7 @@ pub fn travel(document: &Document, show: &Show) -> Markup {
             }
             @if document.travel.rows.iter().any(|t| t.axes.iter().any(|a| a.zero_may_lie.is_some())) {
                 p.faint {
-                    "“Zero may lie at”: the values of a work offset, in machine coordinates, with which all its "
+                    "“Zero may be at”: the values of a work offset, in machine coordinates, with which all its "
                     "moves stay within the machine's travel."
                 }
             }
@@ -328,7 +328,7 @@ fn range(axis: &AxisRange, show: &Show) -> Markup {
         td.n {
             @match axis.zero_may_lie {
                 Some((low, high)) if low <= high => { (place(low)) " to " (place(high)) }
-                Some(_) => "nowhere: too far for the machine",
+                Some(_) => "nowhere: too large for the machine",
                 None => "",
             }
         }
@@ -338,7 +338,7 @@ fn range(axis: &AxisRange, show: &Show) -> Markup {
 fn machine(axes: &[MachineTravel], show: &Show) -> Markup {
     html! {
         div.keep {
-            h3 { "Against the machine's travel" }
+            h3 { "Check of the machine's travel" }
             (scrolling("Machine travel", axes.len(), html! { table {
                 thead {
                     tr {

@@ -14,7 +14,7 @@ pub fn times(document: &Document) -> Markup {
         section aria-labelledby="times" {
             h2 #times { "Cycle time" }
             @match &document.time {
-                None => p { "Not planned: the machine's limits let nothing be planned. `chordal time` says which." },
+                None => p { "Not planned: the limits of the machine cannot be used. `chordal time` says which." },
                 Some(time) if time.total_s <= 0.0 => p { "Nothing takes time." },
                 Some(time) => {
                     (shares(time))
@@ -52,7 +52,7 @@ fn shares(time: &Time) -> Markup {
                 "."
             }
             p.faint {
-                "The moves alone, without speeding up and slowing down: " (duration(time.at_feed_s)) "."
+                "The moves without acceleration and deceleration:  " (duration(time.at_feed_s)) "."
                 @if time.cuts_without_feed > 0 {
                     " " (counted(time.cuts_without_feed, "cut", "cuts")) " without a feed not counted."
                 }

@@ -26,7 +26,7 @@ pub(crate) fn row(action: Action, control: &Control) -> Option<(&'static CodeRow
     g.map(|row| (row, b'G')).or_else(|| m().map(|row| (row, b'M')))
 }
 
-/// True when two actions do the same, so far as a program can tell.
+/// True when two actions do the same, so far as a program can show.
 fn same(one: Action, other: Action) -> bool {
     if is_own(one) {
         return false;
@@ -151,7 +151,7 @@ fn one(
                 false => ModeCode::PlaneZx,
             };
             let new = name(Action::Mode(other), to, style).ok_or_else(|| missing(own, to))?;
-            draft.replace(at, new, format!("{title} calls this plane so"));
+            draft.replace(at, new, format!("{title} uses this code for the plane"));
             return Ok(());
         }
         Action::Mode(code)
@@ -214,7 +214,11 @@ fn without_such_a_code(
             let OnceCode::Probe { must_hit } = code else { return Err(missing(own, to)) };
             let new = name(Action::Once(OnceCode::Probe { must_hit: !must_hit }), to, style);
             let Some(new) = new else { return Err(missing(own, to)) };
-            draft.replace(at, new, format!("{title} tells a probe without touch another way"));
+            draft.replace(
+                at,
+                new,
+                format!("{title} reports a probe without a touch in another way"),
+            );
         }
         Action::Before(_)
         | Action::Length(_)
@@ -302,12 +306,12 @@ fn exact_stop_once(draft: &mut Draft, at: usize, to: &Control, style: Style) {
     let stop = name(Action::Mode(ModeCode::Path(PathCode::ExactStop)), to, style);
     let go_on = name(Action::Mode(ModeCode::Path(PathCode::Continuous)), to, style);
     let (Some(stop), Some(go_on)) = (stop, go_on) else {
-        return draft.remove(at, format!("{} stops at corners by its mode", to.table.title));
+        return draft.remove(at, format!("{} stops at corners by a modal code", to.table.title));
     };
     draft.replace(
         at,
         stop,
-        format!("{} stops at corners by its mode, so for this block", to.table.title),
+        format!("{} stops at corners by a modal code, here active for this block", to.table.title),
     );
     draft.after.push(go_on);
 }
@@ -355,7 +359,7 @@ fn offset_code(
     let new = work_offset(name, to, style).ok_or_else(|| {
         Expand(format!("{} has no work offset {}", to.table.title, name.ordinal()))
     })?;
-    let reason = format!("work offset {} is called {new} on {}", name.ordinal(), to.table.title);
+    let reason = format!("work offset {} is {new} on {}", name.ordinal(), to.table.title);
     let written = draft.written(at);
     let is_same = chordal::syntax::Decimal::parse(&written.as_bytes()[1..])
         .and_then(code_number)

@@ -14,11 +14,15 @@ pub(crate) fn translate(draft: &mut Draft, from: &Control, to: &Control) {
         let new = comment(&written, &from.table.lexicon, &to.table.lexicon);
         let acts = from.macros.comments_act && acts(&written);
         if acts && !to.macros.comments_act {
-            draft.note(written.clone(), new.clone(), "a comment that acts is only a comment now");
+            draft.note(
+                written.clone(),
+                new.clone(),
+                "an active comment becomes an ordinary comment",
+            );
         }
         if !acts && new != written.trim_end() {
             let [before, after] = forms(&written, &new);
-            draft.note(before, after, format!("{} writes comments so", to.table.title));
+            draft.note(before, after, format!("{} writes comments like this", to.table.title));
         }
         // Where a comment takes the rest of the line, nothing may follow.
         let ends_line = to.table.lexicon.parenthesis == ParenthesisComment::ToEndOfLine;

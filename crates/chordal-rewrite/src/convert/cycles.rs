@@ -32,20 +32,20 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     if context.same_control() {
         return Ok(());
     }
-    let own = format!("{} of {title} is another one", kind.name());
+    let own = format!("{} works differently on {title}", kind.name());
     if !same_cycle(kind, context.from, context.to) {
         return Err(Expand(own));
     }
     if run.before.incremental
         && context.to.parameters.rules.cycles.incremental == IncrementalLevels::Refused
     {
-        return Err(Expand(format!("{title} takes cycles in absolute coordinates only")));
+        return Err(Expand(format!("{title} accepts cycles only in absolute coordinates")));
     }
     let letters = draft.block.letters();
     first_hole(context, draft, run)?;
     if kind.is_tap() {
         if draft.block.words.iter().any(|word| word.comma) {
-            return Err(Expand(format!("a word of the tap is another one on {title}")));
+            return Err(Expand(format!("a word of the tap means something else on {title}")));
         }
         tap(context, draft, run)?;
     }
@@ -65,7 +65,7 @@ fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
     }
     match kind {
         CycleKind::Drill | CycleKind::DrillDwell => true,
-        // A tap cannot be written out: the spindle would not follow. The proof tells what differs.
+        // A tap cannot be written out: the spindle would not follow. The proof says what differs.
         CycleKind::Tap | CycleKind::LeftTap => true,
         CycleKind::BoreFeedOut | CycleKind::BoreDwell => {
             one.bore.dwell_out_to_clear == other.bore.dwell_out_to_clear
@@ -89,7 +89,7 @@ fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
     let same = context.same_control();
     if !same && makes_holes && !same_cycle(kind, context.from, context.to) {
         let title = context.to.table.title;
-        return Err(Expand(format!("{} of {title} is another one", kind.name())));
+        return Err(Expand(format!("{} works differently on {title}", kind.name())));
     }
     Ok(())
 }
@@ -151,7 +151,7 @@ fn places_alone(
     draft.note(
         before,
         lines.join("\n"),
-        format!("{} has no code for these holes: place by place", context.to.table.title),
+        format!("{} has no code for these holes: each position is written", context.to.table.title),
     );
     draft.after.extend(lines);
     Ok(true)
@@ -170,10 +170,12 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
     match rules[1].definition {
         _ if named => Ok(()),
         DefinitionFires::Always if fires => Ok(()),
-        DefinitionFires::Always => Err(Expand(format!("{title} drills where the cycle is called"))),
+        DefinitionFires::Always => {
+            Err(Expand(format!("{title} drills in the block that calls the cycle")))
+        }
         _ if !fires => Ok(()),
         DefinitionFires::Never => {
-            Err(Expand(format!("{title} does not drill where the cycle is called")))
+            Err(Expand(format!("{title} does not drill in the block that calls the cycle")))
         }
         DefinitionFires::WithPlace => {
             let digits = numbers::digits(context.to, run.after.units);
@@ -182,7 +184,7 @@ fn first_hole(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Ex
                 let text = numbers::length(value, run.after.units, digits, context.style());
                 draft.append(
                     format!("{}{text}", LINEAR_AXES[axis]),
-                    format!("{title} drills only at a place that is named"),
+                    format!("{title} drills only at a position that is programmed"),
                 );
             }
             Ok(())
@@ -199,7 +201,11 @@ fn count(context: &Context, draft: &mut Draft, run: &Exec) {
     }
     if let Some(word) = draft.place(one) {
         let new = format!("{}{}", char::from(other), &draft.written(word)[1..]);
-        draft.replace(word, new, format!("{} counts holes so", context.to.table.title));
+        draft.replace(
+            word,
+            new,
+            format!("{} uses this letter for the number of holes", context.to.table.title),
+        );
     }
 }
 
@@ -213,7 +219,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         CommandKind::Line { feed, .. } => Some(*feed),
         _ => None,
     });
-    let Some(cut) = cut else { return Err(Expand("a tap without a hole of its own".into())) };
+    let Some(cut) = cut else { return Err(Expand("a tap without a hole in its block".into())) };
     let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
     let speed = cut.spindle_rev_per_s * 60.0;
     let per_minute = match cut.mode {
@@ -228,7 +234,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         (TapFeed::SpeedWithLeadQ, TapFeed::Programmed) => {
             if let Some(f) = f {
                 let new = format!("F{}", numbers::plain(per_minute, 4, style));
-                draft.replace(f, new, format!("F of a tap is its feed on {title}"));
+                draft.replace(f, new, format!("F of a tap is the feed on {title}"));
             }
             if let Some(q) = q {
                 draft.remove(q, format!("{title} takes the lead from F and S"));
@@ -238,13 +244,13 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
         (TapFeed::Programmed, TapFeed::SpeedWithLeadQ) if speed > 0.0 => {
             if let Some(f) = f {
                 let new = format!("F{}", numbers::plain(speed, 3, style));
-                draft.replace(f, new, format!("F of a tap is its speed on {title}"));
+                draft.replace(f, new, format!("F of a tap is the spindle speed on {title}"));
             }
             let lead = numbers::plain(per_minute / speed, 6, style);
             draft.append(format!("Q{lead}"), format!("{title} takes the lead from Q"));
             Ok(())
         }
-        _ => Err(Expand(format!("F of a tap is another one on {title}"))),
+        _ => Err(Expand(format!("F of a tap means something else on {title}"))),
     }
 }
 
@@ -263,7 +269,11 @@ fn dwell(context: &Context, draft: &mut Draft) {
         return;
     }
     let new = numbers::time_word(number.to_f64() * unit(&one), &other);
-    draft.replace(p, new, format!("{} counts the time of a cycle so", context.to.table.title));
+    draft.replace(
+        p,
+        new,
+        format!("{} reads the dwell time of a cycle like this", context.to.table.title),
+    );
 }
 
 /// G80 in a block of its own, where it excludes motion codes.
@@ -279,7 +289,10 @@ fn apart_from_motion(context: &Context, draft: &mut Draft, at: usize) {
             == Some(Action::Mode(ModeCode::CancelCycle))
         {
             let code = draft.now(word);
-            let reason = format!("{code} excludes motion codes on {}", context.to.table.title);
+            let reason = format!(
+                "{code} cannot be in a block with motion codes on {}",
+                context.to.table.title
+            );
             draft.replace(word, "", reason);
             draft.before.push(code);
         }
@@ -303,6 +316,10 @@ fn ending(context: &Context, draft: &mut Draft, at: usize) {
         return;
     };
     let title = context.to.table.title;
-    draft.note(String::new(), code.clone(), format!("ends the cycle, which runs on on {title}"));
+    draft.note(
+        String::new(),
+        code.clone(),
+        format!("ends the cycle, which stays active on {title}"),
+    );
     draft.before.push(code);
 }

@@ -16,9 +16,9 @@ pub(crate) struct Draft<'a> {
     pub block: &'a Block,
     words: Vec<Option<String>>,
     comments: Vec<Option<String>>,
-    /// Words behind N and before the others.
+    /// Words after N and before the others.
     pub front: Vec<String>,
-    /// Words behind the last one.
+    /// Words after the last one.
     pub back: Vec<String>,
     /// Lines of their own.
     pub before: Vec<String>,
@@ -110,7 +110,7 @@ impl<'a> Draft<'a> {
         self.front.push(word);
     }
 
-    /// Puts a word behind the others.
+    /// Puts a word after the others.
     pub fn append(&mut self, word: impl Into<String>, reason: impl Into<String>) {
         let word = word.into();
         self.note(String::new(), word.clone(), reason);

@@ -28,7 +28,7 @@ pub(crate) struct Emitter<'a> {
     tolerance_mm: f64,
     units: Units,
     digits: Option<usize>,
-    /// What the new control has in force, where it is known.
+    /// What the new control has active, where it is known.
     motion: Option<Action>,
     incremental: Option<bool>,
     plane: Plane,
@@ -87,7 +87,7 @@ impl<'a> Emitter<'a> {
         Ok(())
     }
 
-    /// A line as it is; what is in force behind it is not known.
+    /// A line as it is; what is active after it is not known.
     pub fn foreign(&mut self, lines: impl IntoIterator<Item = String>, after: &Modes) {
         self.flush();
         self.lines.extend(lines);
@@ -98,7 +98,7 @@ impl<'a> Emitter<'a> {
         self.units = after.units;
     }
 
-    /// Puts in force what the old control has in force here.
+    /// Puts in force what the old control has active here.
     pub fn restore(&mut self, modes: &Modes) {
         let mut words = Vec::new();
         if self.plane != modes.plane {
@@ -197,7 +197,7 @@ impl<'a> Emitter<'a> {
             }
             CommandKind::Compensation { side, number, toward, .. } => {
                 if toward.is_some() {
-                    return Err("compensation with a direction of its own (I J K)".into());
+                    return Err("compensation with a programmed direction (I J K)".into());
                 }
                 self.compensation(*side, *number)?;
             }
@@ -246,7 +246,7 @@ impl<'a> Emitter<'a> {
             CommandKind::PathMode(mode) => self.path_mode(*mode),
             CommandKind::Overrides(overrides) => self.overrides(*overrides)?,
             CommandKind::WorkOffset { name, .. } => self.work_offset(*name)?,
-            CommandKind::CornerArc { .. } => return Err("a corner arc of its own".into()),
+            CommandKind::CornerArc { .. } => return Err("a programmed corner arc".into()),
             CommandKind::Probed { .. } => return Err("a probing move".into()),
             CommandKind::Output { text } => {
                 self.flush();
@@ -273,7 +273,7 @@ impl<'a> Emitter<'a> {
                 continue;
             }
             if !motion.to_known.has(axis) {
-                return Err("a place that is not known relative to the part".into());
+                return Err("a position that is not known relative to the part".into());
             }
             let letter = AXIS_LETTERS.as_bytes()[axis] as char;
             let value = if axis < 3 {
@@ -330,7 +330,7 @@ impl<'a> Emitter<'a> {
 
     fn arc(&mut self, motion: &Move, shape: &ArcShape, feed: &Feed) -> Result<(), Refused> {
         if shape.plane != self.plane {
-            return Err("an arc outside the plane in force".into());
+            return Err("an arc outside the active plane".into());
         }
         let along = Feed { along: FeedAlong::Path, ..*feed };
         let most = self.to.parameters.rules.arc.radius_error_tolerance_mm.min(self.tolerance_mm);
@@ -402,8 +402,7 @@ impl<'a> Emitter<'a> {
         }
         self.flush();
         let words = tap.words(self.to, self.units, self.style, |mm| self.length(mm));
-        let words =
-            words.ok_or("a tap without a speed of the spindle, which its feed depends on")?;
+        let words = words.ok_or("a tap without a spindle speed, on which its feed depends")?;
         let mut line = self.head(tap.action())?;
         line.extend(words);
         self.line(&line);

@@ -78,7 +78,7 @@ pub(crate) fn begin(context: &Context, flat: &[bool], rendered: &mut Rendered) {
             line: context.source.blocks[first].line,
             before: String::new(),
             after: line.clone(),
-            reason: format!("{} does not begin so by itself", context.to.table.title),
+            reason: format!("{} does not start in this state", context.to.table.title),
         });
         rendered.lines[first].get_or_insert_default().insert(0, line);
     }
@@ -126,7 +126,7 @@ fn begin_flat(
         line: context.source.blocks[at].line,
         before: String::new(),
         after: line.clone(),
-        reason: "what the program begins with, said at once".into(),
+        reason: "the codes active at the start, written together".into(),
     });
     rendered.lines[at].get_or_insert_default().insert(0, line);
 }

@@ -37,7 +37,7 @@ pub(crate) fn lay_out(
     mut lines: Lines,
     controls: [&Control; 2],
 ) -> Layout {
-    // Behind the last section the control ends; without sections, so would the program.
+    // After the last section the control ends; without sections, so would the program.
     let letters = || source.subs.iter().filter(|sub| sub.form == Form::Letter);
     let mut kept = letters().flat_map(|sub| &lines[sub.blocks.clone()]);
     if let Some(end) = source.section_end
@@ -154,7 +154,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Writes blocks, each with what stood behind it up to the next.
+    /// Writes blocks, each with what stood after it up to the next.
     fn blocks(&self, blocks: Range<usize>, layout: &mut Layout) {
         let mut blocks = blocks.peekable();
         while let Some(at) = blocks.next() {
@@ -180,7 +180,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What stands behind a block on its line, and how many empty lines follow; nothing where the next block
+    /// What stands after a block on its line, and how many empty lines follow; nothing where the next block
     /// is on the same line.
     fn behind(&self, at: usize) -> (String, Option<usize>) {
         let block = &self.source.blocks[at];

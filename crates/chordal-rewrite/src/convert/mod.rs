@@ -48,7 +48,7 @@ use crate::{Certificate, Change, prove, prove_contour};
 pub struct Options {
     /// What the new path may be away from the old one where a form must be written out, mm.
     pub tolerance_mm: f64,
-    /// Digits behind the point of computed words; without, those that the control keeps.
+    /// Digits after the point of computed words; without, those that the control keeps.
     pub digits: Option<usize>,
     /// Problems that the program has on its own control do not keep it from being converted.
     pub despite_errors: bool,
@@ -80,7 +80,7 @@ pub struct Conversion {
     pub changes: Vec<Change>,
     /// What could not be carried over; with any, the text is not to be used.
     pub refusals: Vec<Refusal>,
-    /// The new program on its machine held against the old one on its own.
+    /// The new program on its machine compared with the old one on its own.
     pub certificate: Option<Certificate>,
     /// The job of the new text: the target machine with the tools and work offsets of the old one.
     pub machine: Machine,
@@ -128,7 +128,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         conversion.refusals.push(Refusal {
             line: 0,
             words: String::new(),
-            reason: "the machine has settings that its control does not know".into(),
+            reason: "the machine file has settings that the control does not have".into(),
         });
         return conversion;
     };
@@ -183,7 +183,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
     conversion
 }
 
-/// Blocks that differ are refused where the attempt to write them out has told why they cannot be carried over.
+/// Blocks that differ are refused where the attempt to write them out has shown why they cannot be converted.
 fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
     if conversion.holds() || !conversion.refusals.is_empty() {
         return;
@@ -260,7 +260,7 @@ fn follow(
     let mut any = false;
     for difference in certificate.comparison.differences.iter().take(MOST_FOLLOWED) {
         let reason = format!("its words do not do the same ({})", difference.category.word());
-        // What a difference begins with may be all of it: the next rounds tell.
+        // What a difference begins with may be all of it: the next rounds show it.
         let all = round >= MOST_ROUNDS / 2;
         for at in blocks_of(difference, source, layout) {
             let is_new = plan.write_out(at, &reason);
@@ -270,7 +270,7 @@ fn follow(
             }
         }
     }
-    any || plan.write_all("the parts do not add up to the same")
+    any || plan.write_all("the parts together do not do the same")
 }
 
 /// The blocks of the old text that a difference is about.
@@ -301,7 +301,7 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
     counts
         .map(|one| {
             let why = match one.severity {
-                Severity::Error => "an error on its own control",
+                Severity::Error => "an error on the original control",
                 _ => "nothing could be proved",
             };
             let span = one.primary.span;
@@ -340,7 +340,7 @@ fn is_unknown_motion(job: &Job, one: &Diagnostic) -> bool {
 fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     let old = job.machine();
     let mut machine = target.clone();
-    // The shape of rapids is the machine's; held against each other, both go alike.
+    // The shape of rapids is the machine's; compared with each other, both go alike.
     machine.rapid = Some(match job.control().parameters.rules.rapid {
         RapidPath::DogLeg => RapidShape::DogLeg,
         RapidPath::Straight => RapidShape::Straight,

@@ -6,7 +6,7 @@ use chordal::syntax::Decimal;
 
 use crate::source::Style;
 
-/// A length in program units: at most so many digits behind the point, which is always written.
+/// A length in program units: at most so many digits after the point, which is always written.
 pub(crate) fn length(mm: f64, units: Units, digits: usize, style: Style) -> String {
     let value = match units {
         Units::Inch => mm / 25.4,
@@ -47,7 +47,7 @@ pub(crate) fn digits(control: &Control, units: Units) -> usize {
     usize::from(digits)
 }
 
-/// How many digits behind its end a number without a point has.
+/// How many digits after its end a number without a point has.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Length,
@@ -82,7 +82,7 @@ pub(crate) fn carried_over(
     Some(with_point(number, from))
 }
 
-/// A number written with its point, `hidden` digits of it behind.
+/// A number written with its point, `hidden` digits of it after the point.
 fn with_point(number: Decimal, hidden: u8) -> String {
     let scale = usize::from(number.scale + hidden);
     let digits = format!("{:0>width$}", number.mantissa.unsigned_abs(), width = scale + 1);

@@ -292,7 +292,7 @@ impl<'c, 'a> Plan<'c, 'a> {
                 self.context.source.has_action(at, self.context.from, |own| own == action)
             })
         };
-        // What no command tells would be lost.
+        // What no command shows would be lost.
         let writes = has(Action::Once(OnceCode::SetData));
         let is_hidden = writes || has(Action::NotSimulated);
         if commands.is_empty() && !is_hidden {
@@ -304,11 +304,11 @@ impl<'c, 'a> Plan<'c, 'a> {
                 *emitter = tried;
                 return Ok(());
             }
-            Ok(()) if writes => "data that the program writes".to_string(),
+            Ok(()) if writes => "data that the program sets".to_string(),
             Ok(()) => "a code that Chordal does not carry out".to_string(),
             Err(reason) => reason,
         };
-        // Words that mean the same on both controls may do what no command tells.
+        // Words that mean the same on both controls may do what no command shows.
         let source = self.context.source;
         let draft = exec.block.map(|at| (at, self.drafts[at].clone()));
         match draft {
@@ -382,7 +382,7 @@ impl<'c, 'a> Plan<'c, 'a> {
                         line,
                         before: source.words(at),
                         after: after.clone(),
-                        reason: "it never runs here and has no form on the new control".into(),
+                        reason: "it never runs, and the new control has no form for it".into(),
                     });
                     rendered.lines[at] = Some(vec![after]);
                 }
@@ -418,7 +418,7 @@ impl<'c, 'a> Plan<'c, 'a> {
                     line: source.blocks[at].line,
                     words: source.words(at),
                     reason: format!(
-                        "{reason}, so that the program must be written out as it runs; and this block runs \
+                        "{reason}, so the program must be written out as it runs; but this block runs \
                          only where block delete is off"
                     ),
                 });
@@ -467,7 +467,7 @@ impl<'c, 'a> Plan<'c, 'a> {
     }
 }
 
-/// The block that set up the cycle in force, for each block that belongs to it.
+/// The block that set up the active cycle, for each block that belongs to it.
 fn cycles_of(context: &Context) -> Vec<Option<usize>> {
     let mut cycles = vec![None; context.source.blocks.len()];
     let mut setup = None;

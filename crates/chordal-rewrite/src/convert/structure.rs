@@ -149,12 +149,14 @@ impl Places<'_> {
         };
         let numbers = self.to.table.program_numbers;
         if new != number {
-            let reason =
-                format!("{} has program numbers up to O{}", self.to.table.title, numbers.largest);
+            let reason = format!(
+                "{} allows program numbers up to O{}",
+                self.to.table.title, numbers.largest
+            );
             draft.replace(word, program_name(new, self.to), reason);
         } else if numbers.required && draft.written(word).len() - 1 != numbers.digits {
             let name = program_name(number, self.to);
-            let reason = format!("{} writes program numbers so", self.to.table.title);
+            let reason = format!("{} writes program numbers like this", self.to.table.title);
             draft.replace(word, name, reason);
         }
     }
@@ -174,7 +176,7 @@ impl Places<'_> {
         let title = self.to.table.title;
         if subroutine_head(draft.block).is_some() {
             let word = draft.place(b'L');
-            let reason = format!("subroutines begin so on {title}");
+            let reason = format!("subroutines begin like this on {title}");
             for at in 0..draft.block.words.len() {
                 if Some(at) == word {
                     draft.replace(at, head.clone(), reason.clone());
@@ -183,7 +185,11 @@ impl Places<'_> {
                 }
             }
         } else {
-            draft.note(String::new(), head.clone(), format!("subprograms begin so on {title}"));
+            draft.note(
+                String::new(),
+                head.clone(),
+                format!("subprograms begin like this on {title}"),
+            );
             draft.before.push(head);
         }
     }
@@ -224,7 +230,11 @@ impl Places<'_> {
         let call = self.call(form, number, value % 100)?;
         let before = draft.written(word);
         let after = call.join("\n");
-        draft.note(before, after, format!("subroutines are called so on {}", self.to.table.title));
+        draft.note(
+            before,
+            after,
+            format!("subroutines are called like this on {}", self.to.table.title),
+        );
         self.put_call(draft, &[word], call);
         Ok(())
     }
@@ -236,7 +246,7 @@ impl Places<'_> {
         Err(Expand(format!("{} does not have {what}", self.to.table.title)))
     }
 
-    /// Puts a call in the place of words; where the block moves as well, behind it.
+    /// Puts a call in the place of words; where the block moves as well, after it.
     fn put_call(&self, draft: &mut Draft, words: &[usize], call: Vec<String>) {
         let others = draft.block.words.iter().enumerate().any(|(at, word)| {
             !words.contains(&at) && !matches!(word.letter, b'N') && !draft.is_gone(at)
@@ -278,7 +288,7 @@ impl Places<'_> {
             let start = self.from.table.call_start_label;
             if start.is_some_and(|letter| block.letters().has(letter)) {
                 return Err(Expand(format!(
-                    "{} cannot call from an N number on",
+                    "{} cannot start a called program at an N number",
                     self.to.table.title
                 )));
             }
@@ -295,7 +305,7 @@ impl Places<'_> {
         let (number, packed_times) =
             if packed { (number % 10_000, Some(number / 10_000)) } else { (number, None) };
         let Some(sub) = has(number) else {
-            return Err(Expand(format!("O{number} stands in another file")));
+            return Err(Expand(format!("O{number} is in another file")));
         };
         let (_, new) = self.structure.targets[sub];
         if new == number && (packed_times.is_none() || self.to.parameters.packed_calls) {
@@ -306,7 +316,7 @@ impl Places<'_> {
         let call = self.call(Form::Program, new, times)?;
         let words: Vec<usize> = [Some(code), p, l].into_iter().flatten().collect();
         let before = words.iter().map(|at| draft.written(*at)).collect::<Vec<_>>().join(" ");
-        let reason = format!("programs are called so on {}", self.to.table.title);
+        let reason = format!("programs are called like this on {}", self.to.table.title);
         draft.note(before, call.join("\n"), reason);
         self.put_call(draft, &words, call);
         Ok(())
@@ -363,7 +373,7 @@ impl Places<'_> {
         };
         let name = codes::name(action, self.to, self.style);
         let name = name.ok_or_else(|| Expand("there is no code for the return".into()))?;
-        draft.replace(word, name, format!("subprograms end so on {}", self.to.table.title));
+        draft.replace(word, name, format!("subprograms end like this on {}", self.to.table.title));
         Ok(())
     }
 

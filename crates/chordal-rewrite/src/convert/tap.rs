@@ -41,7 +41,7 @@ impl Tap {
             match &command.kind {
                 CommandKind::Line { motion, feed } => cuts.push((motion, feed)),
                 CommandKind::Dwell { seconds, .. } if cuts.len() == 1 => dwell_s = *seconds,
-                CommandKind::Dwell { .. } => return Err("a tap that waits at its beginning".into()),
+                CommandKind::Dwell { .. } => return Err("a tap with a dwell at its start".into()),
                 CommandKind::Spindle { state, .. } => turns.push((cuts.len(), *state)),
                 _ => {}
             }
@@ -51,27 +51,27 @@ impl Tap {
         };
         if up.to[..3] != down.from[..3] {
             return Err(
-                "a tap that feeds out beyond where it began: the spindle would not follow".into()
+                "a tap that feeds out further than it went in: the spindle would not follow".into(),
             );
         }
         let along_z = down.from[..2] == down.to[..2] && down.from[3..] == down.to[3..];
         if feed.value != out.value {
-            return Err("a tap that feeds out at another speed than in".into());
+            return Err("a tap that feeds out at a different speed than in".into());
         }
         if !along_z || !down.from_known.has(2) {
-            return Err("a tap that is not along Z from a level that is known".into());
+            return Err("a tap that does not go along Z from a known level".into());
         }
         let back = turns.iter().find(|(cut, state)| *cut == 1 && *state != SpindleState::Off);
         let kind = match back {
             Some((_, SpindleState::Ccw)) => CycleKind::Tap,
             Some((_, SpindleState::Cw)) => CycleKind::LeftTap,
-            _ => return Err("a tap whose spindle does not reverse".into()),
+            _ => return Err("a tap without a reversal of the spindle".into()),
         };
         let from = [down.from[0], down.from[1], down.from[2]];
         Ok(Tap { kind, from, depth: down.to[2], feed: **feed, dwell_s })
     }
 
-    /// The words behind the code, for a tool that stands where the tap begins; nothing where F cannot be
+    /// The words after the code, for a tool that stands where the tap begins; nothing where F cannot be
     /// said.
     pub fn words(
         &self,

@@ -10,7 +10,7 @@ use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
 
 use crate::source::Source;
 
-/// What is in force behind a block.
+/// What is active after a block.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Modes {
     pub motion: Option<Action>,
@@ -60,7 +60,7 @@ pub(crate) struct Facts {
     pub runs: u32,
     /// Its first run.
     pub first: usize,
-    /// Some run comes behind an arc.
+    /// Some run comes after an arc.
     pub after_arc: bool,
     /// Its cuts are not made at the same feed in all runs.
     pub feed_varies: bool,

@@ -80,7 +80,7 @@ impl<'a> Context<'a> {
                 let number = whole(Some(&draft.block.words[e]));
                 let number = number.and_then(|number| u16::try_from(number).ok());
                 match number {
-                    Some(0) => draft.remove(e, "E0 is the machine's own zero: G53 for its moves"),
+                    Some(0) => draft.remove(e, "E0 is the machine zero: G53 for its moves"),
                     Some(number) => {
                         let name = WorkName::E(number);
                         let new = codes::work_offset(name, self.to, self.style());
@@ -139,7 +139,7 @@ impl<'a> Context<'a> {
             draft.replace(
                 l,
                 format!("L{new}"),
-                format!("{title} counts all work offsets in one row"),
+                format!("{title} numbers all work offsets in one series"),
             );
             draft.replace(p, format!("P{}", number + 6), "the same work offset");
         } else if let (Some(number), Some(p)) = (by_e, p)
@@ -148,7 +148,7 @@ impl<'a> Context<'a> {
             draft.replace(
                 l,
                 format!("L{new}"),
-                format!("{title} counts work offsets from E7 on apart"),
+                format!("{title} numbers work offsets from E7 on in a second series"),
             );
             draft.replace(p, format!("P{}", number - 6), "the same work offset");
         } else if of(self.to, code) != Some(target) {
@@ -156,7 +156,7 @@ impl<'a> Context<'a> {
             let Some(new) = new.filter(|_| target != DataTarget::Other) else {
                 return Err(Expand(format!("{title} has no G10 L{code}")));
             };
-            draft.replace(l, format!("L{new}"), format!("{title} has this under another L"));
+            draft.replace(l, format!("L{new}"), format!("{title} uses another L for this"));
         }
         let radius = matches!(
             target,
@@ -167,7 +167,7 @@ impl<'a> Context<'a> {
         if radius
             && self.from.parameters.rules.radius_offsets != self.to.parameters.rules.radius_offsets
         {
-            return Err(Expand(format!("{title} holds radii otherwise (diameter or radius)")));
+            return Err(Expand(format!("{title} stores the other value (diameter or radius)")));
         }
         Ok(())
     }
@@ -196,7 +196,7 @@ impl<'a> Context<'a> {
                 h,
                 code,
                 format!(
-                    "{written} takes the length off by itself only on {}",
+                    "{written} alone cancels the length offset only on {}",
                     self.from.table.title
                 ),
             );
@@ -204,11 +204,7 @@ impl<'a> Context<'a> {
             codes::name(Action::Length(LengthCode::Plus), self.to, self.style())
         {
             let gap = if self.style().spaced { " " } else { "" };
-            draft.replace(
-                h,
-                format!("{code}{gap}{written}"),
-                format!("{title} wants G43 beside H"),
-            );
+            draft.replace(h, format!("{code}{gap}{written}"), format!("{title} needs G43 with H"));
         }
     }
 
@@ -231,10 +227,7 @@ impl<'a> Context<'a> {
             if is_on && own && !has_d && !self.same_control() {
                 draft.append(
                     format!("D{number}"),
-                    format!(
-                        "{} takes the number of the radius beside G41 and G42",
-                        self.to.table.title
-                    ),
+                    format!("{} needs the offset number with G41 and G42", self.to.table.title),
                 );
             }
         }
@@ -262,13 +255,13 @@ impl<'a> Context<'a> {
         let repeats = self.line_repeat(draft, at).is_some();
         if letters.without(Letters::of(if repeats { "L" } else { "" })).meets(turns) && !same_turns
         {
-            return Err(Expand(format!("{} counts turns another way", self.to.table.title)));
+            return Err(Expand(format!("{} counts turns in another way", self.to.table.title)));
         }
         self.helix_feed(draft, at, run)?;
         if self.from.parameters.rules.arc.arc_center != parameters.rules.arc.arc_center
             && letters.meets(Letters::of("IJK"))
         {
-            return Err(Expand(format!("{} reads centres another way", self.to.table.title)));
+            return Err(Expand(format!("{} reads centres in another way", self.to.table.title)));
         }
         let (a, b, _) = shape.plane.axes();
         if self.to.table.strict_center_words {
@@ -338,14 +331,18 @@ impl<'a> Context<'a> {
                     let written = draft.written(word);
                     let value = written.get(2..).unwrap_or_default();
                     let value = value.strip_prefix('+').unwrap_or(value);
-                    draft.replace(word, format!("R{value}"), format!("{title} writes R so"));
+                    draft.replace(word, format!("R{value}"), format!("{title} writes R like this"));
                 }
                 Some(_) => return Err(Expand(format!("{title} has no registers"))),
                 None if will => {
                     let value = &written[1..];
                     let sign = if value.starts_with('-') { "" } else { "+" };
                     let value = value.strip_prefix('+').unwrap_or(value);
-                    draft.replace(word, format!("R0{sign}{value}"), format!("{title} writes R so"));
+                    draft.replace(
+                        word,
+                        format!("R0{sign}{value}"),
+                        format!("{title} writes R like this"),
+                    );
                 }
                 None => {}
             }
@@ -396,8 +393,10 @@ impl<'a> Context<'a> {
             if let Some(new) = numbers::carried_over(number, kind, units, self.controls()) {
                 let now = draft.now(word);
                 let head: String = now.chars().take_while(|c| c.is_ascii_alphabetic()).collect();
-                let reason =
-                    format!("a number without a point is another one on {}", self.to.table.title);
+                let reason = format!(
+                    "a number without a point has another value on {}",
+                    self.to.table.title
+                );
                 draft.replace(word, format!("{head}{new}"), reason);
             }
         }
@@ -430,7 +429,11 @@ impl<'a> Context<'a> {
                 continue;
             }
             if let Some(new) = numbers::dwell_word(seconds, self.to.table) {
-                draft.replace(word, new, format!("{} counts a dwell so", self.to.table.title));
+                draft.replace(
+                    word,
+                    new,
+                    format!("{} reads a dwell like this", self.to.table.title),
+                );
             }
         }
     }
@@ -503,12 +506,14 @@ impl<'a> Context<'a> {
                 draft.replace(
                     at,
                     "",
-                    format!("{word} holds from the next block on, as it stands behind the words"),
+                    format!(
+                        "{word} applies from the next block on, because it comes after the words"
+                    ),
                 );
                 draft.after.push(word);
             } else {
                 draft.set(at, "");
-                draft.lead(word, "it must stand before the words that it holds for");
+                draft.lead(word, "it must come before the words that it applies to");
             }
         }
     }

@@ -1,8 +1,8 @@
 //! A long program as several, each of which stands by itself.
 //!
 //! `points` finds where the tool stands clear and nothing is open, `open` where what one part sets or
-//! begins another would need, `standing` what is in force there, `text` writes the parts. The parts, run one
-//! after the other, are held against the whole; a place behind which something else happens is given up.
+//! begins another would need, `standing` what is active there, `text` writes the parts. The parts, run one
+//! after the other, are compared with the whole; a place after which something else happens is given up.
 
 mod open;
 mod points;
@@ -17,10 +17,10 @@ use self::text::Writer;
 use crate::source::Source;
 use crate::{Certificate, Refusal};
 
-/// So many places are given up before the parts are told as not proved.
+/// So many places are given up before the parts are reported as not proved.
 const MOST_TRIES: usize = 12;
 
-/// Where a program is parted.
+/// Where a program is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// So that no part has more bytes.
@@ -49,7 +49,7 @@ pub struct Part {
 pub struct Split {
     /// In order.
     pub parts: Vec<Part>,
-    /// What is to be known beside it.
+    /// What is to be known in addition to it.
     pub notes: Vec<String>,
     /// The parts, run one after the other, against the whole.
     pub certificate: Certificate,
@@ -58,7 +58,7 @@ pub struct Split {
 /// Parts the main program of a job's first text.
 ///
 /// # Errors
-/// A stretch that has no place where it can be parted, with its lines.
+/// A stretch that has no place where it can be split, with its lines.
 pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
     let source = Source::of(job);
     let [main] = source.mains.as_slice() else {
@@ -66,26 +66,26 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
         return Err(refusal(
             1,
             format!("the file has {count} main programs"),
-            "part a file that has one",
+            "split a file that has one",
         ));
     };
     let mut survey = Survey::of(job, &source, main);
     if source.blocks.iter().all(|block| block.words.is_empty()) {
-        return Err(refusal(1, "there is no program to part".into(), "name a file that holds one"));
+        return Err(refusal(1, "there is no program to split".into(), "name a file that has one"));
     }
     let open = open::stretches(job, &source, main);
     let mut standing_notes: Vec<String> = survey
         .unknown
         .iter()
         .map(|(code, line)| {
-            format!("{code} (line {line}) is not carried out: where it lasts, say it in each part")
+            format!("Chordal does not carry out {code} (line {line}): if it stays active, write it into each part")
         })
         .collect();
     survey.points.retain(|point| {
         let held = open.iter().find(|open| open.holds(source.start_of(point.at)));
         if let (Some(held), By::Tool, Kind::ToolChange) = (held, by, point.kind) {
             let line = source.blocks[point.at].line;
-            standing_notes.push(format!("not parted before line {line}, across {}", held.what));
+            standing_notes.push(format!("not split before line {line}, inside {}", held.what));
         }
         held.is_none()
     });
@@ -120,13 +120,15 @@ pub fn split(job: &Job, by: By) -> Result<Split, Refusal> {
 fn notes(given_up: &[u32]) -> Vec<String> {
     given_up
         .iter()
-        .map(|line| format!("not parted before line {line}: what follows would not be the same"))
+        .map(|line| {
+            format!("not split before line {line}: the blocks after it would not do the same")
+        })
         .collect()
 }
 
 /// The first line of the part that something differs in: what differs follows from how it begins.
 fn begin_before(difference: &Difference, parts: &[(Part, text::Kept)]) -> Option<u32> {
-    // What one of the two lacks is told behind the block before it.
+    // What one of the two lacks is reported after the block before it.
     let line = difference.blocks.iter().flatten().map(|blocks| blocks.first.line).max()?;
     parts.iter().skip(1).map(|(part, _)| part.lines[0]).rfind(|from| *from <= line)
 }
@@ -146,7 +148,7 @@ fn parts(job: &Job, source: &Source, survey: &Survey, by: By) -> Result<Parts, R
         points.dedup_by_key(|point| point.cuts);
         points
     };
-    // What the first part and the others have beside their blocks is known once they are written.
+    // What the first part and the others have in addition to their blocks is known once they are written.
     let mut beside = [0; 2];
     loop {
         let chosen = match by {
@@ -201,7 +203,7 @@ fn choose(
                     let to = source.blocks[point.at].line;
                     let bytes = (at(point) - from) as usize + beside;
                     let what = format!(
-                        "from line {line} to line {} there is no place to part the program: a part \
+                        "from line {line} to line {} there is no point to split the program: a part \
                          would have {bytes} bytes, {} more than allowed",
                         to - 1,
                         bytes - most
@@ -210,13 +212,13 @@ fn choose(
                 }
                 None => (
                     format!(
-                        "from line {line} on there is no place to part the program, whose rest has {} \
-                         bytes: neither a tool change nor a place where the tool stands above all cuts \
+                        "from line {line} on there is no point to split the program, and the rest has {} \
+                         bytes: neither a tool change nor a block where the tool is above all cuts \
                          and nothing is open",
                         (end - from) as usize + beside
                     ),
-                    "retract above all cuts in between, with G40 and G80 in force and outside of loops; \
-                     what sets variables must stand with what uses them",
+                    "retract above all cuts in between, with G40 and G80 active and outside of loops; \
+                     blocks that set variables must be in the part that uses them",
                 ),
             };
             return Err(refusal(line, what, help));

@@ -22,13 +22,13 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// True when a text parted before this byte would part it.
+    /// True when a text split before this byte would part it.
     pub(super) fn holds(&self, at: u32) -> bool {
         self.from < at && at <= self.to
     }
 }
 
-/// All that must not be parted in the main program.
+/// All that must not be split in the main program.
 pub(super) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<Stretch> {
     let mut stretches = loops(source, main);
     let Some(program) = program(job) else { return stretches };

@@ -1,4 +1,4 @@
-//! Where a program may be parted: before tool changes, and where the tool stands above all cuts.
+//! Where a program may be split: before tool changes, and where the tool stands above all cuts.
 
 use chordal::RunSink;
 use chordal::control::CodeRow;
@@ -25,7 +25,7 @@ pub(super) enum Kind {
 /// A place between two blocks of the main program.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Point {
-    /// The block behind it.
+    /// The block after it.
     pub(super) at: usize,
     /// How many blocks were carried out before it.
     pub(super) ran: u32,
@@ -36,7 +36,7 @@ pub(super) struct Point {
     pub(super) cuts: u32,
 }
 
-/// A run, as far as parting it goes.
+/// A run, as far as splitting it goes.
 #[derive(Debug)]
 pub(super) struct Survey {
     /// In order, each once.
@@ -90,14 +90,14 @@ impl Survey {
     }
 }
 
-/// What keeps a program from being parted for as long as it lasts.
+/// What keeps a program from being split for as long as it lasts.
 #[derive(Debug, Default)]
 struct Open {
     /// G52, G92: where the program's zero lies is not said again.
     shift: bool,
     /// A modal macro call.
     call: bool,
-    /// A code that Chordal does not carry out may be in force.
+    /// A code that Chordal does not carry out may be active.
     unknown: bool,
     /// Offsets were written by increments.
     data: bool,
@@ -114,7 +114,7 @@ struct Walk<'s, 'a> {
     /// The same in the block under way.
     lowest: Option<f64>,
     open: Open,
-    /// Neither compensation nor a cycle was in force behind the last block.
+    /// Neither compensation nor a cycle was active after the last block.
     settled: bool,
 }
 
@@ -274,7 +274,7 @@ impl RunSink for Walk<'_, '_> {
                 self.survey.end = self.survey.end.max(at);
             }
             Some(at) => {
-                // The place behind the calling block lies within the call.
+                // The place after the calling block lies within the call.
                 self.survey
                     .points
                     .pop_if(|point| point.kind == Kind::Clear && point.ran == self.ran);

@@ -1,4 +1,4 @@
-//! What is in force at a place of a run, and how the program has said it.
+//! What is active at a place of a run, and how the program has said it.
 
 use chordal::RunSink;
 use chordal::control::{Action, AfterCode, BeforeCode, LengthCode, ModeCode, OnceCode, PathCode};
@@ -28,7 +28,7 @@ pub(super) struct Said {
     pub(super) lines: BTreeMap<Slot, String>,
     /// A work offset was chosen.
     pub(super) work: bool,
-    /// The code beside H (G43).
+    /// The code with H (G43).
     pub(super) length: Option<String>,
     /// The last H word.
     pub(super) h: Option<String>,

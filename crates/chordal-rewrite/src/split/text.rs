@@ -126,7 +126,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         (parts, rounded_mm)
     }
 
-    /// The number of a part: those behind that of the whole which nothing has.
+    /// The number of a part: those after that of the whole which nothing has.
     fn number(&self, index: usize) -> Option<u32> {
         let head = *self.source.heads.iter().find(|at| self.source.mains[0].contains(at))?;
         let own = crate::source::whole(self.source.blocks[head].word(b'O'))?;
@@ -195,7 +195,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         sections.any(|(at, _)| self.is_used(Some(at), blocks))
     }
 
-    /// What stands behind the end of the main program: subprograms that the blocks use, and the last `%`.
+    /// What stands after the end of the main program: subprograms that the blocks use, and the last `%`.
     fn tail(&self, draft: &mut Draft, end: usize, blocks: &std::ops::Range<usize>) {
         let mut at = end;
         while at < self.source.blocks.len() {

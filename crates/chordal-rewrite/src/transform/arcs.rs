@@ -60,7 +60,7 @@ pub(super) fn form(job: &Job, form: ArcForm) -> Result<Outcome, Refusal> {
     })?;
     if let [first, ..] = kept[..] {
         arcs.outcome.notes.push(format!(
-            "{} arcs keep their centres, the first on line {first}: whole and half turns have no sound radius form",
+            "{} arcs keep their centres, the first on line {first}: full and half turns have no reliable radius form",
             kept.len()
         ));
     }
@@ -108,7 +108,7 @@ impl<'a> Arcs<'a> {
         Err(self.refuse(
             block,
             format!("the block runs {} times, and its arc is not always the same", runs.count),
-            "leave this form, or copy the subprogram for each use",
+            "keep this form, or copy the subprogram for each use",
         ))
     }
 
@@ -136,8 +136,8 @@ impl<'a> Arcs<'a> {
         if run.context.arc_center == ArcCenter::Absolute && !runs.same {
             return Err(self.refuse(
                 block,
-                "the block runs at several places, and a centre is written as a place here",
-                "leave the radius",
+                "the block runs at several positions, and the centre is absolute here",
+                "keep the radius",
             ));
         }
         let Some(shape) = run.shape else { return Ok(String::new()) };
@@ -174,8 +174,8 @@ impl<'a> Arcs<'a> {
         if run.context.side != Side::Off || run.context.feed_mode == FeedMode::InverseTime {
             return Err(self.refuse(
                 block,
-                "cutter compensation or G93 is in force, and both go by the single block",
-                "leave the arcs that are cut so",
+                "cutter compensation or G93 is active, and both depend on single blocks",
+                "keep these arcs",
             ));
         }
         if run.moves > 1 {
@@ -192,8 +192,8 @@ impl<'a> Arcs<'a> {
         else {
             return Err(self.refuse(
                 block,
-                "something else stands behind the block on its line",
-                "give each block a line of its own",
+                "something else follows the block on its line",
+                "write each block on a line of its own",
             ));
         };
         let points = corners(run, &shape, tolerance)
@@ -291,7 +291,7 @@ fn corners(run: &Run, shape: &ArcShape, tolerance: f64) -> Result<Vec<Vec3>, Str
     Ok(chords.collect())
 }
 
-/// The centre words of an arc by the rule in force.
+/// The centre words of an arc by the active rule.
 pub(super) fn center_words(
     writer: &Writer,
     shape: &ArcShape,

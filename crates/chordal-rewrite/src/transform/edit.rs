@@ -78,7 +78,7 @@ pub(super) fn changes(text: &[u8], edits: &[Edit]) -> Vec<Change> {
         if line < until {
             continue;
         }
-        // The lines that this edit and those beside it touch.
+        // The lines that this edit and those next to it touch.
         let from = source.line_start(line);
         let (mut last, mut end) = (index, line_end(text, edit.range.end));
         while let Some(next) = edits.get(last + 1).filter(|next| next.range.start <= end) {

@@ -52,7 +52,7 @@ pub(super) fn fit(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
     });
     if rough > 0 {
         outcome.notes.push(format!(
-            "{rough} chords stay: the tolerance is not larger than what the last digit of the program rounds"
+            "{rough} chords stay: the tolerance is not larger than the rounding of the program's last digit"
         ));
     }
     outcome.notes.push(format!("{chords} chords are {pieces} lines and arcs"));
@@ -101,7 +101,7 @@ struct Typist<'a> {
     units: Units,
     /// Where the tool stands by the digits that were written, mm.
     at: [f64; 3],
-    /// The motion code in force, where one is.
+    /// The active motion code, where one is.
     motion: Option<Action>,
     plane: Plane,
     rule: chordal::control::ArcCenter,
@@ -186,7 +186,7 @@ impl Typist<'_> {
         }
     }
 
-    /// What brings back what the blocks behind rely on.
+    /// What brings back what the blocks after rely on.
     fn restore(&mut self, plane: Plane, behind: Option<&Block>) -> Option<String> {
         let mut words = Words::default();
         let is_changed = self.plane != plane;
@@ -266,10 +266,6 @@ fn name_axes(writer: &Writer, before: &Cut, here: &Cut, edits: &mut Vec<Edit>) {
     let words = put_in.join(writer.style.gap());
     if let (Some(at), false) = (at, words.is_empty()) {
         let gap = writer.style.gap();
-        edits.push(Edit::insert(
-            at,
-            format!("{gap}{words}"),
-            "an axis that a block left out named",
-        ));
+        edits.push(Edit::insert(at, format!("{gap}{words}"), "an axis of a removed block"));
     }
 }

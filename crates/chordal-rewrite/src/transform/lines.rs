@@ -15,7 +15,7 @@ pub(super) fn newline(text: &[u8]) -> &'static str {
 }
 
 /// What stands between the end of a block's words and the end of its line, when that is nothing but
-/// blanks and an end of block: what a line put in behind it ends with, too.
+/// blanks and an end of block: what a line put in after it ends with, too.
 pub(super) fn tail<'a>(text: &'a [u8], block: &Block) -> Option<&'a str> {
     let rest = TextRange::new(block.range.end, line_end(text, block.range.end)).slice(text);
     let rest = std::str::from_utf8(rest).ok()?;

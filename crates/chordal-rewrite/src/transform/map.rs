@@ -88,7 +88,9 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
     }
     if let Some((file, line)) = record.elsewhere {
         let name = job.sources().get(file).map_or("", |source| source.name());
-        outcome.notes.push(format!("line {line} of {name} moves, too: that text is left as it is"));
+        outcome
+            .notes
+            .push(format!("line {line} of {name} moves, too: that file is left unchanged"));
     }
     outcome.note_idle(&idle);
     // From a place that is not known a way is not known, moved or not.
@@ -96,9 +98,9 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<Outcome, Refusal> 
     if mapper.map.turns && job.control().parameters.rules.rapid == RapidPath::DogLeg {
         // A rapid along one axis moves two after a turn, each at its own speed.
         outcome.expected.push(Category::RapidPath);
-        outcome
-            .notes
-            .push("rapids are dog-legs on this control: turned, they bend elsewhere".into());
+        outcome.notes.push(
+            "rapids are dog-legs on this control: after the turn they bend at another point".into(),
+        );
     }
     outcome.tolerance_mm = writer.tolerance_mm();
     Ok(outcome)
@@ -123,8 +125,8 @@ impl Mapper<'_> {
                 Some(edits) if *edits != these => {
                     return Err(self.refuse(
                         block,
-                        "the block is run in different ways, and no one change is right for all",
-                        "write what differs (G90 or G91, units, plane) into the block, or copy the \
+                        "the block runs in different states, and no single change is right for all",
+                        "write the code that differs (G90 or G91, units, plane) into the block, or copy the \
                          subprogram for each use",
                     ));
                 }
@@ -144,7 +146,7 @@ impl Mapper<'_> {
         if map.scale != 1.0 && context.side != chordal::control::Side::Off {
             return Err(self.refuse(
                 block,
-                "cutter compensation is on: the tool's radius does not grow with the path",
+                "cutter compensation is on: the tool radius does not scale with the path",
                 "scale the path without compensation",
             ));
         }
@@ -157,7 +159,7 @@ impl Mapper<'_> {
                 return Err(self.refuse(
                     block,
                     "an arc or a cycle in G18 or G19 would lie in no plane of the control",
-                    "turn by 180°, or write it in G17 or as chords (--chords)",
+                    "rotate by 180°, or write it in G17 or as chords (--chords)",
                 ));
             }
             self.pairs(block, runs, context, &roles, &mut edits)?;
@@ -207,10 +209,10 @@ impl Mapper<'_> {
                 return Err(self.refuse(
                     block,
                     format!(
-                        "`{}` makes moves whose directions no word says",
+                        "`{}` makes moves whose directions are not given by words",
                         self.writer.word(word)
                     ),
-                    "write the moves out, or turn by the control's own G68",
+                    "write the moves out, or rotate with the control's own G68",
                 ));
             }
             let Some(other) = mirrored(action).filter(|_| self.map.is_mirrored(context.plane))
@@ -221,12 +223,15 @@ impl Mapper<'_> {
             let Some(row) = rows.iter().find(|row| row.action == other) else {
                 return Err(self.refuse(
                     block,
-                    format!("the control has no mirror image of `{}`", self.writer.word(word)),
-                    "write the move in another way",
+                    format!(
+                        "the control has no code for the mirror image of `{}`",
+                        self.writer.word(word)
+                    ),
+                    "write the move in another form",
                 ));
             };
             let text = self.writer.code(word, row.code);
-            edits.push(Edit::new(word.range, text, "a mirror image turns the other way"));
+            edits.push(Edit::new(word.range, text, "a mirror image turns in the other direction"));
         }
         Ok(())
     }
@@ -318,11 +323,11 @@ impl Mapper<'_> {
             _ => Err(self.refuse(
                 block,
                 format!(
-                    "`{}` {}: a turn needs its number",
+                    "`{}` {}: a rotation needs its number",
                     self.writer.word(word),
-                    if is_fixed(word) { "takes its value from elsewhere" } else { "is computed" },
+                    if is_fixed(word) { "is not written as a number" } else { "is computed" },
                 ),
-                "turn by the control's own G68, or write the places as numbers",
+                "rotate with the control's own G68, or write the positions as numbers",
             )),
         }
     }
@@ -336,15 +341,15 @@ impl Mapper<'_> {
         if !runs.same_end {
             return Err(self.refuse(
                 block,
-                format!("the block runs {} times, each time at another {letter}", runs.count),
-                &format!("name {letter} in the block"),
+                format!("the block runs {} times, each time at a different {letter}", runs.count),
+                &format!("program {letter} in the block"),
             ));
         }
         if !known.has(axis) || is_return {
             return Err(self.refuse(
                 block,
-                format!("where {letter} stands is not known here, and a turn needs it"),
-                &format!("name {letter} in the block"),
+                format!("the position of {letter} is not known here, and a rotation needs it"),
+                &format!("program {letter} in the block"),
             ));
         }
         Ok(runs.first.to[axis])

@@ -3,7 +3,7 @@
 //!
 //! The text is run first, so that every word is changed by what it means where it stands; a block that
 //! runs in several ways is changed only where one change is right for all of them. The new text is run
-//! as well, and held against the old path, taken where it is meant to go.
+//! as well, and compared with the old path, taken where it is meant to go.
 
 mod arcs;
 mod edit;
@@ -166,13 +166,13 @@ struct Outcome {
 }
 
 impl Outcome {
-    /// Tells of blocks that never ran.
+    /// Reports blocks that never ran.
     fn note_idle(&mut self, lines: &[u32]) {
         if let [first, ..] = lines {
             let count = lines.len();
             let blocks = if count == 1 { "block is" } else { "blocks are" };
             self.notes.push(format!(
-                "{count} {blocks} never run and left as written, the first on line {first}"
+                "{count} {blocks} never run, left unchanged, the first on line {first}"
             ));
         }
     }
@@ -185,9 +185,9 @@ pub struct Transformed {
     pub text: Vec<u8>,
     /// What was changed, step by step; lines are those of the text before each step.
     pub changes: Vec<Change>,
-    /// What is to be known beside it.
+    /// What is to be known in addition to it.
     pub notes: Vec<String>,
-    /// The new path held against the old one.
+    /// The new path compared with the old one.
     pub certificate: Certificate,
 }
 
@@ -233,10 +233,10 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
     let comparison = &mut certificate.comparison;
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
     if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {
-        // Nothing was held against anything: that is no proof.
+        // Nothing was compared with anything: that is no proof.
         comparison.verdict = Verdict::Different;
         all.notes.push(
-            "no move lies between places that are known, so that nothing is proved: name X, Y and Z \
+            "no move lies between known positions, so nothing can be proved: program X, Y and Z \
              before the first cut"
                 .into(),
         );

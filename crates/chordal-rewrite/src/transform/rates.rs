@@ -39,8 +39,8 @@ pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<Outcome, Refusal
                 return Err(Refusal::new(
                     writer.text,
                     &block,
-                    "its F is the feed of a tap at one time and of a cut at another",
-                    "give each its own F",
+                    "its F is sometimes the feed of a tap and sometimes that of a cut",
+                    "write a separate F for each",
                 ));
             }
             edits = Some(these);
@@ -60,9 +60,9 @@ fn block_rates(
     for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
         let feeds = Rate::Feed([context.units; 2]);
         let (factor, rate, reason) = match role {
-            Role::TapFeed => (speed, feeds, "the feed of a tap goes with the spindle"),
+            Role::TapFeed => (speed, feeds, "the feed of a tap follows the spindle"),
             Role::Feed => (feed, feeds, "another feed"),
-            Role::Speed => (speed, Rate::Speed, "another spindle speed"),
+            Role::Speed => (speed, Rate::Speed, "a new spindle speed"),
             _ => continue,
         };
         if factor != 1.0 {
@@ -124,7 +124,7 @@ pub(super) fn scaled(
         Value::Register { .. } | Value::Missing => Err(Refusal::new(
             writer.text,
             block,
-            format!("`{}` takes its value from elsewhere", writer.word(word)),
+            format!("the value of `{}` is not written in the block", writer.word(word)),
             "write its value as a number",
         )),
     }

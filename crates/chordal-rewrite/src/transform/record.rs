@@ -14,9 +14,9 @@ use chordal::{Command, CommandKind, Diagnostic, Job, Sink};
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Context {
-    /// G91 in force before the block.
+    /// G91 active before the block.
     pub(super) incremental_before: bool,
-    /// G91 in force behind it.
+    /// G91 active after it.
     pub(super) incremental: bool,
     pub(super) plane: Plane,
     pub(super) units: Units,
@@ -43,15 +43,15 @@ pub(super) enum Did {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Run {
     pub(super) context: Context,
-    /// The tool tip before and behind it, program coordinates, mm and rad.
+    /// The tool tip before and after it, program coordinates, mm and rad.
     pub(super) from: Position,
     pub(super) to: Position,
-    /// The axes whose place is known, before and behind.
+    /// The axes whose position is known, before and after.
     pub(super) known: [AxisMask; 2],
     pub(super) shape: Option<ArcShape>,
     /// How many moves it made.
     pub(super) moves: u32,
-    /// F in force, in mm/s, 1/s or mm.
+    /// The active F, in mm/s, 1/s or mm.
     pub(super) feed: Option<f64>,
 }
 

@@ -43,7 +43,7 @@ pub(super) fn actions<'a>(
     block.words.iter().filter_map(move |word| Some((word, control.row_of(word)?.action)))
 }
 
-/// What sort of block it is, where words do not mean what they mean beside a move.
+/// What sort of block it is, where words do not mean what they mean next to a move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sort {
     Move,
@@ -99,7 +99,7 @@ fn sort_of(action: Action) -> Option<Sort> {
 pub(super) fn roles(block: &Block, context: &Context, control: &Control) -> Vec<Role> {
     let mut sort = Sort::Move;
     let mut starts_compensation = false;
-    // Letters that are lengths beside a code that says how corners are passed.
+    // Letters that are lengths with a code that says how corners are passed.
     let mut corner_letters: &[u8] = b"";
     for (_, action) in actions(block, control) {
         sort = sort_of(action).unwrap_or(sort);

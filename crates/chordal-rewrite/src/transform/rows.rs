@@ -1,4 +1,4 @@
-//! Rows of straight cuts that stand behind one another in the text and nowhere else: what may be
+//! Rows of straight cuts that stand after one another in the text and nowhere else: what may be
 //! replaced as a whole.
 
 use chordal::control::{Action, MotionCode};
@@ -28,7 +28,7 @@ impl Cut {
     }
 }
 
-/// Hands on each row of at least `least` cuts in one go, and the block behind it.
+/// Emits each row of at least `least` cuts in one go, and the block after it.
 pub(super) fn rows(
     writer: &Writer,
     record: &Record,

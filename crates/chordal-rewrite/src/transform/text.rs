@@ -29,7 +29,7 @@ pub(super) fn renumber(job: &Job, first: u32, step: u32) -> Result<Outcome, Refu
 
 /// Takes out the numbers that nothing jumps to.
 pub(super) fn no_numbers(job: &Job) -> Outcome {
-    const REASON: &str = "nothing goes to this number";
+    const REASON: &str = "nothing jumps to this number";
     let text = first_text(job);
     let Some(program) = program(job) else { return Outcome::default() };
     let wanted: HashSet<i64> = program
@@ -151,12 +151,12 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<Outcome, Refusal> {
                 text.len(),
                 text.len() - most
             ),
-            help: "make subprograms of what repeats, or fit arcs (--fit)".into(),
+            help: "write repeated blocks as subprograms, or fit arcs (--fit)".into(),
         });
     }
     let mut outcome = Outcome::default();
     if done.is_empty() {
-        outcome.notes.push(format!("it has {} bytes: nothing is to be done", old.len()));
+        outcome.notes.push(format!("it has {} bytes: there is nothing to do", old.len()));
     } else {
         outcome.notes.push(format!("taken out: {}", done.join(", ")));
         outcome.whole = Some((text, made));
@@ -197,7 +197,7 @@ fn blanks(job: &Job) -> Outcome {
     outcome
 }
 
-/// Takes out digits that say nothing: zeros at both ends, plus signs.
+/// Takes out digits without meaning: zeros at both ends, plus signs.
 fn digits(job: &Job) -> Outcome {
     let text = first_text(job);
     let mut outcome = Outcome::default();
@@ -208,7 +208,7 @@ fn digits(job: &Job) -> Outcome {
         for word in &block.words {
             let short = shorter(text, word);
             if let Some(short) = short {
-                outcome.edits.push(Edit::new(word.range, short, "digits that say nothing"));
+                outcome.edits.push(Edit::new(word.range, short, "digits without meaning"));
             }
         }
     });

@@ -30,7 +30,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
             writer.text,
             &Block::new(),
             "the control has no code for that unit",
-            "its parameters choose the unit; there is nothing to write",
+            "its parameters choose the unit; there is no code to write",
         ));
     };
     let mut first: Option<(u32, u32)> = None;
@@ -73,7 +73,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
                 return Err(Refusal::new(
                     writer.text,
                     &block,
-                    "the block is run in both units",
+                    "the block runs in both units",
                     "write the units into the subprogram",
                 ));
             }
@@ -83,11 +83,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<Outcome, Refusal> {
     }
     if let Some((_, at)) = first.filter(|_| !is_said && outcome_changes(&outcome)) {
         let line = format!("{}\n", code.name(b'G'));
-        outcome.edits.push(Edit::insert(
-            at,
-            line,
-            "what the machine begins with is no longer meant",
-        ));
+        outcome.edits.push(Edit::insert(at, line, "the unit at power-on no longer applies"));
     }
     outcome.note_idle(&idle);
     outcome.tolerance_mm = writer.tolerance_mm();

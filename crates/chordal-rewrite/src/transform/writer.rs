@@ -91,7 +91,7 @@ impl<'a> Writer<'a> {
             Value::Register { .. } | Value::Missing => Err(Refusal::new(
                 self.text,
                 block,
-                format!("`{}` takes its value from elsewhere", self.word(word)),
+                format!("the value of `{}` is not written in the block", self.word(word)),
                 "write its value as a number",
             )),
         }

@@ -68,7 +68,7 @@ fn nothing_is_written_of_a_program_with_errors() {
     let found = converted(&job(text, machine("haas-vf2")), "fadal-4020");
     assert!(found.text.is_empty() && !found.holds());
     assert_eq!(found.refusals[0].line, 3);
-    assert!(found.refusals[0].reason.contains("own control"), "{}", found.refusals[0].reason);
+    assert!(found.refusals[0].reason.contains("original control"), "{}", found.refusals[0].reason);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn a_tap_that_no_cycle_does_is_refused() {
     assert!(!there.holds());
     assert_eq!(there.refusals.len(), 1, "{:?}", there.refusals);
     assert_eq!(there.refusals[0].line, 4);
-    assert!(there.refusals[0].reason.contains("feeds out beyond"), "{:?}", there.refusals);
+    assert!(there.refusals[0].reason.contains("feeds out further"), "{:?}", there.refusals);
 }
 
 /// Nothing is known of what they move, so nothing can be proved.
@@ -172,7 +172,7 @@ fn block_delete_in_a_program_that_is_written_out_is_refused() {
     assert!(there.refusals.iter().any(|refusal| refusal.line == 7), "{:?}", there.refusals);
 }
 
-/// A program that is written out begins with what is in force at its first move.
+/// A program that is written out begins with what is active at its first move.
 #[test]
 fn a_program_that_is_written_out_begins_safely() {
     let text = "O1\nM6 T1\nG0 G90 S900 M3 E1 X0 Y0\n# SET RADIANS\n# V1=0\n#:A\nG1 Z-1. F10.\nG0 Z0\n\

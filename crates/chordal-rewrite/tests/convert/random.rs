@@ -539,7 +539,7 @@ fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String
     let mut lines = Vec::new();
     let begin = ["G20 G17 G90 G40 G80", "T1 M6", "S1000 M3", "G0 X0 Y0 Z0", "G1 F20."];
     let mut main_lines: Vec<String> = begin.map(String::from).to_vec();
-    // Labels of the chain behind begin from one.
+    // Labels of the chain after begin from one.
     let mut labels = 100;
     for piece in main {
         let mut writer =

@@ -1,4 +1,4 @@
-//! Another program beside: its path, what differs, and what the page may ask of it.
+//! Another program: its path, what differs, and what the page may ask of it.
 
 use std::fs;
 

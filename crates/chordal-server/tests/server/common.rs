@@ -34,7 +34,7 @@ impl Shown {
         Shown { path: Some(path), text: Mutex::default(), against: None }
     }
 
-    /// Held against another program.
+    /// Compared with another program.
     pub fn against(self, other: Shown, own_text: bool) -> Shown {
         let programs = Arc::new(other);
         let against = Against { programs, own_text, options: Options::default() };
@@ -200,7 +200,7 @@ impl Live {
         }
     }
 
-    /// The next object of a type; what comes before is passed over.
+    /// The next object of a type; what comes before is skipped.
     pub fn json(&mut self, kind: &str) -> Value {
         loop {
             match self.next() {
@@ -211,7 +211,7 @@ impl Live {
         }
     }
 
-    /// The next frame of a type; what comes before is passed over.
+    /// The next frame of a type; what comes before is skipped.
     pub fn columns(&mut self, kind: &str) -> Columns {
         loop {
             match self.next() {

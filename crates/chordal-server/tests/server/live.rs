@@ -1,4 +1,4 @@
-//! What a page is told: path, problems, times, and what it may ask.
+//! What a page gets: path, problems, times, and what it may ask.
 
 use std::f32::consts::FRAC_PI_2;
 use std::fs;
@@ -234,7 +234,7 @@ fn a_file_is_watched_and_written_whole() {
     live.send(r#"{"id":5,"ask":"save"}"#);
     assert_eq!(live.json("saved")["id"], 5);
     assert_eq!(fs::read(&path).unwrap(), b"G21\r\nG1 X10. F100.\r\n");
-    // Somebody else writes it: that is told, and not written over unasked.
+    // Somebody else writes it: that is reported, and not written over unasked.
     fs::write(&path, "G21\nG1 X77. F100.\n").unwrap();
     live.json("changed");
     live.send(r#"{"id":6,"ask":"save"}"#);

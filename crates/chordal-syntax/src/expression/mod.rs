@@ -3,7 +3,7 @@
 //! An expression becomes a list of steps in the order in which a stack machine takes them
 //! (`#1+2*3` is `1, read, 2, 3, ×, +`), so that carrying it out needs no recursion and no
 //! memory of its own, however long the line is. Reading never fails: what cannot be read is a
-//! problem beside the steps.
+//! problem with the steps.
 
 mod grammar;
 mod parse;

@@ -8,7 +8,7 @@ use crate::decimal;
 /// Brackets deeper than this are not read on any control, so that reading cannot overflow.
 const HARD_DEPTH: u32 = 64;
 
-/// How many problems of one line are told.
+/// How many problems of one line are reported.
 const PROBLEMS_PER_LINE: usize = 4;
 
 /// Reads expressions of one line into steps. Its memory is used again for the next line.
@@ -142,8 +142,10 @@ impl<'a> ExpressionParser<'a> {
             let deepest = self.deepest;
             self.problem(Code::BracketsTooDeep, range, |d| {
                 d.label("nested too deep")
-                    .help(format!("this control reads {limit} levels; compute a part before"))
-                    .note(format!("the brackets are {deepest} deep, those of functions counted"))
+                    .help(format!("this control reads {limit} levels; compute a part of it before"))
+                    .note(format!(
+                        "the brackets are {deepest} levels deep, those of functions included"
+                    ))
             });
         }
         Expression { first, end: self.steps.len() as u32, range }
@@ -248,7 +250,7 @@ impl<'a> ExpressionParser<'a> {
             self.push(Op::Unreadable, start);
             let range = TextRange::new(start as u32, start as u32 + 1);
             self.problem(Code::BracketsTooDeep, range, |d| {
-                d.label("the rest of the line is not read").help("no control nests this deep")
+                d.label("the rest of the line is not read").help("no control allows so many levels")
             });
         } else {
             self.binary(0);
@@ -270,7 +272,7 @@ impl<'a> ExpressionParser<'a> {
                 .also(at.in_file(file), "reading stopped here")
                 .help(format!("close it with `{mark}`"))
         });
-        // What could not be read inside would be told again behind it.
+        // What could not be read inside would be reported again after it.
         if let Some(found) = self.text[self.at..self.end].iter().position(|b| *b == close) {
             self.at += found + 1;
         }
@@ -306,7 +308,7 @@ impl<'a> ExpressionParser<'a> {
                 self.push(Op::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);
                 self.problem(Code::BadExpression, range, |d| {
-                    d.label("which variable?").help("write its number behind the `#`")
+                    d.label("which variable?").help("write its number after the `#`")
                 });
                 return;
             }
@@ -360,9 +362,9 @@ impl<'a> ExpressionParser<'a> {
         let range = TextRange::new(start as u32, self.at as u32);
         let known: Vec<&str> = self.grammar.functions.iter().map(|(name, _)| *name).collect();
         self.problem(Code::UnsupportedMacro, range, |d| {
-            d.label("no function of this control").help(format!("it has {}", known.join(", ")))
+            d.label("not a function of this control").help(format!("it has {}", known.join(", ")))
         });
-        // The arguments of what is not known would only be told as further problems.
+        // The arguments of what is not known would only be reported as further problems.
         if self.next_mark() == self.grammar.bracket_bytes().0 {
             let problems = self.problems.len();
             let steps = self.steps.len();
@@ -459,7 +461,7 @@ impl<'a> ExpressionParser<'a> {
         let shown = self.at < self.end && self.grammar.brackets == Brackets::Square;
         let end = start as u32 + u32::from(self.at < self.end);
         self.problem(Code::BadExpression, TextRange::new(start as u32, end), |d| {
-            let d = d.label("a value is due here");
+            let d = d.label("a value is missing here");
             if shown && mark == b'(' {
                 d.help("brackets of expressions are `[` and `]`; `(` begins a comment")
             } else {
@@ -480,7 +482,7 @@ impl<'a> ExpressionParser<'a> {
         let message = match code {
             Code::UnbalancedBrackets => "the brackets of this expression do not match",
             Code::BracketsTooDeep => "the brackets of this expression are nested too deep",
-            Code::UnsupportedMacro => "this form is not known on this control",
+            Code::UnsupportedMacro => "this control does not have this form",
             Code::BadStatement => "this macro statement cannot be read",
             _ => "this expression cannot be read",
         };

@@ -1,4 +1,4 @@
-//! Text that is no word, and what is told about it.
+//! Text that is not a word, and its diagnostics.
 
 use super::*;
 
@@ -14,7 +14,7 @@ impl BlockReader<'_> {
             .take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l'))
             .collect();
         let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
-        // A keyword or an O word behind a blank is not a slip of the finger.
+        // A keyword or an O word after a blank is not a slip of the finger.
         let next = rest.get(token.len()).copied().unwrap_or(b'\n');
         if letters.next().is_none() || next.is_ascii_alphabetic() {
             return None;
@@ -34,7 +34,7 @@ impl BlockReader<'_> {
         let meant = format!("{letter}{}", String::from_utf8_lossy(&mended));
         self.problem(block, || {
             let span = range.in_file(self.file);
-            Diagnostic::new(Code::LetterForDigit, span, "a letter stands inside this number")
+            Diagnostic::new(Code::LetterForDigit, span, "there is a letter inside this number")
                 .label(format!("read as `{meant}`"))
                 .help(format!("write `{meant}`"))
                 .fix(Fix {
@@ -61,7 +61,7 @@ impl BlockReader<'_> {
             (_, _, 19..) => format!("it has {digits} digits, and no control keeps more than 18"),
             (2.., _, _) => format!("it has {points} decimal points"),
             (_, 2.., _) => format!("it has {signs} signs"),
-            _ => "the sign stands in the middle".to_string(),
+            _ => "its sign is in the middle".to_string(),
         };
         let range = TextRange::new(start as u32, self.at as u32);
         self.problem(block, || {
@@ -70,7 +70,7 @@ impl BlockReader<'_> {
                 range.in_file(self.file),
                 format!("this is not a number: {why}"),
             )
-            .label("the word is left out")
+            .label("this word is skipped")
             .help("a number is an optional sign, digits, and at most one decimal point")
         });
     }
@@ -86,7 +86,7 @@ impl BlockReader<'_> {
         let token = rest.iter().take_while(|b| CLASSES[**b as usize] == Class::Digit).count();
         self.at += token.max(1);
         let words = &rest[..token];
-        // The words behind it, not a comment's.
+        // The words after it, not a comment's.
         let line_end = memchr::memchr3(b'\n', b'\r', b'(', rest).unwrap_or(rest.len());
         let behind = &rest[token..line_end.min(token + 200)];
         let has = |letter: u8| {
@@ -118,7 +118,7 @@ impl BlockReader<'_> {
                     },
                 )
             } else {
-                problem.help("write the letter before the number, or take the number out")
+                problem.help("write the letter before the number, or remove the number")
             }
         });
     }
@@ -140,7 +140,7 @@ impl BlockReader<'_> {
                 range.in_file(self.file),
                 format!("`{shown}` means nothing here"),
             )
-            .help("take it out, or put it into a comment")
+            .help("remove it, or put it into a comment")
         });
     }
 

@@ -3,7 +3,7 @@
 
 use super::*;
 
-/// How many bytes of a line are looked at to tell prose from words.
+/// How many bytes of a line are looked at to separate prose from words.
 const LOOKED_AT: usize = 400;
 
 /// What the text to the end of a line holds.
@@ -98,8 +98,8 @@ impl BlockReader<'_> {
         let range = TextRange::new(start as u32, (start + words) as u32);
         let end = start + line.len();
         let label = match passed.is_empty() {
-            true => "no words of a program".to_string(),
-            false => format!("{} in it is passed over, too", passed.join(" ")),
+            true => "not words of a program".to_string(),
+            false => format!("{} in it is skipped, too", passed.join(" ")),
         };
         self.at = end;
         // What was found on the way to it is a part of it.
@@ -109,10 +109,10 @@ impl BlockReader<'_> {
             Diagnostic::new(
                 Code::LooksLikeRemark,
                 range.in_file(self.file),
-                "this looks like a remark: it is passed over",
+                "this looks like a remark: it is skipped",
             )
             .label(label)
-            .help("put the remark into parentheses, each line of it in its own")
+            .help("put the remark into parentheses, each line separately")
         });
         true
     }

@@ -92,7 +92,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// The last move is handed on.
+    /// The last move is emitted.
     pub fn finish(mut self, outcomes: Vec<Outcome>) -> (MotionReport, S) {
         self.hand_on(|_| Corner::Stop);
         self.report.outcomes = outcomes;
@@ -288,7 +288,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// Hands on the held move with the corner at its end.
+    /// Emits the held move with the corner at its end.
     fn hand_on(&mut self, corner: impl FnOnce(&Ending) -> Corner) {
         let Some((ending, source)) = self.held.take() else { return };
         let motion = Move { corner: corner(&ending), ..ending.motion };

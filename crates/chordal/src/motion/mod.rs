@@ -4,15 +4,15 @@
 //! tool-centre path ── MotionBuilder ──▶ MotionStep ── Planner ──▶ Step
 //! ```
 //!
-//! [`Job::motion`](crate::Job::motion) hands on the moves with their speeds and corners;
-//! [`Job::plan`](crate::Job::plan) also plans them. Both stream: a step is handed on as soon as
+//! [`Job::motion`](crate::Job::motion) emits the moves with their speeds and corners;
+//! [`Job::plan`](crate::Job::plan) also plans them. Both stream: a step is emitted as soon as
 //! the one after it is known.
 //!
 //! # The frame of the moves
 //!
 //! A planner wants moves of the machine: each begins where the one before ends. Program
 //! coordinates jump where a work offset, a tool length or G92 changes. Every move is therefore
-//! shifted so that it joins on; the shift is zero until the first jump and is told with each step
+//! shifted so that it joins on; the shift is zero until the first jump and is reported with each step
 //! ([`StepSource::shift`]): position − shift are the coordinates of
 //! [`Job::path`](crate::Job::path). Only the machine knows where an axis is whose offset the
 //! machine file does not give; such moves go as the numbers say and are counted
@@ -20,7 +20,7 @@
 //!
 //! # Corners
 //!
-//! What happens at the end of a move is decided by the path mode in force at its block and by the
+//! What happens at the end of a move is decided by the active path mode at its block and by the
 //! rules of the control ([`PathRules`](crate::control::PathRules)); see `corner.rs`.
 
 mod builder;

@@ -78,7 +78,7 @@ impl Operations {
     }
 }
 
-/// The comments of the first text that have no words beside them.
+/// The comments of the first text on lines without words.
 fn comments(job: &Job<'_>) -> Vec<Span> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
     let lexicon = job.control().table.lexicon;

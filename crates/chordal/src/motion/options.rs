@@ -41,7 +41,7 @@ impl Default for MotionOptions {
     }
 }
 
-/// The numbers in force.
+/// The active numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InForce {
     pub feed_override: f64,

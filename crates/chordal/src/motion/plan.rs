@@ -65,7 +65,7 @@ impl Sources {
     }
 }
 
-/// Takes what goes into a planner and what comes out of it. `P` is what the steps tell of the path.
+/// Takes what goes into a planner and what comes out of it. `P` is what the steps say about the path.
 pub(crate) trait Planned<P> {
     /// A command of the tool centre goes by, before its steps are planned.
     fn command(&mut self, _command: &Command) {}

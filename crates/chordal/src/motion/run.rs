@@ -11,7 +11,7 @@ use crate::compensated::Compensated;
 use crate::job::Job;
 
 impl Job<'_> {
-    /// Runs and hands on the moves of the machine and its waits, as a planner takes them.
+    /// Runs and emits the moves of the machine and its waits, as a planner takes them.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -26,7 +26,7 @@ impl Job<'_> {
         Ok(builder.finish(outcomes))
     }
 
-    /// Runs and plans: hands on the steps of the machine as they become certain.
+    /// Runs and plans: emits the steps of the machine as they become certain.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.

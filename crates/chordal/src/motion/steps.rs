@@ -150,14 +150,14 @@ pub struct Refused {
     pub source: StepSource,
 }
 
-/// What a run leaves beside its steps.
+/// What a run leaves in addition to its steps.
 #[derive(Clone, Debug)]
 pub struct MotionReport {
     /// The limits that were used, and which of them the machine file does not give.
     pub limits: MachineLimits,
-    /// Moves handed on.
+    /// Moves emitted.
     pub moves: u64,
-    /// Waits handed on.
+    /// Waits emitted.
     pub waits: u64,
     /// Cuts that are left out because they have no feed.
     pub cuts_without_feed: u64,

@@ -89,9 +89,9 @@ pub enum Untold {
 /// What the fit comes to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// The fitted numbers; those that cannot be told keep their value.
+    /// The fitted numbers; those that cannot be reported keep their value.
     pub factors: Factors,
-    /// Parameters that these programs do not tell.
+    /// Parameters that these programs do not determine.
     pub untold: Vec<(Parameter, Untold)>,
     /// Each program's time as measured, predicted before and after, s.
     pub programs: Vec<Fitted>,
@@ -142,7 +142,7 @@ const OWN: f64 = 0.05;
 /// The fit has settled when a step is smaller than this.
 const SETTLED: f64 = 1e-9;
 
-/// Fits the factors to measured times, s. `predict` tells the time of a program, by its index,
+/// Fits the factors to measured times, s. `predict` gives the time of a program, by its index,
 /// with an acceleration factor and a jerk factor.
 pub fn fit(
     measured_s: &[f64],
@@ -302,7 +302,7 @@ fn newton_step(slopes: &Slopes, errors: &[f64], chosen: &[usize], damping: f64) 
     })
 }
 
-/// The parameters that the slopes tell apart, and why not the others: the one with the most
+/// The parameters that the slopes separate, and why not the others: the one with the most
 /// effect of its own is taken, then the one with the most that the first cannot make, and so on.
 fn told(slopes: &Slopes) -> (Vec<usize>, Vec<(Parameter, Untold)>) {
     let column = |at: usize| -> Vec<f64> { slopes.iter().map(|row| row[at]).collect() };

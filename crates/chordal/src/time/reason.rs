@@ -1,4 +1,4 @@
-//! Why a move takes its time, told from how it went.
+//! Why a move takes its time, from how it went.
 
 use super::report::Reason;
 
@@ -21,7 +21,7 @@ pub(super) struct Ride {
     pub overlaps: bool,
 }
 
-/// What the reason depends on beside the ride.
+/// What the reason depends on in addition to the ride.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked {
     /// A rapid.

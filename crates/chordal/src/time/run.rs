@@ -104,7 +104,7 @@ impl Job<'_> {
     }
 }
 
-/// Makes a planner that tells as much of the path as is wanted.
+/// Makes a planner that gives as much of the path as is wanted.
 type MakePlanner<P> = fn(Limits, PlannerOptions) -> Planner<P>;
 
 impl<P: PathPart> Planned<P> for TimeBuilder {
@@ -117,7 +117,7 @@ impl<P: PathPart> Planned<P> for TimeBuilder {
     }
 }
 
-/// Steps that are timed and handed on.
+/// Steps that are timed and emitted.
 struct TimedSteps<'s, S> {
     time: TimeBuilder,
     steps: WithSources<'s, S>,

@@ -19,7 +19,7 @@ pub(super) struct Part {
     pub jerks: bool,
 }
 
-/// Hands on the parts of a stretch in order. Together they last as long as the stretch: what
+/// Emits the parts of a stretch in order. Together they last as long as the stretch: what
 /// rounding leaves beyond the last piece counts for the last piece.
 pub(super) fn walk<P: PathPart>(stretch: &Stretch<P>, mut take: impl FnMut(Part)) {
     let (pieces, phases) = (&stretch.pieces, &stretch.phases);
@@ -124,7 +124,7 @@ mod tests {
                 until = part.to_s;
             });
             prop_assert!((until - stretch.duration_s()).abs() < 1e-12);
-            // Where the law of time is at the end of each piece, the piece ends.
+            // Where the velocity profile is at the end of each piece, the piece ends.
             let mut ends = vec![None; stretch.pieces.len()];
             walk(&stretch, |part| ends[part.tag as usize] = Some(part.to_s));
             let mut sigma = 0.0;

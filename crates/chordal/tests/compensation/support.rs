@@ -29,7 +29,7 @@ pub struct Ran {
     pub heights: Vec<f64>,
     /// Errors as the control shows them.
     pub alarms: Vec<String>,
-    /// All codes that were told.
+    /// All codes that were reported.
     pub told: Vec<&'static str>,
     plane: Plane,
     unit: f64,

@@ -1,6 +1,6 @@
 //! What stands in the expectations of a suite program.
 //!
-//! `(= rapid to X1.5 Y-2 | arc ccw radius 2 sweep 90 x3 | ! CH401 "0.1683 in")` beside a line
+//! `(= rapid to X1.5 Y-2 | arc ccw radius 2 sweep 90 x3 | ! CH401 "0.1683 in")` on a line
 //! lists the motions of that line in order and the diagnostics that point at it. `dwell .5`
 //! (seconds), `spindle cw|ccw|off|oriented` and `stop` between the motions are events: a line
 //! that names one names all of them, each at its place; elsewhere they are free. A line with

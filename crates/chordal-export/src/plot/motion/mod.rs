@@ -65,7 +65,7 @@ impl MotionPlot {
         }
     }
 
-    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` tells what
+    /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what
     /// the program was in.
     pub fn set_inch(&mut self, inch: bool) {
         self.inch = inch;

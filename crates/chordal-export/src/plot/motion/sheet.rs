@@ -22,7 +22,7 @@ const ABOVE: f64 = 26.0;
 const BELOW: [f64; 4] = [50.0, 30.0, 30.0, 38.0];
 /// Heights of the charts, as shares.
 const SHARES: [f64; 4] = [1.15, 1.0, 1.0, 1.0];
-/// A limit that is farther above all values than this is told, but not drawn.
+/// A limit that is farther above all values than this is reported, but not drawn.
 const FAR: f64 = 1.7;
 
 /// Words and factors of the program's units.

@@ -97,7 +97,11 @@ impl Interpreter<'_> {
         if definition {
             let span = self.span(block.range);
             let message = "a canned cycle without any axis word".to_string();
-            self.kernel.missing_word(span, message, "write the place or the depth beside the code");
+            self.kernel.missing_word(
+                span,
+                message,
+                "write the position or the depth into the block",
+            );
         } else if let Some(word) = block.last(b'R').copied() {
             self.unused_word(&word);
         }
@@ -110,9 +114,9 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::CycleNotDocumented,
                     span,
-                    "no manual at hand says what this cycle does; shown as boring with feed out",
+                    "no manual was found that says what this cycle does; shown as boring with feed out",
                 )
-                .help("try it in the air, or write G85"),
+                .help("try it above the part, or write G85"),
             );
         }
     }
@@ -147,7 +151,7 @@ impl Interpreter<'_> {
                     self.span(word.range),
                     "a cycle cannot be repeated zero times",
                 )
-                .help(format!("take {} out, or write 1 or more", letter as char)),
+                .help(format!("remove {}, or write 1 or more", letter as char)),
             );
             return None;
         }
@@ -164,7 +168,7 @@ impl Interpreter<'_> {
             self.kernel.fire_hole_at(&self.at(block), place);
         } else if !self.run_modal_call_here() {
             let span = self.span(block.words[at].range);
-            self.kernel.report_no_cycle(span, "there is no cycle in force to run here");
+            self.kernel.report_no_cycle(span, "there is no active cycle to run here");
         }
     }
 }

@@ -127,7 +127,7 @@ impl Interpreter<'_> {
                 "the depth of a cycle must be given in G90 on this control",
             )
             .label("read as an absolute level")
-            .help("define the cycle in G90; G91 may follow for the places"),
+            .help("define the cycle in G90; G91 may follow for the positions"),
         );
     }
 }

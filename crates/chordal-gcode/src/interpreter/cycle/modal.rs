@@ -69,7 +69,7 @@ impl Interpreter<'_> {
         if self.kernel.state.cycle.is_none() {
             return self
                 .kernel
-                .report_no_cycle(span, "a bolt circle (L93), and no cycle is in force");
+                .report_no_cycle(span, "a bolt circle (L93) without an active cycle");
         }
         let [radius, angle] = self.control.parameters.rules.cycles.bolt_circle;
         let radius_mm = self.scale.length(self.registers[radius as usize]);
@@ -83,7 +83,7 @@ impl Interpreter<'_> {
             )
             .severity(Severity::Warning)
             .label(format!("{count} holes, radius {text}, first angle R{angle} = {first}°"))
-            .help("set `L93 radius` and `L93 angle` in the machine file to the registers meant"),
+            .help("set `L93 radius` and `L93 angle` in the machine file to the right registers"),
         );
         if radius_mm <= 0.0 || count == 0 {
             return self.report_pattern_words(block, "a radius and a number of holes");
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
                 "the subroutine of G66 runs once for this repeated line, not after each pass",
             )
             .severity(Severity::Warning)
-            .help("write the positions out, one in a block"),
+            .help("write the positions out, one per block"),
         );
     }
 }

@@ -11,9 +11,7 @@ impl Interpreter<'_> {
     pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: HolePattern) {
         let span = self.span(block.words[at].range);
         if self.kernel.state.cycle.is_none() {
-            return self
-                .kernel
-                .report_no_cycle(span, "a pattern of holes, and no cycle is in force");
+            return self.kernel.report_no_cycle(span, "a hole pattern without an active cycle");
         }
         let size = self.length_of(block, b'I');
         let start = self.angle_word(block, b'J');
@@ -55,7 +53,7 @@ impl Interpreter<'_> {
     pub(super) fn report_pattern_words(&mut self, block: &Block, what: &str) {
         let span = self.span(block.range);
         self.kernel.report(
-            Diagnostic::new(Code::PatternWords, span, format!("a pattern of holes without {what}"))
+            Diagnostic::new(Code::PatternWords, span, format!("a hole pattern without {what}"))
                 .label("nothing is drilled")
                 .help("I is the radius or the distance, J the first angle, L the number of holes"),
         );

@@ -88,7 +88,7 @@ impl Interpreter<'_> {
                 format!("this line has more than {MOST_ASSIGNMENTS} assignments"),
             )
             .label("the rest of the line is not read")
-            .help("write them in several lines"),
+            .help("write them on several lines"),
         );
     }
 
@@ -122,9 +122,9 @@ impl Interpreter<'_> {
                     Diagnostic::new(
                         Code::BadStatement,
                         self.span(range),
-                        "this macro statement is not known on this control",
+                        "this control does not have this macro statement",
                     )
-                    .label("passed over")
+                    .label("skipped")
                     .help("flow control is written with O words: `o100 if [#1 GT 2]`"),
                 );
                 rest = None;

@@ -336,8 +336,8 @@ impl Interpreter<'_> {
                 self.span(word.range),
                 format!("`{letter}` cannot be an argument here"),
             )
-            .label("passed over")
-            .help("G, L, N, O and P belong to the call; I, J and K come in ten sets at most"),
+            .label("skipped")
+            .help("G, L, N, O and P belong to the call; I, J and K come in at most ten sets"),
         );
     }
 
@@ -402,10 +402,10 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::MacroNesting,
                 self.span(word.range),
-                format!("this macro call would be {depth} deep; the control allows {limit}"),
+                format!("this macro call would be {depth} levels deep; the control allows {limit}"),
             )
             .label("not called")
-            .help("a macro that calls itself never returns; look at the calls above"),
+            .help("a macro that calls itself never returns; check the calls above"),
         );
     }
 }

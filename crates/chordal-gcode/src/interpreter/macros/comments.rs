@@ -41,7 +41,7 @@ impl Interpreter<'_> {
                     )
                     .label("the run ends here")
                     .alarm(format!("{title}: {shown}"))
-                    .help("look at the conditions that lead to this line"),
+                    .help("check the conditions that lead to this line"),
                 );
                 return Some(Flow::End(EndReason::Alarm));
             }

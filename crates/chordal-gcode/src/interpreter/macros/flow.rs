@@ -30,7 +30,7 @@ impl<'a> Interpreter<'a> {
                     self.span(range),
                     format!("no block has the number N{number}"),
                 )
-                .help(format!("put N{number} before the block that is meant")),
+                .help(format!("put N{number} before the block you mean")),
             );
             return Flow::End(EndReason::LostJump);
         };
@@ -57,8 +57,8 @@ impl<'a> Interpreter<'a> {
         let rules = self.rules();
         if number == 0 || number > rules.last_loop {
             let last = rules.last_loop;
-            let message = format!("DO takes a number from 1 to {last}, not {number}");
-            self.report_loop(Code::BadLoopNumber, range, message, "take another number");
+            let message = format!("DO needs a number from 1 to {last}, not {number}");
+            self.report_loop(Code::BadLoopNumber, range, message, "use another number");
             return Flow::Next;
         }
         let head = TextPosition {
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
             }
             None => {
                 let message = format!("DO{number} has no END{number} below it");
-                let help = "write END and the number behind the last block of the loop";
+                let help = "write END and the number after the last block of the loop";
                 self.report_loop(Code::LoopMismatch, range, message, help);
                 Flow::End(EndReason::LostJump)
             }
@@ -93,11 +93,11 @@ impl<'a> Interpreter<'a> {
         let same = self.macros.loops.iter().any(|running| running.number == number);
         let deepest = self.rules().loop_depth as usize;
         if same {
-            let message = format!("DO{number} stands inside the loop DO{number}");
+            let message = format!("DO{number} is inside the loop DO{number}");
             let help = "give the inner loop another number";
             self.report_loop(Code::BadLoopNumber, range, message, help);
         } else if self.macros.loops.len() >= deepest {
-            let message = format!("loops are nested more than {deepest} deep");
+            let message = format!("loops are nested more than {deepest} levels deep");
             let help = "put the inner loops into a subprogram";
             self.report_loop(Code::BadLoopNumber, range, message, help);
         }

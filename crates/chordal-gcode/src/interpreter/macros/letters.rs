@@ -84,7 +84,7 @@ impl Interpreter<'_> {
                         Code::NumberOverflow,
                         range,
                         format!("{value} is too large for a register"),
-                        "look at the values that it is computed from",
+                        "check the values that it is computed from",
                     )
                 })?;
                 self.registers[at as usize] = value;
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
             Code::BadVariable,
             range,
             format!("there is no {name}{number}: {name} has the numbers {first} to {last}"),
-            "look at the value that the number is computed from",
+            "check the value that the number is computed from",
         ))
     }
 
@@ -157,9 +157,9 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::SystemVariable,
                 self.span(range),
-                format!("{name}{at} shows what Chordal cannot know; it is taken as 0"),
+                format!("Chordal cannot know the value of {name}{at}; 0 is used"),
             )
-            .help("put the value into a V variable where the program begins"),
+            .help("put the value into a V variable at the start of the program"),
         );
         0.0
     }

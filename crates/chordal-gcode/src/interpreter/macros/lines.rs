@@ -122,10 +122,10 @@ impl<'a> Interpreter<'a> {
                 Code::MacroLineTooLong,
                 self.span(range),
                 format!(
-                    "this macro line has {length} characters; the control takes {LONGEST_LINE}"
+                    "this macro line has {length} characters; the control reads {LONGEST_LINE}"
                 ),
             )
-            .help("compute a part of it in a line before"),
+            .help("compute a part of it in a line before it"),
         );
     }
 
@@ -150,7 +150,7 @@ impl<'a> Interpreter<'a> {
             Diagnostic::new(
                 Code::NumberOutOfRange,
                 self.span(expression.range),
-                format!("this comes to {shown}, which is {what} for the control"),
+                format!("the result is {shown}, which is {what} for the control"),
             )
             .help("round it with RND, or test it with IF before"),
         );
@@ -327,9 +327,9 @@ impl<'a> Interpreter<'a> {
             self.macros.lines.answered += 1;
             if answer.is_none() {
                 let name = String::from_utf8_lossy(target.range.slice(self.reader.text()));
-                let message = format!("the program asks for {name}, and nothing answers");
+                let message = format!("the program asks for {name}, and no answer is given");
                 let given = self.machine.macros.inputs.len();
-                let note = format!("the machine file has {given} answers; 0 is taken");
+                let note = format!("the machine file has {given} answers; 0 is used");
                 self.report_once(
                     Diagnostic::new(Code::InputNotAnswered, self.span(range), message)
                         .label("the operator would type a number here")
@@ -355,7 +355,7 @@ impl<'a> Interpreter<'a> {
                 Diagnostic::new(
                     Code::BadVariable,
                     self.span(first.range.cover(last.range)),
-                    "these are not the first and the last of a row of variables",
+                    "these are not the first and the last of a range of variables",
                 )
                 .severity(Severity::Error)
                 .help("write the lower number first: `CLEAR V3-V7`"),

@@ -21,8 +21,8 @@ impl Interpreter<'_> {
         Err(Fault::new(
             Code::UnsetName,
             range,
-            format!("`#<{name}>` is read and was never set"),
-            "set it before, or look for a slip in its name",
+            format!("`#<{name}>` is read but was never set"),
+            "set it before, or check the spelling of its name",
         ))
     }
 
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
                 Code::ReadOnlyVariable,
                 range,
                 format!("`#<{name}>` shows the state of the control and cannot be written"),
-                "take another name",
+                "use another name",
             ));
         }
         if self.macros.names.set(name, value) {

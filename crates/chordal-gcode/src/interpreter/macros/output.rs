@@ -37,7 +37,7 @@ impl Interpreter<'_> {
                     self.span(range),
                     "nothing opened the port for this text",
                 )
-                .help("put POPEN before, and PCLOS behind the last DPRNT"),
+                .help("put POPEN before it, and PCLOS after the last DPRNT"),
             );
         }
         let Some(line) = self.format_line(text) else { return };
@@ -91,10 +91,10 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::BadOutput,
                 self.span(range),
-                "behind this variable its places are missing",
+                "the number of digits is missing after this variable",
             )
-            .label("printed with four places and four decimals")
-            .help("write the places in brackets: `#1[44]`"),
+            .label("printed with four digits and four decimals")
+            .help("write the numbers of digits in brackets: `#1[44]`"),
         );
     }
 }

@@ -257,13 +257,13 @@ impl<'a> Interpreter<'a> {
             }
             FlowWord::Continue if row.open != here && row.close != NONE => {
                 if index.lines[row.open].word == FlowWord::Repeat {
-                    self.report_structure(line, "continue belongs into while and do, not repeat");
+                    self.report_structure(line, "continue belongs in while and do, not in repeat");
                 }
                 self.go_to(index.lines[row.close].at);
                 Flow::Next
             }
             _ => {
-                self.report_structure(line, "nothing of this label is open here");
+                self.report_structure(line, "no structure with this label is open here");
                 Flow::Next
             }
         }
@@ -383,7 +383,7 @@ impl<'a> Interpreter<'a> {
                     self.span(line.range),
                     format!("{count} arguments are more than the {MOST_ARGUMENTS} of a call"),
                 )
-                .help("hand further values on in #31 and above, or by name"),
+                .help("pass more values in #31 and above, or in named variables"),
             );
             return Flow::Next;
         }
@@ -392,9 +392,11 @@ impl<'a> Interpreter<'a> {
                 Diagnostic::new(
                     Code::MissingSubprogram,
                     self.span(line.range),
-                    format!("there is no subroutine `{label}` in this file, and no file of it"),
+                    format!(
+                        "there is no subroutine `{label}` in this file, and no file {label}.ngc"
+                    ),
                 )
-                .label("the call is passed over")
+                .label("the call is skipped")
                 .help(format!("write `o<{label}> sub`, or put it into the file {label}.ngc")),
             );
             return Flow::Next;
@@ -447,9 +449,9 @@ impl<'a> Interpreter<'a> {
                 Diagnostic::new(
                     Code::ReturnWithoutCall,
                     self.span(line.range),
-                    "a return, and no subroutine was called",
+                    "a return where no subroutine was called",
                 )
-                .help("call the subroutine; its lines do not run where they stand"),
+                .help("call the subroutine; its lines do not run by themselves"),
             );
             return Flow::Next;
         }
@@ -464,7 +466,7 @@ impl<'a> Interpreter<'a> {
 
     fn report_structure(&mut self, line: &OWord, message: &str) {
         self.report_once(Diagnostic::new(Code::LoopMismatch, self.span(line.range), message).help(
-            "each sub, if, while, do and repeat is closed by a line of the same label: \
+            "each sub, if, while, do and repeat is closed by a line with the same label: \
                  endsub, endif, endwhile, while, endrepeat",
         ));
     }

@@ -27,7 +27,7 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE {
             // G31 alone only makes the control wait; a program that shall probe needs a point.
             if must_hit || !self.rules().macro_b {
-                self.report_probe(span, "a probe move without a point to go to");
+                self.report_probe(span, "a probe move without an end point");
             }
             return;
         }
@@ -52,7 +52,7 @@ impl Interpreter<'_> {
         let motion = self.kernel.moved_to(end, named);
         let feed = self.probe_feed(&motion);
         if feed.value.is_nan() || feed.value <= 0.0 {
-            self.report_probe(span, "a probe move before any feed was given");
+            self.report_probe(span, "a probe move before the first feed");
         }
         self.kernel.emit(CommandKind::Line { motion, feed });
         self.kernel.emit(CommandKind::Probed { hit: found });
@@ -137,14 +137,14 @@ impl Interpreter<'_> {
                 format!("it is assumed that probe and skip moves {what}"),
             )
             .severity(Severity::Note)
-            .help("say it in the machine file: `[probe] hit = { Z = \"-10 mm\" }`"),
+            .help("give it in the machine file: `[probe] hit = { Z = \"-10 mm\" }`"),
         );
     }
 
     fn report_probe(&mut self, span: chordal_diagnostics::Span, message: &str) {
         self.report_once(
             Diagnostic::new(Code::BadProbeMove, span, message)
-                .help("name the axes and their end points, with a feed, after G40"),
+                .help("program the axes and their end points, with a feed, after G40"),
         );
     }
 }

@@ -81,7 +81,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::MixedBlock,
                 self.span(range),
-                "a macro statement and NC words stand in one block",
+                "a macro statement and NC words are in one block",
             )
             .label("the statement")
             .also(words, "the words")
@@ -161,10 +161,10 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::BadStatement,
                 self.span(rest),
-                "only a macro statement may stand behind THEN on this control",
+                "only a macro statement may come after THEN on this control",
             )
             .label("NC words")
-            .help("jump over the words with IF and GOTO"),
+            .help("skip the words with IF and GOTO"),
         );
     }
 }

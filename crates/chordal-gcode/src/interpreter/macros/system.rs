@@ -20,7 +20,7 @@ pub(super) fn no_variable(number: f64, range: TextRange) -> Fault {
         Code::BadVariable,
         range,
         format!("there is no variable #{number} on this control"),
-        "take a local variable (1 to 33) or a common one",
+        "use a local variable (1 to 33) or a common one",
     )
 }
 
@@ -229,7 +229,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::SystemVariable,
                 self.span(range),
-                format!("#{index} shows what Chordal cannot know; it is taken as 0"),
+                format!("Chordal cannot know the value of #{index}; 0 is used"),
             )
             .help(format!("give it in the machine file: `[macros] variables = {{ {index} = 1 }}`")),
         );
@@ -271,10 +271,10 @@ impl Interpreter<'_> {
         )
         .label("the run ends here")
         .alarm(format!("{title}: {shown}"))
-        .help("look at the conditions that lead to this block");
+        .help("check the conditions that lead to this block");
         let last = rules.alarm_last;
         if value > f64::from(last) {
-            diagnostic = diagnostic.note(format!("the control takes numbers up to {last}"));
+            diagnostic = diagnostic.note(format!("the control accepts numbers up to {last}"));
         }
         let _ = range;
         self.kernel.report(diagnostic);

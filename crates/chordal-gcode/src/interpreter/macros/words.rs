@@ -114,7 +114,7 @@ impl Interpreter<'_> {
                 Code::NumberOverflow,
                 word.range,
                 format!("{value} is too large for `{}`", letter as char),
-                "look at the values that it is computed from",
+                "check the values that it is computed from",
             ));
             return None;
         }
@@ -129,10 +129,10 @@ impl Interpreter<'_> {
         let diagnostic = Diagnostic::new(
             Code::WordRounded,
             self.span(word.range),
-            format!("`{letter}` takes whole numbers, and this is {value}"),
+            format!("`{letter}` needs a whole number, and this is {value}"),
         )
         .label(format!("taken as {letter}{whole}"))
-        .help("write ROUND or FIX, if that is meant");
+        .help("write ROUND or FIX if that is meant");
         self.report_once(diagnostic);
     }
 }

@@ -32,8 +32,8 @@ impl Interpreter<'_> {
             return;
         }
         let name = format!("L{}", self.routine_number(word));
-        let choice = "half circles in and out and the passes between them are shown";
-        let label = format!("R{register} is taken for the diameter");
+        let choice = "half circles in and out, and the passes between them, are shown";
+        let label = format!("R{register} is assumed to be the diameter");
         self.kernel.note_assumed_path(self.span(word.range), &name, choice, label);
         let center = Vec2::new(self.kernel.state.position[0], self.kernel.state.position[1]);
         let path = rings(&[radius], count, direction);

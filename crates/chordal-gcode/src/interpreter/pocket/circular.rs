@@ -49,12 +49,12 @@ impl Interpreter<'_> {
     pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
         let span = self.span(block.words[at].range);
         if self.kernel.state.plane != Plane::Xy {
-            self.refuse_pocket(block, at, "pockets are milled in G17 only", "choose G17 before");
+            self.refuse_pocket(block, at, "pockets are milled only in G17", "choose G17 before");
             return None;
         }
         if self.kernel.state.side != Side::Off {
             let message = "a pocket cycle while cutter compensation is on";
-            self.refuse_pocket(block, at, message, "cancel compensation with G40 before");
+            self.refuse_pocket(block, at, message, "cancel compensation with G40 before it");
             return None;
         }
         let Some(number) = self.kernel.state.radius_offset else {
@@ -62,11 +62,11 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::PocketWithoutDiameter,
                     span,
-                    "a pocket cycle before any D, so it has no tool radius",
+                    "a pocket cycle before the first D, so it has no tool radius",
                 )
                 .label("its motion is missing from the path")
                 .help(
-                    "put D and the offset number into this block; D0 follows the sizes as they are",
+                    "put D and the offset number into this block; D0 uses the sizes without an offset",
                 ),
             );
             return None;
@@ -123,8 +123,8 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
         self.kernel.report(
             Diagnostic::new(Code::PocketTooSmall, span, message)
-                .label("tool radius, I and K must grow in this order")
-                .help("look at the words, and at the diameter in the offset table"),
+                .label("tool radius, I and K must increase in this order")
+                .help("check the words, and the diameter in the offset table"),
         );
     }
 
@@ -150,7 +150,7 @@ impl Interpreter<'_> {
                     format!("L{repeats} mills the same depth {repeats} times"),
                 )
                 .label("no step in Z")
-                .help("use G91 with Z as the step, or take L out"),
+                .help("use G91 with Z as the step, or remove L"),
             );
         }
         let limit = self.control.parameters.max_repeats;
@@ -159,7 +159,7 @@ impl Interpreter<'_> {
                 Diagnostic::new(
                     Code::BadWordValue,
                     self.span(word.range),
-                    format!("L{repeats} is no number of passes: 1 to {limit}"),
+                    format!("L{repeats} cannot be the number of passes: 1 to {limit}"),
                 )
                 .label("carried out once")
                 .help("write the number of passes, or leave L out for one"),

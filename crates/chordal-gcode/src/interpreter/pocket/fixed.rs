@@ -144,11 +144,11 @@ impl Interpreter<'_> {
                     Code::ImproperFixedRoutine,
                     span,
                     format!(
-                        "a corner radius of {corner} leaves no flat on a tool of radius {tool}"
+                        "a corner radius of {corner} leaves no flat end on a tool with radius {tool}"
                     ),
                 )
                 .label("R1 is the corner radius of the tool, not its radius")
-                .help("give 0 for a square end, or the radius that the corners are rounded with"),
+                .help("give 0 for a square end mill, or the radius of its rounded corners"),
             );
             return None;
         }
@@ -192,8 +192,8 @@ impl Interpreter<'_> {
     /// True when neither a cycle nor compensation is in force.
     pub(super) fn routine_allowed(&mut self, word: &Word) -> bool {
         if self.kernel.state.cycle.is_some() {
-            let message = "a fixed routine while a drilling cycle is in force".to_string();
-            self.improper(word, message, "cancel the cycle with G80 in a block before");
+            let message = "a fixed routine while a drilling cycle is active".to_string();
+            self.improper(word, message, "cancel the cycle with G80 in a block before it");
             return false;
         }
         if self.kernel.state.side != Side::Off {
@@ -201,7 +201,7 @@ impl Interpreter<'_> {
             self.improper(
                 word,
                 message,
-                "cancel compensation with G40 before; the routine offsets by itself",
+                "cancel compensation with G40 before it; the routine offsets itself",
             );
             return false;
         }
@@ -211,8 +211,8 @@ impl Interpreter<'_> {
     /// The radius of the tool, mm, from the offset in force.
     pub(super) fn routine_tool(&mut self, word: &Word) -> Option<f64> {
         let Some(number) = self.offset_in_force().filter(|number| *number > 0) else {
-            let message = "no tool offset is in force, so the routine has no diameter".to_string();
-            self.improper(word, message, "call the offset with H or D before");
+            let message = "no tool offset is active, so the routine has no diameter".to_string();
+            self.improper(word, message, "call the offset with H or D before it");
             return None;
         };
         match self.kernel.state.offsets.radius_mm(number) {
@@ -269,10 +269,10 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::PocketTooSmall,
                 span,
-                format!("a tool of {tool} does not go into a pocket of {size}"),
+                format!("a tool with diameter {tool} does not fit into a pocket of {size}"),
             )
             .label(format!("L{number} is not carried out"))
-            .help("take a smaller tool, or look at the size and at the diameter in the table"),
+            .help("use a smaller tool, or check the size and the diameter in the table"),
         );
         false
     }

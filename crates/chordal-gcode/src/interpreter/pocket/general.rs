@@ -79,7 +79,7 @@ impl Interpreter<'_> {
             (Some(step), None) => (RasterAlong::First, step),
             (None, Some(step)) => (RasterAlong::Second, step),
             _ => {
-                let message = "a pocket takes one stepover, I or J";
+                let message = "a pocket has one stepover, I or J";
                 self.refuse_pocket(block, at, message, "I steps along X, J along Y; give one");
                 return None;
             }
@@ -132,7 +132,7 @@ impl Interpreter<'_> {
         let (code, turn) = if left { ("G41", "clockwise") } else { ("G42", "counter-clockwise") };
         let other = if left { "G42" } else { "G41" };
         let message = format!("{code} with a {turn} outline lies outside the pocket");
-        let help = format!("write {other}, or turn the outline round");
+        let help = format!("write {other}, or reverse the outline");
         self.report_outline(self.span(word.range), message, &help);
         false
     }

@@ -87,7 +87,7 @@ impl Interpreter<'_> {
                 format!("no block has the number N{number}, and there is no program O{number}"),
             )
             .label("the pocket is not carried out")
-            .help("put N before the first block of the outline, and M99 behind its last"),
+            .help("put N before the first block of the outline, and M99 after the last one"),
         );
     }
 
@@ -116,7 +116,7 @@ impl Interpreter<'_> {
             }
             if moves.len() > MAX_MOVES {
                 let message = format!("the outline has more than {MAX_MOVES} moves");
-                self.report_outline(named, message, "divide the pocket, or leave short lines out");
+                self.report_outline(named, message, "divide the pocket, or remove short lines");
                 return None;
             }
         }
@@ -129,7 +129,7 @@ impl Interpreter<'_> {
             .iter()
             .any(|word| matches!(word.value, Value::Expression(_) | Value::Register { .. }));
         if computed || matches!(block.kind, BlockKind::Macro(_)) {
-            let message = "the outline of a pocket takes no macro variables".to_string();
+            let message = "the outline of a pocket cannot have macro variables".to_string();
             return self.wrong_outline(block, message, "write numbers");
         }
         if block.kind != BlockKind::Words {
@@ -160,7 +160,7 @@ impl Interpreter<'_> {
                     let letter = word.letter as char;
                     let number = self.literal(word).map_or(String::new(), |n| n.to_string());
                     let message = format!("{letter}{number} in the outline of a pocket");
-                    return self.wrong_outline(block, message, "lines and arcs only: G1, G2, G3");
+                    return self.wrong_outline(block, message, "only lines and arcs: G1, G2, G3");
                 }
             }
         }
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
             return self.wrong_outline(
                 block,
                 message,
-                "the depth stands in the pocket's own block",
+                "the depth belongs in the block of the pocket",
             );
         }
         let from = pen.place;
@@ -258,22 +258,22 @@ impl Interpreter<'_> {
             Ok(outline) => return Some(outline),
             Err(OutlineError::Open(_)) if last.distance(start) <= tolerance => (
                 "the outline goes back to the start hole".to_string(),
-                "end it where it began; the cycle itself returns to the hole",
+                "end it at its start; the cycle itself returns to the hole",
             ),
             Err(OutlineError::Open(gap)) => (
-                format!("the outline ends {} from where it began", self.kernel.length_text(gap)),
+                format!("the outline ends {} away from its start", self.kernel.length_text(gap)),
                 "the first move goes from the start hole to the outline, the last one ends there",
             ),
             Err(OutlineError::CrossesItself(point)) => {
                 let (x, y) = (self.kernel.length_text(point.a), self.kernel.length_text(point.b));
                 (
                     format!("the outline crosses or touches itself at X {x}, Y {y}"),
-                    "an outline is one simple loop; islands go into it by a cut of their own",
+                    "an outline is one simple loop; cut islands separately",
                 )
             }
             Err(OutlineError::Empty) => (
                 "the outline encloses nothing".to_string(),
-                "write its moves behind the one that leads to it from the start hole",
+                "write its moves after the move from the start hole to the outline",
             ),
         };
         self.report_outline(named, message, help);

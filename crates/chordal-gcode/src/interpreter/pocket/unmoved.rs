@@ -42,8 +42,8 @@ impl Interpreter<'_> {
     pub(super) fn engrave_routine(&mut self, block: &Block, word: &Word) {
         self.routine_allowed(word);
         if self.offset_in_force().is_none_or(|number| number == 0) {
-            let message = "engraving with no tool offset in force".to_string();
-            self.improper(word, message, "call the offset with H or D before");
+            let message = "engraving without an active tool offset".to_string();
+            self.improper(word, message, "call the offset with H or D before it");
         }
         let mut missing: Vec<String> = (0..4)
             .filter(|register| self.register_word(block, *register).is_none())
@@ -88,7 +88,7 @@ impl Interpreter<'_> {
                 self.improper(
                     word,
                     "no text to engrave".into(),
-                    "write it behind `(` in this block",
+                    "write it after `(` in this block",
                 );
                 "nothing is engraved".to_string()
             }
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
             )
             .severity(Severity::Warning)
             .label("its motion is missing from the path, the time and the checks")
-            .help("keep the space about this place free, and look at the machine's own graphics"),
+            .help("keep the space around this position free, and check the graphics of the machine itself"),
         );
     }
 }

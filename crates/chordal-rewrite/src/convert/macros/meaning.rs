@@ -35,7 +35,7 @@ pub(super) enum Meaning {
     Print,
 }
 
-/// The statement of a block and the remark behind it; nothing where it is none that other languages have.
+/// The statement of a block and the remark after it; nothing where it is none that other languages have.
 pub(super) fn of(
     text: &[u8],
     range: TextRange,
@@ -51,7 +51,7 @@ pub(super) fn of(
             Some((meaning, Some(written(parser.rest())).filter(|rest| !rest.is_empty())))
         }
         MacroForm::Lines => {
-            // Behind the mark of a macro line.
+            // After the mark of a macro line.
             parser.start(text, FileId(0), TextRange::new(range.start + 1, range.end));
             let meaning = line(&mut parser, text)?;
             let line = written(range);

@@ -38,7 +38,7 @@ impl<'a> Macros<'a> {
     /// A block with a statement.
     pub fn statement(&self, draft: &mut Draft, at: usize, range: TextRange) -> Result<(), Expand> {
         let title = self.controls[1].table.title;
-        let unknown = || Expand(format!("{title} does not know this statement"));
+        let unknown = || Expand(format!("{title} does not have this statement"));
         let names = self.names.as_ref().ok_or_else(unknown)?;
         let block = &self.source.blocks[at];
         let is_alone = block.words.iter().all(|word| word.letter == b'N') && block.delete.is_none();
@@ -51,7 +51,7 @@ impl<'a> Macros<'a> {
             write::remark(&mut lines, &remark, self.controls[1]);
         }
         let before = self.source.words(at);
-        draft.note(before, lines.join("\n"), format!("{title} writes its statements so"));
+        draft.note(before, lines.join("\n"), format!("{title} writes this statement like this"));
         draft.instead = Some(lines);
         Ok(())
     }
@@ -70,7 +70,7 @@ impl<'a> Macros<'a> {
             if !matches!(own.value, Value::Expression(_) | Value::Register { .. }) {
                 continue;
             }
-            let unknown = || Expand(format!("{title} does not know `{}`", draft.written(word)));
+            let unknown = || Expand(format!("{title} does not have `{}`", draft.written(word)));
             let is_usual = COMPUTED.contains(&own.letter) && own.register.is_none() && !own.comma;
             let names = self.names.as_ref().filter(|_| is_usual).ok_or_else(unknown)?;
             let tree = match own.value {
@@ -92,7 +92,7 @@ impl<'a> Macros<'a> {
                 draft.before.push(line);
             } else {
                 let value = write::value(&tree, names, self.controls[1]).ok_or_else(unknown)?;
-                let reason = format!("{title} takes values from its variables");
+                let reason = format!("{title} takes values from its own variables");
                 draft.replace(word, format!("{letter}{value}"), reason);
             }
         }

@@ -46,7 +46,7 @@ pub(super) fn numbered(
     lines
 }
 
-/// Puts a remark behind a statement.
+/// Puts a remark after a statement.
 pub(super) fn remark(lines: &mut Vec<String>, remark: &str, to: &Control) {
     let inner = remark.trim_start_matches('(').trim_end_matches(')');
     match lines.first_mut() {
@@ -116,7 +116,7 @@ pub(super) fn expression(tree: &Tree, names: &Names, to: &Control) -> Option<Str
     infix(tree, names, to.table.lexicon.grammar)
 }
 
-/// An expression behind an address letter.
+/// An expression after an address letter.
 pub(super) fn value(tree: &Tree, names: &Names, to: &Control) -> Option<String> {
     let grammar = to.table.lexicon.grammar;
     let text = infix(tree, names, grammar)?;
@@ -153,7 +153,7 @@ fn part(tree: &Tree, names: &Names, grammar: &MacroGrammar) -> Option<(String, u
             let row = grammar.operators.iter().find(|row| row.operator == *operator)?;
             let side = |tree: &Tree, least: u8| {
                 let (text, level) = part(tree, names, grammar)?;
-                // A sign behind an operator is in brackets on every control.
+                // A sign after an operator is in brackets on every control.
                 Some(if level < least { bracketed(&text, grammar) } else { text })
             };
             let (left, right) = (side(one, row.level)?, side(other, row.level + 1)?);
