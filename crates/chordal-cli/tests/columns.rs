@@ -247,7 +247,7 @@ fn wrong_use_is_told_and_writes_nothing() {
             (&["-o", "out"], ["is not a format of", "or give --format"]),
             (
                 &["-o", "out.arrow", "--format", "csv"],
-                ["--format says csv", "end the name with .csv"],
+                ["--format says csv", "use the extension .csv"],
             ),
             (&["-o", "part.nc", "--format", "arrow"], ["part.nc is the program", "another name"]),
             // A folder stands in the way when the whole file is to be put in place.

@@ -99,7 +99,7 @@ fn the_folder_says_its_machine() {
         .write("e/chordal.toml", "machine = 'haas-vf2'\n[feed]\nmax = '1 in/min'\n");
     folder.run(&["run", "a/part.nc"]).says(&["LinuxCNC\n", "from a/chordal.toml"]);
     folder.run(&["run", "b/part.nc"]).says(&["Fadal CNC 88\n", "Old Fadal"]);
-    folder.run(&["run", "c/part.nc"]).says(&["Mill 9 (mill), as c/chordal.toml says"]);
+    folder.run(&["run", "c/part.nc"]).says(&["Mill 9 (mill), from c/chordal.toml"]);
     // The command line comes first.
     folder.run(&["run", "a/part.nc", "-m", "haas-vf2"]).says(&["Haas NGC mill\n"]);
     let done = folder
@@ -107,7 +107,7 @@ fn the_folder_says_its_machine() {
         .ends(2)
         .complains(&["`mill.toml` is neither", "d/chordal.toml:1"]);
     assert_eq!(done.err.matches("neither").count(), 1);
-    folder.run(&["check", "e/part.nc"]).ends(2).complains(&["`feed` has no meaning beside"]);
+    folder.run(&["check", "e/part.nc"]).ends(2).complains(&["`feed` has no meaning together with"]);
 }
 
 #[test]

@@ -265,7 +265,7 @@ fn every_program_gets_a_page() {
         ("%\n%\n", "No tool is called, and nothing is cut."),
         ("O1\nM30\n", "No tool is called, and nothing is cut."),
         ("O1\nG21 G0 X1.\n", "The text ends without an end code"),
-        ("O1\nG21 G0 X1.\nM99\n", "the control begins again at the top"),
+        ("O1\nG21 G0 X1.\nM99\n", "the control starts again from the top"),
         ("G21 G90 G0 X0\nWHILE[1EQ1]DO1\nX1.\nX0\nEND1\nM30\n", "It does not end"),
         ("G0 X1. (\u{7}\u{202e})\nM30\n", "setup sheet"),
     ] {

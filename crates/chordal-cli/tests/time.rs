@@ -78,7 +78,7 @@ fn the_text_reads_in_80_columns() {
         "cut.nc\n",
         "time      9.070 s, with acceleration and jerk",
         "cutting 1.070 s, dwell 2.000 s, tool change 6.000 s",
-        "costs 0.070 s, 6.5 % of the moves' time",
+        "take 0.070 s, 6.5 % of the time of the",
         "T1          1  1.070 s       -  8.000 s  9.070 s  0.070 s",
         "blocks that take the longest",
         "6     1  1.070 s  0.070 s  exact stop   G1 X100. F6000.",
@@ -209,7 +209,7 @@ fn too_few_programs_say_what_they_cannot_tell() {
     folder
         .run(&["calibrate", "one.csv", "-m", "base.toml", "-o", "base.toml"])
         .ends(2)
-        .complains(&["is the machine that is fitted"]);
+        .complains(&["is the machine file that is fitted"]);
 }
 
 #[test]

@@ -7,6 +7,7 @@
 //!
 //! ```
 //! use chordal_command::{AxisMask, Move};
+//! use chordal_machine::AXES;
 //!
 //! let motion = Move {
 //!     from: [0.0; AXES],

@@ -17,11 +17,11 @@
 
 #![forbid(unsafe_code)]
 
-mod behind;
+mod state_after;
 mod check;
 mod checkpoints;
 mod complete;
-mod elsewhere;
+mod other_files;
 mod format;
 mod grammar;
 mod hover;
@@ -37,7 +37,7 @@ mod tokens;
 
 pub use check::Checked;
 pub use complete::{Completion, CompletionKind};
-pub use elsewhere::Found;
+pub use other_files::Found;
 pub use format::{Edit, FormatError, Numbering};
 pub use grammar::grammar;
 pub use hover::{Hover, diagnostic_markdown};

@@ -12,7 +12,7 @@ mod macros;
 mod marks;
 mod recognize;
 mod shop;
-mod subs;
+mod called_subroutines;
 mod tokens;
 mod word_address;
 
@@ -23,6 +23,6 @@ pub use library::{Library, Program, referenced_programs};
 pub use marks::{Mark, marks};
 pub use recognize::{Recognition, recognize};
 pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
-pub use subs::called_subs;
+pub use called_subroutines::called_subs;
 pub use tokens::{block_tokens, class_of};
 pub use word_address::WordAddress;

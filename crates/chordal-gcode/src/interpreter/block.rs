@@ -6,7 +6,7 @@ use chordal_dialect::{Action, OnceCode};
 use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
 use chordal_syntax::{Block, Letters};
 
-use super::judge::ALWAYS;
+use super::conflicts::ALWAYS;
 use super::{EndReason, Flow, Interpreter};
 
 /// Letters of a block that only moves: no mode, no table, no call.

@@ -1,8 +1,8 @@
 //! Runs a program: reads blocks, carries them out, follows calls.
 //!
 //! One file per concern: `block` gathers the codes of a block and takes them in the order a
-//! control does; `judge` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
-//! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `values` turns words into millimetres; `report`
+//! control does; `conflicts` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
+//! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `literals` turns words into millimetres; `report`
 //! builds the diagnostics.
 
 mod arc;
@@ -11,7 +11,7 @@ mod calls;
 mod checkpoint;
 mod cycle;
 mod in_force;
-mod judge;
+mod conflicts;
 mod macros;
 mod modes;
 mod motion;
@@ -24,7 +24,7 @@ mod report;
 mod shop;
 mod spiral;
 mod statement;
-mod values;
+mod literals;
 
 pub use self::calls::subroutine_head;
 

@@ -10,7 +10,7 @@ use chordal_kernel::rules::CycleKind;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
-use super::values::AXIS_OF;
+use super::literals::AXIS_OF;
 
 const CENTER: Letters = Letters::of("IJK");
 

@@ -10,7 +10,7 @@ use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::Block;
 
 use super::Interpreter;
-use super::values::AXIS_OF;
+use super::literals::AXIS_OF;
 
 impl Interpreter<'_> {
     pub(super) fn one_shot(&mut self, block: &Block, code: OnceCode, at: usize) {

@@ -10,7 +10,7 @@ use chordal_syntax::{
     Target, Value as Written, Word, parse_line_statement,
 };
 
-use super::super::values::trim;
+use super::super::literals::trim;
 use super::super::{EndReason, Flow, Interpreter};
 use crate::macros::evaluate::Purpose;
 use crate::macros::names::normal;

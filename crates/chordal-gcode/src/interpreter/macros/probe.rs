@@ -6,7 +6,7 @@ use chordal_machine::{AXES, AXIS_LETTERS, ProbeHit};
 use chordal_syntax::Block;
 
 use super::super::Interpreter;
-use super::super::values::trim;
+use super::super::literals::trim;
 
 /// What the probe moves found.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
