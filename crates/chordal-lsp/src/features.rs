@@ -11,6 +11,7 @@ use lsp_types::{
 };
 
 use crate::convert::line_end;
+use crate::file_uri::address_of;
 use crate::place::{offset_of, range_of};
 
 fn markdown(value: String) -> MarkupContent {
@@ -102,7 +103,7 @@ fn locations(program: &Program, uri: &Uri, found: Vec<Found>) -> Vec<Location> {
 
 /// The address of a file, by which other texts are named.
 fn uri_of(file: &str) -> Option<Uri> {
-    url::Url::from_file_path(file).ok()?.as_str().parse().ok()
+    address_of(file)?.parse().ok()
 }
 
 fn name_at(program: &Program, place: Position) -> Option<Name> {

@@ -32,6 +32,7 @@ mod actions;
 mod convert;
 mod document;
 mod features;
+mod file_uri;
 mod place;
 mod server;
 mod worker;

@@ -1,7 +1,6 @@
 //! The loop: messages of the editor and results of the worker, one after the other.
 
 use std::collections::HashMap;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use chordal_editor::{Program, Ran};
@@ -18,6 +17,7 @@ use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
 use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
 use crate::document::Document;
 use crate::features;
+use crate::file_uri::path_of;
 use crate::place::{offset_of, range_of};
 use crate::worker::{Done, Found, Task, Worker};
 
@@ -205,7 +205,7 @@ impl Server<'_> {
     fn find_machine(&mut self, key: &str) {
         self.give_up(key);
         let Some((uri, document)) = self.documents.get_mut(key) else { return };
-        let path = path_of(uri);
+        let path = path_of(uri.as_str());
         let name = path.as_ref().map_or_else(|| key.into(), |path| path.display().to_string());
         let opened = self.opener.open(path.as_deref(), document.text(), self.machine.as_deref());
         let mut why = None;
@@ -487,9 +487,4 @@ fn read<T: DeserializeOwned>(params: Value) -> Option<T> {
 /// The document that a request is about.
 fn document_of(request: &Request) -> Option<&str> {
     request.params.get("textDocument")?.get("uri")?.as_str()
-}
-
-/// The file of an address, where it is one.
-fn path_of(uri: &Uri) -> Option<PathBuf> {
-    url::Url::parse(uri.as_str()).ok()?.to_file_path().ok()
 }

@@ -87,7 +87,7 @@ impl Rows for DiffColumns<'_> {
 ///
 /// # Errors
 /// Where nothing can be written.
-pub fn write_table<W: Write + Send>(rows: &[DiffRow], out: W) -> io::Result<W> {
+pub fn write_table<W: Write + Send + 'static>(rows: &[DiffRow], out: W) -> io::Result<W> {
     let columns = DiffColumns { schema: schema(), rows: &[] };
     let mut table = ColumnFile::new(out, ColumnFormat::Parquet, columns)?;
     table.put(|columns| columns.rows = rows)?;

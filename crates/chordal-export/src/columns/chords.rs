@@ -127,7 +127,7 @@ impl Rows for ChordColumns<'_> {
     }
 }
 
-impl<W: Write + Send> ColumnFile<W, ChordColumns<'_>> {
+impl<W: Write + Send + 'static> ColumnFile<W, ChordColumns<'_>> {
     /// Writes the chords of a segment; they are emitted as they come, since one arc may have
     /// a million.
     ///

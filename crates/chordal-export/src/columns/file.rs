@@ -1,23 +1,18 @@
 //! Columns as a file: Parquet and Arrow, written as the rows come.
 
+use std::fmt;
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use arrow_array::RecordBatch;
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, DataType, SchemaRef};
-use parquet::arrow::ArrowWriter;
-use parquet::basic::Compression;
+use arrow_schema::{ArrowError, SchemaRef};
 use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
-use parquet::schema::types::ColumnPath;
+
+use super::parquet::ParquetFile;
 
 /// Rows that are gathered before they are emitted, and the rows of a batch of an Arrow file.
 pub(crate) const BATCH: usize = 1 << 13;
-
-/// Rows of a group of a Parquet file: what a reader reads at once, some 10 MB.
-const ROWS_OF_A_GROUP: usize = 1 << 17;
 
 /// What gathers rows and gives them as a batch when it is asked.
 pub trait Rows {
@@ -43,21 +38,52 @@ pub enum ColumnFormat {
     Arrow,
 }
 
-/// Writes rows as they come. Of a Parquet file the rows of one group are held, compressed; of an
-/// Arrow file a few thousand.
-#[derive(Debug)]
-pub struct ColumnFile<W: Write + Send, R> {
+/// Writes rows as they come. Of a Parquet file the rows of one group are held, of an Arrow file a
+/// few thousand.
+pub struct ColumnFile<W, R> {
     rows: R,
-    out: Out<W>,
+    table: Table,
+    out: Lent<W>,
 }
 
-enum Out<W: Write + Send> {
-    Parquet(Box<ArrowWriter<Lent<W>>>, Lent<W>),
-    Arrow(Box<FileWriter<W>>),
+/// A file of either format. What it writes to is a `dyn Write`, so that its code is made once.
+enum Table {
+    Parquet(Box<ParquetFile>),
+    Arrow(Box<FileWriter<Box<dyn Write + Send>>>),
 }
 
-/// An output lent to a Parquet writer, which otherwise gives it back with its last error put into
-/// words only.
+impl Table {
+    fn new(
+        out: Box<dyn Write + Send>,
+        format: ColumnFormat,
+        schema: &SchemaRef,
+    ) -> io::Result<Table> {
+        Ok(match format {
+            ColumnFormat::Parquet => {
+                Table::Parquet(Box::new(ParquetFile::new(out, schema).map_err(of_parquet)?))
+            }
+            ColumnFormat::Arrow => {
+                Table::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
+            }
+        })
+    }
+
+    fn write(&mut self, batch: RecordBatch) -> io::Result<()> {
+        match self {
+            Table::Parquet(out) => out.write(batch).map_err(of_parquet),
+            Table::Arrow(out) => out.write(&batch).map_err(of_arrow),
+        }
+    }
+
+    fn finish(self) -> io::Result<()> {
+        match self {
+            Table::Parquet(out) => out.finish().map_err(of_parquet),
+            Table::Arrow(mut out) => out.finish().map_err(of_arrow),
+        }
+    }
+}
+
+/// An output lent to the writer of a table, and taken back from it.
 struct Lent<W>(Arc<Mutex<W>>);
 
 impl<W> Lent<W> {
@@ -87,25 +113,15 @@ impl<W: Write> Write for Lent<W> {
     }
 }
 
-impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
+impl<W: Write + Send + 'static, R: Rows> ColumnFile<W, R> {
     /// Writes what stands before the rows.
     ///
     /// # Errors
     /// Those of the output.
     pub fn new(out: W, format: ColumnFormat, rows: R) -> io::Result<ColumnFile<W, R>> {
-        let schema = rows.schema();
-        let out = match format {
-            ColumnFormat::Parquet => {
-                let out = Lent(Arc::new(Mutex::new(out)));
-                let made =
-                    ArrowWriter::try_new(out.lend(), schema.clone(), Some(properties(schema)));
-                Out::Parquet(Box::new(made.map_err(of_parquet)?), out)
-            }
-            ColumnFormat::Arrow => {
-                Out::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
-            }
-        };
-        Ok(ColumnFile { rows, out })
+        let out = Lent(Arc::new(Mutex::new(out)));
+        let table = Table::new(Box::new(out.lend()), format, rows.schema())?;
+        Ok(ColumnFile { rows, table, out })
     }
 
     /// Lets a row be added, or a few, and hands them on when they are many.
@@ -126,17 +142,8 @@ impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
         if self.rows.rows() > 0 {
             self.hand_on()?;
         }
-        let mut out = match self.out {
-            Out::Parquet(mut writer, out) => {
-                writer.finish().map_err(of_parquet)?;
-                drop(writer);
-                out.back()?
-            }
-            Out::Arrow(mut out) => {
-                out.finish().map_err(of_arrow)?;
-                out.into_inner().map_err(of_arrow)?
-            }
-        };
+        self.table.finish()?;
+        let mut out = self.out.back()?;
         out.flush()?;
         Ok(out)
     }
@@ -148,37 +155,17 @@ impl<W: Write + Send, R: Rows> ColumnFile<W, R> {
 
     fn hand_on(&mut self) -> io::Result<()> {
         let batch = self.rows.take().map_err(of_arrow)?;
-        match &mut self.out {
-            Out::Parquet(out, _) => out.write(&batch).map_err(of_parquet),
-            Out::Arrow(out) => out.write(&batch).map_err(of_arrow),
-        }
+        self.table.write(batch)
     }
 }
 
-/// How a Parquet file is made: hardly two doubles of a movement are the same, all else repeats.
-fn properties(schema: &SchemaRef) -> WriterProperties {
-    let mut about: Vec<(&String, &String)> = schema.metadata().iter().collect();
-    about.sort();
-    let about = about.into_iter().map(|(key, value)| KeyValue::new(key.clone(), value.clone()));
-    let mut properties = WriterProperties::builder()
-        .set_created_by(concat!("chordal ", env!("CARGO_PKG_VERSION")).to_string())
-        .set_compression(Compression::SNAPPY)
-        .set_max_row_group_row_count(Some(ROWS_OF_A_GROUP))
-        .set_key_value_metadata(Some(about.collect()));
-    for field in schema.fields() {
-        let repeats = field.data_type() != &DataType::Float64;
-        let path = ColumnPath::from(field.name().as_str());
-        properties = properties.set_column_dictionary_enabled(path, repeats);
-    }
-    properties.build()
-}
-
-impl<W: Write + Send> std::fmt::Debug for Out<W> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Out::Parquet(..) => "Parquet",
-            Out::Arrow(_) => "Arrow",
-        })
+impl<W, R: fmt::Debug> fmt::Debug for ColumnFile<W, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let format = match self.table {
+            Table::Parquet(_) => ColumnFormat::Parquet,
+            Table::Arrow(_) => ColumnFormat::Arrow,
+        };
+        f.debug_struct("ColumnFile").field("rows", &self.rows).field("format", &format).finish()
     }
 }
 

@@ -10,6 +10,7 @@ mod chords;
 mod commands;
 mod field;
 mod file;
+mod parquet;
 mod path;
 mod reference;
 mod samples;

@@ -32,15 +32,15 @@ pub enum SampleFormat {
 
 /// Writes setpoints one after the other, and holds no more of them than a group of rows.
 #[derive(Debug)]
-pub struct SampleWriter<W: Write + Send>(Kind<W>);
+pub struct SampleWriter<W: Write + Send + 'static>(Kind<W>);
 
 #[derive(Debug)]
-enum Kind<W: Write + Send> {
+enum Kind<W: Write + Send + 'static> {
     Text(TextRows<W>),
     Columns(Box<ColumnFile<W, SampleColumns>>),
 }
 
-impl<W: Write + Send> SampleWriter<W> {
+impl<W: Write + Send + 'static> SampleWriter<W> {
     /// Writes what stands before the setpoints.
     ///
     /// # Errors
