@@ -17,32 +17,32 @@
 
 #![forbid(unsafe_code)]
 
-mod state_after;
 mod check;
 mod checkpoints;
 mod complete;
-mod other_files;
 mod format;
 mod grammar;
 mod hover;
 pub mod meaning;
 mod moves;
 mod names;
+mod other_files;
 mod outline;
 mod place;
 mod program;
 pub mod reference;
 mod setup;
+mod state_after;
 mod tokens;
 
 pub use check::Checked;
 pub use complete::{Completion, CompletionKind};
-pub use other_files::Found;
 pub use format::{Edit, FormatError, Numbering};
 pub use grammar::grammar;
 pub use hover::{Hover, diagnostic_markdown};
 pub use moves::{LineMoves, Ran};
 pub use names::{Name, Occurrence, RenameError, Renamed, Role};
+pub use other_files::Found;
 pub use outline::{Entry, EntryKind};
 pub use place::{byte_of, line_and_column};
 pub use program::Program;

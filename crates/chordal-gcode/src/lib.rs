@@ -6,16 +6,17 @@
 
 #![forbid(unsafe_code)]
 
+mod called_subroutines;
 mod interpreter;
 mod library;
 mod macros;
 mod marks;
 mod recognize;
 mod shop;
-mod called_subroutines;
 mod tokens;
 mod word_address;
 
+pub use called_subroutines::called_subs;
 pub use interpreter::{
     Interrupt, RunOptions, initial_offset, initial_work_offset, run, run_from, subroutine_head,
 };
@@ -23,6 +24,5 @@ pub use library::{Library, Program, referenced_programs};
 pub use marks::{Mark, marks};
 pub use recognize::{Recognition, recognize};
 pub use shop::{ShopAnswer, ShopCall, ShopCode, ShopCodes, ShopRecord};
-pub use called_subroutines::called_subs;
 pub use tokens::{block_tokens, class_of};
 pub use word_address::WordAddress;

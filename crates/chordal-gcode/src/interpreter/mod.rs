@@ -9,9 +9,10 @@ mod arc;
 mod block;
 mod calls;
 mod checkpoint;
+mod conflicts;
 mod cycle;
 mod in_force;
-mod conflicts;
+mod literals;
 mod macros;
 mod modes;
 mod motion;
@@ -24,7 +25,6 @@ mod report;
 mod shop;
 mod spiral;
 mod statement;
-mod literals;
 
 pub use self::calls::subroutine_head;
 

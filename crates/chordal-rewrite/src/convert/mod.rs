@@ -28,7 +28,7 @@ use chordal::control::Action;
 use std::collections::BTreeMap;
 
 use chordal::control::{RapidPath, Side};
-use chordal::machine::{RapidShape, WorkOffset, work_offset_name};
+use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, work_offset_name};
 use chordal::syntax::{Block, BlockReader};
 use chordal::{Code, CommandKind, Diagnostic, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, Difference, Value};
@@ -132,6 +132,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         });
         return conversion;
     };
+    conversion.refusals.extend(other_diameters(old, &conversion.machine));
     if !conversion.refusals.is_empty() {
         return conversion;
     }
@@ -286,6 +287,19 @@ fn blocks_of(difference: &Difference, source: &Source, layout: &Layout) -> Vec<u
         found.extend(lines.flatten().copied());
     }
     found
+}
+
+/// Every word of an axis that is a diameter on one of the machines alone would be another place.
+fn other_diameters(old: &Job, target: &Machine) -> Option<Refusal> {
+    let factors = old.machine().written_factors().into_iter().zip(target.written_factors());
+    let differs = AXIS_LETTERS.chars().zip(factors).find(|(_, (from, to))| from != to);
+    differs.map(|(letter, _)| Refusal {
+        line: 0,
+        words: String::new(),
+        reason: format!(
+            "{letter} is programmed as a diameter on one of the machines and as a radius on the other"
+        ),
+    })
 }
 
 /// Errors of the program on its own control.
