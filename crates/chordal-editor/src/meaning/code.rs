@@ -173,8 +173,8 @@ fn fields_of(action: Action) -> &'static [Field] {
             LengthCode::Plus | LengthCode::Minus => &[F::LengthMustMatchTool, F::LengthByHAlone],
             LengthCode::Cancel => &[],
         },
-        Action::Cycle(kind) if kind == CycleKind::ChipBreak => &[F::ChipBreak],
-        Action::Cycle(kind) if kind == CycleKind::Peck => &[F::PeckClearance],
+        Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
+        Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
         Action::Cycle(_) => &[],
         Action::Call(code) => match code {
             CallCode::CallProgram | CallCode::CallLabel => &[F::Nesting, F::PackedCalls],

@@ -161,8 +161,8 @@ fn one(
             return Ok(());
         }
         // What holes these make is looked at with their cycle.
-        Action::Once(code) if matches!(code, OnceCode::Pattern(_)) => return Ok(()),
-        Action::After(code) if code == AfterCode::RunCycleHere => return Ok(()),
+        Action::Once(OnceCode::Pattern(_)) => return Ok(()),
+        Action::After(AfterCode::RunCycleHere) => return Ok(()),
         Action::Reading(_)
         | Action::Before(_)
         | Action::Mode(_)

@@ -128,11 +128,11 @@ impl Walk<'_, '_> {
                 Action::Call(code) => {
                     self.open.call |= matches!(code, CallCode::ModalMacroCall { .. });
                 }
-                Action::Mode(code) if code == ModeCode::ModalSubroutine => self.open.call = true,
-                Action::Mode(code) if code == ModeCode::ModalCallOff => self.open.call = false,
+                Action::Mode(ModeCode::ModalSubroutine) => self.open.call = true,
+                Action::Mode(ModeCode::ModalCallOff) => self.open.call = false,
                 Action::NotSimulated if word.letter == b'G' => self.open.unknown = true,
                 Action::NotSimulated => self.note_unknown(row, word.letter, block.line),
-                Action::After(code) if code == AfterCode::ShopCode => {
+                Action::After(AfterCode::ShopCode) => {
                     self.note_unknown(row, word.letter, block.line);
                 }
                 Action::Reading(_)

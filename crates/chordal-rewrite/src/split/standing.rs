@@ -117,7 +117,7 @@ impl Said {
                         self.length = Some(text(word));
                     }
                 }
-                Action::Before(code) if code == BeforeCode::ToolChange => {
+                Action::Before(BeforeCode::ToolChange) => {
                     let words = beside(word, &|letter| letter == b'T');
                     self.tool = Some(words.join(gap));
                     self.coolant.clear();
