@@ -86,7 +86,7 @@ fn the_text_reads_in_80_columns() {
         "feed override 50 %",
         "+0.975 s",
         "corners within 0.05 mm",
-        "corners   1 cut ends at rest",
+        "corners   1 cut ends at a stop",
         "--set",
     ]);
     let folder = Folder::with_part();
