@@ -109,12 +109,3 @@ fn the_folder_says_its_machine() {
     assert_eq!(done.err.matches("neither").count(), 1);
     folder.run(&["check", "e/part.nc"]).ends(2).complains(&["`feed` has no meaning beside"]);
 }
-
-#[test]
-fn a_folders_machine_counts_below_it() {
-    let folder = Folder::new();
-    folder.write("arch/chordal.toml", "machine = 'haas-vf2'\n").write("arch/deep/part.nc", CLEAN);
-    folder.run(&["run", "arch"]).says(&["as arch/chordal.toml says"]);
-    // Named alone, only its own folder speaks.
-    folder.run(&["run", "arch/deep/part.nc"]).says(&["assumed"]);
-}
