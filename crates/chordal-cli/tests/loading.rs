@@ -13,26 +13,6 @@ fn standard_input_is_a_file() {
 }
 
 #[test]
-fn encodings_are_recognized() {
-    let folder = Folder::new();
-    let wide =
-        |units: fn(u16) -> [u8; 2]| -> Vec<u8> { CLEAN.encode_utf16().flat_map(units).collect() };
-    folder
-        .write("le.nc", [b"\xff\xfe".as_slice(), &wide(u16::to_le_bytes)].concat())
-        .write("be.nc", wide(u16::to_be_bytes))
-        .write("bom.nc", [b"\xef\xbb\xbf".as_slice(), CLEAN.as_bytes()].concat())
-        .write("crlf.nc", CLEAN.replace('\n', "\r\n"))
-        .write("cr.nc", CLEAN.replace('\n', "\r"))
-        .write("nul.nc", [&[0; 32], CLEAN.as_bytes(), &[0; 32]].concat());
-    let expected = folder.run_with(&["commands", "-"], CLEAN.as_bytes()).ends(0).out;
-    let expected: Vec<&str> = expected.lines().skip(1).collect();
-    for name in ["le.nc", "be.nc", "bom.nc", "crlf.nc", "cr.nc", "nul.nc"] {
-        let done = folder.run(&["commands", name]).ends(0);
-        assert_eq!(done.out.lines().skip(1).collect::<Vec<_>>(), expected, "{name}");
-    }
-}
-
-#[test]
 fn odd_files_get_an_answer() {
     let folder = Folder::new();
     let line = format!("O1\nG1 {} F10.\nM30\n", "X1.".repeat(400_000));
@@ -57,50 +37,23 @@ fn odd_files_get_an_answer() {
 }
 
 #[test]
-fn a_mapped_file_reads_as_a_small_one() {
+fn the_summary_says_where_subprograms_come_from() {
     let folder = Folder::new();
-    let mut text = String::from("O1\nG21 G90 G0 X0 Y0 Z1.\nS100 M3\nG1 Z0 F100.\n");
-    for step in 0..150_000 {
-        text.push_str(&format!("X{}.{:03}\n", step % 100, step % 1000));
-    }
-    text.push_str("G0 Z1.\nM30\n");
-    assert!(text.len() > 1 << 20);
-    folder.write("long.nc", text);
-    folder.run(&["run", "long.nc", "-m", "fanuc-30i"]).says(&["150,0", " lines"]);
-}
-
-#[test]
-fn subprograms_lie_beside_the_program() {
-    let folder = Folder::new();
-    let main = |numbers: &[u32]| {
-        let calls: String = numbers.iter().map(|number| format!("M98 P{number}\n")).collect();
-        format!("O1\nG20 G90 G0 X0 Y0\n{calls}M30\n")
-    };
     folder
-        .write("main.nc", main(&[1000, 1001, 1002, 1003]))
-        .write("O1000.nc", "%\nO1000\nG4 P1000\nM98 P1004\nM99\n%\n")
-        .write("1001.tap", "O1001\nM99\n")
-        .write("o01002", "O1002\nM99\n")
-        .write("by-its-head.nc", "%\n(LIBRARY)\nO1003 (DRILL)\nM99\n%\n")
-        .write("o1004.nc", "O1004\nM99\n");
+        .write(
+            "main.nc",
+            "O1\nG20 G90 G0 X0 Y0\nM98 P1000\nM98 P1003\nM98 P1004\nM30\nO1004 (OWN)\nM99\n",
+        )
+        .write("O1000.nc", "%\nO1000\nG4 P1000\nM99\n%\n")
+        .write("by-its-head.nc", "%\n(LIBRARY)\nO1003 (DRILL)\nM99\n%\n");
     folder.run(&["check", "main.nc", "-m", "haas-vf2"]).ends(0);
     folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&[
         "program   O1\n",
-        "calls     O1000 from O1000.nc",
-        "O1001 from 1001.tap",
-        "O1002 from o01002",
+        "calls     O1004 (OWN)\n",
+        "O1000 from O1000.nc",
         "O1003 (DRILL) from by-its-head.nc",
-        "O1004 from o1004.nc",
         "1 dwell",
     ]);
-    // A file that only its name numbers.
-    folder.write("O1006.nc", "%\n(NO HEAD)\nG4 P1\nM99\n").write("main.nc", main(&[1006]));
-    folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&["O1006 (NO HEAD) from"]);
-    folder.write("main.nc", main(&[1000, 1005]));
-    folder.run(&["check", "main.nc", "-m", "haas-vf2"]).ends(1).says(&["error[CH2", "1005"]);
-    // What stands in the file itself comes before the folder's.
-    folder.write("main.nc", main(&[1001]) + "O1001 (OWN)\nM99\n");
-    folder.run(&["run", "main.nc", "-m", "haas-vf2"]).ends(0).says(&["calls     O1001 (OWN)\n"]);
 }
 
 #[test]
