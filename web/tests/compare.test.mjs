@@ -192,7 +192,7 @@ test("the comparison follows what is typed, the tolerance, and the other file", 
   await page.keyboard.press("Shift+Home");
   await page.keyboard.type("X40. F650.");
   await page.waitForSelector(".verdict.within");
-  assert.equal(await verdict(page), "within the tolerance: the paths are at most 0.05 mm apart, 0.06 mm are allowed");
+  assert.equal(await verdict(page), "within the tolerance: the paths are at most 0.05 mm apart, 0.06 mm is allowed");
   assert.equal(await page.locator(".difference").count(), 0);
   assert.equal(await page.locator(".line-differs").count(), 0);
   writeFileSync(files[1], readFileSync(files[1], "utf8").replace("X50.05", "X50."));

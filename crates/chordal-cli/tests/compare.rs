@@ -33,7 +33,7 @@ fn a_difference_and_a_tolerance() {
     folder
         .run(&within)
         .ends(0)
-        .says(&["within the tolerance: ", "at most 0.01 in apart, allowed are 0.02 in"]);
+        .says(&["within the tolerance: ", "at most 0.01 in apart, 0.02 in is allowed"]);
     let tight = [&two[..], &["--tolerance", "0.2mm"]].concat();
     folder.run(&tight).ends(1);
 }

@@ -69,7 +69,7 @@ pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) 
         (Verdict::Within, most) => {
             let most = length_text(most.unwrap_or_default(), units);
             format!(
-                "within the tolerance: the paths are at most {most} apart, allowed are {}\n",
+                "within the tolerance: the paths are at most {most} apart, {} is allowed\n",
                 length_text(tolerance_mm, units)
             )
         }
