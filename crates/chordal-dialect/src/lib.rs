@@ -3,6 +3,18 @@
 //! [`ControlTable`] says what a control has: its codes and the words they take, its rules, settings,
 //! macro language, alarms and the signs by which its programs are recognized. [`Control`] is one of
 //! them as a machine has it, after the machine file's settings.
+//!
+//! ```
+//! use chordal_dialect::{Action, Control, MotionCode};
+//! use chordal_machine::Machine;
+//!
+//! let machine = Machine::from_builtin("haas-vf2").unwrap();
+//! let (control, wrong_settings) = Control::of(&machine);
+//! assert!(wrong_settings.is_empty());
+//! // Rows are counted by ten times the number: G2.
+//! let row = control.g_code(20).unwrap();
+//! assert_eq!(row.action, Action::Motion(MotionCode::ArcCw));
+//! ```
 
 #![forbid(unsafe_code)]
 

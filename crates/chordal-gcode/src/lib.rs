@@ -3,6 +3,24 @@
 //! [`Library`] finds the programs of a text, [`run`] carries one out: blocks one after the other,
 //! calls, loops, macro statements. What a code does on a control stands in its table
 //! (`chordal-dialect`); how the machine moves is the kernel's business.
+//!
+//! ```
+//! use chordal_diagnostics::{Source, SourceMap};
+//! use chordal_dialect::Control;
+//! use chordal_gcode::{RunOptions, WordAddress};
+//! use chordal_kernel::Language;
+//! use chordal_machine::Machine;
+//!
+//! let mut sources = SourceMap::new();
+//! sources.add(Source::new("part.nc", b"%\nO0007\nG0 X1.\nM30\n%\n".as_slice()));
+//! let machine = Machine::from_builtin("haas-vf2").unwrap();
+//! let (control, _) = Control::of(&machine);
+//! let options = RunOptions::default();
+//! let language = WordAddress::new(&sources, &machine, &control, &options);
+//! assert_eq!(language.programs()[0].number, Some(7));
+//! // What stands at a place of the text: G0.
+//! assert!(language.meaning(8).unwrap().1.starts_with("G0: "));
+//! ```
 
 #![forbid(unsafe_code)]
 

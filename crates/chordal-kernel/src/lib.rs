@@ -3,6 +3,17 @@
 //! A language reads a program and gives values with their [`Statement`]; the [`Kernel`] moves the
 //! machine and pushes commands and problems into a sink. [`rules`] are plain data: how one control
 //! does a thing otherwise than the next.
+//!
+//! ```
+//! use chordal_command::PathMode;
+//! use chordal_kernel::rules::{PathRules, StartMode};
+//!
+//! // A rule is data: this control stops at the end of every block until a program says otherwise.
+//! let rules = PathRules { start: StartMode::ExactStop, ..PathRules::COMMON };
+//! assert_eq!(rules.start_mode(), PathMode::ExactStop);
+//! ```
+//!
+//! `tests/made_up_language.rs` drives the kernel by a language of ten lines.
 
 #![forbid(unsafe_code)]
 
