@@ -8,7 +8,7 @@ use crate::settings::Setting;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
 use chordal_geometry::Direction;
-use chordal_kernel::ToolValue;
+use chordal_kernel::{Alarms, ToolValue};
 use chordal_syntax::{Decimal, Letters, Lexicon};
 
 /// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
@@ -323,6 +323,6 @@ impl ControlTable {
 
     /// What the control shows for a diagnostic.
     pub fn alarm(&self, code: Code) -> Option<&'static str> {
-        self.alarms.iter().find(|(condition, _)| *condition == code).map(|(_, text)| *text)
+        Alarms { title: self.title, texts: self.alarms }.text(code)
     }
 }

@@ -213,7 +213,12 @@ impl KernelMemory {
 
     /// Equal to the bit: 0 and −0 are not the same place.
     pub fn is_like(&self, other: &KernelMemory) -> bool {
+        self.is_at(other) && self == other
+    }
+
+    /// At the same position, to the bit.
+    pub fn is_at(&self, other: &KernelMemory) -> bool {
         let bits = |memory: &KernelMemory| memory.state.position.map(f64::to_bits);
-        bits(self) == bits(other) && self == other
+        bits(self) == bits(other)
     }
 }

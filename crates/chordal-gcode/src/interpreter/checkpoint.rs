@@ -33,7 +33,7 @@ struct BlockMemory {
 impl Memory for BlockMemory {
     fn is_like(&self, other: &dyn Memory) -> bool {
         let Some(other) = other.as_any().downcast_ref::<BlockMemory>() else { return false };
-        self.kernel.is_like(&other.kernel) && self == other
+        self.kernel.is_at(&other.kernel) && self == other
     }
 
     fn shift(&mut self, shift: &Shift) -> Option<()> {

@@ -1,6 +1,6 @@
 //! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
 
-use chordal_command::{AxisMask, CommandKind, FeedMode, Position, Units};
+use chordal_command::{AxisMask, FeedMode, Position, Units};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
@@ -162,9 +162,7 @@ impl Interpreter<'_> {
             )
             .help("write G0 or G1 into this block"),
         );
-        let motion = self.kernel.moved_to(target, named);
-        let path = self.control.parameters.rules.rapid;
-        self.kernel.emit(CommandKind::Rapid { motion, path });
+        self.kernel.rapid(target, named);
     }
 
     fn armed_motion(&mut self, block: &Block, explicit: Option<MotionCode>) {

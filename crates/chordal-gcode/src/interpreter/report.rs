@@ -11,13 +11,7 @@ use super::Interpreter;
 impl Interpreter<'_> {
     /// The span of the first word of some letters, or of the whole block.
     pub(super) fn words_span(&self, block: &Block, letters: Letters) -> Span {
-        let mut range: Option<TextRange> = None;
-        for word in &block.words {
-            if letters.has(word.letter) {
-                range = Some(range.map_or(word.range, |r| r.cover(word.range)));
-            }
-        }
-        self.span(range.unwrap_or(block.range))
+        self.at(block).span_of(letters)
     }
 
     pub(super) fn unknown_code(&mut self, word: &Word) {

@@ -45,6 +45,21 @@ fn letters(what: What) -> Vec<u8> {
     }
 }
 
+fn set_of(what: What) -> Letters {
+    let mut set = Letters::NONE;
+    letters(what).into_iter().for_each(|letter| set.insert(letter));
+    set
+}
+
+impl At<'_> {
+    /// The span over the words of some letters, or of the whole block.
+    pub fn span_of(&self, letters: Letters) -> Span {
+        let words = self.block.words.iter().filter(|word| letters.has(word.letter));
+        let range = words.map(|word| word.range).reduce(TextRange::cover);
+        range.unwrap_or(self.block.range).in_file(self.file)
+    }
+}
+
 impl Statement for At<'_> {
     fn span(&self) -> Span {
         self.block.range.in_file(self.file)
@@ -52,14 +67,7 @@ impl Statement for At<'_> {
 
     #[cold]
     fn words(&self, what: What) -> Span {
-        let letters = letters(what);
-        let mut range: Option<TextRange> = None;
-        for word in &self.block.words {
-            if letters.contains(&word.letter) {
-                range = Some(range.map_or(word.range, |r| r.cover(word.range)));
-            }
-        }
-        range.unwrap_or(self.block.range).in_file(self.file)
+        self.span_of(set_of(what))
     }
 
     fn name(&self, what: What) -> &'static str {
@@ -77,9 +85,7 @@ impl Statement for At<'_> {
     }
 
     fn has(&self, what: What) -> bool {
-        let mut set = Letters::NONE;
-        letters(what).into_iter().for_each(|letter| set.insert(letter));
-        self.block.letters().meets(set)
+        self.block.letters().meets(set_of(what))
     }
 
     #[inline]

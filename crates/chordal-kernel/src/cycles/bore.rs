@@ -1,6 +1,6 @@
 //! Boring with a standing or oriented spindle: G86, G88, G76, G87 (Haas G77).
 
-use chordal_command::{AxisMask, CommandKind, Feed, Position, SpindleState};
+use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 
 use super::hole::Hole;
@@ -191,12 +191,9 @@ impl Kernel<'_> {
 
     fn step_aside_at_feed(&mut self, at: &dyn Statement, hole: &Hole, shift: [f64; 2]) {
         let (target, named) = self.aside(hole, shift);
-        if target == self.state.position {
-            return;
+        if target != self.state.position {
+            self.line(at, target, named);
         }
-        let motion = self.moved_to(target, named);
-        let feed: Feed = self.feed_for(at, &motion, None);
-        self.emit(CommandKind::Line { motion, feed });
     }
 }
 

@@ -8,10 +8,10 @@ use crate::rules::PeckDwell;
 use crate::statement::Statement;
 
 /// Most pecks of one hole: more is a slip in Q.
-const MAX_PECKS: u32 = 10_000;
+pub(super) const MAX_PECKS: u32 = 10_000;
 
 /// Pecks of a hole that are not counted against the budget.
-const FREE_PECKS: u32 = 100;
+pub(super) const FREE_PECKS: u32 = 100;
 
 /// How deep the pecks of a hole go.
 #[derive(Clone, Copy)]

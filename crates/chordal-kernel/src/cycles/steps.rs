@@ -1,6 +1,6 @@
 //! The way to a hole, the cut, and the way out.
 
-use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, Position, SpindleState};
+use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 
 use super::hole::Hole;
 use crate::kernel::Kernel;
@@ -103,10 +103,7 @@ impl Kernel<'_> {
     pub fn feed_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64) {
         let mut target = self.state.position;
         target[hole.axis] = level;
-        let motion = self.moved_to(target, AxisMask(1 << hole.axis));
-        let mut feed: Feed = self.feed_for(at, &motion, None);
-        feed.along = FeedAlong::Path;
-        self.emit(CommandKind::Line { motion, feed });
+        self.line(at, target, AxisMask(1 << hole.axis));
     }
 
     /// A dwell of a cycle, where it has one.

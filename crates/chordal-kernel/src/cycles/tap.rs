@@ -4,15 +4,10 @@ use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, SpindleS
 use chordal_diagnostics::{Code, Diagnostic};
 
 use super::hole::{Hole, LEVEL_EPSILON_MM};
+use super::peck::{FREE_PECKS, MAX_PECKS};
 use crate::kernel::Kernel;
 use crate::rules::{CycleKind, TapFeed};
 use crate::statement::Statement;
-
-/// Pecks of a thread that are not counted against the budget.
-const FREE_PECKS: u32 = 100;
-
-/// Most pecks of one thread.
-const MAX_PECKS: u32 = 10_000;
 
 impl Kernel<'_> {
     /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.

@@ -220,9 +220,7 @@ impl Kernel<'_> {
         if self.state.motion == Motion::Rapid {
             return self.straight(at, target, named);
         }
-        let motion = self.moved_to(target, named);
-        let feed = self.feed_for(at, &motion, None);
-        self.emit(CommandKind::Line { motion, feed });
+        self.line(at, target, named);
     }
 
     #[inline]

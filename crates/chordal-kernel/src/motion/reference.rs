@@ -1,6 +1,6 @@
 //! Moves to machine points: reference points and machine coordinates.
 
-use chordal_command::{AxisMask, CommandKind, FeedAlong, Move, Position};
+use chordal_command::{AxisMask, CommandKind, Move, Position};
 use chordal_machine::PerAxis;
 
 use crate::kernel::Kernel;
@@ -34,8 +34,7 @@ impl Kernel<'_> {
             return self.rapid_to_machine_point(place, named);
         }
         let motion = self.machine_move(place, named);
-        let mut feed = self.feed_for(at, &motion, None);
-        feed.along = FeedAlong::Path;
+        let feed = self.feed_for(at, &motion, None);
         self.emit(CommandKind::Line { motion, feed });
     }
 

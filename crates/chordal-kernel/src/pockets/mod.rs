@@ -60,9 +60,7 @@ impl Kernel<'_> {
             return;
         }
         let cycle = std::mem::replace(&mut self.origin.cycle, true);
-        let motion = self.moved_to(target, named);
-        let path = self.rules.rapid;
-        self.emit(CommandKind::Rapid { motion, path });
+        self.rapid(target, named);
         self.origin.cycle = cycle;
     }
 
