@@ -81,7 +81,7 @@ fn unknown(word: &str, views: &[View]) -> Failure {
         let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));
         return Failure::Use { message, help: None };
     }
-    let names = Code::ALL.iter().flat_map(|code| [code.info().id, code.info().name]);
+    let names = Code::all().flat_map(|code| [code.info().id, code.info().name]);
     let settings = views.iter().flat_map(|view| view.table.settings).chain(COMMON_SETTINGS);
     let likeness = |name: &str| strsim::jaro_winkler(&name.to_lowercase(), &word.to_lowercase());
     let near = names

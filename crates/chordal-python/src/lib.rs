@@ -27,11 +27,11 @@ use pyo3::prelude::*;
 /// of diagnostics: code, name, severity, summary and explanation of each.
 #[pyfunction]
 fn codes() -> Vec<(&'static str, &'static str, &'static str, &'static str, &'static str)> {
-    let row = |code: &chordal::Code| {
+    let row = |code: chordal::Code| {
         let info = code.info();
         (info.id, info.name, info.severity.word(), info.summary, info.explanation)
     };
-    chordal::Code::ALL.iter().map(row).collect()
+    chordal::Code::all().map(row).collect()
 }
 
 /// Fills the module `chordal._chordal`.

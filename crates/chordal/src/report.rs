@@ -61,7 +61,7 @@ impl Job<'_> {
     }
 
     /// Runs with all checks and sums up, watched.
-    pub fn report_watched(&self, watch: &mut impl Watch) -> Report {
+    pub fn report_watched(&self, watch: &mut dyn Watch) -> Report {
         let sink = ReportSink::new(self, watch);
         let (outcomes, sink) = Compensated::judge(self, sink);
         sink.finish(outcomes)
@@ -171,17 +171,17 @@ impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
 }
 
 /// Checks, sums up and lets a run be watched.
-pub(crate) struct ReportSink<'m, 'w, W> {
+pub(crate) struct ReportSink<'m, 'w> {
     builder: PathBuilder<'m>,
     checks: Checks<'m>,
     summary: SummaryBuilder,
     collector: Collector,
     output: Vec<String>,
     segments: Vec<Segment>,
-    watch: &'w mut W,
+    watch: &'w mut dyn Watch,
 }
 
-impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
+impl chordal_path::PathSink for ReportSink<'_, '_> {
     fn programmed(&mut self, command: &Command) {
         self.checks.programmed(command, |diagnostic| self.collector.push(diagnostic));
         self.watch.programmed(command);
@@ -203,8 +203,8 @@ impl<W: Watch> chordal_path::PathSink for ReportSink<'_, '_, W> {
     }
 }
 
-impl<'m, 'w, W> ReportSink<'m, 'w, W> {
-    pub fn new(job: &'m Job<'_>, watch: &'w mut W) -> ReportSink<'m, 'w, W> {
+impl<'m, 'w> ReportSink<'m, 'w> {
+    pub fn new(job: &'m Job<'_>, watch: &'w mut dyn Watch) -> ReportSink<'m, 'w> {
         let (offset, known) = job.initial_offset();
         let units = job.control().parameters.rules.units;
         ReportSink {

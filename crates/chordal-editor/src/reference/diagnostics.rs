@@ -15,14 +15,14 @@ pub(super) fn page() -> String {
          is the usual one; a message may carry another where the control treats the case differently.\n\n\
          | code | name | severity | meaning |\n|---|---|---|---|\n"
     );
-    for code in Code::ALL {
+    for code in Code::all() {
         let info = code.info();
         let link = format!("[{}](#{})", info.id, anchor(info));
         let severity = info.severity.word().to_string();
         text.push_str(&table_row(&[link, info.name.into(), severity, cell(info.summary)]));
     }
-    for code in Code::ALL {
-        text.push_str(&entry(*code));
+    for code in Code::all() {
+        text.push_str(&entry(code));
     }
     text
 }

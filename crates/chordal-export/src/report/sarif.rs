@@ -36,7 +36,7 @@ impl Sarif {
 
     /// The log as text.
     pub fn finish(self) -> String {
-        let rules: Vec<Value> = Code::ALL.iter().map(|code| rule(code.info())).collect();
+        let rules: Vec<Value> = Code::all().map(|code| rule(code.info())).collect();
         let log = json!({
             "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
             "version": "2.1.0",
@@ -76,7 +76,7 @@ fn rule(info: &CodeInfo) -> Value {
 }
 
 fn result(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {
-    let index = Code::ALL.iter().position(|code| *code == diagnostic.code);
+    let index = Code::all().position(|code| code == diagnostic.code);
     let mut object = json!({
         "ruleId": diagnostic.code.id(),
         "ruleIndex": index,

@@ -135,7 +135,7 @@ fn sarif_has_the_keys_that_consumers_ask() {
     assert_eq!(log["version"], "2.1.0");
     let run = &log["runs"][0];
     let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
-    assert_eq!(rules.len(), Code::ALL.len());
+    assert_eq!(rules.len(), Code::all().len());
     for rule in rules {
         assert!(rule["id"].is_string() && rule["name"].is_string());
         assert!(rule["shortDescription"]["text"].is_string() && rule["help"]["text"].is_string());

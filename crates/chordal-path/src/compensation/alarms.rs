@@ -10,16 +10,16 @@ use super::{Compensator, PathSink};
 
 impl Compensator {
     /// Reports a problem with what the control shows; `{n}` stays for who knows the N word.
-    fn tell<P: PathSink>(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut P) {
+    fn tell(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut dyn PathSink) {
         self.tell_of(diagnostic, false, origin, out);
     }
 
-    fn tell_of<P: PathSink>(
+    fn tell_of(
         &self,
         mut diagnostic: Diagnostic,
         arc: bool,
         origin: &Origin,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         if diagnostic.severity == Severity::Error
             && let Some(text) = self.alarms.text(diagnostic.code)
@@ -47,12 +47,12 @@ impl Compensator {
         self.units.length_text(mm)
     }
 
-    pub(super) fn inside_arc_told<P: PathSink>(
+    pub(super) fn inside_arc_told(
         &self,
         block: &Block,
         radius: f64,
         offset: f64,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         let origin = &block.command.origin;
         let (radius, offset) = (self.length(radius), self.length(offset));
@@ -68,7 +68,7 @@ impl Compensator {
     }
 
     /// An inside arc as large as the offset, on a control that takes it.
-    pub(super) fn inside_arc_vanishes<P: PathSink>(&self, block: &Block, offset: f64, out: &mut P) {
+    pub(super) fn inside_arc_vanishes(&self, block: &Block, offset: f64, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let offset = self.length(offset);
         let diagnostic = Diagnostic::new(
@@ -82,7 +82,7 @@ impl Compensator {
         self.tell_of(diagnostic, true, origin, out);
     }
 
-    pub(super) fn interference_told<P: PathSink>(&self, block: &Block, found: &Found, out: &mut P) {
+    pub(super) fn interference_told(&self, block: &Block, found: &Found, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let offset = self.length(block.radii.1);
         let what = match found {
@@ -106,7 +106,7 @@ impl Compensator {
         self.tell_of(diagnostic, block.curve.is_arc(), origin, out);
     }
 
-    pub(super) fn avoided<P: PathSink>(&self, block: &Block, out: &mut P) {
+    pub(super) fn avoided(&self, block: &Block, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let offset = self.length(block.radii.1);
         let diagnostic = Diagnostic::new(
@@ -118,7 +118,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn no_intersection<P: PathSink>(&self, before: &Block, new: &Block, out: &mut P) {
+    pub(super) fn no_intersection(&self, before: &Block, new: &Block, out: &mut dyn PathSink) {
         let origin = &new.command.origin;
         let offset = self.length(new.radii.0);
         let diagnostic = Diagnostic::new(
@@ -131,7 +131,7 @@ impl Compensator {
         self.tell_of(diagnostic, new.curve.is_arc(), origin, out);
     }
 
-    pub(super) fn lead_too_short<P: PathSink>(&self, origin: &Origin, length: f64, out: &mut P) {
+    pub(super) fn lead_too_short(&self, origin: &Origin, length: f64, out: &mut dyn PathSink) {
         let (is, offset) = (self.length(length), self.length(self.radius));
         let diagnostic = Diagnostic::new(
             Code::LeadInTooShort,
@@ -143,7 +143,7 @@ impl Compensator {
     }
 
     /// G40 in a block that moves nothing in the plane.
-    pub(super) fn no_lead_out<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn no_lead_out(&self, origin: &Origin, out: &mut dyn PathSink) {
         let diagnostic = Diagnostic::new(
             Code::LeadInTooShort,
             origin.span,
@@ -155,16 +155,16 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn starts_on_arc<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn starts_on_arc(&self, origin: &Origin, out: &mut dyn PathSink) {
         self.on_arc("starts", "put G41 or G42 on a straight move to the contour", origin, out);
     }
 
-    pub(super) fn ends_on_arc<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn ends_on_arc(&self, origin: &Origin, out: &mut dyn PathSink) {
         self.on_arc("ends", "put G40 on a straight move away from the contour", origin, out);
     }
 
     /// In the block of the code itself this was reported when the block was read.
-    fn on_arc<P: PathSink>(&self, what: &str, help: &str, origin: &Origin, out: &mut P) {
+    fn on_arc(&self, what: &str, help: &str, origin: &Origin, out: &mut dyn PathSink) {
         if self.code.span == origin.span {
             return;
         }
@@ -176,34 +176,34 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn side_change_told<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn side_change_told(&self, origin: &Origin, out: &mut dyn PathSink) {
         if self.rules.compensation.side_change == SideChange::Refused {
             self.side_change_refused(origin, out);
         }
     }
 
-    pub(super) fn side_change_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn side_change_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "compensation changes to the other side here";
         let diagnostic = Diagnostic::new(Code::SideChangeRefused, origin.span, message)
             .help("cancel with G40 on a move away from the contour, then start compensation again");
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn new_offset_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn new_offset_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "a new offset number while compensation is on";
         let diagnostic = Diagnostic::new(Code::NewOffsetRefused, origin.span, message)
             .help("cancel with G40 first");
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn twice<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn twice(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "compensation is already on";
         let diagnostic = Diagnostic::new(Code::CompensationTwice, origin.span, message)
             .help("remove this code, or cancel with G40 first");
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn plane_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn plane_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "this control does not compensate in this plane";
         let diagnostic = Diagnostic::new(Code::CompensationPlane, origin.span, message)
             .label("shown as programmed")
@@ -211,7 +211,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn look_ahead_lost<P: PathSink>(&self, before: &Block, out: &mut P) {
+    pub(super) fn look_ahead_lost(&self, before: &Block, out: &mut dyn PathSink) {
         let origin = &before.command.origin;
         let limit = self.rules.compensation.idle_blocks.unwrap_or(0);
         let idle = before.idle;
@@ -227,7 +227,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn too_many_idle<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn too_many_idle(&self, origin: &Origin, out: &mut dyn PathSink) {
         let limit = super::queue::MAX_TRAILING;
         let message = format!("more than {limit} commands without motion while compensation is on");
         let diagnostic = Diagnostic::new(Code::TooManyIdleBlocks, origin.span, message)
@@ -235,7 +235,7 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn spiral<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn spiral(&self, origin: &Origin, out: &mut dyn PathSink) {
         let diagnostic = match self.rules.compensation.spirals {
             SpiralCompensation::Refused => {
                 let message = "a spiral while compensation is on";
@@ -253,14 +253,14 @@ impl Compensator {
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn shift_refused<P: PathSink>(&self, origin: &Origin, out: &mut P) {
+    pub(super) fn shift_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "the coordinates shift while compensation is on";
         let diagnostic = Diagnostic::new(Code::ShiftInCompensation, origin.span, message)
             .help("cancel compensation with G40 first");
         self.tell(diagnostic, origin, out);
     }
 
-    pub(super) fn turn_lost<P: PathSink>(&self, block: &Block, out: &mut P) {
+    pub(super) fn turn_lost(&self, block: &Block, out: &mut dyn PathSink) {
         let origin = &block.command.origin;
         let message = "with its offset this arc is longer than a full turn; the control runs only the part over one turn";
         let diagnostic = Diagnostic::new(Code::FullTurnLost, origin.span, message)

@@ -15,7 +15,7 @@ const TURN_SLACK_RAD: f64 = 0.01;
 
 impl Compensator {
     /// A command that is not offset itself: its place in the plane is that of the tool centre.
-    pub(super) fn put<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    pub(super) fn put(&mut self, command: &Command, out: &mut dyn PathSink) {
         let (side, radius) = (self.side, if self.side == Side::Off { 0.0 } else { self.radius });
         let told =
             |command| PathCommand { command, side, cutter_radius_mm: radius, inserted: false };
@@ -39,7 +39,7 @@ impl Compensator {
     }
 
     /// A block and what stands after it.
-    pub(super) fn emit<P: PathSink>(&mut self, block: Box<Block>, out: &mut P) {
+    pub(super) fn emit(&mut self, block: Box<Block>, out: &mut dyn PathSink) {
         let corner = block.corner.unwrap_or_else(|| Corner::at(block.square_end()));
         let mut centre = Vec::with_capacity(1 + corner.points().len());
         let mut at = self.at.unwrap_or(block.start);
@@ -61,12 +61,12 @@ impl Compensator {
     }
 
     /// An arc that begins beside its offset circle is reached by a straight move.
-    fn reach_arc<P: PathSink>(
+    fn reach_arc(
         &mut self,
         block: &Block,
         at: Vec2,
         centre: &mut Vec<PlaneCurve>,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) -> Vec2 {
         let Some((tangent, _)) = block.tangents else { return at };
         let start = block.curve.from() + tangent.turned_left() * (block.sign * block.radii.0);
@@ -78,12 +78,12 @@ impl Compensator {
         start
     }
 
-    fn centre_curve<P: PathSink>(
+    fn centre_curve(
         &mut self,
         block: &Block,
         from: Vec2,
         to: Vec2,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) -> PlaneCurve {
         if block.straight {
             return PlaneCurve::Line { from, to };
@@ -109,7 +109,7 @@ impl Compensator {
         curve
     }
 
-    fn put_main<P: PathSink>(&mut self, block: &Block, curve: &PlaneCurve, out: &mut P) {
+    fn put_main(&mut self, block: &Block, curve: &PlaneCurve, out: &mut dyn PathSink) {
         let mut command = block.command.clone();
         let Some(motion) = motion_mut(&mut command.kind) else { return };
         self.place(&mut motion.from, curve.from());
@@ -167,12 +167,12 @@ impl Compensator {
         Feed { value: feed.value * (radius / radius_to).clamp(least, 1.0), ..feed }
     }
 
-    fn links<P: PathSink>(
+    fn links(
         &mut self,
         block: &Block,
         corner: &Corner,
         centre: &mut Vec<PlaneCurve>,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         let points = corner.points();
         let to = block.command.kind.motion().map(|motion| motion.to);
@@ -198,12 +198,12 @@ impl Compensator {
     }
 
     /// A link belongs to the block and moves in the plane alone.
-    fn put_link<P: PathSink>(
+    fn put_link(
         &mut self,
         block: &Block,
         link: &PlaneCurve,
         place: Option<PerAxis<f64>>,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         let Some(place) = place else { return };
         let Some(programmed) = block.command.kind.motion() else { return };
@@ -242,7 +242,7 @@ impl Compensator {
     }
 
     /// G40 alone, type C: the tool comes back to the end of the contour.
-    pub(super) fn move_back<P: PathSink>(&mut self, command: &Command, to: Vec2, out: &mut P) {
+    pub(super) fn move_back(&mut self, command: &Command, to: Vec2, out: &mut dyn PathSink) {
         let (Some(at), Some(motion)) = (self.at, command.kind.motion()) else { return };
         let mut motion = Move { to: motion.from, to_known: motion.from_known, ..*motion };
         self.place(&mut motion.from, at);
@@ -264,11 +264,11 @@ impl Compensator {
     }
 
     /// The last move: from beside the contour straight to its programmed end.
-    pub(super) fn emit_cancel<P: PathSink>(
+    pub(super) fn emit_cancel(
         &mut self,
         command: &Command,
         curve: PlaneCurve,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         let from = self.at.unwrap_or(curve.from());
         let mut moved = command.clone();
@@ -296,7 +296,7 @@ impl Compensator {
         });
     }
 
-    fn tell_contour<P: PathSink>(&self, block: &Block, centre: Vec<PlaneCurve>, out: &mut P) {
+    fn tell_contour(&self, block: &Block, centre: Vec<PlaneCurve>, out: &mut dyn PathSink) {
         out.contour(&ContourPiece {
             stretch: self.stretch,
             role: block.role,

@@ -28,7 +28,7 @@ pub(super) enum Found {
 
 impl Compensator {
     /// An inside arc that the tool does not fit into; reported at once.
-    pub(super) fn inside_arc_too_small<P: PathSink>(&self, block: &Block, out: &mut P) -> bool {
+    pub(super) fn inside_arc_too_small(&self, block: &Block, out: &mut dyn PathSink) -> bool {
         let PlaneCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
             return false;
         };

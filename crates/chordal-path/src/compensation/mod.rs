@@ -228,7 +228,7 @@ impl Compensator {
 
     /// Follows a command.
     #[inline]
-    pub fn command<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    pub fn command(&mut self, command: &Command, out: &mut dyn PathSink) {
         if self.phase == Phase::Off && !concerns(&command.kind) {
             return out.command(PathCommand {
                 command,
@@ -241,7 +241,7 @@ impl Compensator {
     }
 
     /// Ends what waits, as the end of a program does.
-    pub fn finish<P: PathSink>(&mut self, out: &mut P) {
+    pub fn finish(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
         self.phase = Phase::Off;
         self.side = Side::Off;
@@ -250,7 +250,7 @@ impl Compensator {
         self.units = self.rules.units;
     }
 
-    fn follow<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    fn follow(&mut self, command: &Command, out: &mut dyn PathSink) {
         match &command.kind {
             CommandKind::Idle => self.idle(&command.origin),
             CommandKind::CornerArc { .. } => self.round_next = Some(command.origin),
@@ -290,7 +290,7 @@ impl Compensator {
     }
 
     /// A command that moves nothing: after what waits.
-    fn pass_on<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    fn pass_on(&mut self, command: &Command, out: &mut dyn PathSink) {
         if self.queue.is_empty() {
             return self.put(command, out);
         }
@@ -303,13 +303,13 @@ impl Compensator {
     }
 
     /// G40, G41, G42, or another D.
-    fn switch<P: PathSink>(
+    fn switch(
         &mut self,
         side: Side,
         radius: f64,
         toward: Option<[f64; 2]>,
         origin: &Origin,
-        out: &mut P,
+        out: &mut dyn PathSink,
     ) {
         let on = side != Side::Off && radius != 0.0 && radius.is_finite();
         let left = if side == Side::Right { -1.0 } else { 1.0 };
@@ -375,7 +375,7 @@ impl Compensator {
 
     /// The program coordinates move against the machine: the tool stands still, and the
     /// contour goes on from there.
-    fn shift<P: PathSink>(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut P) {
+    fn shift(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut dyn PathSink) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
             if self.rules.compensation.coordinate_change == Allowance::Refused {

@@ -71,7 +71,7 @@ impl Block {
 
 impl Compensator {
     /// A move while compensation is on, starts or ends.
-    pub(super) fn motion<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    pub(super) fn motion(&mut self, command: &Command, out: &mut dyn PathSink) {
         let Some(motion) = command.kind.motion() else { return };
         if command.origin.cycle {
             return self.cycle_move(command, out);
@@ -96,7 +96,7 @@ impl Compensator {
     }
 
     /// Only the third axis moves, or nothing.
-    fn still_in_plane<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    fn still_in_plane(&mut self, command: &Command, out: &mut dyn PathSink) {
         let rules = &self.rules.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
         if self.phase == Phase::Starting && rules.lead_follows_code {
@@ -139,7 +139,7 @@ impl Compensator {
         })
     }
 
-    fn start_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+    fn start_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
         let rules = self.rules.compensation;
         let plane_fits = match rules.planes {
             CompensationPlanes::All => true,
@@ -176,7 +176,7 @@ impl Compensator {
     }
 
     /// G41 alone, type C: the tool moves aside first, then the block runs on the contour.
-    fn start_square<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+    fn start_square(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
         let here = curve.from();
         let mut aside =
             self.block(command, PlaneCurve::Line { from: here, to: here }, Role::StartUp);
@@ -187,7 +187,7 @@ impl Compensator {
         self.contour_block(command, curve, out);
     }
 
-    fn contour_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+    fn contour_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
         if std::mem::take(&mut self.again)
             && self.code.span != command.origin.span
             && let Some(last) = self.queue.back_mut()
@@ -213,7 +213,7 @@ impl Compensator {
     }
 
     /// Another side or another offset in a block where the control refuses it.
-    fn changes_allowed<P: PathSink>(&self, new: &Block, out: &mut P) {
+    fn changes_allowed(&self, new: &Block, out: &mut dyn PathSink) {
         let Some(before) = self.queue.back() else { return };
         let rules = &self.rules.compensation;
         let origin = &new.command.origin;
@@ -236,7 +236,7 @@ impl Compensator {
 
     /// Finds the corner between two blocks, looks whether the first still fits, and puts both
     /// back into the queue.
-    fn join<P: PathSink>(&mut self, mut before: Box<Block>, mut new: Box<Block>, out: &mut P) {
+    fn join(&mut self, mut before: Box<Block>, mut new: Box<Block>, out: &mut dyn PathSink) {
         let mut corner = self.corner_of(&before, &mut new, out);
         let long_arc = matches!(new.curve, PlaneCurve::Arc { sweep, .. }
             if sweep.abs() >= std::f64::consts::PI - 1e-9);
@@ -256,7 +256,7 @@ impl Compensator {
     }
 
     /// The control's check of a block whose corners are both known; then it waits again.
-    fn settle<P: PathSink>(&mut self, mut block: Box<Block>, new: Option<&mut Block>, out: &mut P) {
+    fn settle(&mut self, mut block: Box<Block>, new: Option<&mut Block>, out: &mut dyn PathSink) {
         let strict = self.rules.compensation.interference == Interference::Strict;
         let in_contour = block.role == Role::Contour || (strict && !block.made_up);
         let checked = in_contour && !block.told && !block.loose;
@@ -306,7 +306,7 @@ impl Compensator {
         }
     }
 
-    fn corner_of<P: PathSink>(&mut self, before: &Block, new: &mut Block, out: &mut P) -> Corner {
+    fn corner_of(&mut self, before: &Block, new: &mut Block, out: &mut dyn PathSink) -> Corner {
         let at = before.curve.to();
         let rules = self.rules.compensation;
         let Some(first) = new.start_edge(before.radii.1) else { return Corner::at(at) };
@@ -341,7 +341,7 @@ impl Compensator {
     }
 
     /// The move on which compensation ends: everything that waits can go.
-    fn cancel_block<P: PathSink>(&mut self, command: &Command, curve: PlaneCurve, out: &mut P) {
+    fn cancel_block(&mut self, command: &Command, curve: PlaneCurve, out: &mut dyn PathSink) {
         let alone = self.code.span != command.origin.span;
         let back = alone && self.rules.compensation.off_alone == AloneAction::Perpendicular;
         if let Some(mut last) = self.queue.pop_back() {
@@ -379,7 +379,7 @@ impl Compensator {
     }
 
     /// Ends what waits square to the last move; the tool stays beside the contour.
-    pub(super) fn end_square<P: PathSink>(&mut self, out: &mut P) {
+    pub(super) fn end_square(&mut self, out: &mut dyn PathSink) {
         if let Some(mut last) = self.queue.pop_back() {
             last.corner = Some(Corner::at(last.square_end()));
             self.settle(last, None, out);
@@ -390,7 +390,7 @@ impl Compensator {
     }
 
     /// Ends what waits and starts anew with the next move.
-    pub(super) fn leave<P: PathSink>(&mut self, out: &mut P) {
+    pub(super) fn leave(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
         if self.phase == Phase::On {
             self.phase = Phase::Starting;
@@ -398,7 +398,7 @@ impl Compensator {
     }
 
     /// Cycles are not offset: the tool goes as programmed, the contour goes on from there.
-    fn cycle_move<P: PathSink>(&mut self, command: &Command, out: &mut P) {
+    fn cycle_move(&mut self, command: &Command, out: &mut dyn PathSink) {
         self.end_square(out);
         if let Some(motion) = command.kind.motion() {
             self.at = self.at.map(|_| super::plane::ab(&motion.to, self.plane));

@@ -70,7 +70,7 @@ impl Job<'_> {
         &self,
         options: &MotionOptions,
         most_moves: u64,
-        watch: &mut impl Watch,
+        watch: &mut dyn Watch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
         match options.level {
             Level::Fast => {
@@ -85,7 +85,7 @@ impl Job<'_> {
         options: &MotionOptions,
         make: MakePlanner<P>,
         most_moves: u64,
-        watch: &mut impl Watch,
+        watch: &mut dyn Watch,
     ) -> (Report, Result<Option<Timed>, LimitError>) {
         let limits = match MachineLimits::of(self.machine()) {
             Ok(limits) => limits,
@@ -144,15 +144,15 @@ impl<S: PlanSink> Planned<Piece> for TimedSteps<'_, S> {
 }
 
 /// A run that is judged and planned at once.
-struct Both<'m, 'w, W, P> {
-    report: ReportSink<'m, 'w, W>,
+struct Both<'m, 'w, P> {
+    report: ReportSink<'m, 'w>,
     /// Gone when there are too many moves.
     motion: Option<MotionBuilder<'m, Planning<TimeBuilder, P>>>,
     /// Moves that may come yet.
     left: u64,
 }
 
-impl<W: Watch, P: PathPart> PathSink for Both<'_, '_, W, P> {
+impl<P: PathPart> PathSink for Both<'_, '_, P> {
     fn programmed(&mut self, command: &Command) {
         self.report.programmed(command);
     }
