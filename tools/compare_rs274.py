@@ -32,6 +32,14 @@ SPINDLE = {
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
+class Failed(Exception):
+    """A program that one of the two refuses, and the motions before that."""
+
+    def __init__(self, message, motions=()):
+        super().__init__(message)
+        self.motions = list(motions)
+
+
 def reference(program):
     """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
@@ -58,6 +66,14 @@ def reference(program):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
             motions.append((kind, end, None, unit, place))
             place = end
+        elif name == "RIGID_TAP":
+            end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
+            motions.append(("line", end, None, unit, place))
+            motions.append(("spindle reversed", [0.0] * 6, None, 1.0, None))
+            motions.append(("line", place, None, unit, end))
+            motions.append(("spindle reversed", [0.0] * 6, None, 1.0, None))
+        elif name == "STRAIGHT_PROBE":
+            break
         elif name == "DWELL" and float(text) > 0:
             motions.append((f"dwell {float(text):g}", [0.0] * 6, None, 1.0, None))
         elif name in SPINDLE:
@@ -73,10 +89,14 @@ def reference(program):
             motions.append(("arc", end, arc, unit, place))
             place = end
     if done.returncode != 0 or not motions:
-        sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
+        raise Failed(done.stderr.strip(), changes(moving(motions)))
     printed = [row for row in printed if row != "executing" and "N....." not in row]
-    motions = [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
-    return changes(motions), printed
+    return changes(moving(motions)), printed
+
+
+def moving(motions):
+    """Without the straight moves to where the tool stands."""
+    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
 
 
 def ours(chordal, program):
@@ -93,6 +113,9 @@ def ours(chordal, program):
             motions.append((f"dwell {command['seconds']:g}", [0.0] * 6, None, command["line"]))
         if kind == "spindle":
             motions.append((f"spindle {command['state']}", [0.0] * 6, None, command["line"]))
+        if kind == "probed":
+            motions.pop()
+            break
         if kind not in ("rapid", "line", "arc", "spiral"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
@@ -109,7 +132,7 @@ def ours(chordal, program):
         if arc or far(end, start, 1e-9):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
-        sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
+        raise Failed(done.stderr.strip())
     return changes(motions), printed
 
 
@@ -157,8 +180,11 @@ def main():
     programs = arguments.programs or sorted((here / "tests/rs274").glob("*.ngc"))
     wrong = motions = 0
     for program in programs:
-        theirs, their_lines = reference(program)
-        mine, my_lines = ours(arguments.chordal, program)
+        try:
+            theirs, their_lines = reference(program)
+            mine, my_lines = ours(arguments.chordal, program)
+        except Failed as failure:
+            sys.exit(f"{program}: {failure}")
         problems = list(differences(program, theirs, mine))
         if their_lines != my_lines:
             problems.append(f"rs274 prints {their_lines}, Chordal {my_lines}")

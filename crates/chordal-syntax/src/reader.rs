@@ -201,6 +201,7 @@ impl<'a> BlockReader<'a> {
                 let range = TextRange::new(start as u32, self.at as u32);
                 block.kind = BlockKind::Macro(range);
             }
+            b'@' | b'^' if self.lexicon.polar_words => return self.read_any_word(block, byte, false),
             _ => self.unexpected(block),
         }
         true
@@ -378,7 +379,7 @@ impl<'a> BlockReader<'a> {
             },
         };
         let range = TextRange::new(start as u32, self.at as u32);
-        block.push(Word { letter, register, comma, value, range });
+        block.push_any(Word { letter, register, comma, value, range });
         true
     }
 

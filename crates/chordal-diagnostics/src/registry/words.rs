@@ -61,4 +61,11 @@ the axis does not go exactly where the text says. In G91 the differences add up.
 them are decimals.
 
     X1.23456789              nine digits: PS0003 on a Fanuc"#;
+
+    PolarWords = 340, "polar-words", Error;
+    "a radius or an angle that cannot be used here";
+    r#"On LinuxCNC `@` is a radius and `^` an angle in degrees about the work origin, in place of X and Y:
+`G1 @10 ^30`. The one that is not written stays; in G91 both are added to the present ones. They
+work in G17 only, in motions and cycles, and not together with X or Y. At the work origin there is no angle
+to keep, so that `@` needs `^`."#;
 }

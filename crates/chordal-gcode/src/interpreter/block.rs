@@ -41,6 +41,7 @@ impl Interpreter<'_> {
             || self.macros.active > 0
             || block.repeated() != Letters::NONE
             || block.commas
+            || !block.polar.is_empty()
         {
             return false;
         }
@@ -135,6 +136,9 @@ impl Interpreter<'_> {
             return flow;
         }
         self.check_unused(block, claims);
+        if !block.polar.is_empty() && !self.check_polar(block, codes) {
+            return Flow::Next;
+        }
         self.block_without_repeats(block, codes)
     }
 

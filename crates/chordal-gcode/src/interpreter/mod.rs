@@ -19,6 +19,7 @@ mod motion;
 mod offsets;
 mod path_modes;
 mod pocket;
+mod polar;
 mod reference;
 mod repeats;
 mod report;
@@ -389,7 +390,7 @@ impl<'a> Interpreter<'a> {
         {
             block.truncate(delete.from_word);
         }
-        if block.words.is_empty() {
+        if block.is_idle() {
             return Flow::Next;
         }
         if let Some(number) = block.word(b'N').and_then(|word| word.number()) {

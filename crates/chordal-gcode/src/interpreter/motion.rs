@@ -35,6 +35,9 @@ impl Interpreter<'_> {
                 self.distance_word(word);
             }
         }
+        if !block.polar.is_empty() {
+            self.polar_target(block, &mut target, &mut named);
+        }
         if !self.control.axes().covers(named) {
             self.missing_axes(block, &mut target, &mut named);
         }

@@ -52,6 +52,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
+    polar_words: true,
     grammar: &MacroGrammar::LINUXCNC,
 };
 
