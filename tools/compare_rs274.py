@@ -99,9 +99,9 @@ def moving(motions):
     return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
 
 
-def ours(chordal, program):
-    """Motions of Chordal in mm and degrees; printed lines."""
-    command = [chordal, "commands", str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
+def ours(chordal, program, what="commands"):
+    """Motions of Chordal in mm and degrees; printed lines; whether it reports errors."""
+    command = [chordal, what, str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
     done = subprocess.run(command, capture_output=True, text=True)
     motions, printed = [], []
     for row in done.stdout.splitlines():
@@ -133,7 +133,7 @@ def ours(chordal, program):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
         raise Failed(done.stderr.strip())
-    return changes(motions), printed
+    return changes(motions), printed, done.returncode == 1
 
 
 def changes(steps):
@@ -182,7 +182,7 @@ def main():
     for program in programs:
         try:
             theirs, their_lines = reference(program)
-            mine, my_lines = ours(arguments.chordal, program)
+            mine, my_lines, _ = ours(arguments.chordal, program)
         except Failed as failure:
             sys.exit(f"{program}: {failure}")
         problems = list(differences(program, theirs, mine))

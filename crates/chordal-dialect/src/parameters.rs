@@ -83,6 +83,8 @@ pub struct Parameters {
     pub center_and_radius: CenterAndRadius,
     /// H brings the length offset into force by itself (Fadal Format 1).
     pub length_by_h_alone: bool,
+    /// G4 waits, and the axis words of its block move after that (LinuxCNC).
+    pub dwell_with_motion: bool,
     /// How deep calls may be nested.
     pub nesting: u32,
     /// Largest count of a repeat or a call.
@@ -154,6 +156,7 @@ impl Parameters {
         rapid_disarms_arc: false,
         center_and_radius: CenterAndRadius::RadiusWins,
         length_by_h_alone: false,
+        dwell_with_motion: false,
         nesting: 4,
         max_repeats: 9999,
         packed_calls: false,

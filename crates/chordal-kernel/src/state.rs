@@ -22,6 +22,10 @@ pub enum Motion {
     Arc(Direction),
     /// G2.1 and G3.1.
     Spiral(Direction),
+    /// G33.
+    Thread,
+    /// G33.1.
+    RigidTap,
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
 }
@@ -203,7 +207,7 @@ impl State {
             selected_tool: None,
             side: Side::Off,
             radius_offset: None,
-            return_to_r: false,
+            return_to_r: rules.cycles.starts_at_r,
             cycle: None,
             cycle_dwell_s: None,
             path: PathState::new(&rules.path),

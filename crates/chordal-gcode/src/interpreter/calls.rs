@@ -182,6 +182,15 @@ impl Interpreter<'_> {
             true => self.count_of(block, b'L').unwrap_or(1),
             false => 1,
         };
+        if table.lexicon.o_words
+            && let Some(start) = self.label_ahead(number)
+        {
+            let repeats = self.cut_to_limit(&word, repeats);
+            if repeats > 0 {
+                self.enter(&word, self.program, start, repeats, false);
+            }
+            return;
+        }
         let mut number = number;
         let found = self.library.find(number, self.file).or_else(|| {
             let packed = self.control.parameters.packed_calls && number > 9999;
@@ -401,6 +410,9 @@ impl Interpreter<'_> {
             return;
         }
         self.check_contour_of_call();
+        if !self.kept_modes.is_empty() {
+            self.modes_at_return(self.frames.len());
+        }
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;

@@ -21,6 +21,7 @@ impl Interpreter<'_> {
             let clash = codes[..index].iter().find(|first| {
                 block.words[first.1].letter == letter
                     && self.one_group(first.0.group, second.0.group)
+                    && !self.cycle_off_beside(first.0, second.0)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
             });
             if let Some(first) = clash {
@@ -110,6 +111,8 @@ impl Interpreter<'_> {
         let code = match self.kernel.state.motion {
             Motion::Arc(_) => 20,
             Motion::Spiral(_) => 21,
+            Motion::Thread => 330,
+            Motion::RigidTap => 331,
             _ if self.control.table.motion == MotionModality::Armed => 20,
             _ => return None,
         };

@@ -10,6 +10,7 @@ mod block;
 mod calls;
 mod checkpoint;
 mod conflicts;
+mod context;
 mod cycle;
 mod in_force;
 mod literals;
@@ -26,6 +27,7 @@ mod report;
 mod shop;
 mod spiral;
 mod statement;
+mod thread;
 
 pub use self::calls::subroutine_head;
 
@@ -43,7 +45,7 @@ use std::sync::Arc;
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::Scale;
 use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
-use chordal_machine::{Machine, PerAxis};
+use chordal_machine::{AXES, Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
 
 use crate::library::{Library, Program};
@@ -161,6 +163,10 @@ struct Interpreter<'a> {
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
     shop: shop::ShopState,
+    /// The modes that M70 and M73 keep, outermost call first.
+    kept_modes: Vec<context::KeptModes>,
+    /// Reference points that the program has stored: machine position, mm and rad.
+    references: [PerAxis<Option<f64>>; 2],
     /// What of the first text was read since the last rest beside the blocks one after the other.
     looked: Cell<Option<TextRange>>,
 }
@@ -269,6 +275,8 @@ impl<'a> Interpreter<'a> {
             message: None,
             stopped: None,
             shop: shop::ShopState::new(program),
+            kept_modes: Vec::new(),
+            references: [[None; AXES]; 2],
             looked: Cell::new(None),
         }
     }

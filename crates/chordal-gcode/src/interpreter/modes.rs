@@ -38,7 +38,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn set_units(&mut self, units: Units) {
+    pub(super) fn set_units(&mut self, units: Units) {
         self.kernel.set_units(units);
         self.scale = Scale::new(units, &self.control.parameters);
     }
@@ -87,6 +87,8 @@ impl Interpreter<'_> {
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
             BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
+            // Taken first of all, or last of the modes.
+            BeforeCode::SaveModes { .. } | BeforeCode::ForgetModes | BeforeCode::RestoreModes => {}
         }
     }
 
@@ -113,9 +115,14 @@ impl Interpreter<'_> {
             ModeCode::CompensationOff => self.set_compensation(block, at, Side::Off),
             ModeCode::CompensationLeft => self.set_compensation(block, at, Side::Left),
             ModeCode::CompensationRight => self.set_compensation(block, at, Side::Right),
+            ModeCode::CompensationLeftBy => self.compensation_by_diameter(block, at, Side::Left),
+            ModeCode::CompensationRightBy => {
+                self.compensation_by_diameter(block, at, Side::Right);
+            }
+            ModeCode::StoreReference { second } => self.store_reference(second),
             ModeCode::CornerArc => self.corner_arc(block, false),
-            ModeCode::WorkOffset(number) => self.kernel.select_work(WorkName::G(number)),
-            ModeCode::WorkOffsetPoint(number) => self.kernel.select_work(WorkName::G59(number)),
+            ModeCode::WorkOffset(number) => self.select_work(WorkName::G(number)),
+            ModeCode::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
             ModeCode::WorkOffsetNumbered(number) => {
                 self.kernel.select_work(WorkName::Extended(number));
             }
@@ -131,6 +138,11 @@ impl Interpreter<'_> {
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
         }
+    }
+
+    pub(super) fn select_work(&mut self, name: WorkName) {
+        self.take_written_offsets();
+        self.kernel.select_work(name);
     }
 
     /// M50: feed and rapid overrides by P.
@@ -165,6 +177,14 @@ impl Interpreter<'_> {
             return self
                 .kernel
                 .set_length(&self.at(block), LengthOffset { number: None, minus: false });
+        }
+        match by_code {
+            Some(Action::Length(LengthCode::FromAxes)) => {
+                let values = self.axis_words(block);
+                return self.kernel.set_tool_offsets(&values, false);
+            }
+            Some(Action::Length(LengthCode::Add)) => return self.add_tool_offsets(block),
+            _ => {}
         }
         let in_force = self.kernel.state.offsets.length();
         let minus = match by_code {

@@ -121,6 +121,8 @@ impl Interpreter<'_> {
             MotionCode::ArcCcw => Motion::Arc(Direction::Ccw),
             MotionCode::SpiralCw => Motion::Spiral(Direction::Cw),
             MotionCode::SpiralCcw => Motion::Spiral(Direction::Ccw),
+            MotionCode::Thread => Motion::Thread,
+            MotionCode::RigidTap => Motion::RigidTap,
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
@@ -146,6 +148,8 @@ impl Interpreter<'_> {
             }
             Motion::Arc(direction) => self.arc_block(block, direction, target, named, explicit),
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            Motion::Thread => self.thread_block(block, target, named, false),
+            Motion::RigidTap => self.thread_block(block, target, named, true),
             Motion::None => self.report_no_motion(block, target, named),
         }
     }

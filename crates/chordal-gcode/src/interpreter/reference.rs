@@ -103,14 +103,8 @@ impl Interpreter<'_> {
     /// G28 and G30: over the point that the words give, then home with the axes they name.
     fn return_to_reference(&mut self, block: &Block, second: bool) {
         let (target, mut named) = self.target(block);
-        let place = match second {
-            false => self.machine.home,
-            true => {
-                let number = self.count_of(block, b'P').unwrap_or(2);
-                let index = (number.clamp(2, 4) - 2) as usize;
-                self.machine.reference_points[index]
-            }
-        };
+        let number = if second { self.count_of(block, b'P').unwrap_or(2).clamp(2, 4) } else { 1 };
+        let place = self.reference(number);
         let bare = named == AxisMask::NONE;
         if bare {
             if !self.control.parameters.rules.bare_home_moves_all {
@@ -125,6 +119,24 @@ impl Interpreter<'_> {
             return self.kernel.go_to_reference(named, &place);
         }
         self.kernel.return_over(target, named, &place);
+    }
+
+    /// A reference point: as the program has stored it, else as the machine file has it.
+    pub(super) fn reference(&self, number: u32) -> PerAxis<Option<f64>> {
+        let (of_machine, stored) = match number {
+            ..=1 => (self.machine.home, Some(0)),
+            2 => (self.machine.reference_points[0], Some(1)),
+            _ => (self.machine.reference_points[(number.min(4) - 2) as usize], None),
+        };
+        let stored = stored.map_or([None; AXES], |at: usize| self.references[at]);
+        std::array::from_fn(|axis| stored[axis].or(of_machine[axis]))
+    }
+
+    /// G28.1 and G30.1.
+    pub(super) fn store_reference(&mut self, second: bool) {
+        let state = &self.kernel.state;
+        let place = std::array::from_fn(|axis| Some(state.machine_position(axis)));
+        self.references[usize::from(second)] = place;
     }
 
     /// G29: back over the point of the last G28, of which the end alone is known here.

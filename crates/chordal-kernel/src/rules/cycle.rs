@@ -330,6 +330,8 @@ pub struct CycleRules {
     /// Cycle codes and motion codes are one group, and after G80 an axis word needs a motion
     /// code (LinuxCNC).
     pub one_group_with_motion: bool,
+    /// G99, not G98, at power-on.
+    pub starts_at_r: bool,
     /// Registers of the fixed bolt circle (Fadal L93NN): radius and first angle.
     pub bolt_circle: [u8; 2],
     /// Pecks.
@@ -364,6 +366,7 @@ impl CycleRules {
         needs_p: false,
         strict: false,
         one_group_with_motion: false,
+        starts_at_r: false,
         bolt_circle: [1, 2],
         peck: PeckRules {
             positive_only: false,

@@ -48,6 +48,12 @@ pub struct Rules {
     pub peck_clearance_mm: f64,
     /// G92 takes G52 back on the axes it names.
     pub preset_clears_shift: bool,
+    /// G10 L2 in G91 adds to the work offset.
+    pub work_values_add: bool,
+    /// G52 writes the values of G92, and G92 of the others stays (LinuxCNC).
+    pub shift_is_preset: bool,
+    /// G43 takes a copy of the tool's offsets: what is written into the table later acts at the next G43.
+    pub length_is_copied: bool,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
     /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
@@ -92,6 +98,9 @@ impl Rules {
         chip_break_mm: 0.254,
         peck_clearance_mm: 0.254,
         preset_clears_shift: false,
+        work_values_add: true,
+        shift_is_preset: false,
+        length_is_copied: false,
         bare_home_moves_all: false,
         pocket_stepover_mm: f64::INFINITY,
         cycles: CycleRules::COMMON,

@@ -263,6 +263,9 @@ fn mode_without_a_code(
         | ModeCode::CompensationOff
         | ModeCode::CompensationLeft
         | ModeCode::CompensationRight
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::StoreReference { .. }
         | ModeCode::CornerArc
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
@@ -335,6 +338,9 @@ fn offset_code(
         | ModeCode::CompensationOff
         | ModeCode::CompensationLeft
         | ModeCode::CompensationRight
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::StoreReference { .. }
         | ModeCode::CornerArc
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR

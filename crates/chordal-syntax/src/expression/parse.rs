@@ -115,6 +115,32 @@ impl<'a> ExpressionParser<'a> {
         found
     }
 
+    /// The same with blanks between the letters of `word`.
+    pub(crate) fn take_spread(&mut self, word: &str) -> bool {
+        self.next_mark();
+        let mut at = self.at;
+        for letter in word.bytes() {
+            while at < self.end && matches!(self.text[at], b' ' | b'\t') {
+                at += 1;
+            }
+            if at >= self.end || !self.text[at].eq_ignore_ascii_case(&letter) {
+                return false;
+            }
+            at += 1;
+        }
+        self.at = at;
+        true
+    }
+
+    /// The next mark that is not in a comment.
+    pub fn next_mark_after_comments(&mut self) -> u8 {
+        while self.next_mark() == b'(' && self.at < self.end {
+            let rest = &self.text[self.at..self.end];
+            self.at += rest.iter().position(|b| *b == b')').map_or(rest.len(), |at| at + 1);
+        }
+        self.peek()
+    }
+
     pub(crate) fn begins_with(&self, word: &str) -> bool {
         let rest = &self.text[self.at..self.end];
         rest.get(..word.len()).is_some_and(|head| head.eq_ignore_ascii_case(word.as_bytes()))

@@ -58,5 +58,9 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::CycleInInverseTime, "Cannot use inverse time feed with canned cycles"),
     (Code::CycleRotaryWord, "Cannot put an a in canned cycle"),
     (Code::NoMotionInForce, "Cannot use axis values without a g code that uses them"),
+    (
+        Code::NoKeptModes,
+        "Cannot restore context from invalid stack frame - missing M70/M73?",
+    ),
     (Code::CycleSpindle, "Spindle not turning in cycle"),
 ];

@@ -57,10 +57,11 @@ const LEXICON: Lexicon = Lexicon {
 };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
+    (0, DataTarget::Reload),
     (1, DataTarget::ToolTable),
     (2, DataTarget::WorkOffset),
-    (10, DataTarget::ToolTable),
-    (11, DataTarget::ToolTable),
+    (10, DataTarget::ToolFromPosition),
+    (11, DataTarget::ToolFromFixture),
     (20, DataTarget::WorkOffsetFromPosition),
 ];
 

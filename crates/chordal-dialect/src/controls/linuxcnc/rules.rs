@@ -6,11 +6,15 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Exact,
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
-    nesting: 10,
+    dwell_with_motion: true,
+    nesting: 9,
     rules: Rules {
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
         bare_home_moves_all: true,
+        work_values_add: false,
+        shift_is_preset: true,
+        length_is_copied: true,
         cycles: CYCLES,
         compensation: COMPENSATION,
         // Rapids are blended like cuts.
@@ -48,6 +52,7 @@ const CYCLES: CycleRules = CycleRules {
     needs_p: true,
     strict: true,
     one_group_with_motion: true,
+    starts_at_r: true,
     peck: PeckRules { positive_only: true, ..CycleRules::COMMON.peck },
     tap: TapRules {
         starts_spindle: false,

@@ -60,6 +60,8 @@ struct Repeat {
 #[derive(Debug, Default)]
 pub(super) struct OWords {
     indexes: HashMap<usize, Rc<Index>>,
+    /// Lines with nothing but a label (`O5`) of each program.
+    heads: HashMap<usize, Vec<(u32, TextPosition)>>,
     /// The first program of each file by the file's name.
     files: Option<HashMap<String, usize>>,
     repeats: Vec<Repeat>,
@@ -230,7 +232,11 @@ impl<'a> Interpreter<'a> {
             FlowWord::If | FlowWord::While => self.holds(parser),
             _ => false,
         };
+        if !matches!(word, FlowWord::Repeat | FlowWord::ElseIf) {
+            self.check_line_end(parser);
+        }
         match word {
+            FlowWord::Sub if self.is_again(&index, line, here) => Flow::Next,
             FlowWord::Sub => self.after(&index, line, row.close),
             FlowWord::If if holds => Flow::Next,
             FlowWord::If => self.next_branch(parser, &index, line, row.next),
@@ -265,6 +271,81 @@ impl<'a> Interpreter<'a> {
             _ => {
                 self.report_structure(line, "no structure with this label is open here");
                 Flow::Next
+            }
+        }
+    }
+
+    /// A subroutine that was defined before in its file.
+    fn is_again(&mut self, index: &Index, line: &OWord, here: usize) -> bool {
+        let OLabel::Text(range) = line.label else { return false };
+        let label = label_text(range.slice(self.reader.text()));
+        let Some(first) = index.subs.get(&label).copied().filter(|first| *first != here) else {
+            return false;
+        };
+        let title = self.control.table.title;
+        let before = index.lines[first].at.line;
+        self.report_once(
+            Diagnostic::new(
+                Code::LoopMismatch,
+                self.span(line.range),
+                format!("the subroutine `{label}` is defined again; line {before} defines it"),
+            )
+            .alarm(format!("{title}: redefining sub: o|{label}| already defined"))
+            .help("give one of them another name"),
+        );
+        let close = index.lines[here].close;
+        if let Some(row) = index.lines.get(close) {
+            self.go_to(row.after);
+        }
+        true
+    }
+
+    /// Nothing but a comment may follow on the line of an O word.
+    fn check_line_end(&mut self, parser: &mut ExpressionParser<'a>) {
+        let mark = parser.next_mark_after_comments();
+        let rest = parser.rest();
+        if rest.is_empty() || matches!(mark, b';' | b'\n' | b'\r' | b'/') {
+            return;
+        }
+        let title = self.control.table.title;
+        self.report_once(
+            Diagnostic::new(
+                Code::BadStatement,
+                self.span(rest),
+                "there is something after the O word of this line",
+            )
+            .label("not read")
+            .alarm(format!("{title}: Unexpected character after O-word"))
+            .help("write it on a line of its own, or in a comment"),
+        );
+    }
+
+    /// The line `O5` of a program that M98 P5 calls: the next one from here on.
+    pub(in super::super) fn label_ahead(&mut self, number: u32) -> Option<TextPosition> {
+        self.look_at(self.program);
+        let program = self.program;
+        if !self.macros.owords.heads.contains_key(&program) {
+            let heads = self.find_heads();
+            self.macros.owords.heads.insert(program, heads);
+        }
+        let from = self.reader.position().offset;
+        let heads = &self.macros.owords.heads[&program];
+        let mut ahead = heads.iter().filter(|(_, place)| place.offset >= from);
+        ahead.find(|(other, _)| *other == number).map(|(_, place)| *place)
+    }
+
+    fn find_heads(&self) -> Vec<(u32, TextPosition)> {
+        let mut reader = self.reader_of(self.program);
+        let mut block = Block::new();
+        let mut heads = Vec::new();
+        loop {
+            let place = reader.position();
+            if !reader.read(&mut block) {
+                return heads;
+            }
+            let number = block.word(b'O').and_then(|word| word.number()?.to_integer());
+            if let Some(number) = number.and_then(|number| u32::try_from(number).ok()) {
+                heads.push((number, place));
             }
         }
     }
@@ -371,10 +452,11 @@ impl<'a> Interpreter<'a> {
             }
         };
         let mut arguments = Vec::new();
-        while parser.next_mark() == b'[' {
+        while parser.next_mark_after_comments() == b'[' {
             let Some(value) = self.bracket(parser, Purpose::VALUE) else { return Flow::Next };
             arguments.push((arguments.len() as u32 + 1, value));
         }
+        self.check_line_end(parser);
         if arguments.len() > MOST_ARGUMENTS {
             let count = arguments.len();
             self.report_once(

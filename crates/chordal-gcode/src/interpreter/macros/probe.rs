@@ -58,6 +58,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Probed { hit: found });
         self.macros.used = true;
         self.macros.probe.found = found;
+        self.forget_probe_result();
         self.macros.skip = end;
         self.macros.probe.points[0] = end;
         if self.rules().skip_with_length {
