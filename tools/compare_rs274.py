@@ -44,10 +44,11 @@ def reference(program):
     """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
-        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\n")
+        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n")
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
     unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
+    spindle = "off"
     for row in done.stdout.splitlines():
         call = CALL.match(row)
         if not call:
@@ -69,15 +70,17 @@ def reference(program):
         elif name == "RIGID_TAP":
             end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
             motions.append(("line", end, None, unit, place))
-            motions.append(("spindle reversed", [0.0] * 6, None, 1.0, None))
+            turning = {"cw": "ccw", "ccw": "cw"}.get(spindle, spindle)
+            motions.append((f"spindle {turning}", [0.0] * 6, None, 1.0, None))
             motions.append(("line", place, None, unit, end))
-            motions.append(("spindle reversed", [0.0] * 6, None, 1.0, None))
+            motions.append((f"spindle {spindle}", [0.0] * 6, None, 1.0, None))
         elif name == "STRAIGHT_PROBE":
             break
         elif name == "DWELL" and float(text) > 0:
             motions.append((f"dwell {float(text):g}", [0.0] * 6, None, 1.0, None))
         elif name in SPINDLE:
-            motions.append((f"spindle {SPINDLE[name]}", [0.0] * 6, None, 1.0, None))
+            spindle = SPINDLE[name]
+            motions.append((f"spindle {spindle}", [0.0] * 6, None, 1.0, None))
         elif name == "ARC_FEED":
             first, second, center_a, center_b, turns, normal_end, *rotary = (
                 float(part) for part in text.split(",")
@@ -102,6 +105,9 @@ def moving(motions):
 def ours(chordal, program, what="commands"):
     """Motions of Chordal in mm and degrees; printed lines; whether it reports errors."""
     command = [chordal, what, str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
+    for tool, length, diameter in ((1, 0, 0), (2, 0, 0), (3, 2, 4)):
+        command += ["--set", f"tools.{tool}.length={length} in"]
+        command += ["--set", f"tools.{tool}.diameter={diameter} in"]
     done = subprocess.run(command, capture_output=True, text=True)
     motions, printed = [], []
     for row in done.stdout.splitlines():

@@ -160,13 +160,14 @@ impl Kernel<'_> {
     ) {
         let add = self.rules.work_values_add && self.state.incremental && !from_position;
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
-        let work = self.state.offsets.work();
+        let active = self.state.offsets.key(self.state.offsets.active());
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 let Some(value) = *value else { continue };
                 let stored = if from_position {
                     // So that the present place gets this coordinate.
-                    let beyond_work = offsets.total()[axis] - work[axis];
+                    let own = offsets.work_value(&active, axis).unwrap_or(0.0);
+                    let beyond_work = offsets.total()[axis] - own;
                     machine[axis] - value - beyond_work
                 } else {
                     value

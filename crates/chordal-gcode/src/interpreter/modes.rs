@@ -58,7 +58,14 @@ impl Interpreter<'_> {
         if letters.has(b'E') && self.control.table.work_names.by_e {
             self.take_e_word(block);
         }
+        let by_diameter = |row: &CodeRow| match row.action {
+            Action::Mode(code) => {
+                matches!(code, ModeCode::CompensationLeftBy | ModeCode::CompensationRightBy)
+            }
+            _ => false,
+        };
         if letters.has(b'D')
+            && !codes.iter().any(|(row, _)| by_diameter(row))
             && let Some(number) = self.count_of(block, b'D')
         {
             let before = self.kernel.state.radius_offset.replace(number);

@@ -258,6 +258,9 @@ impl<'a> Interpreter<'a> {
             FlowWord::Repeat => self.begin_repeat(parser, &index, line, here),
             FlowWord::EndRepeat if row.open != here => self.end_repeat(&index, line, here),
             FlowWord::Break if row.open != here => {
+                if index.lines[row.open].word == FlowWord::Repeat {
+                    self.report_structure(line, "break belongs in while and do, not in repeat");
+                }
                 self.drop_repeat(row.open);
                 self.after(&index, line, row.close)
             }
