@@ -216,9 +216,15 @@ impl Compensator {
         self.place(&mut motion.from, link.from());
         self.place(&mut motion.to, link.to());
         let kind = match (&block.command.kind, *link) {
-            (CommandKind::Rapid { path, .. }, _) => CommandKind::Rapid { motion, path: *path },
+            (CommandKind::Rapid { path, .. }, PlaneCurve::Line { .. }) => {
+                CommandKind::Rapid { motion, path: *path }
+            }
+            (CommandKind::Rapid { path, .. }, _) if block.next_feed.is_none() => {
+                CommandKind::Rapid { motion, path: *path }
+            }
             (kind, PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
-                let Some(feed) = kind.feed() else { return };
+                // After a rapid the arc is cut at the feed of the block that follows.
+                let Some(feed) = kind.feed().or(block.next_feed.as_ref()) else { return };
                 let shape = ArcShape {
                     plane: self.plane,
                     center: [center.a, center.b],
@@ -285,7 +291,7 @@ impl Compensator {
             stretch: self.stretch,
             role: Role::Cancel,
             plane: self.plane,
-            programmed: Some(curve),
+            programmed: curve.moves().then_some(curve),
             centre: vec![PlaneCurve::Line { from, to: curve.to() }],
             sign: self.sign,
             radius_mm: self.radius,

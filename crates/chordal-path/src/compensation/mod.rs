@@ -378,7 +378,9 @@ impl Compensator {
     fn shift(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut dyn PathSink) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
-            if self.rules.compensation.coordinate_change == Allowance::Refused {
+            let rules = &self.rules.compensation;
+            let over = self.phase == Phase::Cancelling && rules.off_at_once;
+            if rules.coordinate_change == Allowance::Refused && !over {
                 self.shift_refused(&command.origin, out);
             }
             self.end_square(out);

@@ -76,6 +76,9 @@ const CYCLES: CycleRules = CycleRules {
 /// LinuxCNC 2.9, as its interpreter does it.
 const COMPENSATION: CompensationRules = CompensationRules {
     tangent_rad: 0.05,
+    off_at_once: true,
+    cusps_meet: true,
+    inverse_time_as_speed: true,
     start_on_arc: true,
     repeated: Repeated::Refused,
     side_change: SideChange::Refused,
