@@ -189,7 +189,7 @@ def compensation(w):
         if w.random.random() < 0.3:
             yield f"{w.pick('G2', 'G3')} X{x:.2f} Y{y:.2f} R{w.number(12, 30)}"
         else:
-            yield f"G1 X{x:.2f} Y{y:.2f}"
+            yield f"{w.pick('G0', 'G1', 'G1', 'G1')} X{x:.2f} Y{y:.2f} {w.maybe('Z' + w.number(1, 3), 0.1)}"
     yield "G1 X80 Y40"
     yield w.pick("G40", "G40 G1 X90", "G40 G0 Z5", "G40 G1 X90 Y50 Z3")
     yield f"{w.pick('G0', 'G1')} {w.pick('Z7', 'X95', 'Y60', 'X95 Y20')}"

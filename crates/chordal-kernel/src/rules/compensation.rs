@@ -148,6 +148,8 @@ pub struct CompensationRules {
     pub cusps_meet: bool,
     /// F of G93 is for the programmed length, and its speed holds for the path of the tool.
     pub inverse_time_as_speed: bool,
+    /// The arc round a corner belongs to the block after it: its feed, or straight at its rapid.
+    pub corner_of_next: bool,
     /// G40 with I J ends the last block at the crossing with that direction.
     pub off_toward: bool,
     /// Compensation may start on an arc.
@@ -212,6 +214,7 @@ impl CompensationRules {
         off_at_once: false,
         cusps_meet: false,
         inverse_time_as_speed: false,
+        corner_of_next: false,
         off_toward: false,
         start_on_arc: false,
         repeated: Repeated::Ignored,

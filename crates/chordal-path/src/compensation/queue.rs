@@ -1,6 +1,6 @@
 //! Blocks that wait for the next move: each corner needs both of its blocks.
 
-use chordal_command::{Command, CommandKind, Feed, FeedMode};
+use chordal_command::{Command, CommandKind, Feed, FeedMode, RapidPath};
 use chordal_diagnostics::Span;
 use chordal_geometry::{ParamCurve, Plane, Vec2};
 use chordal_kernel::rules::{
@@ -46,6 +46,8 @@ pub(super) struct Block {
     pub corner: Option<Corner>,
     /// Feed of the block after its corner.
     pub next_feed: Option<Feed>,
+    /// The block after its corner is a rapid.
+    pub next_rapid: Option<RapidPath>,
     /// Blocks without motion after it.
     pub idle: u32,
     pub zero_move: Option<Span>,
@@ -113,8 +115,7 @@ impl Compensator {
 
     /// A cut in inverse time as one at a speed, where that speed holds for the path of the tool.
     fn as_speed(&self, command: &Command) -> Option<Command> {
-        let on = matches!(self.phase, Phase::Starting | Phase::On);
-        if !on || !self.rules.compensation.inverse_time_as_speed {
+        if self.phase == Phase::Off || !self.rules.compensation.inverse_time_as_speed {
             return None;
         }
         let motion = command.kind.motion()?;
@@ -170,6 +171,7 @@ impl Compensator {
             square: false,
             corner: None,
             next_feed: None,
+            next_rapid: None,
             idle: 0,
             zero_move: None,
             trailing: Vec::new(),
@@ -289,6 +291,10 @@ impl Compensator {
         new.start = corner.last();
         before.corner = Some(corner);
         before.next_feed = new.command.kind.feed().copied();
+        before.next_rapid = match new.command.kind {
+            CommandKind::Rapid { path, .. } => Some(path),
+            _ => None,
+        };
         self.settle(before, Some(&mut new), out);
         self.queue.push_back(new);
     }

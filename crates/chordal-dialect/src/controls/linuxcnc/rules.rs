@@ -79,6 +79,7 @@ const COMPENSATION: CompensationRules = CompensationRules {
     off_at_once: true,
     cusps_meet: true,
     inverse_time_as_speed: true,
+    corner_of_next: true,
     start_on_arc: true,
     repeated: Repeated::Refused,
     side_change: SideChange::Refused,
