@@ -170,7 +170,7 @@ def numbers(w):
         yield "G0 " + w.pick(
             f"X{value}", f"x - {value}", f"X+{value}", f"X--{value}", f"X+-{value}",
             f"x {value[0]} {value[1:]}", f"Y.5 X 1 . 5", f"X[{value}*2] Y-[1+2]", f"X-#5420", f"X0{value}",
-            f"Y[ABS[-{value}] MOD 7]", f"X[2**3] Y[ATAN[{value}]/[2]]", f"X[ROUND[{value}]] y [fix[{value}]]",
+            f"Y[ABS[-{value}] MOD 7]", f"X[2**3] Y[ATAN[{value}]/[2] / 9]", f"X[ROUND[{value}]] y [fix[{value}]]",
         )
         yield w.maybe(f"#1={value} G1 X#1")
         yield w.maybe(PRINT.format("#5420 EXISTS[#1]"), 0)

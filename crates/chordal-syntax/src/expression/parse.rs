@@ -256,7 +256,13 @@ impl<'a> ExpressionParser<'a> {
             None => {
                 let digits = |b: &u8| b.is_ascii_digit() || *b == b'.';
                 let rest = &self.text[self.at..self.end];
-                self.at += rest.iter().take_while(|b| digits(b)).count().max(1);
+                let length = rest.iter().take_while(|b| digits(b)).count();
+                self.at += length.max(1);
+                let long = std::str::from_utf8(&rest[..length]).ok();
+                let long = long.and_then(|text| text.parse::<f64>().ok());
+                if let Some(number) = long.filter(|_| self.grammar.names) {
+                    return self.push(Op::Number(number), start);
+                }
                 self.push(Op::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);
                 self.problem(Code::BadExpression, range, |d| d.label("this is not a number"));
