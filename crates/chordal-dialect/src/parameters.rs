@@ -85,6 +85,8 @@ pub struct Parameters {
     pub length_by_h_alone: bool,
     /// G4 waits, and the axis words of its block move after that (LinuxCNC).
     pub dwell_with_motion: bool,
+    /// A program without an end is refused; a second percent sign is one (LinuxCNC).
+    pub end_required: bool,
     /// How deep calls may be nested.
     pub nesting: u32,
     /// Largest count of a repeat or a call.
@@ -157,6 +159,7 @@ impl Parameters {
         center_and_radius: CenterAndRadius::RadiusWins,
         length_by_h_alone: false,
         dwell_with_motion: false,
+        end_required: false,
         nesting: 4,
         max_repeats: 9999,
         packed_calls: false,

@@ -160,6 +160,8 @@ struct Interpreter<'a> {
     repeat_until: u32,
     /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
     message: Option<TextRange>,
+    /// A percent sign has ended it.
+    ended_by_percent: bool,
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
     shop: shop::ShopState,
@@ -273,6 +275,7 @@ impl<'a> Interpreter<'a> {
             macros: macros::MacroState::new(control.table, machine),
             repeat_until: 0,
             message: None,
+            ended_by_percent: false,
             stopped: None,
             shop: shop::ShopState::new(program),
             kept_modes: Vec::new(),
@@ -463,6 +466,7 @@ impl<'a> Interpreter<'a> {
     /// A percent sign ends the tape, once something stood before it.
     fn percent(&mut self) -> Flow {
         if self.carried_out && self.frames.is_empty() {
+            self.ended_by_percent = true;
             return Flow::End(EndReason::EndOfText);
         }
         Flow::Next

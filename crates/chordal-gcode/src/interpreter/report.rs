@@ -161,7 +161,8 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn report_missing_end(&mut self) {
-        if !self.carried_out {
+        let refused = self.control.parameters.end_required;
+        if !self.carried_out || refused && self.ended_by_percent {
             return;
         }
         let end = self.kernel.origin.span;
@@ -170,6 +171,7 @@ impl Interpreter<'_> {
             Diagnostic::new(Code::ProgramWithoutEnd, end, "the program ends without M30 or M2")
                 .label("the last block")
                 .help("put `M30` at the end")
+                .severity(if refused { Severity::Error } else { Severity::Warning })
                 .note(format!("{title} needs an end code to stop spindle and coolant")),
         );
     }

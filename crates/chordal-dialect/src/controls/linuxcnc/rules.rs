@@ -7,6 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
     dwell_with_motion: true,
+    end_required: true,
     nesting: 9,
     rules: Rules {
         rapid: RapidPath::Straight,
@@ -29,9 +30,10 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         arc: ArcRules {
             // Above this difference the radius must agree to one part in a thousand, and above a
             // hundred times this nothing helps.
-            radius_error_tolerance_mm: 0.0283,
+            radius_error_tolerance_mm: 0.028_284_3,
             radius_error_relative: 0.001,
-            radius_error_limit_mm: 2.83,
+            radius_error_limit_mm: 2.828_43,
+            radius_error_inch_factor: 2.54,
             ..ArcRules::COMMON
         },
         ..Rules::COMMON
