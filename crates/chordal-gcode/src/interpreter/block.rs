@@ -139,9 +139,6 @@ impl Interpreter<'_> {
             return flow;
         }
         self.check_unused(block, claims);
-        if !block.polar.is_empty() && !self.check_polar(block, codes) {
-            return Flow::Next;
-        }
         self.block_without_repeats(block, codes)
     }
 
@@ -172,6 +169,9 @@ impl Interpreter<'_> {
         self.take_length(block, codes);
         if codes.iter().any(|(row, _)| row.action == Action::Before(BeforeCode::RestoreModes)) {
             self.restore_modes(block);
+        }
+        if !block.polar.is_empty() && !self.check_polar(block, codes) {
+            return self.take_after_motion(block, codes);
         }
         let dwells = self.control.parameters.dwell_with_motion;
         let is_dwell = |action: Action| dwells && action == Action::Once(OnceCode::Dwell);

@@ -58,11 +58,9 @@ impl Interpreter<'_> {
         if letters.has(b'E') && self.control.table.work_names.by_e {
             self.take_e_word(block);
         }
-        let by_diameter = |row: &CodeRow| match row.action {
-            Action::Mode(code) => {
-                matches!(code, ModeCode::CompensationLeftBy | ModeCode::CompensationRightBy)
-            }
-            _ => false,
+        let by_diameter = |row: &CodeRow| {
+            row.action == Action::Mode(ModeCode::CompensationLeftBy)
+                || row.action == Action::Mode(ModeCode::CompensationRightBy)
         };
         if letters.has(b'D')
             && !codes.iter().any(|(row, _)| by_diameter(row))
@@ -175,8 +173,13 @@ impl Interpreter<'_> {
         if by_code.is_none() && !block.letters().has(b'H') {
             return;
         }
+        let writes = codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));
+        if writes && by_code == Some(Action::Length(LengthCode::Cancel)) {
+            let none = LengthOffset { number: None, minus: false };
+            return self.kernel.set_length(&self.at(block), none);
+        }
         let called = codes.iter().any(|(row, _)| row.group == Group::Calling)
-            || codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));
+            || writes;
         if called {
             return;
         }
@@ -185,13 +188,12 @@ impl Interpreter<'_> {
                 .kernel
                 .set_length(&self.at(block), LengthOffset { number: None, minus: false });
         }
-        match by_code {
-            Some(Action::Length(LengthCode::FromAxes)) => {
-                let values = self.axis_words(block);
-                return self.kernel.set_tool_offsets(&values, false);
-            }
-            Some(Action::Length(LengthCode::Add)) => return self.add_tool_offsets(block),
-            _ => {}
+        if by_code == Some(Action::Length(LengthCode::FromAxes)) {
+            let values = self.axis_words(block);
+            return self.kernel.set_tool_offsets(&values, false);
+        }
+        if by_code == Some(Action::Length(LengthCode::Add)) {
+            return self.add_tool_offsets(block);
         }
         let in_force = self.kernel.state.offsets.length();
         let minus = match by_code {

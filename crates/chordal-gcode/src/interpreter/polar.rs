@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
-use chordal_dialect::{Action, CodeRow};
+use chordal_dialect::{Action, CodeRow, OnceCode};
 use chordal_geometry::Plane;
 use chordal_syntax::{Block, Letters, Word};
 
@@ -52,17 +52,16 @@ impl Interpreter<'_> {
         let span = polar_span(&block.polar);
         let at_origin = self.kernel.state.position[..2] == [0.0; 2];
         let only = |letter: u8| block.polar.iter().all(|word| word.letter == letter);
-        let (message, alarm, help) = if let Some(double) = doubled(&block.polar) {
-            (
-                format!("`{}` appears more than once in this block", char::from(double.letter)),
-                "Multiple @ or ^ words on one line".to_string(),
-                "keep one of them",
-            )
-        } else if let Some((row, at)) = taker.filter(|(row, _)| !is_probe(row)) {
+        let in_increments = at_origin && self.kernel.state.incremental;
+        let machine = Action::Once(OnceCode::MachineCoordinates);
+        let (message, alarm, help) = if let Some((row, at)) = taker.filter(|(row, _)| !is_probe(row)) {
             let name = row.name(block.words[*at].letter);
             (
                 format!("{name} cannot take its axes from polar words"),
-                "Polar coordinates can only be used for motion".to_string(),
+                match row.action == machine {
+                    true => "Cannot use polar coordinates with G53".to_string(),
+                    false => "Polar coordinates can only be used for motion".to_string(),
+                },
                 "write X and Y in this block",
             )
         } else if block.letters().meets(Letters::of("XY")) {
@@ -75,11 +74,16 @@ impl Interpreter<'_> {
         } else if self.kernel.state.plane != Plane::Xy {
             (
                 "polar words work only in G17, the XY plane".to_string(),
-                "Cannot use polar coordinates except in G17 plane".to_string(),
+                "Cannot use polar coordinate except in G17 plane".to_string(),
                 "write G17 before, or the axes themselves",
             )
-        } else if at_origin && only(b'@') && self.kernel.state.incremental {
-            return true;
+        } else if in_increments {
+            (
+                "polar words in G91 at the work origin, where there is no angle to add to".to_string(),
+                "Incremental motion with polar coordinates is indeterminate when at the origin"
+                    .to_string(),
+                "write G90, or move away from the origin before",
+            )
         } else if at_origin && only(b'@') {
             (
                 "`@` without `^` at the work origin, where there is no angle to keep".to_string(),
@@ -101,12 +105,7 @@ impl Interpreter<'_> {
 }
 
 fn is_probe(row: &CodeRow) -> bool {
-    matches!(row.action, Action::Once(chordal_dialect::OnceCode::Probe { .. }))
-}
-
-fn doubled(words: &[Word]) -> Option<Word> {
-    let again = |at: usize| words[..at].iter().any(|word| word.letter == words[at].letter);
-    (1..words.len()).find(|at| again(*at)).map(|at| words[at])
+    matches!(row.action, Action::Once(OnceCode::Probe { .. }))
 }
 
 fn polar_span(words: &[Word]) -> TextRange {

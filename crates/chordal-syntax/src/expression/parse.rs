@@ -336,6 +336,7 @@ impl<'a> ExpressionParser<'a> {
             }
             mark if mark == open => self.bracket(),
             b'<' if self.grammar.names => return self.named(start, marks),
+            mark if mark.is_ascii_alphabetic() && self.grammar.names => self.name(start),
             _ => {
                 self.push(Op::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);

@@ -42,6 +42,7 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::BadNumber, "Bad number format"),
     (Code::PlaneChangeInCompensation, "Cannot change planes with cutter radius compensation on"),
     (Code::DivisionByZero, "Attempt to divide by zero"),
+    (Code::MissingSubprogram, "EOF in file seeking o-word"),
     (Code::NestingTooDeep, "Too many subroutine levels"),
     (Code::UnsetName, "Named parameter not defined"),
     (Code::BadVariable, "Parameter number out of range"),
