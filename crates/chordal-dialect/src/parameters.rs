@@ -2,7 +2,7 @@
 
 use chordal_command::Units;
 use chordal_kernel::rules::Rules;
-use chordal_syntax::Decimal;
+use chordal_syntax::{Decimal, Letters};
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -87,6 +87,14 @@ pub struct Parameters {
     pub dwell_with_motion: bool,
     /// A program without an end is refused; a second percent sign is one (LinuxCNC).
     pub end_required: bool,
+    /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
+    pub strict_words: bool,
+    /// Letters that no block may have without a code that uses them, of those that most controls store.
+    pub words_of_codes: Letters,
+    /// M codes of which one block may have one.
+    pub m_groups: &'static [&'static [u16]],
+    /// Most characters of a line; 0 for any.
+    pub longest_line: u32,
     /// How deep calls may be nested.
     pub nesting: u32,
     /// Largest count of a repeat or a call.
@@ -160,6 +168,10 @@ impl Parameters {
         length_by_h_alone: false,
         dwell_with_motion: false,
         end_required: false,
+        strict_words: false,
+        words_of_codes: Letters::NONE,
+        m_groups: &[],
+        longest_line: 0,
         nesting: 4,
         max_repeats: 9999,
         packed_calls: false,

@@ -192,7 +192,11 @@ impl State {
             plane: Plane::Xy,
             incremental: rules.starts_incremental,
             incremental_from: [0.0; AXES],
-            motion: if rules.starts_linear { Motion::Linear } else { Motion::Rapid },
+            motion: match rules.starts_linear {
+                _ if rules.starts_without_motion => Motion::None,
+                true => Motion::Linear,
+                false => Motion::Rapid,
+            },
             armed: None,
             arc_over_rapid: false,
             arc_center: rules.arc.arc_center,

@@ -365,6 +365,10 @@ impl<'a> Interpreter<'a> {
             call: self.kernel.call,
             cycle: false,
         };
+        let longest = self.control.parameters.longest_line;
+        if longest > 0 && block.range.len() > longest {
+            self.report_long_line(block, longest);
+        }
         let goes_on = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {
             self.report_problems_of_text(block, goes_on);

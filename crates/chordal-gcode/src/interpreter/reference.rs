@@ -5,6 +5,7 @@ use chordal_command::{AxisMask, CommandKind, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::OnceCode;
 use chordal_geometry::Direction;
+use chordal_kernel::Motion;
 use chordal_kernel::rules::Allowance;
 use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::Block;
@@ -37,6 +38,23 @@ impl Interpreter<'_> {
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
             OnceCode::MachineCoordinates => self.machine_coordinates(block),
+            OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
+                let span = self.span(block.words[at].range);
+                self.report_refused(
+                    Diagnostic::new(Code::MissingWord, span, "this code needs an axis word")
+                        .help("write the axes and their values"),
+                    "All axes missing with g52 or g92",
+                );
+            }
+            OnceCode::MachineCoordinates if !self.may_use_machine_coordinates() => {
+                let span = self.span(block.words[at].range);
+                self.report_refused(
+                    Diagnostic::new(Code::NoMotionInForce, span, "G53 needs G0 or G1")
+                        .help("write G0 or G1 into this block"),
+                    "Must use g0 or g1 with g53",
+                );
+                self.machine_coordinates(block);
+            }
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);
@@ -54,6 +72,25 @@ impl Interpreter<'_> {
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
         }
+    }
+
+    /// No axis word, where a code without its words stops the program.
+    fn lacks_axes(&mut self, block: &Block) -> bool {
+        self.control.parameters.strict_words
+            && self.axis_words(block).iter().all(Option::is_none)
+    }
+
+    fn may_use_machine_coordinates(&self) -> bool {
+        !self.control.parameters.strict_words
+            || matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear)
+                && self.kernel.state.cycle.is_none()
+    }
+
+    /// A problem with the control's own words for this case of it.
+    pub(super) fn report_refused(&mut self, diagnostic: Diagnostic, alarm: &str) {
+        let title = self.control.table.title;
+        let diagnostic = diagnostic.severity(Severity::Error).alarm(format!("{title}: {alarm}"));
+        self.kernel.report(diagnostic);
     }
 
     fn dwell(&mut self, block: &Block, at: usize) {

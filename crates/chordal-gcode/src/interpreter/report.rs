@@ -77,6 +77,9 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn unused_word(&mut self, word: &Word) {
+        if self.control.parameters.strict_words {
+            return self.refused_word(word);
+        }
         let letter = word.letter as char;
         let help = self
             .spiral_word_help(word.letter)
@@ -89,6 +92,40 @@ impl Interpreter<'_> {
             )
             .label("nothing in this block uses it")
             .help(help),
+        );
+    }
+
+    #[cold]
+    pub(super) fn report_long_line(&mut self, block: &Block, longest: u32) {
+        let title = self.control.table.title;
+        let length = block.range.len();
+        let message = format!("this line has {length} characters, and the control reads {longest}");
+        self.kernel.report(
+            Diagnostic::new(Code::LineTooLong, self.span(block.range), message)
+                .alarm(format!("{title}: Command too long"))
+                .help("write it on several lines, or shorten its comment"),
+        );
+    }
+
+    /// A word that nothing uses, where that stops the program.
+    fn refused_word(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        let title = self.control.table.title;
+        let is_axis = matches!(letter, 'U' | 'V' | 'W');
+        let alarm = match is_axis {
+            true => format!("{title}: Bad character '{}' used", letter.to_ascii_lowercase()),
+            false => format!("{title}: {letter} word with no g code that uses it"),
+        };
+        let message = format!("`{letter}` without a code that uses it stops the program");
+        self.kernel.report(
+            Diagnostic::new(Code::UnusedWord, self.span(word.range), message)
+                .severity(Severity::Error)
+                .label("nothing in this block uses it")
+                .alarm(alarm)
+                .help(match is_axis {
+                    true => "this machine has no such axis: remove the word",
+                    false => "remove it, or check for which code it was meant",
+                }),
         );
     }
 

@@ -22,6 +22,8 @@ pub struct Rules {
     pub units: Units,
     /// G1, not G0, at power-on.
     pub starts_linear: bool,
+    /// No motion code at power-on: an axis word needs one.
+    pub starts_without_motion: bool,
     /// G91, not G90, at power-on.
     pub starts_incremental: bool,
     /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
@@ -85,6 +87,7 @@ impl Rules {
     pub const COMMON: Rules = Rules {
         units: Units::Inch,
         starts_linear: false,
+        starts_without_motion: false,
         starts_incremental: false,
         increment_digits_inch: 4,
         increment_digits_mm: 3,

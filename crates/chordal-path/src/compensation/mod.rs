@@ -318,7 +318,12 @@ impl Compensator {
         self.toward = None;
         match (self.phase, on) {
             (Phase::Off, false) => {}
-            (Phase::Off | Phase::Starting, true) => self.phase = Phase::Starting,
+            (Phase::Off, true) => self.phase = Phase::Starting,
+            (Phase::Starting, true) => {
+                if rules.repeated == Repeated::Refused && self.code.span != origin.span {
+                    self.twice(origin, out);
+                }
+            }
             (Phase::Starting, false) => self.phase = Phase::Off,
             (Phase::On, true) => {
                 let same = sign == self.sign && side == self.side;

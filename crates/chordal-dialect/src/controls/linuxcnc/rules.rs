@@ -1,6 +1,7 @@
 //! How LinuxCNC (RS274/NGC) moves, cuts, drills and compensates.
 
 use crate::vocabulary::*;
+use chordal_syntax::Letters;
 
 pub(super) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Exact,
@@ -8,10 +9,15 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     center_and_radius: CenterAndRadius::Refused,
     dwell_with_motion: true,
     end_required: true,
+    strict_words: true,
+    words_of_codes: Letters::of("DH"),
+    m_groups: M_GROUPS,
+    longest_line: 253,
     nesting: 9,
     rules: Rules {
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
+        starts_without_motion: true,
         bare_home_moves_all: true,
         work_values_add: false,
         shift_is_preset: true,
@@ -40,6 +46,16 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     },
     ..Parameters::COMMON
 };
+
+/// The modal groups of M codes, ten times the number.
+const M_GROUPS: &[&[u16]] = &[
+    &[0, 10, 20, 300, 600],
+    &[620, 630, 640, 650, 660, 670, 680],
+    &[60, 610],
+    &[30, 40, 50, 190],
+    &[70, 80, 90],
+    &[480, 490, 500, 510, 520, 530],
+];
 
 const CYCLES: CycleRules = CycleRules {
     axis: DrillingAxis::PlaneNormal,

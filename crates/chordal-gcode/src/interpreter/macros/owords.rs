@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
     Block, BlockKind, BlockReader, ExpressionParser, FlowWord, OLabel, OWord,
     Position as TextPosition, Value as Written, Word, parse_o_word,
@@ -37,6 +37,8 @@ struct Line {
     next: usize,
     /// The last.
     close: usize,
+    /// A line before it whose structure has the same label.
+    same: usize,
 }
 
 /// The lines of flow control of a program.
@@ -93,6 +95,7 @@ impl Index {
         let mut index = Index::default();
         // Lines of structures that are not closed, by subroutine and label.
         let mut open: HashMap<(usize, String), Vec<usize>> = HashMap::new();
+        let mut labels: HashMap<(usize, String), usize> = HashMap::new();
         let mut sub = NONE;
         let mut block = Block::new();
         let text = reader.text();
@@ -110,7 +113,7 @@ impl Index {
             let here = index.lines.len();
             let at = TextPosition { offset: block.range.start, line: block.line };
             let after = reader.position();
-            index.lines.push(Line { at, after, word, open: here, next: NONE, close: NONE });
+            index.lines.push(Line { at, after, word, open: here, next: NONE, close: NONE, same: NONE });
             let label = label_text(label.slice(text));
             let scope = match word {
                 FlowWord::Sub => {
@@ -125,6 +128,10 @@ impl Index {
                 FlowWord::Call | FlowWord::Return => continue,
                 _ => sub,
             };
+            if word != FlowWord::Sub {
+                let first = *labels.entry((scope, label.clone())).or_insert(here);
+                index.lines[here].same = if first == here { NONE } else { first };
+            }
             index.join(open.entry((scope, label)).or_default(), here);
         }
         index
@@ -235,6 +242,7 @@ impl<'a> Interpreter<'a> {
         if !matches!(word, FlowWord::Repeat | FlowWord::ElseIf) {
             self.check_line_end(parser);
         }
+        self.check_label(&index, line, here);
         match word {
             FlowWord::Sub if self.is_again(&index, line, here) => Flow::Next,
             FlowWord::Sub => self.after(&index, line, row.close),
@@ -275,6 +283,38 @@ impl<'a> Interpreter<'a> {
                 self.report_structure(line, "no structure with this label is open here");
                 Flow::Next
             }
+        }
+    }
+
+    /// A label that names two structures, and a subroutine within another.
+    fn check_label(&mut self, index: &Index, line: &OWord, here: usize) {
+        let row = index.lines[here];
+        let title = self.control.table.title;
+        if row.same != NONE && row.open == here && row.close != NONE {
+            let before = index.lines[row.same].at.line;
+            self.report_once(
+                Diagnostic::new(
+                    Code::LoopMismatch,
+                    self.span(line.range),
+                    format!("this label is used twice: line {before} begins with it, too"),
+                )
+                .alarm(format!("{title}: duplicate O-word label - already defined in line {before}"))
+                .help("give each structure of a subroutine a label of its own"),
+            );
+        }
+        let inner = (here + 1..row.close.min(index.lines.len()))
+            .find(|inner| row.word == FlowWord::Sub && index.lines[*inner].word == FlowWord::Sub);
+        if let Some(inner) = inner.filter(|_| row.close != NONE) {
+            let inner = index.lines[inner].at.line;
+            self.report_once(
+                Diagnostic::new(
+                    Code::LoopMismatch,
+                    self.span(line.range),
+                    format!("line {inner} defines a subroutine inside of this one"),
+                )
+                .alarm(format!("{title}: Nested subroutine definition"))
+                .help("end this subroutine before the other one begins"),
+            );
         }
     }
 
@@ -536,6 +576,8 @@ impl<'a> Interpreter<'a> {
                     self.span(line.range),
                     "a return where no subroutine was called",
                 )
+                .severity(Severity::Error)
+                .alarm(format!("{}: not in a subroutine definition", self.control.table.title))
                 .help("call the subroutine; its lines do not run by themselves"),
             );
             return Flow::Next;
