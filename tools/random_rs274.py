@@ -79,6 +79,21 @@ def levels(w):
         yield f"G0 Z{w.number(5, 20)}"
 
 
+def taps(w):
+    """G84 and G74 in every plane, where 2.9 exchanges their coordinates outside of G17."""
+    yield w.pick("G20", "G21")
+    plane, letter, others = w.pick(("G17", "Z", "XY"), ("G18", "Y", "ZX"), ("G19", "X", "YZ"))
+    cycle, turn = w.pick(("G84", "M3"), ("G74", "M4"))
+    yield f"{plane} S200 {turn} {w.pick('G98', 'G99')}"
+    yield f"G0 {letter}{w.number(3, 9)} {w.axes(others)}"
+    yield w.maybe("G91", 0.2)
+    yield f"{cycle} {letter}{w.number(-6, -1)} R{w.number(0, 4)} {w.axes(others)} {w.maybe('P.2')}"
+    for _ in w.many(1, 3):
+        yield w.axes(others)
+    yield w.maybe("G80")
+    yield f"G0 {w.axes()}"
+
+
 def offsets(w):
     """Work offsets, stored points, tool offsets, presets; the position in variables."""
     yield w.pick("G20", "G21")
@@ -203,7 +218,7 @@ def dwell(w):
         yield f"G4 P{w.number(0.1, 2)} {w.maybe(w.pick('G0', 'G1', ''))} {w.maybe(w.axes())}"
 
 
-GROUPS = [polar, levels, offsets, thread, modes, flow, numbers, compensation, dwell]
+GROUPS = [polar, levels, taps, offsets, thread, modes, flow, numbers, compensation, dwell]
 
 
 def compare(chordal, program, what):

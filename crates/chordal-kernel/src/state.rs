@@ -118,6 +118,8 @@ impl OverrideState {
 pub struct State {
     /// The tool tip in program coordinates.
     pub position: Position,
+    /// Where the control takes the tool to be, where that is not its position: targets begin there.
+    pub believed: Option<Position>,
     /// The axes whose program coordinate is known.
     pub known: AxisMask,
     /// The axes whose machine coordinate is known.
@@ -185,6 +187,7 @@ impl State {
         }
         State {
             position,
+            believed: None,
             known,
             machine_known: AxisMask::ALL,
             offsets,

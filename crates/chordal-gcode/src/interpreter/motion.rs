@@ -18,7 +18,8 @@ impl Interpreter<'_> {
     /// The end point that the axis words of a block give, and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
-        let mut target = self.kernel.state.position;
+        let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
+        let mut target = from;
         let mut named = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
@@ -26,7 +27,7 @@ impl Interpreter<'_> {
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
                 target[axis] = if self.kernel.state.incremental {
-                    self.kernel.state.position[axis] + value
+                    from[axis] + value
                 } else {
                     value
                 };

@@ -37,7 +37,6 @@ impl Interpreter<'_> {
             }
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
-            OnceCode::MachineCoordinates => self.machine_coordinates(block),
             OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
                 let span = self.span(block.words[at].range);
                 self.report_refused(
@@ -55,6 +54,7 @@ impl Interpreter<'_> {
                 );
                 self.machine_coordinates(block);
             }
+            OnceCode::MachineCoordinates => self.machine_coordinates(block),
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);

@@ -50,7 +50,7 @@ impl Kernel<'_> {
             Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
             Approach::ByClearLevel => {
                 let mut target = place;
-                let now = self.state.position[hole.axis];
+                let now = self.state.believed.unwrap_or(self.state.position)[hole.axis];
                 if hole.words.initial < hole.r {
                     self.level(hole, hole.r);
                     target[hole.axis] = hole.r;
@@ -94,8 +94,11 @@ impl Kernel<'_> {
 
     /// A rapid along the drilling axis.
     pub fn level(&mut self, hole: &Hole, level: f64) {
-        let mut target = self.state.position;
+        let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
+        if self.state.believed == Some(target) {
+            return;
+        }
         self.rapid_to(target, AxisMask(1 << hole.axis));
     }
 

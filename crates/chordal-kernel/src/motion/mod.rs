@@ -71,6 +71,7 @@ impl Kernel<'_> {
         // only where the offset is known.
         let machine = self.state.machine_known;
         self.state.machine_known = machine.without(named).or(named.and(offset_known));
+        self.state.believed = None;
         let from = std::mem::replace(&mut self.state.position, target);
         Move { from, to: target, from_known, to_known: self.state.known }
     }

@@ -236,6 +236,8 @@ pub struct PeckRules {
 /// Taps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TapRules {
+    /// In G18 and G19 the cut goes to exchanged coordinates (LinuxCNC).
+    pub exchanged_off_xy: bool,
     /// What F is.
     pub feed: TapFeed,
     /// The cycle starts the spindle itself where it stands.
@@ -379,6 +381,7 @@ impl CycleRules {
             p_is_clearance: false,
         },
         tap: TapRules {
+            exchanged_off_xy: false,
             feed: TapFeed::Programmed,
             starts_spindle: true,
             spindle_must_turn: false,

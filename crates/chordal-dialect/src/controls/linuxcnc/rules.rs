@@ -78,6 +78,7 @@ const CYCLES: CycleRules = CycleRules {
         out_to_clear: true,
         dwell_after_reverse: true,
         keeps_dwell: true,
+        exchanged_off_xy: true,
         ..CycleRules::COMMON.tap
     },
     bore: BoreRules {
