@@ -81,13 +81,14 @@ def levels(w):
 
 def taps(w):
     """G84 and G74 in every plane, where 2.9 exchanges their coordinates outside of G17."""
-    yield w.pick("G20", "G21")
+    # Whole numbers: rs274 adds moves of nothing where its sums are rounded.
+    yield "G20"
     plane, letter, others = w.pick(("G17", "Z", "XY"), ("G18", "Y", "ZX"), ("G19", "X", "YZ"))
     cycle, turn = w.pick(("G84", "M3"), ("G74", "M4"))
     yield f"{plane} S200 {turn} {w.pick('G98', 'G99')}"
-    yield f"G0 {letter}{w.number(3, 9)} {w.axes(others)}"
+    yield f"G0 {letter}{w.number(3, 9, 0)} {w.axes(others)}"
     yield w.maybe("G91", 0.2)
-    yield f"{cycle} {letter}{w.number(-6, -1)} R{w.number(0, 4)} {w.axes(others)} {w.maybe('P.2')}"
+    yield f"{cycle} {letter}{w.number(-6, -1, 0)} R{w.number(0, 4, 0)} {w.axes(others)} {w.maybe('P.2')}"
     for _ in w.many(1, 3):
         yield w.axes(others)
     yield w.maybe("G80")

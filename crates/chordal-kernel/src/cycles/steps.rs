@@ -37,7 +37,10 @@ impl Kernel<'_> {
             CycleKind::Tap | CycleKind::LeftTap => self.tap(at, hole),
             CycleKind::SelfReversingTap => self.tap_with_head(at, hole),
         }
-        self.level(hole, hole.clear);
+        let is_out = |believed: Position| believed[hole.axis] == hole.clear;
+        if !self.state.believed.is_some_and(is_out) {
+            self.level(hole, hole.clear);
+        }
         self.clean_chips(hole);
         self.origin.cycle = false;
     }
@@ -96,9 +99,6 @@ impl Kernel<'_> {
     pub fn level(&mut self, hole: &Hole, level: f64) {
         let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
-        if self.state.believed == Some(target) {
-            return;
-        }
         self.rapid_to(target, AxisMask(1 << hole.axis));
     }
 

@@ -4,7 +4,7 @@
 //! and each is joined with those of its structure: a jump is then a look into a table. Labels
 //! are local to their subroutine.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -67,6 +67,8 @@ pub(super) struct OWords {
     /// The first program of each file by the file's name.
     files: Option<HashMap<String, usize>>,
     repeats: Vec<Repeat>,
+    /// Labels that calls have found, by program and number.
+    pub called: BTreeMap<(usize, u32), TextPosition>,
     /// What the last subroutine returned.
     pub value: f64,
     /// It returned something.
@@ -363,7 +365,8 @@ impl<'a> Interpreter<'a> {
         );
     }
 
-    /// The line `O5` of a program that M98 P5 calls: the next one from here on.
+    /// The line `O5` of a program that M98 P5 calls: the one that a call before has found, else the next
+    /// one from here on.
     pub(in super::super) fn label_ahead(&mut self, number: u32) -> Option<TextPosition> {
         self.look_at(self.program);
         let program = self.program;
@@ -371,10 +374,15 @@ impl<'a> Interpreter<'a> {
             let heads = self.find_heads();
             self.macros.owords.heads.insert(program, heads);
         }
+        if let Some(place) = self.macros.owords.called.get(&(program, number)) {
+            return Some(*place);
+        }
         let from = self.reader.position().offset;
         let heads = &self.macros.owords.heads[&program];
         let mut ahead = heads.iter().filter(|(_, place)| place.offset >= from);
-        ahead.find(|(other, _)| *other == number).map(|(_, place)| *place)
+        let place = ahead.find(|(other, _)| *other == number).map(|(_, place)| *place)?;
+        self.macros.owords.called.insert((program, number), place);
+        Some(place)
     }
 
     fn find_heads(&self) -> Vec<(u32, TextPosition)> {
