@@ -5,7 +5,8 @@ Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not 
 command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
 centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals), and so must
 the lines that the programs print. Between the motions the dwells and the changes of the spindle
-must agree, up to the last motion.
+must agree, up to the last motion. The motions are the programmed ones; with `(tool path)` in the
+program those of the tool centre, after cutter compensation. They are compared up to the first probe.
 
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
@@ -29,6 +30,8 @@ SPINDLE = {
     "START_SPINDLE_COUNTERCLOCKWISE": "ccw",
     "ORIENT_SPINDLE": "oriented",
 }
+# In a program whose tool path is compared, not its programmed one.
+TOOL_PATH = "(tool path)"
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
@@ -59,7 +62,7 @@ def reference(program):
             unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
             plane = text.strip().rsplit("_", 1)[1]
-        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET"):
+        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET", "USE_TOOL_LENGTH_OFFSET"):
             place = None if motions else place
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             numbers = [float(part) for part in text.split(",")]
@@ -188,7 +191,8 @@ def main():
     for program in programs:
         try:
             theirs, their_lines = reference(program)
-            mine, my_lines, _ = ours(arguments.chordal, program)
+            what = "path" if TOOL_PATH in program.read_text() else "commands"
+            mine, my_lines, _ = ours(arguments.chordal, program, what)
         except Failed as failure:
             sys.exit(f"{program}: {failure}")
         problems = list(differences(program, theirs, mine))

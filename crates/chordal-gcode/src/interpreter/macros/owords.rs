@@ -278,6 +278,14 @@ impl<'a> Interpreter<'a> {
                 if index.lines[row.open].word == FlowWord::Repeat {
                     self.report_structure(line, "continue belongs in while and do, not in repeat");
                 }
+                // On its way to the end of a `do` the control carries out a break that it passes.
+                let breaks = |line: &usize| index.lines[*line].word == FlowWord::Break;
+                let ahead = |line: &usize| Some(index.lines[*line].next).filter(|n| *n != NONE);
+                let mut passed = std::iter::successors(ahead(&here), ahead);
+                if index.lines[row.open].word == FlowWord::Do && passed.any(|line| breaks(&line)) {
+                    self.report_passed_break(line);
+                    return self.after(&index, line, row.close);
+                }
                 self.go_to(index.lines[row.close].at);
                 Flow::Next
             }
@@ -318,6 +326,20 @@ impl<'a> Interpreter<'a> {
                 .help("end this subroutine before the other one begins"),
             );
         }
+    }
+
+    /// `continue` in a `do` with a `break` below it.
+    fn report_passed_break(&mut self, line: &OWord) {
+        self.report_once(
+            Diagnostic::new(
+                Code::LoopMismatch,
+                self.span(line.range),
+                "this continue ends the loop: on its way to the end of `do` the control carries out the \
+                 break below it",
+            )
+            .severity(Severity::Warning)
+            .help("put the break before the continue, or write the loop with while and endwhile"),
+        );
     }
 
     /// A subroutine that was defined before in its file.
