@@ -320,7 +320,10 @@ impl MotionCode {
 impl Action {
     /// The code takes the axis words of its block for itself.
     pub const fn takes_axes(self) -> bool {
-        matches!(self, Action::Once(_) | Action::NotSimulated | Action::Length(LengthCode::FromAxes))
+        matches!(
+            self,
+            Action::Once(_) | Action::NotSimulated | Action::Length(LengthCode::FromAxes)
+        )
     }
 
     /// The motion, where the code is one.

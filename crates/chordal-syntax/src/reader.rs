@@ -201,7 +201,9 @@ impl<'a> BlockReader<'a> {
                 let range = TextRange::new(start as u32, self.at as u32);
                 block.kind = BlockKind::Macro(range);
             }
-            b'@' | b'^' if self.lexicon.polar_words => return self.read_any_word(block, byte, false),
+            b'@' | b'^' if self.lexicon.polar_words => {
+                return self.read_any_word(block, byte, false);
+            }
             _ => self.unexpected(block),
         }
         true

@@ -167,9 +167,9 @@ fn length(code: LengthCode, letter: u8) -> Option<&'static str> {
             (letter == b'H').then_some("number of the length offset")
         }
         LengthCode::Add => (letter == b'H').then_some("number of the tool whose offsets are added"),
-        LengthCode::FromAxes => {
-            AXIS_LETTERS.contains(char::from(letter)).then_some("offset of the tool along this axis")
-        }
+        LengthCode::FromAxes => AXIS_LETTERS
+            .contains(char::from(letter))
+            .then_some("offset of the tool along this axis"),
         LengthCode::Cancel => None,
     }
 }

@@ -178,8 +178,7 @@ impl Interpreter<'_> {
             let none = LengthOffset { number: None, minus: false };
             return self.kernel.set_length(&self.at(block), none);
         }
-        let called = codes.iter().any(|(row, _)| row.group == Group::Calling)
-            || writes;
+        let called = codes.iter().any(|(row, _)| row.group == Group::Calling) || writes;
         if called {
             return;
         }

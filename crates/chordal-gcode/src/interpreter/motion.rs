@@ -26,11 +26,8 @@ impl Interpreter<'_> {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                target[axis] = if self.kernel.state.incremental {
-                    from[axis] + value
-                } else {
-                    value
-                };
+                target[axis] =
+                    if self.kernel.state.incremental { from[axis] + value } else { value };
                 named.insert(axis);
             } else if left_to_right && word.letter == b'G' {
                 self.distance_word(word);

@@ -149,8 +149,12 @@ impl Interpreter<'_> {
         if block.letters().has(b'L') && self.kernel.state.plane != chordal_geometry::Plane::Zx {
             let span = self.words_span(block, Letters::of("L"));
             self.report_refused(
-                Diagnostic::new(Code::BadWordValue, span, "L, the tip of a turning tool, needs G18")
-                    .help("remove L, or write G18 before"),
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    "L, the tip of a turning tool, needs G18",
+                )
+                .help("remove L, or write G18 before"),
                 "G41.1/G42.1 with L word, but plane is not G18",
             );
         }

@@ -54,7 +54,9 @@ impl Interpreter<'_> {
         let only = |letter: u8| block.polar.iter().all(|word| word.letter == letter);
         let in_increments = at_origin && self.kernel.state.incremental;
         let machine = Action::Once(OnceCode::MachineCoordinates);
-        let (message, alarm, help) = if let Some((row, at)) = taker.filter(|(row, _)| !is_probe(row)) {
+        let (message, alarm, help) = if let Some((row, at)) =
+            taker.filter(|(row, _)| !is_probe(row))
+        {
             let name = row.name(block.words[*at].letter);
             (
                 format!("{name} cannot take its axes from polar words"),
@@ -79,7 +81,8 @@ impl Interpreter<'_> {
             )
         } else if in_increments {
             (
-                "polar words in G91 at the work origin, where there is no angle to add to".to_string(),
+                "polar words in G91 at the work origin, where there is no angle to add to"
+                    .to_string(),
                 "Incremental motion with polar coordinates is indeterminate when at the origin"
                     .to_string(),
                 "write G90, or move away from the origin before",

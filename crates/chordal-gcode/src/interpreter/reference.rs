@@ -76,8 +76,7 @@ impl Interpreter<'_> {
 
     /// No axis word, where a code without its words stops the program.
     fn lacks_axes(&mut self, block: &Block) -> bool {
-        self.control.parameters.strict_words
-            && self.axis_words(block).iter().all(Option::is_none)
+        self.control.parameters.strict_words && self.axis_words(block).iter().all(Option::is_none)
     }
 
     fn may_use_machine_coordinates(&self) -> bool {

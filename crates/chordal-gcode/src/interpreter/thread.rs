@@ -48,8 +48,12 @@ impl Interpreter<'_> {
         if lead == 0.0 {
             let span = self.words_span(block, Letters::of("K"));
             self.kernel.report(
-                Diagnostic::new(Code::BadWordValue, span, format!("{name} with an advance of zero"))
-                    .help("give the advance per revolution with K"),
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!("{name} with an advance of zero"),
+                )
+                .help("give the advance per revolution with K"),
             );
         }
         if back {

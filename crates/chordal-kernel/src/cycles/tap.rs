@@ -1,8 +1,6 @@
 //! Tapping: the lead ties the feed to the spindle, in both directions.
 
-use chordal_command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState,
-};
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Plane;
 

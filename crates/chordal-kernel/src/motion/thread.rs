@@ -1,8 +1,6 @@
 //! Cuts in step with the spindle: their feed is the lead, and no override acts.
 
-use chordal_command::{
-    AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState,
-};
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 
 use crate::kernel::Kernel;
 
@@ -15,13 +13,7 @@ impl Kernel<'_> {
     }
 
     /// The same, and back to its start with the spindle reversed, `out_factor` times as fast.
-    pub fn rigid_tap(
-        &mut self,
-        target: Position,
-        named: AxisMask,
-        lead_mm: f64,
-        out_factor: f64,
-    ) {
+    pub fn rigid_tap(&mut self, target: Position, named: AxisMask, lead_mm: f64, out_factor: f64) {
         let start = self.state.position;
         let (inward, rpm) = (self.state.spindle, self.state.rpm);
         let outward =

@@ -115,7 +115,15 @@ impl Index {
             let here = index.lines.len();
             let at = TextPosition { offset: block.range.start, line: block.line };
             let after = reader.position();
-            index.lines.push(Line { at, after, word, open: here, next: NONE, close: NONE, same: NONE });
+            index.lines.push(Line {
+                at,
+                after,
+                word,
+                open: here,
+                next: NONE,
+                close: NONE,
+                same: NONE,
+            });
             let label = label_text(label.slice(text));
             let scope = match word {
                 FlowWord::Sub => {
@@ -308,7 +316,9 @@ impl<'a> Interpreter<'a> {
                     self.span(line.range),
                     format!("this label is used twice: line {before} begins with it, too"),
                 )
-                .alarm(format!("{title}: duplicate O-word label - already defined in line {before}"))
+                .alarm(format!(
+                    "{title}: duplicate O-word label - already defined in line {before}"
+                ))
                 .help("give each structure of a subroutine a label of its own"),
             );
         }

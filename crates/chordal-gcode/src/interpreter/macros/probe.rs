@@ -40,12 +40,8 @@ impl Interpreter<'_> {
         let way = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
         if self.control.parameters.strict_words && way.fold(0.0, f64::max) < LEAST_PROBE_MM {
             self.report_refused(
-                Diagnostic::new(
-                    Code::BadProbeMove,
-                    span,
-                    "this probe move ends where it begins",
-                )
-                .help("program an end point on the other side of what is probed"),
+                Diagnostic::new(Code::BadProbeMove, span, "this probe move ends where it begins")
+                    .help("program an end point on the other side of what is probed"),
                 "Start point too close to probe point",
             );
         }

@@ -52,7 +52,9 @@ impl Interpreter<'_> {
                 let length = offsets.total()[axis] - offsets.work()[axis];
                 self.axis_out(axis, self.kernel.state.position[axis] + length)
             }
-            System::SkipPosition | System::ProbePosition => self.axis_out(axis, self.macros.skip[axis]),
+            System::SkipPosition | System::ProbePosition => {
+                self.axis_out(axis, self.macros.skip[axis])
+            }
             System::ActiveToolOffset => {
                 self.axis_out(axis, self.kernel.state.offsets.tool_in_force()[axis])
             }
