@@ -61,4 +61,14 @@ the axis does not go exactly where the text says. In G91 the differences add up.
 them are decimals.
 
     X1.23456789              nine digits: PS0003 on a Fanuc"#;
+
+    NotFollowed = 312, "not-followed", Error;
+    "the path from here on is not known: the control does something that Chordal does not carry out";
+    r#"This code or word changes the path or the place of the tool, and Chordal does not carry it out. What comes after
+it is shown as if the code were not there, so no answer about it holds: not the path, not the time, not travel or
+collisions. The run is not verified from this line on, and what needs the whole path (compare, convert, transform)
+refuses it.
+
+Look up what the code does. Where it has no effect in this program, delete it in a copy and check that; where a custom
+code of the machine stands behind it, say what it does in `[shop_codes]` of the machine file."#;
 }

@@ -20,7 +20,11 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
         Action::Call(code) => called(code, letter, view),
         Action::Before(code) => before(code, letter).map(str::to_string),
         Action::Cycle(kind) => cycle(kind, letter, view),
-        Action::Reading(_) | Action::After(_) | Action::NoEffect | Action::NotSimulated => None,
+        Action::Reading(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated
+        | Action::NotFollowed => None,
     }
 }
 
@@ -65,6 +69,21 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             b'S' => "spindle speed",
             _ => return None,
         },
+        OnceCode::Rotation => match letter {
+            b'R' => "angle of the rotation in degrees, counter-clockwise",
+            b'I' | b'J' | b'K' => "axis of the rotation in space; Chordal does not follow it",
+            b'X' | b'Y' | b'Z' => "centre of the rotation",
+            _ => return None,
+        },
+        OnceCode::Scaling => match letter {
+            b'P' => "scale factor of all axes",
+            b'I' => "scale factor of X",
+            b'J' => "scale factor of Y",
+            b'K' => "scale factor of Z",
+            b'X' | b'Y' | b'Z' => "centre of the scaling",
+            _ => return None,
+        },
+        OnceCode::Mirror { .. } | OnceCode::MirrorOff => return None,
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates
         | OnceCode::LocalShift
@@ -117,6 +136,9 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::ReturnToR
         | ModeCode::CancelCycle
         | ModeCode::Overrides { .. }
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
         | ModeCode::ModalCallOff => return None,
     };
     Some(text.into())

@@ -44,7 +44,7 @@ fn runs(table: &'static ControlTable, letter: u8) -> Vec<&'static [CodeRow]> {
         (a.title, a.action, a.group, a.words) == (b.title, b.action, b.group, b.words)
     };
     let runs = codes(table, letter).chunk_by(same);
-    runs.filter(|run| run[0].action != Action::NotSimulated).collect()
+    runs.filter(|run| !run[0].action.is_left_out()).collect()
 }
 
 fn code_row(letter: u8, run: &[CodeRow], view: &View) -> String {

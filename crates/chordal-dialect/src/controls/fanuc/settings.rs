@@ -252,6 +252,46 @@ pub(super) const SETTINGS: &[Setting] = &[
     call("No. 6087", Field::AliasM(7), "M code that calls macro O9027"),
     call("No. 6088", Field::AliasM(8), "M code that calls macro O9028"),
     call("No. 6089", Field::AliasM(9), "M code that calls macro O9029"),
+    setting(
+        "No. 5400#0 RIN",
+        Field::Frame(FrameField::AngleAdds),
+        &[("0", "absolute"), ("1", "adds")],
+        "the angle of a G68 in G91 is `absolute`, or `adds` to the one in force",
+        Certainty::Documented,
+        "parameter 5400",
+    ),
+    setting(
+        "No. 5400#6 XSC",
+        Field::Frame(FrameField::FactorsByVector),
+        &[("0", "one"), ("1", "each")],
+        "factors of G51: `one` by P, or `each` by I, J and K",
+        Certainty::Trade,
+        "parameter 5400",
+    ),
+    setting(
+        "No. 5410",
+        Field::Frame(FrameField::OmittedAngle),
+        &[],
+        "angle of a G68 without R, degrees",
+        Certainty::Documented,
+        "parameter 5410",
+    ),
+    setting(
+        "No. 5411",
+        Field::Frame(FrameField::OmittedFactor(None)),
+        &[],
+        "scale factor of a G51 without P; 1 is no scaling",
+        Certainty::Documented,
+        "parameter 5411",
+    ),
+    setting(
+        "unequal scale arcs",
+        Field::Frame(FrameField::UnequalArcs),
+        &[],
+        "an arc while the axes of its plane have different factors: `judged` as always, or `refused`",
+        Certainty::Inferred,
+        "G51",
+    ),
 ];
 
 /// A code that calls a program; 0 for none.

@@ -113,6 +113,22 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "",
     ),
+    setting(
+        "#8072 SCALING P",
+        Field::Frame(FrameField::OmittedFactor(None)),
+        &[],
+        "scale factor of a G51 without P",
+        Certainty::Documented,
+        "M700V manual, G51",
+    ),
+    setting(
+        "unequal scale arcs",
+        Field::Frame(FrameField::UnequalArcs),
+        &[],
+        "an arc while both axes of its plane have different factors: `judged`, or `refused` (P70)",
+        Certainty::Unknown,
+        "M700V manual, G51",
+    ),
 ];
 
 /// Type A or B.
