@@ -129,7 +129,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
         Group::OneShot,
         Once(PresetPosition),
         "",
-        "the present position gets these coordinates",
+        "the current position gets these coordinates",
     ),
     row(921, Group::Auxiliary, NotSimulated, ANY_WORDS, "preset of the work coordinates"),
     row(
@@ -137,7 +137,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
         Group::FeedMode,
         Reading(FeedInverseTime),
         "",
-        "F is one over the minutes of the block",
+        "inverse time: F is 1 divided by the minutes of the block",
     ),
     row(940, Group::FeedMode, Reading(FeedPerTime), "", "F is length per minute"),
     row(950, Group::FeedMode, Reading(FeedPerRevolution), "", "F is length per revolution"),
