@@ -104,12 +104,12 @@ fn default_of(path: &str) -> &'static str {
         "rotary.<rotary>.reversed" | "switches.optional_stop" => "`false`",
         "feed.max" | "feed.max_rotary" | "spindle.max" => "not checked",
         "tools.<tool>.diameter" => "not known: compensation with it is reported",
-        "tools.<tool>.length" => "0 for the numbers; the height is not known",
+        "tools.<tool>.length" => "0 is used; the height is not known",
         "tools.<tool>.diameter_wear" | "tools.<tool>.length_wear" => "0",
         "tools.<tool>.offset.<axis>" | "tools.<tool>.offset_wear.<axis>" => "0",
         "axes.<axis>.programmed" => "`radius`",
         "work_offsets.<offset>" | "work_offsets.<offset>.<axis>" => {
-            "0 for the numbers; the machine position is not known, and travel is not checked"
+            "0 is used; the machine position is not known, and travel is not checked"
         }
         "home.<axis>" | "reference_points.<point>.<axis>" => "not known",
         "switches.block_delete" => "`false`: every block runs",
