@@ -81,7 +81,7 @@ A `chordal.toml` next to the programs names their machine, so that `--machine` i
 `um`, `in` (also `inch` or `\"`), `ft`. Times: `s`, `ms`, `min`. Angles: `deg`, `rad`, `rev`. Rates are per
 `s` or `min`: `in/min`, `mm/s^2`, `m/s³`; `ipm` and `rpm` for short.
 
-**Names that vary** stand in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
+**Names that vary** are in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
 work offset; `<code>` an M code such as `M120`; `<setting>` a parameter by the name in the control's manual.
 The settings of each control: [Fadal](reference/controls/fadal.md#settings),
 [Haas](reference/controls/haas.md#settings), [Fanuc](reference/controls/fanuc.md#settings),
