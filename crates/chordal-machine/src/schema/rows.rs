@@ -237,7 +237,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Angle,
         Sign::Positive,
         |m, k| &mut tool(m, k).point_angle_rad,
-        "the whole angle of the point of a drill or chamfer mill, side to side",
+        "the included angle of the point of a drill or chamfer mill",
     ),
     quantity(
         "tools.<tool>.tip_diameter",

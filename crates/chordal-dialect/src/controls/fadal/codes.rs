@@ -108,9 +108,9 @@ pub(super) const G_CODES: &[CodeRow] = &[
         Group::FeedMode,
         Reading(FeedInverseTime),
         "",
-        "inverse time: F is 1 divided by the minutes of the block",
+        "inverse time feed: F is 1 divided by the minutes of the block",
     ),
-    row(940, Group::FeedMode, Reading(FeedPerTime), "", "F is length per minute"),
+    row(940, Group::FeedMode, Reading(FeedPerTime), "", "feed per minute"),
     row(980, Group::ReturnLevel, Mode(ReturnInitial), "", "cycles return to the initial level"),
     row(990, Group::ReturnLevel, Mode(ReturnToR), "", "cycles return to the R level"),
 ];
