@@ -201,7 +201,7 @@ fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
             _ => return None,
         },
         CallCode::Return => match letter {
-            b'P' => "N number in the caller at which the program goes on",
+            b'P' => "N number in the calling program where it continues",
             _ => return None,
         },
         CallCode::MacroCall | CallCode::ModalMacroCall { .. } => match letter {
@@ -305,7 +305,7 @@ fn cycle(kind: CycleKind, letter: u8, view: &View) -> Option<String> {
     let text = match letter {
         b'R' if view.table.lexicon.registers => "R level, written R0+…: where feeding begins",
         b'R' => "R level: where feeding begins, and to where G99 returns",
-        _ if letter == rules.repeat_letter => "number of holes; in G91 each one further on",
+        _ if letter == rules.repeat_letter => "number of holes; in G91 each is one step further",
         b'E' if throws_chips(kind) => {
             "speed at which the spindle throws off the chips after the hole"
         }
@@ -370,7 +370,7 @@ fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<String> {
         && rules.bore.shift != ShiftWords::Q;
     let text = match letter {
         b'I' if pecks => "depth of the first peck, in place of Q",
-        b'J' if pecks => "how much less each further peck is",
+        b'J' if pecks => "reduction of each further peck",
         b'K' if kind == CycleKind::ChipBreak && rules.peck.return_after_k => {
             "with I: smallest peck; with Q: depth after which the tool returns to R"
         }

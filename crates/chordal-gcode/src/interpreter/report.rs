@@ -38,7 +38,8 @@ impl Interpreter<'_> {
         diagnostic = if others.is_empty() {
             diagnostic.help("check the number")
         } else {
-            diagnostic.help(format!("{} has it: is the machine right?", others.join(", ")))
+            let others = others.join(", ");
+            diagnostic.help(format!("{letter}{number} exists on {others}: is the machine right?"))
         };
         self.kernel.report(diagnostic);
     }

@@ -59,7 +59,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         &[],
         "a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
-        "16i spiral interpolation: L is rounded up, so that one turn is L1",
+        "16i spiral interpolation: L is rounded up, so one turn is L1",
     ),
     setting(
         "rotary_in_arc",
@@ -67,7 +67,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         &[],
         "a rotary axis in the block of an arc: `allowed` or `refused`",
         Certainty::Inferred,
-        "textbooks of Fanuc-style controls leave it out; with the option of helical interpolation B a machine may do it",
+        "textbooks for Fanuc-style controls do not have it; with the option helical interpolation B a machine may do it",
     ),
     setting(
         "machine_move",
@@ -203,7 +203,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "tapping dwell at R",
         Field::Cycle(CycleField::TapDwellAtR),
         &[],
-        "the dwell of a tapping cycle recurs at R",
+        "the dwell of a tapping cycle is repeated at R",
         Certainty::Trade,
         "",
     ),
@@ -334,7 +334,7 @@ const NO_CHECK: Setting = rule(
     "No. 5008#3",
     C::Check,
     &[("0", "on"), ("1", "off")],
-    "CNV: interference is looked for (0) or not (1)",
+    "CNV: interference is checked (0) or not (1)",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -344,7 +344,7 @@ const LINK: Setting = rule(
     "No. 5010",
     C::DropLink,
     &[],
-    "links round an outside corner that are not longer than this on either axis are left out",
+    "links around an outside corner that are not longer than this on either axis are skipped",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -378,7 +378,7 @@ const AVOIDANCE: Setting = rule(
     "No. 19607#5",
     C::Remedy,
     &[("0", "alarm"), ("1", "avoid")],
-    "CAV: where a block interferes, alarm PS0041 or leave the block out",
+    "CAV: where a block interferes, alarm PS0041 or skip the block",
     Certainty::Trade,
     "30i",
 );
