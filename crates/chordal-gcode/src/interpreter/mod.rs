@@ -12,6 +12,7 @@ mod checkpoint;
 mod conflicts;
 mod context;
 mod cycle;
+mod frames;
 mod in_force;
 mod literals;
 mod macros;

@@ -18,6 +18,9 @@ impl Interpreter<'_> {
     /// The end point that the axis words of a block give, and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
+        if self.kernel.state.polar.is_some() {
+            return self.polar_target(block);
+        }
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
@@ -34,7 +37,7 @@ impl Interpreter<'_> {
             }
         }
         if !block.polar.is_empty() {
-            self.polar_target(block, &mut target, &mut named);
+            self.radius_and_angle(block, &mut target, &mut named);
         }
         if !self.control.axes().covers(named) {
             self.missing_axes(block, &mut target, &mut named);

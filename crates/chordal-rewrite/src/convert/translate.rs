@@ -61,6 +61,7 @@ impl<'a> Context<'a> {
             let title = self.to.table.title;
             return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
         }
+        self.frames(at)?;
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;
