@@ -100,6 +100,8 @@ pub enum ModeCode {
     /// Fadal G66: calls a subroutine after every move.
     ModalSubroutine,
     ModalCallOff,
+    /// G11: the lines after this block are blocks again, no data.
+    DataLinesOff,
 }
 
 /// How corners are passed.

@@ -169,6 +169,8 @@ pub enum DataTarget {
     Register,
     /// Something that is not simulated.
     Other,
+    /// The lines up to the code that ends it are data for the control: parameters and the like.
+    Lines,
 }
 
 /// Time words of a dwell.
@@ -180,6 +182,8 @@ pub struct DwellWord {
     pub integer_s: f64,
     /// Seconds in one unit with a decimal point.
     pub point_s: f64,
+    /// A decimal point may be written; otherwise it is an alarm.
+    pub takes_point: bool,
 }
 
 /// A sign in the text that speaks for a control.
@@ -264,6 +268,10 @@ pub struct ControlTable {
     pub set_data: &'static [(u16, DataTarget)],
     /// Time words of G4.
     pub dwell: &'static [DwellWord],
+    /// G4 without a time is an exact stop, not an alarm.
+    pub dwell_alone_stops: bool,
+    /// M codes that the table does not have are those of the machine builder or the shop, not an alarm.
+    pub open_m_codes: bool,
     /// Of several codes of a group in a block the last one counts, without an alarm.
     pub last_of_group_counts: bool,
     /// Codes that must be the only G code of their block.

@@ -7,10 +7,10 @@ use chordal_dialect::OnceCode;
 use chordal_geometry::Direction;
 use chordal_kernel::rules::Allowance;
 use chordal_machine::{AXES, PerAxis};
-use chordal_syntax::Block;
+use chordal_syntax::{Block, Decimal, Word};
 
 use super::Interpreter;
-use super::literals::AXIS_OF;
+use super::literals::{AXIS_OF, trim};
 
 impl Interpreter<'_> {
     pub(super) fn one_shot(&mut self, block: &Block, code: OnceCode, at: usize) {
@@ -60,6 +60,10 @@ impl Interpreter<'_> {
         let words = self.control.table.dwell;
         let found = words.iter().find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
         let Some((rule, word)) = found else {
+            if self.control.table.dwell_alone_stops {
+                // An exact stop: the axes stand, for no time.
+                return self.kernel.emit(CommandKind::Dwell { seconds: 0.0, label: None });
+            }
             let span = self.span(block.words[at].range);
             let letters: Vec<String> =
                 words.iter().map(|rule| (rule.letter as char).to_string()).collect();
@@ -69,6 +73,9 @@ impl Interpreter<'_> {
         let Some(number) = self.literal(&word) else { return };
         let unit = if number.has_point { rule.point_s } else { rule.integer_s };
         let seconds = number.to_f64() * unit;
+        if number.has_point && !rule.takes_point {
+            self.report_point_of_dwell(&word, number, seconds);
+        }
         if seconds < 0.0 {
             self.kernel.report(
                 Diagnostic::new(
@@ -81,6 +88,25 @@ impl Interpreter<'_> {
             return;
         }
         self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+    }
+
+    fn report_point_of_dwell(&mut self, word: &Word, number: Decimal, seconds: f64) {
+        let letter = word.letter as char;
+        let others = self.control.table.dwell.iter().filter(|rule| rule.takes_point);
+        let others: Vec<String> =
+            others.map(|rule| format!("{}{number}", rule.letter as char)).collect();
+        self.kernel.report(
+            Diagnostic::new(
+                Code::BadNumber,
+                self.span(word.range),
+                format!("`{letter}{number}` of a dwell has a decimal point, which {letter} must not have"),
+            )
+            .label(format!("read as {} s", trim(seconds, 3)))
+            .help(format!(
+                "write {letter} without a point, in milliseconds, or {} for seconds",
+                others.join(" or ")
+            )),
+        );
     }
 
     /// G28, G29, G30 and G53 while the tool is beside the contour.

@@ -17,10 +17,12 @@ impl Interpreter<'_> {
     pub(super) fn unknown_code(&mut self, word: &Word) {
         let letter = word.letter as char;
         let Some(number) = self.literal(word) else { return };
-        let title = self.control.table.title;
+        let own = self.control.table;
+        let title = own.title;
         let code = chordal_dialect::code_number(number);
         let others: Vec<&str> = chordal_dialect::CONTROLS
             .iter()
+            .filter(|table| table.name != own.name)
             .filter(|table| {
                 code.is_some_and(|code| match word.letter {
                     b'G' => table.g_code(code).is_some(),
@@ -35,11 +37,13 @@ impl Interpreter<'_> {
             format!("{title} has no {letter}{number}"),
         )
         .label("unknown code");
-        diagnostic = if others.is_empty() {
-            diagnostic.help("check the number")
-        } else {
-            diagnostic.help(format!("{} has it: is the machine right?", others.join(", ")))
-        };
+        diagnostic = diagnostic.help(match &others[..] {
+            [] => "check the number".to_string(),
+            [one] => format!("{one} has it: is the machine right?"),
+            [most @ .., last] => {
+                format!("{} and {last} have it: is the machine right?", most.join(", "))
+            }
+        });
         self.kernel.report(diagnostic);
     }
 

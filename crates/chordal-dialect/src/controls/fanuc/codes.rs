@@ -14,7 +14,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(80, Group::Auxiliary, by(b'P', 1), "PQ", "look-ahead control"),
     row(90, Group::OneShot, Mode(Path(PathCode::ExactStopOnce)), "", "exact stop in this block"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZABCIJKHDQEST", "write offsets and data"),
-    row(110, Group::Auxiliary, NoEffect, "", "data writing off"),
+    row(110, Group::Auxiliary, Mode(DataLinesOff), "", "data writing off"),
     row(121, Group::Auxiliary, NotSimulated, ANY_WORDS, "polar interpolation"),
     row(131, Group::Auxiliary, NoEffect, "", "polar interpolation off"),
     row(150, Group::Auxiliary, NoEffect, "", "polar coordinates off"),
@@ -161,7 +161,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(210, Group::Auxiliary, NoEffect, "PQR", "machine function"),
     row(220, Group::Auxiliary, NoEffect, "PQR", "machine function"),
     row(230, Group::Auxiliary, NoEffect, "PQR", "machine function"),
-    row(290, Group::Auxiliary, NoEffect, "", "rigid tapping"),
+    row(290, Group::Auxiliary, NoEffect, "PQR", "rigid tapping"),
     row(300, Group::Stopping, After(ProgramEnd { rewind: true }), "", "program end and rewind"),
     row(410, Group::Auxiliary, NoEffect, "PQR", "low gear"),
     row(420, Group::Auxiliary, NoEffect, "PQR", "high gear"),
@@ -185,7 +185,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(600, Group::Auxiliary, NoEffect, "PQR", "pallet change"),
     row(880, Group::Coolant, Before(CoolantThroughTool), "", "through-tool coolant on"),
     row(890, Group::Coolant, After(CoolantThroughToolOff), "", "through-tool coolant off"),
-    row(980, Group::Calling, Call(CallProgram), "PL", "call a subprogram"),
+    row(980, Group::Calling, Call(CallProgram), "PQL", "call a subprogram"),
     row(990, Group::Calling, Call(Return), "PL", "return from a subprogram"),
 ];
 

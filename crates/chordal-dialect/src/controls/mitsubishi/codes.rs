@@ -16,7 +16,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(80, Group::Auxiliary, by(b'P', 1), "P", "high-accuracy control"),
     row(90, Group::OneShot, Mode(Path(PathCode::ExactStopOnce)), "", "exact stop in this block"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZABCIJKHDQEST", "write offsets and data"),
-    row(110, Group::Auxiliary, NoEffect, "", "data writing off"),
+    row(110, Group::Auxiliary, Mode(DataLinesOff), "", "data writing off"),
     row(120, Group::Auxiliary, NotSimulated, ANY_WORDS, "circular cut clockwise"),
     row(121, Group::Auxiliary, NotSimulated, ANY_WORDS, "polar interpolation"),
     row(130, Group::Auxiliary, NotSimulated, ANY_WORDS, "circular cut counter-clockwise"),
