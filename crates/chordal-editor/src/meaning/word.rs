@@ -117,7 +117,8 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::ReturnToR
         | ModeCode::CancelCycle
         | ModeCode::Overrides { .. }
-        | ModeCode::ModalCallOff => return None,
+        | ModeCode::ModalCallOff
+        | ModeCode::DataLinesOff => return None,
     };
     Some(text.into())
 }
