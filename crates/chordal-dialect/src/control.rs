@@ -136,7 +136,8 @@ fn codes_of_both(
 fn codes_with_two_times(machine: &Machine) -> impl Iterator<Item = SettingError> {
     let codes = machine.shop_codes.iter().map(|(number, code)| (format!("M{number}"), code));
     let programs = machine.shop_programs.iter().map(|(number, code)| (format!("O{number}"), code));
-    let both = codes.chain(programs).filter(|(_, code)| code.blocks.is_some() && code.time_s.is_some());
+    let both =
+        codes.chain(programs).filter(|(_, code)| code.blocks.is_some() && code.time_s.is_some());
     both.map(|(name, _)| SettingError {
         name: format!("shop_codes.{name}"),
         message: format!("{name} has `time` and `blocks`: its blocks take their own time"),

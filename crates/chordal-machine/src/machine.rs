@@ -255,7 +255,10 @@ pub enum ProbeHit {
 impl Machine {
     /// Whether blocks are given for a code or a program; a run takes them in as further texts.
     pub fn answers_with_blocks(&self) -> bool {
-        self.shop_codes.values().chain(self.shop_programs.values()).any(|code| code.blocks.is_some())
+        self.shop_codes
+            .values()
+            .chain(self.shop_programs.values())
+            .any(|code| code.blocks.is_some())
     }
 
     /// A machine of which only the control is known: X, Y and Z without limits.

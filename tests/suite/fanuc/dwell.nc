@@ -12,6 +12,6 @@ G04 P2500 (= dwell 2.5)
 G1 X10. F500. (= line to X10)
 G04 (= dwell 0)
 Y10. (= line to Y10)
-G04 P1.5 (= dwell .0015 | ! CH101 "decimal point" "PS0007" "0.002 s")
+G04 P1.5 (= dwell .0015 | ! CH101 "decimal point" "PS0007" "read as 0.0015 s")
 G20 G04 X1500 (= dwell 1.5)
 M30

@@ -24,8 +24,9 @@ G65 P9811 Z-5. (= none | ! CH201 "O9811" "shop_codes.O9811")
 G65 P9832 L2 (= none)
 M98 P9832 (= none)
 G90 X10. (= line from X5 Y6 Z1 to X10 feed 200)
-G66 P9812 D5. (= none)
-X11. (= line to X11 | ! CH201 "O9812")
+G66 P9812 D5. (= none | ! CH201 "O9812")
+X11. (= line to X11)
+X12. (= line to X12)
 G67
 M30
 %

@@ -144,7 +144,8 @@ fn path_mode(code: PathCode, letter: u8) -> Option<String> {
         | PathCode::ExactStop
         | PathCode::ExactStopOnce
         | PathCode::HighAccuracy
-        | PathCode::Tapping => return None,
+        | PathCode::Tapping
+        | PathCode::CornerOverride => return None,
     };
     Some(text.into())
 }

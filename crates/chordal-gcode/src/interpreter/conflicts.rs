@@ -97,7 +97,7 @@ impl Interpreter<'_> {
         if let Some(cycle) = self.kernel.state.cycle
             && let Some(row) = table.g_codes.iter().find(|r| r.action == Action::Cycle(cycle.kind))
         {
-            claims = claims.union(row.words);
+            claims = claims.union(self.words_of(row));
         }
         if let Some(words) = self.modal_arc_words() {
             claims = claims.union(words);
@@ -127,7 +127,12 @@ impl Interpreter<'_> {
             self.control.parameters.rules.arc.spiral,
             SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount
         );
-        if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words }
+        let mut words =
+            if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words };
+        if matches!(row.action, Action::Cycle(_)) {
+            words.insert(self.control.parameters.rules.cycles.repeat_letter);
+        }
+        words
     }
 
     pub(super) fn check_unused(&mut self, block: &Block, claims: Letters) {

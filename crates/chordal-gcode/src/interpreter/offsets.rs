@@ -209,12 +209,7 @@ impl Interpreter<'_> {
     }
 
     /// Compensation goes on and off along a straight move.
-    fn check_compensation_move(
-        &mut self,
-        block: &Block,
-        side: Side,
-        span: Span,
-    ) {
+    fn check_compensation_move(&mut self, block: &Block, side: Side, span: Span) {
         // A change of side is no start.
         let on = self.kernel.state.side != Side::Off;
         let may_start = on || self.control.parameters.rules.compensation.start_on_arc;

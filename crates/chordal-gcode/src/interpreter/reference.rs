@@ -36,7 +36,7 @@ impl Interpreter<'_> {
             }
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
-            OnceCode::MachineCoordinates => self.machine_coordinates(block),
+            OnceCode::MachineCoordinates => self.machine_coordinates(block, at),
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);
@@ -162,7 +162,7 @@ impl Interpreter<'_> {
     }
 
     /// G53: the words of this block are machine coordinates.
-    fn machine_coordinates(&mut self, block: &Block) {
+    fn machine_coordinates(&mut self, block: &Block, at: usize) {
         let mut place = [0.0; AXES];
         let mut named = AxisMask::NONE;
         for word in &block.words {
@@ -179,7 +179,27 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE {
             return;
         }
+        if self.control.parameters.rules.machine_move_needs_absolute
+            && self.kernel.state.incremental
+        {
+            return self.report_ignored_machine_move(block, at);
+        }
         self.kernel.to_machine_point(&self.at(block), place, named);
+    }
+
+    fn report_ignored_machine_move(&mut self, block: &Block, at: usize) {
+        let word = block.words[at];
+        let name = self.control.row_of(&word).map_or_else(String::new, |row| row.name(word.letter));
+        let title = self.control.table.title;
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnusedWord,
+                self.span(word.range),
+                format!("{title} ignores {name} in G91: this block does not move"),
+            )
+            .label("machine coordinates are absolute")
+            .help(format!("write `G90 {name}`, and G91 again after it where it is needed")),
+        );
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.

@@ -3,7 +3,7 @@
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode};
-use chordal_dialect::{CodeRow, Field};
+use chordal_dialect::{CodeRow, CycleField, Field};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -84,6 +84,7 @@ impl Interpreter<'_> {
         let letter = word.letter as char;
         let help = self
             .spiral_word_help(word.letter)
+            .or_else(|| self.repeat_word_help(word.letter))
             .unwrap_or_else(|| "remove it, or check for which code it was meant".to_string());
         self.kernel.report(
             Diagnostic::new(
@@ -94,6 +95,19 @@ impl Interpreter<'_> {
             .label("nothing in this block uses it")
             .help(help),
         );
+    }
+
+    /// For an L where cycles count with another letter.
+    fn repeat_word_help(&self, letter: u8) -> Option<String> {
+        let own = self.control.parameters.rules.cycles.repeat_letter;
+        let field = Field::Cycle(CycleField::RepeatLetter);
+        let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
+        let (own, name) = (own as char, setting.name);
+        (letter == b'L' && own != 'L').then(|| {
+            format!(
+                "a cycle counts its holes with {own}, or with L where the setting `{name}` says so"
+            )
+        })
     }
 
     /// For a word that would make a spiral with another setting: how a spiral is written here.

@@ -243,9 +243,10 @@ impl ShopName {
     /// `M120`, `O9810`, and as the call is written: `G65 P9810`.
     fn of(key: &str) -> Option<ShopName> {
         let key = key.trim().to_ascii_uppercase();
-        if let Some(number) = ["G65", "G66", "G66.1", "M98"].iter().find_map(|code| {
-            whole(key.strip_prefix(code)?.trim_start().strip_prefix('P')?)
-        }) {
+        if let Some(number) = ["G65", "G66", "G66.1", "M98"]
+            .iter()
+            .find_map(|code| whole(key.strip_prefix(code)?.trim_start().strip_prefix('P')?))
+        {
             return Some(ShopName::Program(number));
         }
         let number = whole(key.get(1..)?)?;

@@ -81,7 +81,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(600, Group::Auxiliary, NotSimulated, ANY_WORDS, "positioning from one direction"),
     row(610, Group::PathMode, Mode(Path(PathCode::ExactStop)), "", "exact stop check mode"),
     row(611, Group::PathMode, Mode(Path(PathCode::HighAccuracy)), "", "high-accuracy control"),
-    row(620, Group::PathMode, Mode(Path(PathCode::Continuous)), "", "corner override"),
+    row(620, Group::PathMode, Mode(Path(PathCode::CornerOverride)), "", "corner override"),
     row(630, Group::PathMode, Mode(Path(PathCode::Tapping)), "", "tapping mode"),
     row(640, Group::PathMode, Mode(Path(PathCode::Continuous)), "", "cutting mode"),
     row(650, Group::ModalCall, Call(MacroCall), "ABCDEFHIJKLMPQRSTUVWXYZ", "macro call"),
