@@ -301,9 +301,10 @@ class Program:
         ``renumber``: first N number and step.
         ``no_numbers``: ``True`` takes out the N numbers that nothing refers to.
         ``strip_comments``: ``True`` takes out comments.
-        ``shrink``: most bytes of the text; blanks, digits, N numbers and comments go as far as they must.
+        ``shrink``: most bytes of the text; blanks, digits, N numbers and comments are removed as far as
+        necessary.
 
-        A program that no change is right for raises :class:`~chordal.UsageError`, which names the line.
+        If no change is right for the program, :class:`~chordal.UsageError` is raised and names the line.
 
         >>> import chordal
         >>> text = "G21 G90 S900 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
@@ -333,10 +334,10 @@ class Program:
 
     def split(self, most: int | Literal["tool"]) -> Split:
         """The program in parts of at most ``most`` bytes, or one for each ``"tool"``: each stands by itself,
-        and all of them, run one after the other, are held against the whole: see ``proved``.
+        and all of them, run one after the other, are compared with the whole: see ``proved``.
 
-        A stretch that has no place where it can be parted raises :class:`~chordal.UsageError`, which names
-        the lines."""
+        Lines without a position where they can be split raise :class:`~chordal.UsageError`, which names
+        them."""
         if most != "tool" and (isinstance(most, str) or most <= 0):
             raise UsageError(f"{most!r} is not a size", 'give a number of bytes, or "tool"')
         return _transform.parts(*self._program.split(None if most == "tool" else int(most)))

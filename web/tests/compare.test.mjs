@@ -1,4 +1,4 @@
-// Two programs over one another in a real browser.
+// Two programs in one picture, in a real browser.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

@@ -51,7 +51,7 @@ pub fn text(
     sheet.table("", &axes(&summary.axes, units));
     sheet.gap();
     if !by_comment.is_empty() {
-        let text = format!("{by_comment} as comments of the program say; they set no offset");
+        let text = format!("{by_comment} from comments in the program; comments set no offset");
         sheet.row("tools", &text);
     }
     sheet.row("moves", &moves(summary, report.outcomes.iter().map(|run| run.blocks).sum()));

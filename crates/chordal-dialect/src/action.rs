@@ -34,8 +34,10 @@ pub enum Action {
     Call(CallCode),
     /// Carried out without effect on path or time.
     NoEffect,
-    /// The control carries it out and Chordal does not.
+    /// The control carries it out and Chordal does not; path and place stay what they are.
     NotSimulated,
+    /// The same for what changes the path or a place: what comes after it is not known.
+    NotFollowed,
 }
 
 /// How the numbers of a block are read.
@@ -97,6 +99,14 @@ pub enum ModeCode {
     },
     /// The same for feed and rapids by P: off with 0 (LinuxCNC M50).
     OverridesByP,
+    /// The rotation ends.
+    RotationOff,
+    /// The scaling ends.
+    ScalingOff,
+    /// End points are a radius and an angle, or coordinates again.
+    Polar {
+        on: bool,
+    },
     /// Fadal G66: calls a subroutine after every move.
     ModalSubroutine,
     ModalCallOff,
@@ -169,6 +179,16 @@ pub enum OnceCode {
         keep: bool,
     },
     RestorePreset,
+    /// The coordinates are rotated in the plane.
+    Rotation,
+    /// The coordinates are scaled.
+    Scaling,
+    /// Axes are mirrored: at the coordinate that their word gives, or at zero.
+    Mirror {
+        at_zero: bool,
+    },
+    /// The mirror of the named axes ends, or that of all.
+    MirrorOff,
     /// A round pocket by one block, clockwise.
     CircularPocketCw,
     CircularPocketCcw,
@@ -249,6 +269,18 @@ impl ModeCode {
 }
 
 impl OnceCode {
+    /// Works with machine places or work coordinates, which frames of the program do not move.
+    pub const fn works_with_places(self) -> bool {
+        matches!(
+            self,
+            OnceCode::ReturnToReference { .. }
+                | OnceCode::ReturnFromReference
+                | OnceCode::MachineCoordinates
+                | OnceCode::LocalShift
+                | OnceCode::PresetPosition
+        )
+    }
+
     /// A pocket by one block.
     pub const fn is_pocket(self) -> bool {
         matches!(
@@ -292,9 +324,14 @@ impl MotionCode {
 }
 
 impl Action {
+    /// The control carries it out and Chordal does not.
+    pub const fn is_left_out(self) -> bool {
+        matches!(self, Action::NotSimulated | Action::NotFollowed)
+    }
+
     /// The code takes the axis words of its block for itself.
     pub const fn takes_axes(self) -> bool {
-        matches!(self, Action::Once(_) | Action::NotSimulated)
+        matches!(self, Action::Once(_)) || self.is_left_out()
     }
 
     /// The motion, where the code is one.

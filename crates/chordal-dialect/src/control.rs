@@ -5,7 +5,6 @@ use chordal_kernel::Alarms;
 use chordal_machine::{AxisLimits, ControlName, Machine};
 use chordal_syntax::{Decimal, Word};
 
-use crate::action::Action;
 use crate::controls;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
@@ -122,7 +121,7 @@ fn codes_of_both(
     machine: &Machine,
 ) -> impl Iterator<Item = SettingError> {
     machine.shop_codes.keys().filter_map(move |number| {
-        let row = table.m_code(number * 10).filter(|row| row.action != Action::NotSimulated)?;
+        let row = table.m_code(number * 10).filter(|row| !row.action.is_left_out())?;
         let (title, what) = (table.title, row.title);
         Some(SettingError {
             name: format!("shop_codes.M{number}"),

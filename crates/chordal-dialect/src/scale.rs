@@ -50,7 +50,13 @@ impl Scale {
     /// An angle in rad.
     #[inline]
     pub fn angle(&self, number: Decimal) -> f64 {
+        self.degrees(number).to_radians()
+    }
+
+    /// An angle in degrees, exactly as written.
+    #[inline]
+    pub fn degrees(&self, number: Decimal) -> f64 {
         let extra = if number.has_point { 0 } else { self.angle_without_point };
-        number.times(1, extra).to_radians()
+        number.times(1, extra)
     }
 }

@@ -31,6 +31,7 @@ pub enum Group {
     PathMode,
     Rotation,
     Mirror,
+    Polar,
     ModalCall,
     FeedRamp,
     /// M codes.
@@ -248,6 +249,8 @@ pub struct ControlTable {
     /// What it shows for a diagnostic; `{n}` is the block's N number, `{move}` the kind of
     /// move; of two texts with ` / ` between the first is for arcs.
     pub alarms: &'static [(Code, &'static str)],
+    /// What one is in a scale factor without a decimal point.
+    pub scale_unit: f64,
     /// How motion codes are modal.
     pub motion: MotionModality,
     /// G90 and G91 act from left to right within the block.

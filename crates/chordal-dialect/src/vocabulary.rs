@@ -10,8 +10,8 @@ pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semic
 pub(crate) use crate::macros::*;
 pub(crate) use crate::parameters::*;
 pub(crate) use crate::settings::{
-    CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, PathField, Setting,
-    setting,
+    CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
+    Setting, setting,
 };
 pub(crate) use crate::table::*;
 

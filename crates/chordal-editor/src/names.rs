@@ -303,7 +303,8 @@ impl<'a> Finder<'a> {
             | Action::Cycle(_)
             | Action::After(_)
             | Action::NoEffect
-            | Action::NotSimulated => None,
+            | Action::NotSimulated
+            | Action::NotFollowed => None,
         })
     }
 

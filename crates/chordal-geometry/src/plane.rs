@@ -119,6 +119,12 @@ impl Direction {
             Direction::Ccw => Direction::Cw,
         }
     }
+
+    /// The direction that a mirror leaves: the other one in a mirror.
+    #[must_use]
+    pub const fn mirrored_if(self, mirrored: bool) -> Direction {
+        if mirrored { self.reversed() } else { self }
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What lies between program and machine coordinates: work offsets, shifts, presets, tool length; and the radius offset of compensation.
 
-use chordal_command::{CommandKind, Side, WorkName};
+use chordal_command::{AxisMask, CommandKind, Position, Side, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::{AXES, PerAxis};
 
@@ -147,13 +147,14 @@ impl Kernel<'_> {
         let add = self.state.incremental && !from_position;
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let work = self.state.offsets.work();
+        let meant = self.in_work_coordinates(values);
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 let Some(value) = *value else { continue };
                 let stored = if from_position {
                     // So that the present place gets this coordinate.
                     let beyond_work = offsets.total()[axis] - work[axis];
-                    machine[axis] - value - beyond_work
+                    machine[axis] - meant[axis] - beyond_work
                 } else {
                     value
                 };
@@ -177,16 +178,26 @@ impl Kernel<'_> {
 
     /// G92: the present position gets these coordinates.
     pub fn preset_position(&mut self, values: &PerAxis<Option<f64>>) {
-        let position = self.state.position;
+        let inside = self.state.frames.are_inside_presets();
+        let (position, meant) = match inside {
+            true => (self.state.work_position(), self.in_work_coordinates(values)),
+            false => (self.state.position, values.map(|value| value.unwrap_or(0.0))),
+        };
         let machine_known = self.state.machine_known;
         let clears_shift = self.rules.preset_clears_shift;
+        let mut named = AxisMask::NONE;
+        (0..AXES).filter(|axis| values[*axis].is_some()).for_each(|axis| named.insert(axis));
+        if inside {
+            named = self.state.frames.map().reached(named);
+        }
         self.state.shift_coordinates(|offsets| {
-            for (axis, value) in values.iter().enumerate() {
-                if let Some(value) = value {
+            for axis in 0..AXES {
+                if named.has(axis) {
                     if clears_shift {
                         offsets.move_shift_to_preset(axis);
                     }
-                    offsets.add_preset(axis, position[axis] - value, machine_known.has(axis));
+                    let by = position[axis] - meant[axis];
+                    offsets.add_preset(axis, by, machine_known.has(axis));
                 }
             }
         });
@@ -198,6 +209,13 @@ impl Kernel<'_> {
             }
         }
         self.emit_work_offset();
+    }
+
+    /// Where a place of program coordinates lies in the work coordinate system; an axis without a value stands.
+    fn in_work_coordinates(&self, values: &PerAxis<Option<f64>>) -> Position {
+        let position = self.state.position;
+        let place = std::array::from_fn(|axis| values[axis].unwrap_or(position[axis]));
+        self.state.frames.map().point(&place)
     }
 
     /// G92.1 and G92.2.

@@ -114,8 +114,13 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Pushes a command of the present block.
+    /// Pushes a command of the present block, as the work coordinate system has it.
+    #[inline]
     pub fn emit(&mut self, kind: CommandKind) {
+        let kind = match self.state.frames.is_plain() {
+            true => kind,
+            false => self.state.frames.map().command(kind, self.state.plane),
+        };
         self.sink.command(&Command { kind, origin: self.origin });
     }
 

@@ -20,6 +20,7 @@
 mod checkpoint;
 mod coordinates;
 mod cycles;
+pub mod frames;
 mod kernel;
 mod language;
 mod modal;
@@ -37,6 +38,7 @@ mod statement;
 pub use checkpoint::{Checkpoint, Memory};
 pub use coordinates::ToolValue;
 pub use cycles::Hole;
+pub use frames::{Frames, Polar, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
 pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
 pub use modal::{Modal, MotionMode};

@@ -64,6 +64,10 @@ pub struct Modal {
     pub tool: u32,
     /// The tool made ready.
     pub selected_tool: Option<u32>,
+    /// Program coordinates are mirrored, scaled or rotated against the work coordinate system.
+    pub framed: bool,
+    /// End points are a radius and an angle.
+    pub polar: bool,
     /// The work coordinate system.
     pub work: WorkName,
     /// Its name on this control.
@@ -104,6 +108,8 @@ impl Modal {
             coolant: state.coolant,
             tool: state.tool,
             selected_tool: state.selected_tool,
+            framed: !state.frames.is_plain(),
+            polar: state.polar.is_some(),
             work,
             work_name: state.offsets.key(work),
             length_offset: state.offsets.length().number,

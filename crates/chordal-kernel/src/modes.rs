@@ -51,6 +51,7 @@ impl Kernel<'_> {
                 .help("cancel compensation with G40 first"),
             );
         }
+        self.check_plane_change(word);
         self.state.plane = plane;
         self.emit(CommandKind::Plane(plane));
     }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use chordal_command::{AxisMask, Position, WorkName, WorkNaming};
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
+use crate::frames::Frames;
+
 /// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
 const Z: usize = Axis::Z as usize;
 
@@ -12,6 +14,8 @@ const Z: usize = Axis::Z as usize;
 #[derive(Clone, PartialEq, Debug)]
 pub struct Offsets {
     systems: BTreeMap<String, PerAxis<Option<f64>>>,
+    /// The rotation of a system about its zero, degrees, where it has one.
+    rotations: BTreeMap<String, f64>,
     external: PerAxis<Option<f64>>,
     tools: BTreeMap<u32, Tool>,
     naming: WorkNaming,
@@ -59,6 +63,7 @@ impl Offsets {
         let external = machine.work_offsets.get("EXT").map_or([None; AXES], |o| o.values);
         let mut offsets = Offsets {
             systems,
+            rotations: BTreeMap::new(),
             external,
             tools: machine.tools.clone(),
             naming,
@@ -159,6 +164,26 @@ impl Offsets {
         };
         let old = values[axis].unwrap_or(0.0);
         values[axis] = Some(if add { old + value } else { value });
+    }
+
+    /// Writes the rotation of a work coordinate system, degrees.
+    pub fn write_rotation(&mut self, key: &str, degrees: f64) {
+        self.rotations.insert(key.to_string(), degrees);
+    }
+
+    /// The rotation of a work coordinate system, degrees.
+    pub fn rotation(&self, key: &str) -> f64 {
+        self.rotations.get(key).copied().unwrap_or(0.0)
+    }
+
+    /// Brings the rotation of the system in force into the frames. Shifts and presets turn with the system.
+    pub(crate) fn turn_coordinates(&self, frames: &mut Frames) {
+        if self.rotations.is_empty() {
+            return;
+        }
+        let degrees = self.rotation(&self.key(self.active));
+        let zero = |axis: usize| -(self.shift[axis] + self.preset[axis]);
+        frames.set_work_rotation(degrees, [zero(0), zero(1)]);
     }
 
     /// One value of a work offset.

@@ -7,6 +7,7 @@ use chordal_diagnostics::Span;
 use chordal_geometry::{Direction, Plane};
 use chordal_machine::AXES;
 
+use crate::frames::{Frames, Polar};
 use crate::offsets::Offsets;
 use crate::path_mode::PathState;
 use crate::rules::{ArcCenter, CycleKind, Rules};
@@ -120,6 +121,12 @@ pub struct State {
     pub machine_known: AxisMask,
     /// The offset tables, and which are in force.
     pub offsets: Offsets,
+    /// Mirror, scaling and rotation.
+    pub frames: Frames,
+    /// The angle that the last rotation was given, degrees.
+    pub last_rotation_deg: Option<f64>,
+    /// End points are a radius and an angle.
+    pub polar: Option<Polar>,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -184,6 +191,9 @@ impl State {
             known,
             machine_known: AxisMask::ALL,
             offsets,
+            frames: Frames::default(),
+            last_rotation_deg: None,
+            polar: None,
             units: rules.units,
             plane: Plane::Xy,
             incremental: rules.starts_incremental,
@@ -213,11 +223,25 @@ impl State {
 
     /// The machine coordinate of an axis.
     pub fn machine_position(&self, axis: usize) -> f64 {
-        self.position[axis] + self.offsets.total()[axis]
+        let place = match self.frames.is_plain() {
+            true => self.position[axis],
+            false => self.work_position()[axis],
+        };
+        place + self.offsets.total()[axis]
+    }
+
+    /// The tool tip in the work coordinate system, the frames undone.
+    pub fn work_position(&self) -> Position {
+        match self.frames.is_plain() {
+            true => self.position,
+            false => self.frames.map().point(&self.position),
+        }
     }
 
     /// Changes the offsets: the machine stands still and the program coordinates change.
     pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
+        let mut work = self.work_position();
+        let mut known = self.frames.map().known(self.known);
         let old_total = self.offsets.total();
         let old_known = self.offsets.known();
         let old_identity = self.offsets.identity();
@@ -234,12 +258,32 @@ impl State {
             if unchanged {
                 continue;
             }
-            self.position[axis] += old_total[axis] - new_total[axis];
+            work[axis] += old_total[axis] - new_total[axis];
             if self.machine_known.has(axis) && new_known.has(axis) {
-                self.known.insert(axis);
+                known.insert(axis);
             } else {
-                self.known = self.known.without(AxisMask(1 << axis));
+                known = known.without(AxisMask(1 << axis));
             }
+        }
+        self.offsets.turn_coordinates(&mut self.frames);
+        self.stand_at(work, known);
+    }
+
+    /// Changes the frames: the machine stands still and the program coordinates change.
+    pub fn change_frames(&mut self, change: impl FnOnce(&mut Frames)) {
+        let work = self.work_position();
+        let known = self.frames.map().known(self.known);
+        change(&mut self.frames);
+        self.stand_at(work, known);
+    }
+
+    /// Puts the tool tip at a place of the work coordinate system.
+    pub fn stand_at(&mut self, work: Position, known: AxisMask) {
+        if self.frames.is_plain() {
+            (self.position, self.known) = (work, known);
+        } else {
+            self.position = self.frames.inverse().point(&work);
+            self.known = self.frames.inverse().known(known);
         }
     }
 }

@@ -253,7 +253,7 @@ fn write_tool(out: &mut Out, tool: &Tool, factors: &PerAxis<f64>) {
     }
 }
 
-/// A place as the file has it: a diameter on an axis that is programmed so.
+/// A place as the file has it: a diameter on an axis that is programmed in diameters.
 fn written(values: &PerAxis<Option<f64>>, axis: Axis, factors: &PerAxis<f64>) -> Option<f64> {
     Some(values[axis as usize]? * factors[axis as usize])
 }

@@ -53,7 +53,7 @@ at the offset distance from both blocks."#;
     LeadInTooShort = 510, "lead-in-too-short", Error;
     "the move that starts compensation is not longer than the offset";
     r#"The control needs a straight lead-in in the plane that is longer than the offset, so that the tool can
-move to its side of the contour. Start further away. On a Haas the block of G41 or G42 must move X or Y;
+move to its side of the contour. Start further away from the contour. On a Haas the block of G41 or G42 must move X or Y;
 a block that moves only Z is not a lead-in. The same holds for the lead-out, the move with G40."#;
 
     SideChangeRefused = 511, "side-change-refused", Error;
@@ -77,7 +77,7 @@ shown as programmed."#;
     LookAheadLost = 515, "look-ahead-lost", Warning;
     "too many blocks without motion between two moves";
     r#"The control looks ahead over few blocks. With more blocks without motion (M8, G4, a comment line with a
-number) it does not know how the contour goes on, and puts the tool square to the end of the
+number) it does not know how the contour continues, and puts the tool square to the end of the
 block before. At an inside corner this cuts into the part by up to the tool radius.
 
     X0.            the control needs the next move here
@@ -89,13 +89,13 @@ Put the M and G4 codes elsewhere, or into the block of a move."#;
 
     SpiralInCompensation = 516, "spiral-in-compensation", Error;
     "a spiral while compensation is on";
-    r#"The offset of a spiral is not a spiral. Some controls refuse it. Others (Fanuc) take circles through its
+    r#"The offset of a spiral is not a spiral. Some controls refuse it. Others (Fanuc) use circles through its
 ends and offset the tool along the radius; that is a little nearer to the wall than an offset square to
 it. Chordal shows this path on every control."#;
 
     ShiftInCompensation = 517, "shift-in-compensation", Error;
     "coordinates shift while compensation is on";
-    r#"G28, G53, G52, G92 or a work offset comes between G41 or G42 and G40. Controls refuse it, or drop the
+    r#"G28, G53, G52, G92 or a work offset comes between G41 or G42 and G40. Controls refuse it, or cancel the
 offset for that move. Cancel with G40 first."#;
 
     InterferenceAvoided = 519, "interference-avoided", Warning;
@@ -104,7 +104,7 @@ offset for that move. Cancel with G40 first."#;
 of its neighbours. The contour of the skipped block is not cut to size."#;
 
     FullTurnLost = 520, "full-turn-lost", Warning;
-    "a compensated arc of more than a turn is cut short";
+    "a compensated arc of more than a turn is shortened";
     r#"A change of side, or G40 with I J, makes the compensated arc longer than a full turn. This control then
 runs the short arc, and a part of the circle stays uncut."#;
 
@@ -149,7 +149,7 @@ the tool's side, measured square to it. A lead-in along the line of the wall alw
 0.15 mm with a radius of 5 mm and a lead-in of 20 mm. Start further to the side, or lead in with an arc."#;
 
     SideAmbiguous = 532, "side-ambiguous", Note;
-    "a contour is run both ways, so neither side of it is the part";
+    "a contour is run in both directions, so neither side of it is the part";
     r#"Two blocks run along the same line or arc in opposite directions with compensation on the same side.
 The tool passes on both sides of it, as in a slot programmed along its centre line, and nothing says on
 which side the material should stay. The check for gouges takes the curve itself as the limit on both
@@ -158,7 +158,7 @@ sides."#;
     GougeSearchLimit = 533, "gouge-search-limit", Warning;
     "not all of the contour was checked for gouges";
     r#"The contour turns back on itself so often within a tool radius that the check stopped at its limit of
-comparisons. The gouges it reported are real; there may be more. Check the contour in parts, or with a
+comparisons. The gouges that it reported are real; there may be more. Check the contour in parts, or with a
 smaller tool."#;
 
     CompensationSideDoubtful = 534, "compensation-side-doubtful", Warning;

@@ -68,8 +68,8 @@ point in least increments, `Q2` is 0.002 mm: write `Q2.`"#;
 
     CycleNotDocumented = 812, "cycle-not-documented", Warning;
     "no manual was found that says how the control runs this cycle";
-    r#"The path shown follows common practice or what is likely. Look into the manual of your control, try the
-cycle above the part, and change the settings in the machine file so that the path fits."#;
+    r#"The path shown follows common practice or is assumed. Read the manual of your control, try the cycle above
+the part, and change the settings in the machine file so that the path fits."#;
 
     NoMotionInForce = 813, "no-motion-in-force", Error;
     "axis words without an active motion code";

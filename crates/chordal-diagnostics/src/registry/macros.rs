@@ -7,7 +7,7 @@ codes! {
     "an expression cannot be read";
     r#"A value is a number, a variable (`#101`), a function (`SIN[30.]`) or a bracket. Values are joined by
 `+ - * / MOD AND OR XOR EQ NE GT GE LT LE`. What cannot be read is marked; the word or the assignment it
-belongs to is left out. On Fanuc, Haas, Mitsubishi and LinuxCNC brackets of expressions are `[ ]`, since
+belongs to is skipped. On Fanuc, Haas, Mitsubishi and LinuxCNC brackets of expressions are `[ ]`, since
 `( )` is a comment; on a Fadal they are `( )`."#;
 
     UnbalancedBrackets = 701, "unbalanced-brackets", Error;
@@ -90,7 +90,7 @@ blocks. Chordal carries out the words before the statement, then the statement."
     ProgramAlarm = 716, "program-alarm", Error;
     "the program stops itself with an alarm";
     r#"With `#3000=n (TEXT)` a program stops itself: an argument is missing, a tool is wrong, a part is not there.
-The run ends here with the program's own text. Look at the conditions that led to this line."#;
+The run ends here with the program's own text. Check the conditions that led to this line."#;
 
     OutputLimit = 717, "output-limit", Warning;
     "the program prints more than is kept";
@@ -160,7 +160,7 @@ come from the machine file, in the order in which the program asks:
     inputs = [1.5, 2]
 
 Without an answer Chordal takes 0, as the control does when nothing is typed. What the program computes
-from it means little."#;
+from it is not reliable."#;
 
     ProbeWithoutHit = 744, "probe-without-hit", Warning;
     "a probe move touches nothing, and the control stops with an error";

@@ -5,6 +5,7 @@
 
 mod compensation;
 mod cycles;
+mod frames;
 mod machine;
 mod macros;
 mod motion;
@@ -62,11 +63,12 @@ macro_rules! codes {
 }
 use codes;
 
-static FAMILIES: [&[CodeInfo]; 9] = [
+static FAMILIES: [&[CodeInfo]; 10] = [
     reading::FAMILY,
     program::FAMILY,
     words::FAMILY,
     motion::FAMILY,
+    frames::FAMILY,
     compensation::FAMILY,
     machine::FAMILY,
     macros::FAMILY,
@@ -90,6 +92,18 @@ impl Code {
     /// Said once in a file: what holds for all its numbers.
     pub const fn is_said_once(self) -> bool {
         matches!(self, Code::ExcessDecimals)
+    }
+
+    /// Where it is an error, the control would go on otherwise than is shown: from there on the path is not known.
+    pub const fn loses_path(self) -> bool {
+        matches!(
+            self,
+            Code::NotFollowed
+                | Code::UnknownCode
+                | Code::MissingSubprogram
+                | Code::UnsupportedMacro
+                | Code::BudgetReached
+        )
     }
 
     /// What the registry knows of it.

@@ -5,8 +5,8 @@ use super::codes;
 codes! {
     RadiusMismatch = 401, "radius-mismatch", Error;
     "start and end of an arc lie at different distances from its centre";
-    r#"An arc by its centre gives the same circle twice: the start point is on it, and the end point must be,
-too. When the two distances differ by more than the control's tolerance, one of the numbers is wrong.
+    r#"An arc that is given by its centre gives the same circle twice: the start point is on it, and the end point
+must be, too. When the two distances differ by more than the control's tolerance, one of the numbers is wrong.
 
     G18
     G1 X-3.4585 Z-1.168
@@ -25,8 +25,8 @@ through both. Chordal shows the shortest radius that is possible."#;
 
     FullCircleByRadius = 403, "full-circle-by-radius", Error;
     "a full circle cannot be given by its radius";
-    r#"Any number of circles with one radius pass through one point. Give the centre (I, J or K), and leave the
-end point out."#;
+    r#"Any number of circles with one radius pass through one point. Give the centre (I, J or K), and do not give
+an end point."#;
 
     CenterOutsidePlane = 404, "center-outside-plane", Error;
     "a centre word does not belong to the plane";

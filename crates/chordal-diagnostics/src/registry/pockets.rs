@@ -8,7 +8,7 @@ codes! {
     r#"The fixed routines (Fadal L91 to L99) need all of their R words in the same block, an active tool offset
 with a diameter above zero in the table, no active drilling cycle and no active cutter compensation. They
 cannot be called in MDI. R1 of the pockets is the corner radius of the tool: 0 for a square end mill. It is
-never the radius of the tool itself: then the tool would have no flat end to clear the floor with.
+never the full radius of the tool: such a tool has no flat end to clear the floor.
 
     H3 D3 Z.1 M8
     L9601 R0+40. R1+.01 R2+2.98 R3+1.98"#;

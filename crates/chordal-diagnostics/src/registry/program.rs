@@ -46,7 +46,7 @@ or call subroutines (L)."#;
 
     DuplicateProgram = 209, "duplicate-program", Warning;
     "two programs of the file have the same number";
-    r#"Only one of them can be called. Chordal takes the first; a control refuses to load the second, or replaces
+    r#"Only one of them can be called. Chordal calls the first; a control refuses to load the second, or replaces
 the first."#;
 
     HeaderOutOfPlace = 210, "header-out-of-place", Error;

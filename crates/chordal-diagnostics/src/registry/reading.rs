@@ -17,8 +17,8 @@ program can still be checked."#;
 
     MissingAddress = 102, "missing-address", Error;
     "a number without its address letter";
-    r#"Every number in a block belongs to a letter. For a number alone, usually the letter was lost, or the
-letter I was typed as the digit 1:
+    r#"Every number in a block belongs to a letter. If a number stands alone, usually its letter was lost, or
+the letter I was typed as the digit 1:
 
     N120 G17 G02 X3. Y2. 12. J2.      meant: I2. J2.
 
@@ -31,7 +31,7 @@ be a one:
 
     G1 X1O.5          meant: X10.5
 
-A control reads the letter as a new address and alarms, or worse, takes it for a program number."#;
+A control reads the letter as a new address and alarms, or worse, reads it as a program number."#;
 
     UnclosedComment = 104, "unclosed-comment", Error;
     "a comment is not closed";
@@ -75,8 +75,8 @@ Chordal reports it once and continues after the last `)`."#;
 
     LooksLikeRemark = 111, "looks-like-remark", Error;
     "a sentence between the words of the program";
-    r#"The control reads a remark without parentheses, or one that was wrapped onto the next line, as words of
-the program, and most of it is not. Chordal reports it once for all lines of the remark and skips them.
+    r#"The control reads a comment without parentheses, or one that was wrapped onto the next line, as words of
+the program, and most of them have no meaning. Chordal reports all lines of the comment once and skips them.
 
     (ROUGH THE POCKET AND LEAVE
     STOCK ON THE WALLS)             this line is not a comment"#;

@@ -6,7 +6,7 @@ codes! {
     UnknownCode = 301, "unknown-code", Error;
     "this control has no such code";
     r#"The G or M code is not in the table of this control. Perhaps the program was written for another
-one: `chordal explain G154 --machine haas-vf2` says what a code does on each control, and
+one: `chordal explain G154` says what a code does on each control, and
 `chordal machines` lists the controls."#;
 
     SameGroup = 302, "same-group", Error;
@@ -31,7 +31,7 @@ point (`X3.`) it is three inches. In a program that otherwise writes points, a m
 always a mistake, and a dangerous one."#;
 
     NotSimulated = 306, "not-simulated", Note;
-    "the code is known, and what it does is not simulated";
+    "the code is known, but what it does is not simulated";
     r#"The control carries the code out. Chordal does not, and reports it, so that you know what is missing
 from the path and the time."#;
 
@@ -53,7 +53,7 @@ choose the machine with `--machine`."#;
     "a length has more decimals than the control uses";
     r#"A control counts in least increments: 0.0001 in, 0.001 mm. Decimals beyond that are cut off or rounded, so
 the axis does not go exactly where the text says. In G91 the differences add up. The setting
-`excess_decimals` says what a control does. Reported once for a program."#;
+`excess_decimals` says what a control does. Reported once in each program."#;
 
     TooManyDigits = 311, "too-many-digits", Error;
     "a number has more digits than the control accepts";
@@ -61,4 +61,14 @@ the axis does not go exactly where the text says. In G91 the differences add up.
 them are decimals.
 
     X1.23456789              nine digits: PS0003 on a Fanuc"#;
+
+    NotFollowed = 312, "not-followed", Error;
+    "the path from here on is not known: the control does something that Chordal does not carry out";
+    r#"This code or word changes the path or the place of the tool, and Chordal does not carry it out. What comes after
+it is shown as if the code were not there, so no answer about it holds: not the path, not the time, not travel or
+collisions. The run is not verified from this line on, and what needs the whole path (compare, convert, transform)
+refuses it.
+
+Look up what the code does. Where it has no effect in this program, delete it in a copy and check that; where a custom
+code of the machine stands behind it, say what it does in `[shop_codes]` of the machine file."#;
 }

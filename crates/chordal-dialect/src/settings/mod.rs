@@ -3,6 +3,7 @@
 mod choices;
 mod compensation;
 mod cycle;
+mod frame;
 mod path_mode;
 
 use chordal_command::{FeedAlong, RapidPath, Units};
@@ -12,6 +13,7 @@ use chordal_machine::{Machine, Setting as Given, SettingValue};
 use self::choices::{choose, mm_text, name_of};
 pub use self::compensation::CompensationField;
 pub use self::cycle::CycleField;
+pub use self::frame::FrameField;
 pub(crate) use self::path_mode::CORNER_ROUNDING;
 pub use self::path_mode::PathField;
 use crate::parameters::*;
@@ -75,6 +77,7 @@ pub enum Field {
     Cycle(CycleField),
     Compensation(CompensationField),
     Path(PathField),
+    Frame(FrameField),
     MacroAngles,
     /// A G code that calls a macro, by its place.
     AliasG(u8),
@@ -434,6 +437,7 @@ fn set(p: &mut Parameters, field: Field, word: &str, value: &SettingValue) -> Re
         Field::Cycle(rule) => cycle::set(p, rule, word, value)?,
         Field::Compensation(rule) => compensation::set(p, rule, word, value)?,
         Field::Path(rule) => path_mode::set(p, rule, word, value)?,
+        Field::Frame(rule) => frame::set(p, rule, word, value)?,
         Field::MacroAngles => {
             p.macro_angles_full_circle = choose(word, MACRO_ANGLES)?;
         }
@@ -520,6 +524,7 @@ pub fn value_text(p: &Parameters, field: Field) -> String {
         Field::Cycle(rule) => cycle::value_text(p, rule),
         Field::Compensation(rule) => compensation::value_text(p, rule),
         Field::Path(rule) => path_mode::value_text(p, rule),
+        Field::Frame(rule) => frame::value_text(p, rule),
         Field::MacroAngles => name_of(p.macro_angles_full_circle, MACRO_ANGLES),
         Field::AliasG(at) => p.aliases.g[at as usize].to_string(),
         Field::AliasM(at) => p.aliases.m[at as usize].to_string(),

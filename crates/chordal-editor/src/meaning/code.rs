@@ -34,8 +34,13 @@ pub fn code_brief(letter: u8, code: u16, view: &View) -> Option<String> {
 /// What a code does on a control; in few words where there are `several`.
 fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     let mut facts = Facts::new(row.title);
-    if row.action == Action::NotSimulated {
-        let note = "the control carries it out; Chordal does not, and reports each use";
+    if row.action.is_left_out() {
+        let note = match row.action == Action::NotFollowed {
+            true => {
+                "the control carries it out and Chordal does not: an error, from there on the path is not known"
+            }
+            false => "the control carries it out; Chordal does not, and reports each use",
+        };
         facts.add("note", note);
         return facts.text;
     }
@@ -191,7 +196,8 @@ fn fields_of(action: Action) -> &'static [Field] {
         | Action::Once(_)
         | Action::After(_)
         | Action::NoEffect
-        | Action::NotSimulated => &[],
+        | Action::NotSimulated
+        | Action::NotFollowed => &[],
     }
 }
 
@@ -213,6 +219,9 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
         | ModeCode::Path(_)
         | ModeCode::Overrides { .. }
         | ModeCode::OverridesByP
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => &[],

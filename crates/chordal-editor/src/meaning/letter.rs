@@ -102,7 +102,7 @@ fn takers(letter: u8, view: &View) -> Option<String> {
         .into_iter()
         .flat_map(|code| codes(table, code).iter().map(move |row| (code, row)))
         .filter(|(_, row)| row.words.has(letter))
-        .filter(|(_, row)| !matches!(row.action, Action::NotSimulated | Action::NoEffect))
+        .filter(|(_, row)| !row.action.is_left_out() || row.action == Action::NoEffect)
         .map(|(code, row)| code_name(code, row.code))
         .collect();
     (!takers.is_empty()).then(|| format!("taken by {}", some(&takers)))

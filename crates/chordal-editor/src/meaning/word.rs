@@ -20,7 +20,11 @@ pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
         Action::Call(code) => called(code, letter, view),
         Action::Before(code) => before(code, letter).map(str::to_string),
         Action::Cycle(kind) => cycle(kind, letter, view),
-        Action::Reading(_) | Action::After(_) | Action::NoEffect | Action::NotSimulated => None,
+        Action::Reading(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated
+        | Action::NotFollowed => None,
     }
 }
 
@@ -65,6 +69,21 @@ fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {
             b'S' => "spindle speed",
             _ => return None,
         },
+        OnceCode::Rotation => match letter {
+            b'R' => "angle of the rotation in degrees, counter-clockwise",
+            b'I' | b'J' | b'K' => "axis of the rotation in space; Chordal does not follow it",
+            b'X' | b'Y' | b'Z' => "centre of the rotation",
+            _ => return None,
+        },
+        OnceCode::Scaling => match letter {
+            b'P' => "scale factor of all axes",
+            b'I' => "scale factor of X",
+            b'J' => "scale factor of Y",
+            b'K' => "scale factor of Z",
+            b'X' | b'Y' | b'Z' => "centre of the scaling",
+            _ => return None,
+        },
+        OnceCode::Mirror { .. } | OnceCode::MirrorOff => return None,
         OnceCode::ReturnFromReference
         | OnceCode::MachineCoordinates
         | OnceCode::LocalShift
@@ -117,6 +136,9 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::ReturnToR
         | ModeCode::CancelCycle
         | ModeCode::Overrides { .. }
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => return None,
     };
@@ -181,7 +203,7 @@ fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
             _ => return None,
         },
         CallCode::Return => match letter {
-            b'P' => "N number in the caller at which the program goes on",
+            b'P' => "N number in the calling program where it continues",
             _ => return None,
         },
         CallCode::MacroCall | CallCode::ModalMacroCall { .. } => match letter {
@@ -285,7 +307,7 @@ fn cycle(kind: CycleKind, letter: u8, view: &View) -> Option<String> {
     let text = match letter {
         b'R' if view.table.lexicon.registers => "R level, written R0+…: where feeding begins",
         b'R' => "R level: where feeding begins, and to where G99 returns",
-        _ if letter == rules.repeat_letter => "number of holes; in G91 each one further on",
+        _ if letter == rules.repeat_letter => "number of holes; in G91 each is one step further",
         b'E' if throws_chips(kind) => {
             "speed at which the spindle throws off the chips after the hole"
         }
@@ -350,7 +372,7 @@ fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<String> {
         && rules.bore.shift != ShiftWords::Q;
     let text = match letter {
         b'I' if pecks => "depth of the first peck, in place of Q",
-        b'J' if pecks => "how much less each further peck is",
+        b'J' if pecks => "reduction of each further peck",
         b'K' if kind == CycleKind::ChipBreak && rules.peck.return_after_k => {
             "with I: smallest peck; with Q: depth after which the tool returns to R"
         }

@@ -17,7 +17,7 @@ pub(super) fn page(table: &'static ControlTable) -> String {
         "# {}\n\n{HEAD}\n\
          In a machine file: `control = \"{}\"`. Source: {}.\n\n\
          A code may also take the axis words and F, where they make sense. Codes of one group exclude each\n\
-         other: one holds until the next one of its group. `chordal explain G83 --machine …` says the same\n\
+         other: one stays active until the next one of its group. `chordal explain G83 --machine …` says the same\n\
          with the settings of your machine.\n",
         table.title,
         table.name,
@@ -44,7 +44,7 @@ fn runs(table: &'static ControlTable, letter: u8) -> Vec<&'static [CodeRow]> {
         (a.title, a.action, a.group, a.words) == (b.title, b.action, b.group, b.words)
     };
     let runs = codes(table, letter).chunk_by(same);
-    runs.filter(|run| run[0].action != Action::NotSimulated).collect()
+    runs.filter(|run| !run[0].action.is_left_out()).collect()
 }
 
 fn code_row(letter: u8, run: &[CodeRow], view: &View) -> String {
@@ -114,7 +114,7 @@ fn not_here(table: &ControlTable) -> String {
     }
     let mut text = format!(
         "\n## Not carried out\n\n\
-         The control has these codes. Chordal reports {} where one stands and goes on without it.\n\n\
+         The control has these codes. Chordal reports {} for each of them in a program and continues without it.\n\n\
          | code | meaning |\n|---|---|\n",
         Code::NotSimulated.info().id
     );
@@ -146,7 +146,7 @@ fn settings(view: &View) -> String {
     let mut text = String::from(
         "\n## Settings\n\n\
          Written in the machine file under `[settings]`. How sure: *documented* in a manual; *inferred* from\n\
-         examples; *trade* knowledge without a text; *unknown*, so that the default is a choice.\n\n\
+         examples; *trade* knowledge without a text; *unknown*: the default is assumed.\n\n\
          | setting | what it does | values | default | how sure | source |\n|---|---|---|---|---|---|\n",
     );
     for setting in view.table.settings {
@@ -156,7 +156,7 @@ fn settings(view: &View) -> String {
         text.push_str(&table_row(&cells));
     }
     text.push_str(
-        "\nThese names hold on every control; the defaults are those of this one.\n\n\
+        "\nThese names are valid on every control; the defaults are those of this one.\n\n\
          | setting | what it does | values | default |\n|---|---|---|---|\n",
     );
     for setting in COMMON_SETTINGS {

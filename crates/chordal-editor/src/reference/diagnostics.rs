@@ -12,7 +12,7 @@ pub(super) fn page() -> String {
     let mut text = format!(
         "# Diagnostics\n\n{HEAD}\n\
          `chordal explain CH401` prints the same for one code. A code never changes its meaning. The severity\n\
-         is the usual one; a message may carry another where the control treats the case differently.\n\n\
+         is the usual one; a message may have another one if the control treats the case differently.\n\n\
          | code | name | severity | meaning |\n|---|---|---|---|\n"
     );
     for code in Code::all() {

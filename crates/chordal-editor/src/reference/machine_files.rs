@@ -81,7 +81,7 @@ A `chordal.toml` next to the programs names their machine, so that `--machine` i
 `um`, `in` (also `inch` or `\"`), `ft`. Times: `s`, `ms`, `min`. Angles: `deg`, `rad`, `rev`. Rates are per
 `s` or `min`: `in/min`, `mm/s^2`, `m/s³`; `ipm` and `rpm` for short.
 
-**Names that vary** stand in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
+**Names that vary** are in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
 work offset; `<code>` an M code such as `M120`; `<setting>` a parameter by the name in the control's manual.
 The settings of each control: [Fadal](reference/controls/fadal.md#settings),
 [Haas](reference/controls/haas.md#settings), [Fanuc](reference/controls/fanuc.md#settings),
@@ -104,12 +104,12 @@ fn default_of(path: &str) -> &'static str {
         "rotary.<rotary>.reversed" | "switches.optional_stop" => "`false`",
         "feed.max" | "feed.max_rotary" | "spindle.max" => "not checked",
         "tools.<tool>.diameter" => "not known: compensation with it is reported",
-        "tools.<tool>.length" => "0 for the numbers; the height is not known",
+        "tools.<tool>.length" => "0 is used; the height is not known",
         "tools.<tool>.diameter_wear" | "tools.<tool>.length_wear" => "0",
         "tools.<tool>.offset.<axis>" | "tools.<tool>.offset_wear.<axis>" => "0",
         "axes.<axis>.programmed" => "`radius`",
         "work_offsets.<offset>" | "work_offsets.<offset>.<axis>" => {
-            "0 for the numbers; the machine position is not known, and travel is not checked"
+            "0 is used; the machine position is not known, and travel is not checked"
         }
         "home.<axis>" | "reference_points.<point>.<axis>" => "not known",
         "switches.block_delete" => "`false`: every block runs",

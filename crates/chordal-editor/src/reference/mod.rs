@@ -28,8 +28,7 @@ pub fn pages() -> Vec<Page> {
 pub use not_carried_out::codes_not_carried_out;
 
 /// What a generated page says under its title.
-const HEAD: &str =
-    "This page is written from the tables of the program; a test holds it against them.\n";
+const HEAD: &str = "This page is generated from the tables in Chordal; a test compares the two.\n";
 
 /// A text in a cell of a table: one line, no bar.
 fn cell(text: &str) -> String {

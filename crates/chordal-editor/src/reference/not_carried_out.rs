@@ -1,6 +1,5 @@
 //! The codes that a control has and Chordal does not carry out.
 
-use chordal::control::Action;
 use chordal::control::CONTROLS;
 use chordal::control::table::{ControlTable, DataTarget, code_name};
 
@@ -11,7 +10,7 @@ use crate::reference::{cell, table_row};
 pub(super) fn of(table: &ControlTable) -> Vec<(String, &'static str)> {
     let letters = [b'G', b'M'].into_iter();
     let rows = letters.flat_map(|letter| codes(table, letter).iter().map(move |row| (letter, row)));
-    rows.filter(|(_, row)| row.action == Action::NotSimulated)
+    rows.filter(|(_, row)| row.action.is_left_out())
         .map(|(letter, row)| (code_name(letter, row.code), row.title))
         .collect()
 }

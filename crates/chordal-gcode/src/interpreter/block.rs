@@ -100,7 +100,7 @@ impl Interpreter<'_> {
     fn m_row(&mut self, block: &Block, at: usize, code: u16) -> Option<&'static CodeRow> {
         let row = self.control.m_code(code);
         match row {
-            Some(row) if row.action != Action::NotSimulated => Some(row),
+            Some(row) if !row.action.is_left_out() => Some(row),
             _ => self.shop_row(block, at, code).or(row),
         }
     }

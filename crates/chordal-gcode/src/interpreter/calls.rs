@@ -97,16 +97,8 @@ impl Interpreter<'_> {
     pub(super) fn call_subroutine(&mut self, word: &Word, value: u32) {
         let (number, repeats) = (value / 100, value % 100);
         if FIXED.contains(&number) {
-            self.kernel.report(
-                Diagnostic::new(
-                    Code::NotSimulated,
-                    self.span(word.range),
-                    format!("the fixed subroutine L{value} is not carried out by this version"),
-                )
-                .severity(Severity::Warning)
-                .label("its motion is missing from the path"),
-            );
-            return;
+            let message = format!("the fixed subroutine L{value} is not followed");
+            return self.lose_path(word.range, message);
         }
         if repeats == 0 {
             let alone = self.subroutines.contains_key(&number);
@@ -213,15 +205,8 @@ impl Interpreter<'_> {
             let message = "M98 without a program number".to_string();
             return self.kernel.missing_word(span, message, "write P and the program's number");
         }
-        self.kernel.report(
-            Diagnostic::new(
-                Code::NotSimulated,
-                span,
-                "a subprogram named by its path in a comment is not called",
-            )
-            .severity(Severity::Warning)
-            .help("give the program a number and call it with P"),
-        );
+        let message = "a subprogram named by its path in a comment is not followed";
+        self.lose_path(span.range, message.into());
     }
 
     pub(super) fn report_missing_program(&mut self, word: &Word, number: u32) {

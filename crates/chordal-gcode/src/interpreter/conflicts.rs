@@ -1,7 +1,7 @@
 //! Whether the words of a block go together: what may stand twice, what excludes each other, and
 //! which letters the codes and modes in force take.
 
-use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode};
 use chordal_dialect::{CodeRow, Group};
@@ -154,14 +154,8 @@ impl Interpreter<'_> {
                 continue;
             }
             let letter = word.letter as char;
-            self.kernel.report(
-                Diagnostic::new(
-                    Code::NotSimulated,
-                    self.span(word.range),
-                    format!("`,{letter}` (corner rounding or chamfer) is not carried out"),
-                )
-                .severity(Severity::Warning),
-            );
+            let message = format!("`,{letter}` (corner rounding or chamfer) is not followed");
+            self.lose_path(word.range, message);
         }
     }
 }

@@ -11,6 +11,7 @@ mod calls;
 mod checkpoint;
 mod conflicts;
 mod cycle;
+mod frames;
 mod in_force;
 mod literals;
 mod macros;

@@ -95,6 +95,7 @@ impl Interpreter<'_> {
         let code = match row.action {
             Action::Mode(code) => code,
             Action::NotSimulated => return self.not_simulated(&block.words[at], row),
+            Action::NotFollowed => return self.not_followed(&block.words[at], row.title),
             // Each in its turn.
             Action::Reading(_)
             | Action::Before(_)
@@ -127,6 +128,9 @@ impl Interpreter<'_> {
             ModeCode::OverridesByP => self.take_overrides_by_p(block),
             ModeCode::ReturnInitial => self.kernel.state.return_to_r = false,
             ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
+            ModeCode::RotationOff => self.kernel.end_rotation(),
+            ModeCode::ScalingOff => self.kernel.end_scaling(),
+            ModeCode::Polar { on } => self.kernel.state.polar = on.then(Default::default),
             ModeCode::CancelCycle => self.kernel.cancel_cycle(),
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
@@ -227,7 +231,8 @@ impl Interpreter<'_> {
                 | Action::After(_)
                 | Action::Call(_)
                 | Action::NoEffect
-                | Action::NotSimulated => {}
+                | Action::NotSimulated
+                | Action::NotFollowed => {}
             }
         }
     }
@@ -279,7 +284,8 @@ impl Interpreter<'_> {
                 | Action::Cycle(_)
                 | Action::Once(_)
                 | Action::NoEffect
-                | Action::NotSimulated => {}
+                | Action::NotSimulated
+                | Action::NotFollowed => {}
             }
         }
         Flow::Next

@@ -18,6 +18,9 @@ impl Interpreter<'_> {
     /// The end point that the axis words of a block give, and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
+        if self.kernel.state.polar.is_some() {
+            return self.polar_target(block);
+        }
         let mut target = self.kernel.state.position;
         let mut named = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');

@@ -23,6 +23,10 @@ impl Interpreter<'_> {
         if to_machine && self.kernel.state.side != Side::Off {
             self.reference_in_compensation(block, at);
         }
+        if code.works_with_places() {
+            let name = self.code_text(block, at);
+            self.kernel.warn_of_frames(self.span(block.words[at].range), &name);
+        }
         match code {
             OnceCode::Dwell => self.dwell(block, at),
             OnceCode::SetData => self.set_data(block, at),
@@ -49,6 +53,10 @@ impl Interpreter<'_> {
             OnceCode::RestorePreset => {
                 self.kernel.restore_preset();
             }
+            OnceCode::Rotation => self.rotation(block, at),
+            OnceCode::Scaling => self.scaling(block),
+            OnceCode::Mirror { at_zero } => self.mirror(block, at, at_zero),
+            OnceCode::MirrorOff => self.mirror_off(block),
             OnceCode::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),
             OnceCode::CircularPocketCcw => self.circular_pocket(block, at, Direction::Ccw),
             OnceCode::GeneralPocket => self.general_pocket(block, at),

@@ -3,7 +3,7 @@
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode};
-use chordal_dialect::{CodeRow, CycleField, Field};
+use chordal_dialect::{CodeRow, CycleField, Field, code_name, code_number};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -19,7 +19,7 @@ impl Interpreter<'_> {
         let Some(number) = self.literal(word) else { return };
         let own = self.control.table;
         let title = own.title;
-        let code = chordal_dialect::code_number(number);
+        let code = code_number(number);
         let others: Vec<&str> = chordal_dialect::CONTROLS
             .iter()
             .filter(|table| table.name != own.name)
@@ -39,9 +39,10 @@ impl Interpreter<'_> {
         .label("unknown code");
         diagnostic = diagnostic.help(match &others[..] {
             [] => "check the number".to_string(),
-            [one] => format!("{one} has it: is the machine right?"),
+            [one] => format!("{letter}{number} exists on {one}: is the machine right?"),
             [most @ .., last] => {
-                format!("{} and {last} have it: is the machine right?", most.join(", "))
+                let most = most.join(", ");
+                format!("{letter}{number} exists on {most} and {last}: is the machine right?")
             }
         });
         self.kernel.report(diagnostic);
@@ -166,15 +167,40 @@ impl Interpreter<'_> {
         ));
     }
 
-    pub(super) fn report_macro(&mut self, range: TextRange) {
+    /// A code or a word that changes the path or a place and is not carried out.
+    pub(super) fn not_followed(&mut self, word: &Word, what: &str) {
+        let name = self.word_name(word);
+        self.lose_path(word.range, format!("{name} ({what}) is not followed"));
+    }
+
+    /// From here on the path is not known.
+    pub(super) fn lose_path(&mut self, range: TextRange, message: String) {
         self.kernel.report(
-            Diagnostic::new(
-                Code::NotSimulated,
-                self.span(range),
-                "macro statements are not carried out by this version",
-            )
-            .label("skipped")
-            .severity(Severity::Warning),
+            Diagnostic::new(Code::NotFollowed, self.span(range), message)
+                .label("from here on the path is not known")
+                .help(
+                    "check this program from here on by other means; see `chordal explain CH312`",
+                ),
+        );
+    }
+
+    fn word_name(&self, word: &Word) -> String {
+        let code = self.literal(word).and_then(code_number);
+        code.map_or_else(
+            || char::from(word.letter).to_string(),
+            |code| code_name(word.letter, code),
+        )
+    }
+
+    /// The code of a word as people write it.
+    pub(super) fn code_text(&self, block: &Block, at: usize) -> String {
+        self.word_name(&block.words[at])
+    }
+
+    pub(super) fn report_macro(&mut self, range: TextRange) {
+        self.lose_path(
+            range,
+            "this control has no macro statements: this one is not followed".into(),
         );
     }
 

@@ -2,6 +2,7 @@
 
 use chordal_command::{AxisMask, CommandKind, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_machine::AXES;
 
 use super::hole::Hole;
 use crate::kernel::Kernel;
@@ -175,9 +176,18 @@ impl Kernel<'_> {
     fn aside(&self, hole: &Hole, shift: [f64; 2]) -> (Position, AxisMask) {
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
-        for (axis, part) in plane_axes(hole.axis).into_iter().zip(shift) {
-            target[axis] += part;
-            if part != 0.0 && self.state.known.has(axis) {
+        let axes = plane_axes(hole.axis);
+        let mut way = [0.0; AXES];
+        for (axis, part) in axes.into_iter().zip(shift) {
+            way[axis] = part;
+        }
+        // The tip points where the spindle stands, whatever frame the program is in.
+        if !self.state.frames.is_plain() {
+            way = self.state.frames.inverse().vector(&way);
+        }
+        for axis in axes {
+            target[axis] += way[axis];
+            if way[axis] != 0.0 && self.state.known.has(axis) {
                 named.insert(axis);
             }
         }

@@ -5,6 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 
 use super::bore::plane_axes;
 use super::hole::Hole;
+use crate::frames::sin_cos_degrees;
 use crate::kernel::Kernel;
 use crate::state::Motion;
 use crate::statement::Statement;
@@ -69,17 +70,5 @@ impl Kernel<'_> {
         if self.rules.cycles.one_group_with_motion {
             self.state.motion = Motion::None;
         }
-    }
-}
-
-/// Exact where the angle is a whole number of quarter turns.
-fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
-    let turned = degrees.rem_euclid(360.0);
-    match turned {
-        0.0 => (0.0, 1.0),
-        90.0 => (1.0, 0.0),
-        180.0 => (0.0, -1.0),
-        270.0 => (-1.0, 0.0),
-        _ => libm::sincos(turned.to_radians()),
     }
 }

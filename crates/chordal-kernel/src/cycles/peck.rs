@@ -48,13 +48,15 @@ impl Kernel<'_> {
         let rules = self.rules.cycles.peck;
         let parameters = &self.rules;
         let lift = if full { parameters.peck_clearance_mm } else { parameters.chip_break_mm };
-        let lift = hole.words.lift.unwrap_or(lift);
+        // Scaling acts on the levels of a cycle, not on its steps.
+        let lift = self.unscaled(hole.axis, hole.words.lift.unwrap_or(lift));
         let dwell_each = rules.dwell == PeckDwell::EachPeck && !full;
         let steps = self.peck_steps(hole);
         let return_after = hole.words.vector[2]
-            .map(f64::abs)
+            .map(|k| self.unscaled(hole.axis, k.abs()))
             .filter(|k| !full && rules.return_after_k && *k > 0.0 && steps_are_even(steps));
         let above = if full || rules.chip_break_above_r { rules.return_above_r_mm } else { 0.0 };
+        let above = self.unscaled(hole.axis, above);
         let (mut total, mut returned_at) = (0.0, 0.0);
         for peck in 1..=MAX_PECKS {
             total = steps.total(total, peck);
@@ -88,14 +90,15 @@ impl Kernel<'_> {
     }
 
     fn peck_steps(&self, hole: &Hole) -> Steps {
-        let [first, less, least] = hole.words.vector.map(|word| word.map(f64::abs));
+        let [first, less, least] =
+            hole.words.vector.map(|word| word.map(|step| self.unscaled(hole.axis, step.abs())));
         let decreasing = self.rules.cycles.peck.decreasing;
         match (first, hole.words.q) {
             (Some(first), _) if decreasing && first > 0.0 => {
                 let least = least.unwrap_or(0.0);
                 Steps::Decreasing { first, less: less.unwrap_or(0.0), least }
             }
-            (_, q) => Steps::Even(q.unwrap_or(0.0).abs()),
+            (_, q) => Steps::Even(self.unscaled(hole.axis, q.unwrap_or(0.0).abs())),
         }
     }
 

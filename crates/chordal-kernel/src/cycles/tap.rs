@@ -27,7 +27,8 @@ impl Kernel<'_> {
         } else if rules.starts_spindle {
             self.turn_spindle(inward);
         }
-        let peck = hole.words.q.map(f64::abs).filter(|q| rules.pecks_by_q && *q > 0.0);
+        let peck = hole.words.q.map(|q| self.unscaled(hole.axis, q.abs()));
+        let peck = peck.filter(|q| rules.pecks_by_q && *q > 0.0);
         if let Some(q) = peck {
             self.tap_in_pecks(at, hole, q, (inward, outward));
         }

@@ -6,6 +6,7 @@ use chordal_geometry::{
     ArcFit, Direction, Plane, RadiusError, Vec3, arc_from_center, center_from_radius,
 };
 
+use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::rules::{ArcCenter, ArcMismatch, FullCircleByRadius, OmittedCenter};
 use crate::state::Motion;
@@ -60,6 +61,9 @@ impl Kernel<'_> {
         target: Position,
         named: AxisMask,
     ) {
+        if !self.arc_fits_frames(at) {
+            return self.straight_instead(at, target, named);
+        }
         let plane = self.state.plane;
         let from = self.state.position;
         let center = self.center(arc.center, self.state.arc_center);
@@ -69,8 +73,9 @@ impl Kernel<'_> {
             self.report_zero_radius(at);
             return self.straight_instead(at, target, named);
         }
-        self.check_mismatch(at, &fit, arc, &target);
-        self.check_radius_limit(at, fit.radius_start.max(fit.radius_end));
+        let judged = self.fit_in_work(&fit, center, arc, &target);
+        self.check_mismatch(at, &judged, arc, &target);
+        self.check_radius_limit(at, judged.radius_start.max(judged.radius_end));
         self.emit_arc(at, center, &fit, target, named);
     }
 
@@ -84,14 +89,26 @@ impl Kernel<'_> {
         named: AxisMask,
     ) {
         let (span, radius) = radius;
+        if !self.arc_fits_frames(at) {
+            return self.straight_instead(at, target, named);
+        }
         let plane = self.state.plane;
         let (start, end) = (point(&self.state.position), point(&target));
         // A difference of rounding must not decide at the tolerance itself.
         let tolerance = self.rules.semicircle_tolerance(self.state.units) + 1e-9;
-        match center_from_radius(plane, start, end, radius, arc.direction, tolerance) {
+        let found = match self.state.frames.in_plane(plane) {
+            InPlane::Unequal { largest, mirrored } => {
+                self.unequal_center(&target, radius * largest, arc.direction, mirrored, tolerance)
+            }
+            InPlane::Similar { .. } | InPlane::Tilted => {
+                center_from_radius(plane, start, end, radius, arc.direction, tolerance)
+            }
+        };
+        match found {
             Ok(center) => {
                 let fit = arc_from_center(plane, start, end, center, arc.direction, arc.turns, 0.0);
-                self.check_radius_limit(at, fit.radius_start);
+                let judged = self.fit_in_work(&fit, center, arc, &target);
+                self.check_radius_limit(at, judged.radius_start);
                 self.emit_arc(at, center, &fit, target, named);
             }
             Err(RadiusError::FullCircle) => self.full_circle_by_radius(at, span, target, named),
@@ -117,6 +134,53 @@ impl Kernel<'_> {
             }
             Err(RadiusError::NotFinite) => {}
         }
+    }
+
+    /// The arc as the work coordinate system has it: what the control judges.
+    fn fit_in_work(
+        &self,
+        fit: &ArcFit,
+        center: (f64, f64),
+        arc: &ArcWords,
+        target: &Position,
+    ) -> ArcFit {
+        if self.state.frames.is_plain() {
+            return *fit;
+        }
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        let map = self.state.frames.map();
+        let mut place = *target;
+        (place[a], place[b]) = center;
+        let place = map.point(&place);
+        let (from, to) = (map.point(&self.state.position), map.point(target));
+        let direction = arc.direction.mirrored_if(self.state.frames.in_plane(plane).is_mirrored());
+        let center = (place[a], place[b]);
+        arc_from_center(plane, point(&from), point(&to), center, direction, arc.turns, 0.0)
+    }
+
+    /// The centre of an arc by its radius where the plane is scaled unequally: the ends go by their
+    /// own factors and the radius by the larger one. In program coordinates.
+    fn unequal_center(
+        &self,
+        target: &Position,
+        radius: f64,
+        direction: Direction,
+        mirrored: bool,
+        tolerance: f64,
+    ) -> Result<(f64, f64), RadiusError> {
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        let frames = &self.state.frames;
+        let from = frames.map().point(&self.state.position);
+        let to = frames.map().point(target);
+        let direction = direction.mirrored_if(mirrored);
+        let (start, end) = (point(&from), point(&to));
+        let (x, y) = center_from_radius(plane, start, end, radius, direction, tolerance)?;
+        let mut place = from;
+        (place[a], place[b]) = (x, y);
+        let place = frames.inverse().point(&place);
+        Ok((place[a], place[b]))
     }
 
     fn full_circle_by_radius(
@@ -157,10 +221,12 @@ impl Kernel<'_> {
     ) {
         let error = fit.radius_error().abs();
         let parameters = &self.rules.arc;
+        let plane = self.state.plane;
+        let equal = !matches!(self.state.frames.in_plane(plane), InPlane::Unequal { .. });
         let rest = parameters.arc_mismatch == ArcMismatch::ArcThenLine
+            && equal
             && error > parameters.coincidence_mm
             && error <= parameters.radius_error_tolerance_mm;
-        let plane = self.state.plane;
         let mut shape = ArcShape {
             plane,
             center: [center.0, center.1],

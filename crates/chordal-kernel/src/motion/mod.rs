@@ -12,6 +12,7 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
 
 pub use arc::ArcWords;
+pub(crate) use arc::point;
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;
@@ -69,7 +70,15 @@ impl Kernel<'_> {
         // An axis that was placed in program coordinates stands at a known machine place
         // only where the offset is known.
         let machine = self.state.machine_known;
-        self.state.machine_known = machine.without(named).or(named.and(offset_known));
+        let (moved, placed) = match self.state.frames.is_plain() {
+            true => (named, named),
+            false => {
+                let map = self.state.frames.map();
+                let moved = map.reached(named);
+                (moved, moved.and(map.known(self.state.known)))
+            }
+        };
+        self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
         let from = std::mem::replace(&mut self.state.position, target);
         Move { from, to: target, from_known, to_known: self.state.known }
     }

@@ -44,20 +44,21 @@ impl Kernel<'_> {
         self.emit(CommandKind::Rapid { motion, path });
     }
 
-    /// The move to a point of machine coordinates, as program coordinates see it.
+    /// The move to a point of machine coordinates, as program coordinates see it. Frames do not act
+    /// on the point; an axis that is not named keeps its machine coordinate.
     fn machine_move(&mut self, place: Position, named: AxisMask) -> Move {
         let total = self.state.offsets.total();
         let offset_known = self.state.offsets.known();
-        let from = self.state.position;
-        let from_known = self.state.known;
-        let mut to = from;
+        let (from, from_known) = (self.state.position, self.state.known);
+        let mut work = self.state.work_position();
         for axis in named.iter() {
             let index = axis as usize;
-            to[index] = place[index] - total[index];
+            work[index] = place[index] - total[index];
         }
-        self.state.position = to;
+        let known = self.state.frames.map().known(from_known);
+        let known = known.without(named).or(named.and(offset_known));
+        self.state.stand_at(work, known);
         self.state.machine_known = self.state.machine_known.or(named);
-        self.state.known = from_known.without(named).or(named.and(offset_known));
-        Move { from, to, from_known, to_known: self.state.known }
+        Move { from, to: self.state.position, from_known, to_known: self.state.known }
     }
 }

@@ -124,6 +124,9 @@ impl Kernel<'_> {
             self.report(Diagnostic::new(Code::NoCenter, at.span(), message).help(help));
             return None;
         }
+        if !self.arc_fits_frames(at) {
+            return None;
+        }
         let center = self.center(spiral.center, self.state.arc_center);
         let direction = spiral.direction;
         let from = point(&self.state.position);

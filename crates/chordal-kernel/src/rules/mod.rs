@@ -6,6 +6,7 @@
 mod arc;
 mod compensation;
 mod cycle;
+mod frame;
 mod path_mode;
 
 use chordal_command::{RapidPath, Units};
@@ -13,6 +14,7 @@ use chordal_command::{RapidPath, Units};
 pub use arc::*;
 pub use compensation::*;
 pub use cycle::*;
+pub use frame::*;
 pub use path_mode::*;
 
 /// The rules of a numerical control, without those of its language.
@@ -60,6 +62,8 @@ pub struct Rules {
     pub path: PathRules,
     /// Arcs and spirals.
     pub arc: ArcRules,
+    /// Mirror, scaling and rotation.
+    pub frames: FrameRules,
 }
 
 impl Rules {
@@ -100,5 +104,6 @@ impl Rules {
         cycles: CycleRules::COMMON,
         path: PathRules::COMMON,
         arc: ArcRules::COMMON,
+        frames: FrameRules::COMMON,
     };
 }

@@ -45,7 +45,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "inherits",
         slot: Slot::Inherits,
-        doc: "a built-in machine, or a file relative to this one; its keys hold unless this file sets them",
+        doc: "a built-in machine, or a file relative to this one; its keys apply unless this file sets them",
     },
     Row {
         path: "name",
@@ -80,7 +80,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "axes.<axis>.programmed",
         slot: Slot::Programmed,
-        doc: "what the words of the axis say: how far the slide is from zero (`radius`, which holds without this key), or twice that (`diameter`), as X of a lathe. Every place of a diameter axis in this file is a diameter too, as on the control's pages: `travel`, `home`, `reference_points`, `work_offsets`, `tools.<tool>.offset` with its wear, `probe.hit`. Speeds, accelerations, `I` and `R` of arcs are never doubled. Linear axes only",
+        doc: "what the words of the axis say: how far the slide is from zero (`radius`, the default), or twice that (`diameter`), as X of a lathe. Every position on a diameter axis in this file is a diameter too, as on the control's pages: `travel`, `home`, `reference_points`, `work_offsets`, `tools.<tool>.offset` with its wear, `probe.hit`. Speeds, accelerations, `I` and `R` of arcs are never doubled. Linear axes only",
     },
     quantity(
         "axes.<axis>.max_velocity",
@@ -127,7 +127,7 @@ pub(crate) const ROWS: &[Row] = &[
                     [Turns::Table, Turns::Head].into_iter().find(|turns| turns.as_str() == word);
             },
         },
-        doc: "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without",
+        doc: "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without rotation",
     },
     Row {
         path: "rotary.<rotary>.reversed",
@@ -151,7 +151,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::AngularVelocity,
         Sign::Positive,
         |m, _| &mut m.feed.max_rad_per_s,
-        "the same for moves of only rotary axes",
+        "the same for moves of rotary axes alone",
     ),
     Row {
         path: "rapid.shape",
@@ -207,12 +207,12 @@ pub(crate) const ROWS: &[Row] = &[
     position(
         "tools.<tool>.offset.<axis>",
         |m, k| by_axis(&mut tool(m, k).offset, k),
-        "its geometry offset along an axis: X and Z of a turning tool; a diameter on an axis that is programmed so",
+        "its geometry offset along an axis: X and Z of a turning tool; a diameter on an axis that is programmed in diameters",
     ),
     position(
         "tools.<tool>.offset_wear.<axis>",
         |m, k| by_axis(&mut tool(m, k).offset_wear, k),
-        "added to the geometry offset, counted as that is",
+        "added to the geometry offset; a diameter if that is one",
     ),
     Row {
         path: "tools.<tool>.shape",
@@ -223,7 +223,7 @@ pub(crate) const ROWS: &[Row] = &[
                 tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
             },
         },
-        doc: "what it is. A shape wants its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
+        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `form` the profile, `insert` nose radius and tip. Nothing is guessed for one that is missing",
     },
     quantity(
         "tools.<tool>.corner_radius",
@@ -237,7 +237,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Angle,
         Sign::Positive,
         |m, k| &mut tool(m, k).point_angle_rad,
-        "the whole angle of the point of a drill or chamfer mill, side to side",
+        "the included angle of the point of a drill or chamfer mill",
     ),
     quantity(
         "tools.<tool>.tip_diameter",
@@ -256,7 +256,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "tools.<tool>.teeth",
         slot: Slot::Count { from: 1, to: 1000, place: |m, k| &mut tool(m, k).teeth },
-        doc: "its teeth around; of a thread mill those along its axis",
+        doc: "number of teeth around it; for a thread mill, along its axis",
     },
     quantity(
         "tools.<tool>.nose_radius",
@@ -268,7 +268,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "tools.<tool>.tip",
         slot: Slot::Count { from: 0, to: 9, place: |m, k| &mut tool(m, k).tip },
-        doc: "where the programmed point lies as seen from the nose of an insert, by the number that the control gives that direction",
+        doc: "direction from the centre of the nose radius of an insert to the imaginary tool tip (the programmed point): the number of that direction on the control",
     },
     Row {
         path: "tools.<tool>.profile",
@@ -280,17 +280,17 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::Positive,
         |m, k| &mut tool(m, k).flute_length_mm,
-        "how far up from its end it cuts",
+        "length of the cutting edges, from its end upwards",
     ),
     Row {
         path: "tools.<tool>.shank",
         slot: Slot::Solids(|m, k| &mut tool(m, k).shank),
-        doc: "the shank above the edges: cylinders and cones, the lowest first",
+        doc: "the shank above the cutting edges: cylinders and cones, the lowest first",
     },
     Row {
         path: "tools.<tool>.holder",
         slot: Slot::Solids(|m, k| &mut tool(m, k).holder),
-        doc: "the holder above the shank, the same",
+        doc: "the holder above the shank, in the same form",
     },
     Row {
         path: "tools.<tool>.kind",
@@ -300,7 +300,7 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "tools.<tool>.description",
         slot: Slot::OptionalText(|m, k| &mut tool(m, k).description),
-        doc: "a name for people, as `roughing end mill`",
+        doc: "a name for people, such as `roughing end mill`",
     },
     Row {
         path: "tools.<tool>.comment",
@@ -317,7 +317,7 @@ pub(crate) const ROWS: &[Row] = &[
     position(
         "work_offsets.<offset>.<axis>",
         |m, k| by_axis(&mut work_offset(m, k).values, k),
-        "where its zero is, machine coordinates; a diameter on an axis that is programmed so",
+        "where its zero is, machine coordinates; a diameter on an axis that is programmed in diameters",
     ),
     position(
         "home.<axis>",
@@ -368,7 +368,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Length,
         Sign::NotNegative,
         |m, _| &mut m.motion.corner_tolerance_mm,
-        "how far from the path a corner may be passed if corners are rounded and the control names no tolerance; otherwise 0.05 mm, which is a choice",
+        "how far from the path the tool may pass a corner if corners are rounded and the control gives no tolerance; otherwise 0.05 mm (assumed)",
     ),
     quantity(
         "motion.exact_path_tolerance",
@@ -417,7 +417,7 @@ pub(crate) const ROWS: &[Row] = &[
         Dimension::Time,
         Sign::NotNegative,
         |m, _| &mut m.times.probe_s,
-        "how long the machine stops when a probe has touched",
+        "how long the machine stops after the probe has touched",
     ),
     quantity(
         "times.m_code",
@@ -483,7 +483,7 @@ pub(crate) const ROWS: &[Row] = &[
                 });
             },
         },
-        doc: "what probe and skip moves (G31, G38.2) touch: something where they `end`, `none`, or a plane; otherwise they touch where they end",
+        doc: "what probe and skip moves (G31, G38.2) touch: something where they end (`end`), nothing (`none`), or a plane; otherwise they touch where they end",
     },
     position(
         "probe.hit.<axis>",

@@ -42,7 +42,8 @@ fn same(one: Action, other: Action) -> bool {
         | Action::After(_)
         | Action::Call(_)
         | Action::NoEffect
-        | Action::NotSimulated => None,
+        | Action::NotSimulated
+        | Action::NotFollowed => None,
     };
     let of_both = overrides(one).zip(overrides(other));
     of_both.map_or(one == other, |(one, other)| one == other)
@@ -50,7 +51,13 @@ fn same(one: Action, other: Action) -> bool {
 
 /// A code that means what its control or its machine makes of it.
 fn is_own(action: Action) -> bool {
-    matches!(action, Action::NoEffect | Action::NotSimulated | Action::After(AfterCode::ShopCode))
+    matches!(
+        action,
+        Action::NoEffect
+            | Action::NotSimulated
+            | Action::NotFollowed
+            | Action::After(AfterCode::ShopCode)
+    )
 }
 
 /// A row's code as the programmer writes codes.
@@ -173,7 +180,8 @@ fn one(
         | Action::After(_)
         | Action::Call(_)
         | Action::NoEffect
-        | Action::NotSimulated => {}
+        | Action::NotSimulated
+        | Action::NotFollowed => {}
     }
     // The same number for the same thing is the rule.
     if there.is_some_and(|row| same(row.action, own.action) && is_chosen(row, to)) {
@@ -227,7 +235,8 @@ fn without_such_a_code(
         | Action::After(_)
         | Action::Call(_)
         | Action::NoEffect
-        | Action::NotSimulated => return Err(missing(own, to)),
+        | Action::NotSimulated
+        | Action::NotFollowed => return Err(missing(own, to)),
     }
     Ok(())
 }
@@ -272,6 +281,9 @@ fn mode_without_a_code(
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR
         | ModeCode::CancelCycle
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff => Err(missing(own, to)),
     }
@@ -343,6 +355,9 @@ fn offset_code(
         | ModeCode::Path(_)
         | ModeCode::Overrides { .. }
         | ModeCode::OverridesByP
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => {

@@ -24,7 +24,6 @@ mod tap;
 mod trace;
 mod translate;
 
-use chordal::control::Action;
 use std::collections::BTreeMap;
 
 use chordal::control::{RapidPath, Side};
@@ -335,7 +334,10 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
 /// (rotation, scaling, polar coordinates), roundings and chamfers of corners.
 fn is_unknown_motion(job: &Job, one: &Diagnostic) -> bool {
     let span = one.primary.span;
-    let Some(source) = job.sources().get(span.file).filter(|_| one.code == Code::NotSimulated)
+    let Some(source) = job
+        .sources()
+        .get(span.file)
+        .filter(|_| matches!(one.code, Code::NotSimulated | Code::NotFollowed))
     else {
         return false;
     };
@@ -345,7 +347,7 @@ fn is_unknown_motion(job: &Job, one: &Diagnostic) -> bool {
     reader.read(&mut block);
     let is_code = block.words.first().is_some_and(|word| {
         word.letter == b'G'
-            && job.control().row_of(word).is_some_and(|row| row.action == Action::NotSimulated)
+            && job.control().row_of(word).is_some_and(|row| row.action.is_left_out())
     });
     is_code || words.starts_with(b",")
 }

@@ -294,7 +294,7 @@ impl<'c, 'a> Plan<'c, 'a> {
         };
         // What no command shows would be lost.
         let writes = has(Action::Once(OnceCode::SetData));
-        let is_hidden = writes || has(Action::NotSimulated);
+        let is_hidden = writes || has(Action::NotSimulated) || has(Action::NotFollowed);
         if commands.is_empty() && !is_hidden {
             return Ok(());
         }

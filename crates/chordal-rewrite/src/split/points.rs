@@ -101,6 +101,14 @@ struct Open {
     unknown: bool,
     /// Offsets were written by increments.
     data: bool,
+    /// Coordinates are rotated.
+    rotation: bool,
+    /// Coordinates are scaled.
+    scaling: bool,
+    /// Coordinates are mirrored.
+    mirror: bool,
+    /// End points are polar.
+    polar: bool,
 }
 
 struct Walk<'s, 'a> {
@@ -130,8 +138,15 @@ impl Walk<'_, '_> {
                 }
                 Action::Mode(ModeCode::ModalSubroutine) => self.open.call = true,
                 Action::Mode(ModeCode::ModalCallOff) => self.open.call = false,
-                Action::NotSimulated if word.letter == b'G' => self.open.unknown = true,
-                Action::NotSimulated => self.note_unknown(row, word.letter, block.line),
+                Action::Mode(ModeCode::RotationOff) => self.open.rotation = false,
+                Action::Mode(ModeCode::ScalingOff) => self.open.scaling = false,
+                Action::Mode(ModeCode::Polar { on }) => self.open.polar = on,
+                Action::NotSimulated | Action::NotFollowed if word.letter == b'G' => {
+                    self.open.unknown = true
+                }
+                Action::NotSimulated | Action::NotFollowed => {
+                    self.note_unknown(row, word.letter, block.line)
+                }
                 Action::After(AfterCode::ShopCode) => {
                     self.note_unknown(row, word.letter, block.line);
                 }
@@ -166,6 +181,10 @@ impl Walk<'_, '_> {
                 self.open.shift = !ends;
             }
             OnceCode::ClearPreset { .. } => self.open.shift = false,
+            OnceCode::Rotation => self.open.rotation = true,
+            OnceCode::Scaling => self.open.scaling = true,
+            OnceCode::Mirror { .. } => self.open.mirror = true,
+            OnceCode::MirrorOff => self.open.mirror = false,
             OnceCode::Dwell
             | OnceCode::SetData
             | OnceCode::ReturnToReference { .. }
@@ -181,8 +200,8 @@ impl Walk<'_, '_> {
     }
 
     fn is_closed(&self) -> bool {
-        let Open { shift, call, unknown, data } = self.open;
-        !(shift || call || unknown || data)
+        let Open { shift, call, unknown, data, rotation, scaling, mirror, polar } = self.open;
+        !(shift || call || unknown || data || rotation || scaling || mirror || polar)
     }
 
     /// The place before a tool change, remarks before it included.

@@ -134,7 +134,8 @@ impl Said {
                 | Action::Cycle(_)
                 | Action::Call(_)
                 | Action::NoEffect
-                | Action::NotSimulated => {}
+                | Action::NotSimulated
+                | Action::NotFollowed => {}
             }
         }
     }

@@ -381,6 +381,7 @@ fn mirrored(action: Action) -> Option<Action> {
         | Action::After(_)
         | Action::Call(_)
         | Action::NoEffect
-        | Action::NotSimulated => None,
+        | Action::NotSimulated
+        | Action::NotFollowed => None,
     }
 }

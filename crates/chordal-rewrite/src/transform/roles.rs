@@ -73,6 +73,10 @@ fn sort_of(action: Action) -> Option<Sort> {
             | OnceCode::PresetPosition
             | OnceCode::ClearPreset { .. }
             | OnceCode::RestorePreset
+            | OnceCode::Rotation
+            | OnceCode::Scaling
+            | OnceCode::Mirror { .. }
+            | OnceCode::MirrorOff
             | OnceCode::Probe { .. }
             | OnceCode::CornerArcAlone => None,
         },
@@ -91,7 +95,8 @@ fn sort_of(action: Action) -> Option<Sort> {
         | Action::Cycle(_)
         | Action::After(_)
         | Action::NoEffect
-        | Action::NotSimulated => None,
+        | Action::NotSimulated
+        | Action::NotFollowed => None,
     }
 }
 

@@ -109,10 +109,10 @@ impl BlockReader<'_> {
             Diagnostic::new(
                 Code::LooksLikeRemark,
                 range.in_file(self.file),
-                "this looks like a remark: it is skipped",
+                "this looks like a comment without parentheses: it is skipped",
             )
             .label(label)
-            .help("put the remark into parentheses, each line separately")
+            .help("put the comment into parentheses, each line separately")
         });
         true
     }

@@ -22,6 +22,7 @@ pub static TABLE: ControlTable = ControlTable {
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
+    scale_unit: 1.0,
     motion: MotionModality::Armed,
     distance_left_to_right: true,
     line_repeat: LineRepeat::MainProgram,

@@ -37,4 +37,7 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::MacroNesting, "PS0122 TOO MANY MACRO NESTING"),
     (Code::BadArgument, "PS0129 USE G AS ARGUMENT"),
     (Code::MixedBlock, "PS0127 DUPLICATE NC,MACRO STATEMENT"),
+    (Code::FrameValue, "PS0142 ILLEGAL SCALE RATE"),
+    (Code::UnequalScaleArc, "PS0020 OVER TOLERANCE OF RADIUS"),
+    (Code::FramePlane, "PS0144 ILLEGAL PLANE SELECTED"),
 ];

@@ -59,7 +59,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         &[],
         "a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
-        "16i spiral interpolation: L is rounded up, so that one turn is L1",
+        "16i spiral interpolation: L is rounded up, so one turn is L1",
     ),
     setting(
         "rotary_in_arc",
@@ -67,7 +67,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         &[],
         "a rotary axis in the block of an arc: `allowed` or `refused`",
         Certainty::Inferred,
-        "textbooks of Fanuc-style controls leave it out; with the option of helical interpolation B a machine may do it",
+        "textbooks for Fanuc-style controls do not have it; with the option helical interpolation B a machine may do it",
     ),
     setting(
         "machine_move",
@@ -203,7 +203,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "tapping dwell at R",
         Field::Cycle(CycleField::TapDwellAtR),
         &[],
-        "the dwell of a tapping cycle recurs at R",
+        "the dwell of a tapping cycle is repeated at R",
         Certainty::Trade,
         "",
     ),
@@ -252,6 +252,46 @@ pub(super) const SETTINGS: &[Setting] = &[
     call("No. 6087", Field::AliasM(7), "M code that calls macro O9027"),
     call("No. 6088", Field::AliasM(8), "M code that calls macro O9028"),
     call("No. 6089", Field::AliasM(9), "M code that calls macro O9029"),
+    setting(
+        "No. 5400#0 RIN",
+        Field::Frame(FrameField::AngleAdds),
+        &[("0", "absolute"), ("1", "adds")],
+        "the angle of a G68 in G91 is `absolute`, or `adds` to the one in force",
+        Certainty::Documented,
+        "parameter 5400",
+    ),
+    setting(
+        "No. 5400#6 XSC",
+        Field::Frame(FrameField::FactorsByVector),
+        &[("0", "one"), ("1", "each")],
+        "factors of G51: `one` by P, or `each` by I, J and K",
+        Certainty::Trade,
+        "parameter 5400",
+    ),
+    setting(
+        "No. 5410",
+        Field::Frame(FrameField::OmittedAngle),
+        &[],
+        "angle of a G68 without R, degrees",
+        Certainty::Documented,
+        "parameter 5410",
+    ),
+    setting(
+        "No. 5411",
+        Field::Frame(FrameField::OmittedFactor(None)),
+        &[],
+        "scale factor of a G51 without P; 1 is no scaling",
+        Certainty::Documented,
+        "parameter 5411",
+    ),
+    setting(
+        "unequal scale arcs",
+        Field::Frame(FrameField::UnequalArcs),
+        &[],
+        "an arc while the axes of its plane have different factors: `judged` as always, or `refused`",
+        Certainty::Inferred,
+        "G51",
+    ),
 ];
 
 /// A code that calls a program; 0 for none.
@@ -294,7 +334,7 @@ const NO_CHECK: Setting = rule(
     "No. 5008#3",
     C::Check,
     &[("0", "on"), ("1", "off")],
-    "CNV: interference is looked for (0) or not (1)",
+    "CNV: interference is checked (0) or not (1)",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -304,7 +344,7 @@ const LINK: Setting = rule(
     "No. 5010",
     C::DropLink,
     &[],
-    "links round an outside corner that are not longer than this on either axis are left out",
+    "links around an outside corner that are not longer than this on either axis are skipped",
     Certainty::Trade,
     "16i, 30i",
 );
@@ -338,7 +378,7 @@ const AVOIDANCE: Setting = rule(
     "No. 19607#5",
     C::Remedy,
     &[("0", "alarm"), ("1", "avoid")],
-    "CAV: where a block interferes, alarm PS0041 or leave the block out",
+    "CAV: where a block interferes, alarm PS0041 or skip the block",
     Certainty::Trade,
     "30i",
 );

@@ -10,6 +10,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     length_must_match_tool: true,
     return_label_in_callee: true,
     rules: Rules {
+        frames: FRAMES,
         rapid: RapidPath::DogLeg,
         radius_offsets: OffsetKind::Diameter,
         chip_break_mm: 0.508,
@@ -59,4 +60,13 @@ const COMPENSATION: CompensationRules = CompensationRules {
     new_offset_on_arc: Allowance::Refused,
     inside_feed_least: 0.5,
     ..CompensationRules::COMMON
+};
+
+/// Haas NGC manual, G51 and G68: one factor for all axes, rotary ones included.
+const FRAMES: FrameRules = FrameRules {
+    scales_rotary: true,
+    factors_by_vector: false,
+    factor_range: [0.000_999, 999.001],
+    unequal_arcs: UnequalArcs::Refused,
+    ..FrameRules::COMMON
 };

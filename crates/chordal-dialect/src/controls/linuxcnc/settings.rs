@@ -6,7 +6,7 @@ pub(super) const SETTINGS: &[Setting] = &[setting(
     "CENTER_ARC_RADIUS_TOLERANCE_MM",
     Field::RadiusErrorTolerance,
     &[],
-    "difference of an arc's radii that is accepted without looking at the radius",
+    "difference of an arc's radii that is accepted without checking the radius",
     Certainty::Documented,
     "INI file, [RS274NGC]",
 )];

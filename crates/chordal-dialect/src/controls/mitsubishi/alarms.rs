@@ -20,4 +20,6 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::OutsideDomain, "P282 CALCULATION IMPOSSIBLE"),
     (Code::DivisionByZero, "P283 DIVIDE BY ZERO"),
     (Code::BadVariable, "P241 NO VARI NUMBER"),
+    (Code::FrameValue, "P35 Cmd-value over"),
+    (Code::UnequalScaleArc, "P70 Arc end point deviation large"),
 ];

@@ -22,6 +22,7 @@ pub static TABLE: ControlTable = ControlTable {
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
+    scale_unit: 0.000_001,
     motion: MotionModality::Exclusive,
     distance_left_to_right: false,
     line_repeat: LineRepeat::None,

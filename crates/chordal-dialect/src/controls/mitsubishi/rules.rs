@@ -7,6 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 8,
     macro_angles_full_circle: true,
     rules: Rules {
+        frames: FRAMES,
         machine_move_is_rapid: true,
         radius_offsets: OffsetKind::Radius,
         chip_break_mm: 1.0,
@@ -45,4 +46,16 @@ const COMPENSATION: CompensationRules = CompensationRules {
     off_toward: true,
     interference: Interference::Vectors,
     ..CompensationRules::COMMON
+};
+
+/// Mitsubishi M700V manual, G51 and G68: angle and centre by G90 and G91, an axis without a centre is not scaled.
+const FRAMES: FrameRules = FrameRules {
+    angle_adds: true,
+    angle_is_kept: true,
+    center_by_mode: true,
+    scales_named_axes: true,
+    factor_range: [0.0, 100.0],
+    unequal_arcs: UnequalArcs::Refused,
+    rotation_stays: true,
+    ..FrameRules::COMMON
 };

@@ -43,7 +43,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "spiral on the ray",
         Field::SpiralOnRay,
         &[],
-        "type 2: a spiral counted by L that ends on the ray of its start: L1 is `no-turn` or a `full-turn`",
+        "type 2: a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
         "M700V manual 6.13: L1 is less than a turn",
     ),
@@ -51,7 +51,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "machine_move",
         Field::MachineMove,
         &[],
-        "a move of G53 is a `rapid`, or goes by the motion `in-force`",
+        "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
         Certainty::Trade,
         "M700V manual, G53",
     ),
@@ -113,6 +113,22 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "",
     ),
+    setting(
+        "#8072 SCALING P",
+        Field::Frame(FrameField::OmittedFactor(None)),
+        &[],
+        "scale factor of a G51 without P",
+        Certainty::Documented,
+        "M700V manual, G51",
+    ),
+    setting(
+        "unequal scale arcs",
+        Field::Frame(FrameField::UnequalArcs),
+        &[],
+        "an arc while both axes of its plane have different factors: `judged`, or `refused` (P70)",
+        Certainty::Unknown,
+        "M700V manual, G51",
+    ),
 ];
 
 /// Type A or B.
@@ -130,7 +146,7 @@ const AVOIDANCE: Setting = rule(
     "#8102",
     C::Remedy,
     &[("0", "alarm"), ("1", "avoid")],
-    "COLL. ALM OFF: where a block interferes, P153 or leave the block out",
+    "COLL. ALM OFF: where a block interferes, alarm P153 or skip the block",
     Certainty::Documented,
     "M700V, interference check",
 );
@@ -140,7 +156,7 @@ const NO_CHECK: Setting = rule(
     "#8103",
     C::Check,
     &[("0", "on"), ("1", "off")],
-    "COLL. CHK OFF: interference is looked for (0) or not (1)",
+    "COLL. CHK OFF: interference is checked (0) or not (1)",
     Certainty::Documented,
     "M700V, interference check",
 );

@@ -110,11 +110,10 @@ impl Interpreter<'_> {
         let span = self.words_span(block, Letters::of("L"));
         self.kernel.report(
             Diagnostic::new(
-                Code::NotSimulated,
+                Code::NotFollowed,
                 span,
                 "the subroutine of G66 runs once for this repeated line, not after each pass",
             )
-            .severity(Severity::Warning)
             .help("write the positions out, one per block"),
         );
     }

@@ -1,7 +1,7 @@
 //! Fadal's probing (L91) and engraving (L92): their words are judged, their motion is not shown.
 
 use chordal_command::AxisMask;
-use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_diagnostics::{Code, Diagnostic};
 use chordal_syntax::{Block, Word};
 
 use crate::interpreter::Interpreter;
@@ -132,11 +132,10 @@ impl Interpreter<'_> {
         let value = self.literal(word).map_or(String::new(), |number| number.to_string());
         self.kernel.report(
             Diagnostic::new(
-                Code::NotSimulated,
+                Code::NotFollowed,
                 self.span(word.range),
-                format!("the motion of L{value} is not simulated: {what} on the machine, not here"),
+                format!("the motion of L{value} is not followed: {what} on the machine, not here"),
             )
-            .severity(Severity::Warning)
             .label("its motion is missing from the path, the time and the checks")
             .help("keep the space around this position free, and check the graphics of the machine itself"),
         );

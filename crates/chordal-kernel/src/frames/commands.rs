@@ -1,0 +1,142 @@
+//! Commands of the kernel in the work coordinate system: moves, arcs and sides through the frames in force.
+
+use std::f64::consts::TAU;
+
+use chordal_command::{ArcShape, CommandKind, Move, Position, Side};
+use chordal_geometry::{Direction, Plane, arc_from_center};
+use chordal_machine::AXES;
+
+use super::map::{InPlane, Map};
+use crate::motion::point;
+
+impl Map {
+    /// A command as the work coordinate system has it; `plane` is that of compensation.
+    pub(crate) fn command(&self, kind: CommandKind, plane: Plane) -> CommandKind {
+        match kind {
+            CommandKind::Rapid { motion, path } => {
+                CommandKind::Rapid { motion: self.motion(&motion), path }
+            }
+            CommandKind::Line { motion, feed } => {
+                CommandKind::Line { motion: self.motion(&motion), feed }
+            }
+            CommandKind::Arc { motion, shape, feed } => {
+                let mapped = self.motion(&motion);
+                CommandKind::Arc { motion: mapped, shape: self.shape(&shape, &mapped), feed }
+            }
+            CommandKind::Spiral { motion, shape, feed } => {
+                let mapped = self.motion(&motion);
+                CommandKind::Spiral { motion: mapped, shape: self.shape(&shape, &mapped), feed }
+            }
+            CommandKind::Compensation { side, number, radius_mm, toward } => {
+                let toward = toward.map(|way| self.way_in_plane(plane, way));
+                CommandKind::Compensation {
+                    side: self.side(side, plane),
+                    number,
+                    radius_mm,
+                    toward,
+                }
+            }
+            CommandKind::CornerArc { toward } => {
+                CommandKind::CornerArc { toward: toward.map(|way| self.way_in_plane(plane, way)) }
+            }
+            CommandKind::WorkOffset { name, offset, known, position } => {
+                CommandKind::WorkOffset { name, offset, known, position: self.point(&position) }
+            }
+            // Nothing of the others lies anywhere.
+            other @ (CommandKind::Dwell { .. }
+            | CommandKind::Tool { .. }
+            | CommandKind::ToolSelect { .. }
+            | CommandKind::ToolLength { .. }
+            | CommandKind::Idle
+            | CommandKind::Spindle { .. }
+            | CommandKind::Coolant(_)
+            | CommandKind::Stop { .. }
+            | CommandKind::End
+            | CommandKind::Units(_)
+            | CommandKind::Plane(_)
+            | CommandKind::FeedMode(_)
+            | CommandKind::FeedRate { .. }
+            | CommandKind::PathMode(_)
+            | CommandKind::Overrides(_)
+            | CommandKind::Probed { .. }
+            | CommandKind::Message(_)
+            | CommandKind::Output { .. }) => other,
+        }
+    }
+
+    fn motion(&self, motion: &Move) -> Move {
+        Move {
+            from: self.point(&motion.from),
+            to: self.point(&motion.to),
+            from_known: self.known(motion.from_known),
+            to_known: self.known(motion.to_known),
+        }
+    }
+
+    /// An arc between mapped ends. Where the plane is tilted it was refused before.
+    fn shape(&self, shape: &ArcShape, mapped: &Move) -> ArcShape {
+        let (a, b, _) = shape.plane.axes();
+        let mut place = [0.0; AXES];
+        (place[a], place[b]) = (shape.center[0], shape.center[1]);
+        let center = self.point(&place);
+        let center = [center[a], center[b]];
+        match self.in_plane(shape.plane) {
+            InPlane::Similar { factor, mirrored } => ArcShape {
+                center,
+                sweep: if mirrored { -shape.sweep } else { shape.sweep },
+                radius_from: shape.radius_from * factor,
+                radius_to: shape.radius_to * factor,
+                ..*shape
+            },
+            InPlane::Unequal { mirrored, .. } => {
+                let left = (shape.sweep > 0.0) != mirrored;
+                let direction = if left { Direction::Ccw } else { Direction::Cw };
+                let turns = full_turns(shape.sweep);
+                arc_between(shape.plane, &mapped.from, &mapped.to, center, direction, turns)
+            }
+            InPlane::Tilted => ArcShape { center, ..*shape },
+        }
+    }
+
+    /// Left and right change places in a mirror.
+    pub(crate) fn side(&self, side: Side, plane: Plane) -> Side {
+        match side {
+            Side::Left if self.in_plane(plane).is_mirrored() => Side::Right,
+            Side::Right if self.in_plane(plane).is_mirrored() => Side::Left,
+            other => other,
+        }
+    }
+
+    fn way_in_plane(&self, plane: Plane, way: [f64; 2]) -> [f64; 2] {
+        let (a, b, _) = plane.axes();
+        let mut whole = [0.0; AXES];
+        (whole[a], whole[b]) = (way[0], way[1]);
+        let turned = self.vector(&whole);
+        [turned[a], turned[b]]
+    }
+}
+
+/// Whole turns of an arc in addition to its own.
+fn full_turns(sweep: f64) -> u32 {
+    ((sweep.abs() - 1e-9) / TAU).floor().max(0.0) as u32
+}
+
+/// The arc about a centre from one place to another.
+fn arc_between(
+    plane: Plane,
+    from: &Position,
+    to: &Position,
+    center: [f64; 2],
+    direction: Direction,
+    turns: u32,
+) -> ArcShape {
+    let (start, end) = (point(from), point(to));
+    let fit = arc_from_center(plane, start, end, (center[0], center[1]), direction, turns, 0.0);
+    ArcShape {
+        plane,
+        center,
+        sweep: fit.sweep,
+        radius_from: fit.radius_start,
+        radius_to: fit.radius_end,
+    }
+}

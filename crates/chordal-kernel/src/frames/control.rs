@@ -1,0 +1,275 @@
+//! Codes of frames: they come into force and end, with what a control refuses.
+
+use chordal_command::{AxisMask, Side};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
+use chordal_geometry::Plane;
+use chordal_machine::{AXES, PerAxis};
+
+use super::map::InPlane;
+use super::{Frames, Rotation, Scaling};
+use crate::kernel::Kernel;
+use crate::rules::UnequalArcs;
+use crate::statement::Statement;
+
+/// The factors of a scaling as the words give them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Factors {
+    /// One for all axes.
+    Common(f64),
+    /// Of X, Y and Z; an axis without one is not scaled.
+    Each([Option<f64>; 3]),
+    /// None is given.
+    Omitted,
+}
+
+impl Kernel<'_> {
+    /// Rotation in the plane in force, about a centre that is absolute even in G91; without a
+    /// centre about the present place.
+    pub fn rotate(&mut self, at: &dyn Statement, center: [Option<f64>; 2], degrees: Option<f64>) {
+        self.check_start_in_compensation(at);
+        let rules = &self.rules.frames;
+        let before = self.state.frames.programmed_degrees();
+        let kept = self.state.last_rotation_deg;
+        let degrees = match (degrees, before) {
+            (Some(degrees), Some(before)) if rules.angle_adds && self.state.incremental => {
+                before + degrees
+            }
+            (Some(degrees), _) => degrees,
+            (None, _) if rules.angle_is_kept => kept.unwrap_or(0.0),
+            (None, _) => rules.omitted_angle_deg,
+        };
+        self.state.last_rotation_deg = Some(degrees);
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        self.change_frames(|frames| frames.set_rotation(None));
+        // Where the tool stands without the rotation that was.
+        let here = self.state.position;
+        let center = [center[0].unwrap_or(here[a]), center[1].unwrap_or(here[b])];
+        self.change_frames(|frames| {
+            frames.set_rotation(Some(Rotation { plane, center, degrees }));
+        });
+    }
+
+    /// Scaling about a centre; `word` gives the factors.
+    pub fn scale(&mut self, at: &dyn Statement, center: &PerAxis<Option<f64>>, factors: Factors) {
+        self.check_start_in_compensation(at);
+        let rules = &self.rules.frames;
+        let mut of_axes = [1.0; AXES];
+        match factors {
+            Factors::Common(factor) => {
+                let scaled = if rules.scales_rotary { AXES } else { 3 };
+                of_axes[..scaled].fill(factor);
+            }
+            Factors::Each(each) => {
+                for (of_axis, given) in of_axes.iter_mut().zip(each) {
+                    *of_axis = given.unwrap_or(1.0);
+                }
+            }
+            Factors::Omitted => of_axes[..3].copy_from_slice(&rules.omitted_factors),
+        }
+        if rules.scales_named_axes && center.iter().any(Option::is_some) {
+            for (of_axis, named) in of_axes.iter_mut().zip(center) {
+                if named.is_none() {
+                    *of_axis = 1.0;
+                }
+            }
+        }
+        let [least, most] = rules.factor_range;
+        let wrong = |factor: &&f64| factor.abs() <= least || factor.abs() >= most;
+        if let Some(wrong) = of_axes.iter().find(wrong) {
+            let message =
+                format!("a scale factor of {wrong} is outside of what this control takes");
+            let range = format!("above {least} and below {most}");
+            let span = at.span();
+            return self.report(
+                Diagnostic::new(Code::FrameValue, span, message).label(range).help(
+                    "write the factor as the control counts it; a factor of 1 changes nothing",
+                ),
+            );
+        }
+        self.change_frames(|frames| frames.set_scaling(None));
+        let here = self.state.position;
+        let by_mode = rules.center_by_mode && self.state.incremental;
+        let center = std::array::from_fn(|axis| match center[axis] {
+            Some(value) if by_mode => here[axis] + value,
+            Some(value) => value,
+            None => here[axis],
+        });
+        self.change_frames(|frames| {
+            frames.set_scaling(Some(Scaling { center, factors: of_axes }));
+        });
+    }
+
+    /// Mirrors the named axes, each at its line.
+    pub fn mirror(&mut self, at: &dyn Statement, lines: &PerAxis<Option<f64>>) {
+        self.check_start_in_compensation(at);
+        self.change_frames(|frames| {
+            for (axis, line) in lines.iter().enumerate() {
+                if line.is_some() {
+                    frames.set_mirror(axis, *line);
+                }
+            }
+        });
+    }
+
+    /// Ends the mirror of these axes.
+    pub fn end_mirror(&mut self, axes: AxisMask) {
+        self.change_frames(|frames| {
+            for axis in axes.iter() {
+                frames.set_mirror(axis as usize, None);
+            }
+        });
+    }
+
+    /// Ends the rotation.
+    pub fn end_rotation(&mut self) {
+        self.change_frames(|frames| frames.set_rotation(None));
+    }
+
+    /// Ends the scaling.
+    pub fn end_scaling(&mut self) {
+        self.change_frames(|frames| frames.set_scaling(None));
+    }
+
+    /// The machine stands still. A mirror that comes or goes changes the side of the tool.
+    fn change_frames(&mut self, change: impl FnOnce(&mut Frames)) {
+        let plane = self.state.plane;
+        let side = self.state.side;
+        let before = self.state.frames.map().side(side, plane);
+        self.state.change_frames(change);
+        if side != Side::Off && self.state.frames.map().side(side, plane) != before {
+            let number = self.state.radius_offset;
+            self.emit_compensation(number, None, self.origin.span);
+        }
+    }
+
+    /// A frame that comes into force while the tool is offset.
+    fn check_start_in_compensation(&mut self, at: &dyn Statement) {
+        if self.state.side == Side::Off || self.rules.frames.in_compensation {
+            return;
+        }
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::FrameInCompensation,
+                span,
+                "the coordinates are mirrored, scaled or rotated while cutter compensation is on",
+            )
+            .label("the offset contour breaks here")
+            .help("cancel compensation with G40 before this block, and start it again after it"),
+        );
+    }
+
+    /// Whether an arc in the plane in force can be made in the frames in force. What cannot is reported.
+    pub fn arc_fits_frames(&mut self, at: &dyn Statement) -> bool {
+        if self.state.frames.is_plain() {
+            return true;
+        }
+        let plane = self.state.plane;
+        match self.state.frames.in_plane(plane) {
+            InPlane::Similar { .. } => true,
+            InPlane::Unequal { .. } => {
+                let judged = self.rules.frames.unequal_arcs == UnequalArcs::Judged;
+                if !judged {
+                    self.report_unequal_arc(at);
+                }
+                judged
+            }
+            InPlane::Tilted => {
+                self.report_tilted_arc(at.span(), "an arc");
+                false
+            }
+        }
+    }
+
+    #[cold]
+    fn report_unequal_arc(&mut self, at: &dyn Statement) {
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::UnequalScaleArc,
+                span,
+                "an arc while the axes of its plane have different scale factors: it would be an ellipse",
+            )
+            .label("shown as a straight line")
+            .help("scale both axes of the plane alike, or write the curve as lines"),
+        );
+    }
+
+    /// An arc, or compensation, in another plane than that of the rotation.
+    #[cold]
+    pub fn report_tilted_arc(&mut self, span: Span, what: &str) {
+        let plane = |plane: Plane| match plane {
+            Plane::Xy => "XY (G17)",
+            Plane::Zx => "ZX (G18)",
+            Plane::Yz => "YZ (G19)",
+        };
+        let turned = self.state.frames.rotation().map_or(Plane::Xy, |rotation| rotation.plane);
+        let message =
+            format!("{what} in {} while {} is rotated", plane(self.state.plane), plane(turned));
+        self.report(
+            Diagnostic::new(Code::FramePlane, span, message)
+                .label("not the plane of the rotation")
+                .help(
+                    "cancel the rotation with G69 first, or choose the plane before the rotation",
+                ),
+        );
+    }
+
+    /// The plane changes while a rotation is in force.
+    pub(crate) fn check_plane_change(&mut self, word: Span) {
+        if self.state.frames.rotation().is_none() || self.rules.frames.plane_change {
+            return;
+        }
+        self.report(
+            Diagnostic::new(Code::FramePlane, word, "the plane changes while a rotation is active")
+                .help("cancel the rotation with G69 first"),
+        );
+    }
+
+    /// A code that works with machine or work coordinates while they are mirrored, scaled or
+    /// rotated by the program.
+    pub fn warn_of_frames(&mut self, word: Span, code: &str) {
+        if !self.state.frames.are_inside_presets() {
+            return;
+        }
+        let active = self.state.frames.names();
+        self.report(
+            Diagnostic::new(
+                Code::FrameBesideReference,
+                word,
+                format!("{code} while {active} is active"),
+            )
+            .severity(Severity::Warning)
+            .label("carried out")
+            .help(format!(
+                "manuals ask to cancel {active} first: move this block before or after it"
+            )),
+        );
+    }
+
+    /// How long a length of the machine is in program coordinates along an axis.
+    pub fn unscaled(&self, axis: usize, mm: f64) -> f64 {
+        match self.state.frames.is_plain() {
+            true => mm,
+            false => mm / self.state.frames.map().factor_along(axis),
+        }
+    }
+}
+
+impl Frames {
+    /// What is in force, for people.
+    fn names(&self) -> String {
+        let mut names = Vec::new();
+        if self.mirrored() != AxisMask::NONE {
+            names.push("mirror image");
+        }
+        if self.scaling.is_some() {
+            names.push("scaling");
+        }
+        if self.rotation.is_some() {
+            names.push("rotation");
+        }
+        names.join(" and ")
+    }
+}

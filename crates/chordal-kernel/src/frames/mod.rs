@@ -1,0 +1,188 @@
+//! Frames of coordinates: mirror, scaling, rotation, and the rotation of a work coordinate system.
+//!
+//! The words of a program give places in the innermost frame. `F = rotation · scaling · mirror`,
+//! the rightmost first, takes them to the work coordinate system, in which commands are pushed and
+//! cutter compensation works. A frame moves nothing: the machine stands still, and the program
+//! coordinates of its place change. The centre of a frame goes through the frames inside it that
+//! are in force when it comes into force.
+
+mod commands;
+mod control;
+mod map;
+mod polar;
+
+use chordal_command::{AxisMask, Position};
+use chordal_geometry::Plane;
+use chordal_machine::{AXES, PerAxis};
+
+pub use control::Factors;
+pub(crate) use map::sin_cos_degrees;
+pub use map::{InPlane, Map};
+pub use polar::{Polar, PolarWords};
+
+/// Each axis by its own factor.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Scaling {
+    /// What stays where it is.
+    pub center: Position,
+    /// Of each axis; a negative one mirrors.
+    pub factors: Position,
+}
+
+/// A turn in a plane.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Rotation {
+    /// The plane.
+    pub plane: Plane,
+    /// What stays where it is, on the two axes of the plane.
+    pub center: [f64; 2],
+    /// From the first axis to the second.
+    pub degrees: f64,
+}
+
+/// The frames in force.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Frames {
+    mirror: PerAxis<Option<f64>>,
+    scaling: Option<Scaling>,
+    rotation: Option<Rotation>,
+    /// Of the work coordinate system, about the point where its own X0 Y0 lies.
+    work: Option<Rotation>,
+    map: Map,
+    inverse: Map,
+    plain: bool,
+}
+
+impl Default for Frames {
+    fn default() -> Frames {
+        Frames {
+            mirror: [None; AXES],
+            scaling: None,
+            rotation: None,
+            work: None,
+            map: Map::IDENTITY,
+            inverse: Map::IDENTITY,
+            plain: true,
+        }
+    }
+}
+
+impl Frames {
+    /// None is in force.
+    #[inline]
+    pub fn is_plain(&self) -> bool {
+        self.plain
+    }
+
+    /// They act inside presets and shifts; the turn of a work coordinate system acts outside of them.
+    pub fn are_inside_presets(&self) -> bool {
+        !self.plain && self.work.is_none()
+    }
+
+    /// From program coordinates to the work coordinate system.
+    pub fn map(&self) -> &Map {
+        &self.map
+    }
+
+    /// From the work coordinate system to program coordinates.
+    pub fn inverse(&self) -> &Map {
+        &self.inverse
+    }
+
+    /// What they do to the plane of arcs.
+    #[inline]
+    pub fn in_plane(&self, plane: Plane) -> InPlane {
+        match self.plain {
+            true => InPlane::Similar { factor: 1.0, mirrored: false },
+            false => self.map.in_plane(plane),
+        }
+    }
+
+    /// The rotation in force.
+    pub fn rotation(&self) -> Option<&Rotation> {
+        self.rotation.as_ref()
+    }
+
+    /// The scaling in force.
+    pub fn scaling(&self) -> Option<&Scaling> {
+        self.scaling.as_ref()
+    }
+
+    /// The axes that are mirrored.
+    pub fn mirrored(&self) -> AxisMask {
+        let mut axes = AxisMask::NONE;
+        (0..AXES).filter(|axis| self.mirror[*axis].is_some()).for_each(|axis| axes.insert(axis));
+        axes
+    }
+
+    /// Mirrors axes at a line each; `None` takes the mirror of an axis away.
+    pub fn set_mirror(&mut self, axis: usize, line: Option<f64>) {
+        self.mirror[axis] = line;
+        self.update();
+    }
+
+    /// Scales, with the centre where the mirror takes it.
+    pub fn set_scaling(&mut self, scaling: Option<Scaling>) {
+        self.scaling = scaling
+            .map(|scaling| Scaling { center: self.mirror_map().point(&scaling.center), ..scaling });
+        self.update();
+    }
+
+    /// Turns, with the centre where mirror and scaling take it, and the other way round in a mirror.
+    pub fn set_rotation(&mut self, rotation: Option<Rotation>) {
+        self.rotation = rotation.map(|rotation| {
+            let (a, b, _) = rotation.plane.axes();
+            let inside = self.inside_rotation();
+            let mut place = [0.0; AXES];
+            (place[a], place[b]) = (rotation.center[0], rotation.center[1]);
+            let center = inside.point(&place);
+            let mirrored = inside.in_plane(rotation.plane).is_mirrored();
+            let degrees = if mirrored { -rotation.degrees } else { rotation.degrees };
+            Rotation { center: [center[a], center[b]], degrees, ..rotation }
+        });
+        self.update();
+    }
+
+    /// A turn as the program gives it: in a mirror it counts the other way.
+    pub fn programmed_degrees(&self) -> Option<f64> {
+        let rotation = self.rotation?;
+        let mirrored = self.inside_rotation().in_plane(rotation.plane).is_mirrored();
+        Some(if mirrored { -rotation.degrees } else { rotation.degrees })
+    }
+
+    /// The turn of the work coordinate system about its own zero, which lies at `zero`.
+    pub fn set_work_rotation(&mut self, degrees: f64, zero: [f64; 2]) {
+        let turns = degrees != 0.0;
+        self.work = turns.then_some(Rotation { plane: Plane::Xy, center: zero, degrees });
+        self.update();
+    }
+
+    /// Ends them all, but for the turn of the work coordinate system.
+    pub fn clear(&mut self) {
+        *self = Frames { work: self.work, ..Frames::default() };
+        self.update();
+    }
+
+    fn mirror_map(&self) -> Map {
+        let line = self.mirror.map(|line| line.unwrap_or(0.0));
+        let factors = self.mirror.map(|line| if line.is_some() { -1.0 } else { 1.0 });
+        Map::scaling(&line, &factors)
+    }
+
+    fn inside_rotation(&self) -> Map {
+        let mirror = self.mirror_map();
+        match &self.scaling {
+            Some(scaling) => mirror.then(&Map::scaling(&scaling.center, &scaling.factors)),
+            None => mirror,
+        }
+    }
+
+    fn update(&mut self) {
+        let mut map = self.inside_rotation();
+        for rotation in [self.rotation, self.work].into_iter().flatten() {
+            map = map.then(&Map::rotation(rotation.plane, rotation.center, rotation.degrees));
+        }
+        self.plain = map == Map::IDENTITY;
+        (self.map, self.inverse) = (map, map.inverse());
+    }
+}

@@ -1,0 +1,60 @@
+//! How a control takes mirror, scaling and rotation of its coordinates.
+
+/// The rules of frames.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FrameRules {
+    /// In G91 the angle of a rotation is added to the one in force.
+    pub angle_adds: bool,
+    /// The angle of a rotation whose block gives none, degrees.
+    pub omitted_angle_deg: f64,
+    /// The angle of a rotation is modal: one that is left out is the last.
+    pub angle_is_kept: bool,
+    /// The centre of a scaling is counted from the present place in G91.
+    pub center_by_mode: bool,
+    /// Scaling without a centre on an axis leaves that axis alone; otherwise its centre is the present place.
+    pub scales_named_axes: bool,
+    /// Rotary axes are scaled with the others.
+    pub scales_rotary: bool,
+    /// The factors of X, Y and Z where the block gives none.
+    pub omitted_factors: [f64; 3],
+    /// I, J and K give a factor of an axis each.
+    pub factors_by_vector: bool,
+    /// The smallest and the largest factor, without sign.
+    pub factor_range: [f64; 2],
+    /// An arc while the axes of its plane have different factors.
+    pub unequal_arcs: UnequalArcs,
+    /// The plane may change while a rotation is in force.
+    pub plane_change: bool,
+    /// Another work coordinate system leaves the centre of a rotation where it is on the machine.
+    pub rotation_stays: bool,
+    /// A frame may come into force while compensation is on.
+    pub in_compensation: bool,
+}
+
+/// What becomes of an arc whose plane is scaled unequally.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UnequalArcs {
+    /// Ends and centre go by their own factors, a radius by the larger one; the end is judged as always.
+    Judged,
+    /// The control refuses it.
+    Refused,
+}
+
+impl FrameRules {
+    /// What most controls share; a table names only what it has otherwise.
+    pub const COMMON: FrameRules = FrameRules {
+        angle_adds: false,
+        omitted_angle_deg: 0.0,
+        angle_is_kept: false,
+        center_by_mode: false,
+        scales_named_axes: false,
+        scales_rotary: false,
+        omitted_factors: [1.0; 3],
+        factors_by_vector: true,
+        factor_range: [0.0, 10_000.0],
+        unequal_arcs: UnequalArcs::Judged,
+        plane_change: false,
+        rotation_stays: false,
+        in_compensation: false,
+    };
+}
