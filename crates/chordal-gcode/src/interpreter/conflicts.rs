@@ -3,7 +3,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
-use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{Action, ModeCode, MotionCode};
 use chordal_dialect::{CodeRow, Group};
 use chordal_kernel::Motion;
 use chordal_kernel::rules::SpiralForm;
@@ -99,7 +99,12 @@ impl Interpreter<'_> {
         {
             claims = claims.union(self.words_of(row));
         }
-        if let Some(words) = self.modal_arc_words() {
+        // While a cycle is in force a block makes a hole, no arc.
+        let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
+        let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));
+        if !drills
+            && let Some(words) = self.modal_arc_words()
+        {
             claims = claims.union(words);
         }
         claims
