@@ -121,7 +121,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         }
         AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
-    Ok(if found.verdict == Answer::Different { Verdict::Problems } else { Verdict::Clean })
+    Ok(if matches!(found.verdict, Answer::Different | Answer::NotVerified) {
+        Verdict::Problems
+    } else {
+        Verdict::Clean
+    })
 }
 
 /// Writes both paths in one picture, under their names and a line about them.

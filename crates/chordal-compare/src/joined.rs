@@ -118,6 +118,7 @@ fn empty() -> Report {
         diagnostics: Vec::new(),
         dropped: Vec::new(),
         counts: Counts::default(),
+        not_verified_from: None,
         output: Vec::new(),
         outcomes: Vec::new(),
     }
@@ -165,6 +166,7 @@ fn join_reports(joined: &mut Report, report: Report, part: &Part) {
         one
     }));
     joined.counts.errors += report.counts.errors;
+    joined.not_verified_from = joined.not_verified_from.or(report.not_verified_from);
     joined.dropped.extend(report.dropped);
     joined.output.extend(report.output);
 }

@@ -115,6 +115,9 @@ pub enum Verdict {
     Within,
     /// Something differs.
     Different,
+    /// No difference was found, and one of the programs does something that is not followed: from
+    /// there on nothing is known.
+    NotVerified,
 }
 
 /// What came out.
@@ -194,8 +197,10 @@ fn conclude(
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
+    let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
     let verdict = match (found.differences.is_empty(), has_path) {
+        (true, _) if !verified => Verdict::NotVerified,
         (true, false) => Verdict::Same,
         // Paths further apart than the tolerance are among the differences, unless they do not count.
         (true, true) => Verdict::Within,

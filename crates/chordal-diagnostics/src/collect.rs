@@ -36,6 +36,7 @@ pub struct Collector {
     dropped: BTreeMap<Code, u64>,
     told: HashSet<(Code, Span)>,
     counts: Counts,
+    lost: Option<Span>,
 }
 
 impl Collector {
@@ -48,11 +49,18 @@ impl Collector {
             dropped: BTreeMap::new(),
             told: HashSet::new(),
             counts: Counts::default(),
+            lost: None,
         }
     }
 
     /// Takes one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
+        if self.lost.is_none()
+            && diagnostic.severity == Severity::Error
+            && diagnostic.code.loses_path()
+        {
+            self.lost = Some(diagnostic.primary.span);
+        }
         let code = diagnostic.code;
         if self.was_said_once(code, diagnostic.primary.span) {
             return;
@@ -112,6 +120,11 @@ impl Collector {
     /// All counted.
     pub fn counts(&self) -> Counts {
         self.counts
+    }
+
+    /// The first place in the order of the run from which on the path is not known.
+    pub fn lost(&self) -> Option<Span> {
+        self.lost
     }
 
     /// What was kept, by place.

@@ -33,6 +33,11 @@ pub fn comparison_text(
                 "{name}: {words} not carried out, so their effect is not compared; `chordal check` lists them\n"
             );
         }
+        if !report.verified() {
+            text += &format!(
+                "{name}: not verified to its end; `chordal check` says from which line on\n"
+            );
+        }
         if report.counts.errors > 0 {
             let errors = counted(report.counts.errors, "error", "errors");
             text += &format!("{name}: {errors}; `chordal check` lists them\n");
@@ -72,6 +77,10 @@ pub fn comparison_headline(found: &Comparison, units: Units, tolerance_mm: f64) 
                 "within the tolerance: the paths are at most {most} apart, {} is allowed\n",
                 length_text(tolerance_mm, units)
             )
+        }
+        (Verdict::NotVerified, _) => {
+            "not verified: a program does something that is not followed, and what comes after it is not known\n"
+                .into()
         }
         (Verdict::Different, None) => format!("different: {differences}\n"),
         (Verdict::Different, Some(most)) if most <= chordal_compare::SAME_MM => {

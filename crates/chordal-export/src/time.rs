@@ -44,6 +44,7 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     put("tangent_stops", json!(time.tangent_stops));
     put("cut_ends", cut_ends(&time.cut_ends));
     put("errors", json!(report.counts.errors));
+    put("verified", json!(report.verified()));
     let waits = time.waits.iter().map(|(kind, seconds)| (kind.name().to_string(), json!(seconds)));
     put("waits", Value::Object(waits.collect()));
     let tools = time

@@ -51,7 +51,7 @@ impl Kernel<'_> {
                 .help("cancel compensation with G40 first"),
             );
         }
-        self.check_plane_change(word);
+        self.check_plane_change(word, plane);
         self.state.plane = plane;
         self.emit(CommandKind::Plane(plane));
     }

@@ -22,6 +22,8 @@ pub struct Document {
     pub head: Head,
     /// Errors: the control would stop, or do something else than the text says.
     pub errors: u64,
+    /// File and line from which on the path is not known, because something is not followed.
+    pub not_verified_from: Option<(String, u32)>,
     /// Warnings.
     pub warnings: u64,
     /// Notes.

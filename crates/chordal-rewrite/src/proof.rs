@@ -22,7 +22,7 @@ pub struct Certificate {
 impl Certificate {
     /// The motion is the same, or within the tolerance, and nothing differs that should not.
     pub fn holds(&self) -> bool {
-        self.comparison.verdict != Verdict::Different
+        matches!(self.comparison.verdict, Verdict::Same | Verdict::Within)
     }
 
     /// Takes differences for expected ones.
@@ -35,7 +35,12 @@ impl Certificate {
         let nothing_left = comparison.differences.is_empty() && comparison.dropped == 0;
         if comparison.verdict == Verdict::Different && nothing_left {
             let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::SAME_MM;
-            comparison.verdict = if apart { Verdict::Within } else { Verdict::Same };
+            let verified = comparison.reports.iter().all(chordal::Report::verified);
+            comparison.verdict = match apart {
+                _ if !verified => Verdict::NotVerified,
+                true => Verdict::Within,
+                false => Verdict::Same,
+            };
         }
     }
 }

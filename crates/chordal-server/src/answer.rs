@@ -24,6 +24,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
         "errors": report.counts.errors,
         "warnings": report.counts.warnings,
         "notes": report.counts.notes,
+        "not_verified_from": report.not_verified_line(sources).map(|(file, line)| json!({ "file": file, "line": line })),
         "inch": report.summary.inch,
         "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
         "cut_length_mm": report.summary.feed_length_mm,

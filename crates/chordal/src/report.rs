@@ -1,7 +1,7 @@
 //! What a run with its checks tells: problems, and numbers for people.
 
 use chordal_command::{Command, CommandKind, Origin};
-use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, Severity};
+use chordal_diagnostics::{Code, Collector, Counts, Diagnostic, Severity, SourceMap, Span};
 use chordal_kernel::Outcome;
 use chordal_path::{Checks, PathBuilder, PathCommand, Segment};
 
@@ -24,6 +24,9 @@ pub struct Report {
     pub dropped: Vec<(Code, u64)>,
     /// All problems counted.
     pub counts: Counts,
+    /// Where the run came first to something that is not followed: from there on the path is not
+    /// verified, and whatever is said of it is said of another path.
+    pub not_verified_from: Option<Span>,
     /// The lines that the program printed (DPRNT), in order.
     pub output: Vec<String>,
     /// How each program that was run ended.
@@ -94,9 +97,22 @@ impl Report {
             output,
             dropped: collector.dropped().collect(),
             counts: collector.counts(),
+            not_verified_from: collector.lost(),
             diagnostics: collector.into_sorted(),
             outcomes,
         }
+    }
+
+    /// The whole path was followed as the control would go it.
+    pub fn verified(&self) -> bool {
+        self.not_verified_from.is_none()
+    }
+
+    /// File and line from which on the path is not known.
+    pub fn not_verified_line<'s>(&self, sources: &'s SourceMap) -> Option<(&'s str, u32)> {
+        let span = self.not_verified_from?;
+        let source = sources.get(span.file)?;
+        Some((source.name(), source.line_of(span.range.start)))
     }
 
     /// The gravest severity that occurred.

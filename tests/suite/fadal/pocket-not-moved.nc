@@ -4,16 +4,16 @@
 M6 T1
 G90 G0 S8000 M3 E1 X0 Y0
 H1 D1 Z.1
-L9101 R1+2. (= none | ! CH306 "probe function 2")
-L9101 R1+11. (= none | ! CH306 | ! CH303 "no probe function 11")
-L9101 (= none | ! CH306 | ! CH820 "without R1")
-L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (PART 12 (= none | ! CH306 "PART 12")
-L9201 Z-.01 R0+.1 R1+3. R2+.5 R3+0 R4+2. F10. (0001 (= none | ! CH306)
-L9201 R0+.1 R1+4. R2+.5 R3+0 F10. (TEXT (= none | ! CH306 | ! CH820 "without Z" | ! CH303 "kind of letters 4")
-L9201 Z-3. R0+.1 R1+0 R2+2.6 R3+0 R4+1. (TEXT (= none | ! CH306 | ! CH303 "2.6 in" | ! CH303 "3.1 in below" | ! CH303 "serial step")
+L9101 R1+2. (= none | ! CH312 "probe function 2")
+L9101 R1+11. (= none | ! CH312 | ! CH303 "no probe function 11")
+L9101 (= none | ! CH312 | ! CH820 "without R1")
+L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (PART 12 (= none | ! CH312 "PART 12")
+L9201 Z-.01 R0+.1 R1+3. R2+.5 R3+0 R4+2. F10. (0001 (= none | ! CH312)
+L9201 R0+.1 R1+4. R2+.5 R3+0 F10. (TEXT (= none | ! CH312 | ! CH820 "without Z" | ! CH303 "kind of letters 4")
+L9201 Z-3. R0+.1 R1+0 R2+2.6 R3+0 R4+1. (TEXT (= none | ! CH312 | ! CH303 "2.6 in" | ! CH303 "3.1 in below" | ! CH303 "serial step")
 G1 X1. G41 F10.
-L9101 R1+1. (= none | ! CH306 | ! CH820 "compensation is on")
+L9101 R1+1. (= none | ! CH312 | ! CH820 "compensation is on")
 X0 G40
 H0 D0
-L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (A (= none | ! CH306 | ! CH820 "without an active tool offset")
+L9201 Z-.01 R0+.1 R1+0 R2+.5 R3+0 F10. (A (= none | ! CH312 | ! CH820 "without an active tool offset")
 M2

@@ -25,6 +25,8 @@ pub fn json(report: &Report, sources: &SourceMap, file: &str) -> String {
             "warnings": report.counts.warnings,
             "notes": report.counts.notes,
         },
+        "verified": report.verified(),
+        "not_verified_from": report.not_verified_line(sources).map(|(file, line)| json!({ "file": file, "line": line })),
         "diagnostics": diagnostics,
         "dropped": dropped,
     });

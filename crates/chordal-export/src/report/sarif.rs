@@ -24,6 +24,13 @@ impl Sarif {
     pub fn add(&mut self, report: &Report, sources: &SourceMap) {
         let results = report.diagnostics.iter().map(|diagnostic| result(diagnostic, sources));
         self.results.extend(results);
+        if let Some(span) = report.not_verified_from {
+            self.notifications.push(json!({
+                "level": "error",
+                "message": { "text": "the path from here on is not known: it is not verified" },
+                "locations": [location(span, "", sources)],
+            }));
+        }
         for (code, count) in &report.dropped {
             let text = format!("{count} more problems of {} are not listed", code.id());
             self.notifications.push(json!({

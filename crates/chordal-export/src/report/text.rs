@@ -23,6 +23,9 @@ pub fn text(report: &Report, sources: &SourceMap, color: bool) -> String {
         out.push_str(&format!("and {} more of {} {}\n", grouped(*count), info.id, info.name));
     }
     out.push_str(&closing(&report.counts));
+    if let Some((file, line)) = report.not_verified_line(sources) {
+        out.push_str(&not_verified(file, line));
+    }
     out
 }
 
@@ -141,6 +144,11 @@ fn suggestion<'f>(fix: &'f Fix, excerpts: &'f Excerpts, sources: &SourceMap) -> 
         }
         _ => group.element(Level::HELP.message(format!("write `{}`", clean(&fix.replacement)))),
     }
+}
+
+/// Said after the problems, lest what else is said of the path be believed.
+fn not_verified(file: &str, line: u32) -> String {
+    format!("not verified from line {line} of {} on: the path after it is not known\n", clean(file))
 }
 
 /// `2 errors, 1 warning`.

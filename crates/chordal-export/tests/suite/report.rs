@@ -105,6 +105,7 @@ fn what_was_dropped_is_counted() {
         summary: Default::default(),
         dropped: collector.dropped().collect(),
         counts: collector.counts(),
+        not_verified_from: collector.lost(),
         diagnostics: collector.into_sorted(),
         outcomes: Vec::new(),
     };

@@ -217,8 +217,9 @@ impl Kernel<'_> {
     }
 
     /// The plane changes while a rotation is in force.
-    pub(crate) fn check_plane_change(&mut self, word: Span) {
-        if self.state.frames.rotation().is_none() || self.rules.frames.plane_change {
+    pub(crate) fn check_plane_change(&mut self, word: Span, plane: Plane) {
+        let other = self.state.frames.rotation().is_some_and(|rotation| rotation.plane != plane);
+        if !other || self.rules.frames.plane_change {
             return;
         }
         self.report(

@@ -71,6 +71,9 @@ pub fn gather(job: &Job, about: &About) -> Gathered {
         chordal: env!("CARGO_PKG_VERSION"),
         head: head(job, about, &report, &programs, &comments),
         errors: report.counts.errors,
+        not_verified_from: report
+            .not_verified_line(job.sources())
+            .map(|(file, line)| (file.to_string(), line)),
         warnings: report.counts.warnings,
         notes: report.counts.notes,
         ends: ends(job, &report),

@@ -153,6 +153,9 @@ fn banner(document: &Document) -> Markup {
                 @if let Some(first) = first {
                     p { @if let Some((_, line)) = &first.place { "Line " (line) ": " } (first.message) }
                 }
+                @if let Some((file, line)) = &document.not_verified_from {
+                    p { "Not verified from line " (line) " of " (file) " on: the path after it is not known." }
+                }
                 (ends(document))
             }
         } @else if !document.ends.is_empty() || document.warnings > 0 {

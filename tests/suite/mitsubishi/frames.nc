@@ -1,0 +1,15 @@
+(machine: mitsubishi-m700)
+(The angle in G91 adds; an axis without a centre is not scaled.)
+G21 G17 G90 G94 S500 M3
+G0 X0 Y0 Z0 (= rapid to X0 Y0 Z0)
+G90 G68 X0 Y0 R30.
+G91 G68 X0 Y0 R15.
+G90 G0 X10. Y0 (= rapid to X7.071068 Y7.071068)
+G69
+G0 X0 Y0
+G51 X0 P2.
+G0 X10. Y5. (= rapid to X20 Y5)
+G2 X20. Y-5. R10. F100. (= ! CH431 "P70")
+G50
+G68.2 X0 Y0 Z0 I0 J30. K0 (= none | ! CH312 "tilted plane")
+M30
