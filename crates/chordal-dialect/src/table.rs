@@ -1,6 +1,6 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
-use crate::action::Action;
+use crate::action::{Action, OnceCode};
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
@@ -9,7 +9,7 @@ use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
 use chordal_geometry::Direction;
 use chordal_kernel::{Alarms, ToolValue};
-use chordal_syntax::{Decimal, Letters, Lexicon};
+use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
 /// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
@@ -330,6 +330,19 @@ impl ControlTable {
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
         let index = self.m_codes.binary_search_by_key(&code, |row| row.code).ok()?;
         Some(&self.m_codes[index])
+    }
+
+    /// `G10 L50`: the lines after this block are data.
+    pub fn begins_data(&self, block: &Block) -> bool {
+        let l = block.word(b'L').and_then(|word| word.number()?.to_integer());
+        let lines = |(number, target): &(u16, DataTarget)| {
+            Some(i64::from(*number)) == l && *target == DataTarget::Lines
+        };
+        self.set_data.iter().any(lines)
+            && block.all(b'G').any(|word| {
+                let row = word.number().and_then(code_number).and_then(|code| self.g_code(code));
+                row.is_some_and(|row| row.action == Action::Once(OnceCode::SetData))
+            })
     }
 
     /// What the control shows for a diagnostic.

@@ -67,7 +67,9 @@ fn a_shop_code_by_its_number() {
 
 #[test]
 fn a_program_that_no_file_holds_by_its_call() {
-    for key in ["O9810", "o9810", "\"G65 P9810\"", "\"G66 P9810\"", "\"M98P9810\"", "\"G66.1 P9810\""] {
+    for key in
+        ["O9810", "o9810", "\"G65 P9810\"", "\"G66 P9810\"", "\"M98P9810\"", "\"G66.1 P9810\""]
+    {
         let machine = after(&format!("shop_codes.{key}.blocks=G1 X#24"));
         assert_eq!(machine.shop_programs[&9810].blocks.as_deref(), Some("G1 X#24"), "{key}");
         assert!(machine.answers_with_blocks());

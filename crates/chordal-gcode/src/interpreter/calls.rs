@@ -1,7 +1,7 @@
 //! Subprograms, subroutines, local calls, returns and their limits.
 
-use chordal_dialect::table::{DataTarget, Subroutines};
-use chordal_dialect::{Action, AfterCode, Control, OnceCode, code_number};
+use chordal_dialect::table::Subroutines;
+use chordal_dialect::{Action, AfterCode, code_number};
 use std::collections::HashMap;
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
@@ -480,7 +480,7 @@ impl Interpreter<'_> {
 
     fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
         let mut reader = self.reader_of(program);
-        let control = self.control;
+        let table = self.control.table;
         let labels = self.labels.entry(program).or_insert_with(|| {
             let mut labels: HashMap<i64, Vec<TextPosition>> = HashMap::new();
             let mut block = Block::new();
@@ -497,25 +497,11 @@ impl Interpreter<'_> {
                     let start = TextPosition { offset: block.range.start, line };
                     labels.entry(number).or_default().push(start);
                 }
-                is_data |= begins_data(control, &block);
+                is_data |= table.begins_data(&block);
             }
         });
         labels.get(&label).map_or(&[], Vec::as_slice)
     }
-}
-
-/// `G10 L50`: the lines after this block are data.
-fn begins_data(control: &Control, block: &Block) -> bool {
-    let l = block.word(b'L').and_then(|word| word.number()?.to_integer());
-    let rows = control.table.set_data;
-    let lines = |(number, target): &(u16, DataTarget)| {
-        Some(i64::from(*number)) == l && *target == DataTarget::Lines
-    };
-    rows.iter().any(lines)
-        && block.all(b'G').any(|word| {
-            let row = word.number().and_then(code_number).and_then(|code| control.g_code(code));
-            row.is_some_and(|row| row.action == Action::Once(OnceCode::SetData))
-        })
 }
 
 /// The number of a subroutine whose head this block is: `L100` alone is subroutine 1.

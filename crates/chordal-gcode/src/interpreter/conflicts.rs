@@ -102,9 +102,7 @@ impl Interpreter<'_> {
         // While a cycle is in force a block makes a hole, no arc.
         let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
         let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));
-        if !drills
-            && let Some(words) = self.modal_arc_words()
-        {
+        if !drills && let Some(words) = self.modal_arc_words() {
             claims = claims.union(words);
         }
         claims

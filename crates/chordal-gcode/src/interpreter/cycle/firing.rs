@@ -111,7 +111,10 @@ impl Interpreter<'_> {
     /// A count in a block that makes no hole.
     fn check_idle_count(&mut self, block: &Block, repeats: u32, definition: bool) {
         let letter = self.control.parameters.rules.cycles.repeat_letter;
-        if !definition && repeats > 1 && let Some(word) = block.last(letter).copied() {
+        if !definition
+            && repeats > 1
+            && let Some(word) = block.last(letter).copied()
+        {
             self.unused_word(&word);
         }
     }
