@@ -38,7 +38,7 @@ mod statement;
 pub use checkpoint::{Checkpoint, Memory};
 pub use coordinates::ToolValue;
 pub use cycles::Hole;
-pub use frames::{Frames, Polar, PolarWords};
+pub use frames::{FrameKinds, Frames, Polar, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
 pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
 pub use modal::{Modal, MotionMode};

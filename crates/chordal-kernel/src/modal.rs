@@ -5,6 +5,7 @@ use chordal_command::{
 };
 use chordal_geometry::{Direction, Plane};
 
+use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
 use crate::state::{Motion, State};
 
@@ -64,10 +65,10 @@ pub struct Modal {
     pub tool: u32,
     /// The tool made ready.
     pub selected_tool: Option<u32>,
-    /// Program coordinates are mirrored, scaled or rotated against the work coordinate system.
-    pub framed: bool,
-    /// End points are a radius and an angle.
-    pub polar: bool,
+    /// The tool tip in the work coordinate system, frames undone, mm and rad.
+    pub work_position: Position,
+    /// The frames that words are read in.
+    pub frames: FrameKinds,
     /// The work coordinate system.
     pub work: WorkName,
     /// Its name on this control.
@@ -108,8 +109,8 @@ impl Modal {
             coolant: state.coolant,
             tool: state.tool,
             selected_tool: state.selected_tool,
-            framed: !state.frames.is_plain(),
-            polar: state.polar.is_some(),
+            work_position: state.work_position(),
+            frames: state.frame_kinds(),
             work,
             work_name: state.offsets.key(work),
             length_offset: state.offsets.length().number,
@@ -120,6 +121,11 @@ impl Modal {
 }
 
 impl State {
+    /// The frames that words are read in.
+    fn frame_kinds(&self) -> FrameKinds {
+        FrameKinds { polar: self.polar.is_some(), ..self.frames.kinds() }
+    }
+
     /// What a block without a motion code does; `None` where it needs one.
     pub fn motion_mode(&self) -> Option<MotionMode> {
         match (&self.cycle, self.motion) {

@@ -26,8 +26,8 @@ pub mod control {
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
-        Alarms, Checkpoint, Class, EndReason, Language, Modal, MotionMode, Outcome, ProgramPlace,
-        Ran, RunSink, Token, ToolValue,
+        Alarms, Checkpoint, Class, EndReason, FrameKinds, Language, Modal, MotionMode, Outcome,
+        ProgramPlace, Ran, RunSink, Token, ToolValue,
     };
 }
 

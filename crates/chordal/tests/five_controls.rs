@@ -299,3 +299,88 @@ fn a_code_that_wants_to_be_alone() {
         ["offset E(1), CH307", "offset G(54)", "offset G(54)", "offset G(54)", "offset G(54)"],
     );
 }
+
+#[test]
+fn a_rotation() {
+    // LinuxCNC turns a work coordinate system by G10 L2 R and has no G68.
+    five("", "G68 X10. Y5. R30.", ["", "", "", "", "line X10 Y5, CH301"]);
+    five(
+        "G68 X10. Y5. R30.",
+        "X20. Y5.",
+        [
+            "line X18.6603 Y10",
+            "line X18.6603 Y10",
+            "line X18.6603 Y10",
+            "line X18.6603 Y10",
+            "line X20",
+        ],
+    );
+}
+
+#[test]
+fn an_angle_in_g91() {
+    // Mitsubishi adds it; Haas by Setting 73 and Fanuc by parameter 5400 count it absolute.
+    five(
+        "G68 X0 Y0 R30.\nG91 G68 X0 Y0 R15.\nG90",
+        "X10. Y0",
+        [
+            "line X9.6593 Y2.5882",
+            "line X9.6593 Y2.5882",
+            "line X9.6593 Y2.5882",
+            "line X7.0711 Y7.0711",
+            "line X10",
+        ],
+    );
+}
+
+#[test]
+fn scaling_names_its_axes() {
+    // Mitsubishi scales the axes whose centre is named, the others all three. Fadal scales by G51.3 alone.
+    five(
+        "G51 X0 P2.",
+        "X10. Y5.",
+        ["line X10 Y5", "line X20 Y10", "line X20 Y10", "line X20 Y5", "line X10 Y5"],
+    );
+    // An arc then is an ellipse on Mitsubishi, which refuses it.
+    five(
+        "G51 X0 P2.",
+        "G2 X10. Y10. R10.",
+        [
+            "arc -90 deg X10 Y10",
+            "arc -90 deg X20 Y20",
+            "arc -90 deg X20 Y20",
+            "line X20 Y10, CH431",
+            "arc -90 deg X10 Y10",
+        ],
+    );
+}
+
+#[test]
+fn a_mirror() {
+    // G51.1 at a line; Haas mirrors by G101 about the work zero.
+    five(
+        "G51.1 X50.",
+        "X20. Y5.",
+        ["line X80 Y5", "line X20 Y5", "line X80 Y5", "line X80 Y5", "line X20 Y5"],
+    );
+    five(
+        "G101 X50.",
+        "X20. Y5.",
+        ["line X20 Y5", "line X-20 Y5", "line X20 Y5", "line X20 Y5", "line X20 Y5"],
+    );
+}
+
+#[test]
+fn polar_coordinates() {
+    five(
+        "G16",
+        "X100. Y30.",
+        [
+            "line X100 Y30",
+            "line X100 Y30",
+            "line X86.6025 Y50",
+            "line X86.6025 Y50",
+            "line X100 Y30",
+        ],
+    );
+}

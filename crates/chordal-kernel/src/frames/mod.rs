@@ -40,6 +40,28 @@ pub struct Rotation {
     pub degrees: f64,
 }
 
+/// Which kinds of frames are in force.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct FrameKinds {
+    /// Axes are mirrored.
+    pub mirror: bool,
+    /// Axes are scaled.
+    pub scaling: bool,
+    /// Coordinates are rotated.
+    pub rotation: bool,
+    /// The work coordinate system is rotated.
+    pub work: bool,
+    /// End points are a radius and an angle.
+    pub polar: bool,
+}
+
+impl FrameKinds {
+    /// Any of them.
+    pub fn any(self) -> bool {
+        self != FrameKinds::default()
+    }
+}
+
 /// The frames in force.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frames {
@@ -106,6 +128,17 @@ impl Frames {
     /// The scaling in force.
     pub fn scaling(&self) -> Option<&Scaling> {
         self.scaling.as_ref()
+    }
+
+    /// Which kinds are in force; polar reading is not known here.
+    pub fn kinds(&self) -> FrameKinds {
+        FrameKinds {
+            mirror: self.mirrored() != AxisMask::NONE,
+            scaling: self.scaling.is_some(),
+            rotation: self.rotation.is_some(),
+            work: self.work.is_some(),
+            polar: false,
+        }
     }
 
     /// The axes that are mirrored.

@@ -100,9 +100,12 @@ impl Kernel<'_> {
             InPlane::Unequal { largest, mirrored } => {
                 self.unequal_center(&target, radius * largest, arc.direction, mirrored, tolerance)
             }
-            InPlane::Similar { .. } | InPlane::Tilted => {
+            // The control judges the arc in the work coordinate system.
+            InPlane::Similar { factor, .. } => {
+                let tolerance = tolerance / factor;
                 center_from_radius(plane, start, end, radius, arc.direction, tolerance)
             }
+            InPlane::Tilted => return,
         };
         match found {
             Ok(center) => {

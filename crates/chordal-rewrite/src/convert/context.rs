@@ -15,6 +15,8 @@ pub(crate) struct Context<'a> {
     pub from: &'a Control,
     pub to: &'a Control,
     pub macros: &'a Macros<'a>,
+    /// Every rotation of the program means the same on both controls.
+    pub keeps_rotations: bool,
 }
 
 impl<'a> Context<'a> {

@@ -12,6 +12,7 @@ mod context;
 mod cycles;
 mod draft;
 mod emit;
+mod frames;
 mod initial;
 mod layout;
 mod macros;
@@ -28,8 +29,8 @@ use std::collections::BTreeMap;
 
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, work_offset_name};
-use chordal::syntax::{Block, BlockReader};
-use chordal::{Code, CommandKind, Diagnostic, Job, Machine, Severity, Source as Text, SourceMap};
+
+use chordal::{Code, CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, Difference, Value};
 
 use self::context::Context;
@@ -147,6 +148,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         from,
         to,
         macros: &macros,
+        keeps_rotations: frames::keeps_rotations(&source, from, to),
     };
     let compensates = trace.commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
@@ -307,16 +309,12 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
         return Vec::new();
     }
     let report = old.check();
-    let counts = report.diagnostics.iter().filter(|one| {
-        one.severity == Severity::Error && !LIMITS.contains(&one.code)
-            || is_unknown_motion(old, one)
-    });
+    let counts = report
+        .diagnostics
+        .iter()
+        .filter(|one| one.severity == Severity::Error && !LIMITS.contains(&one.code));
     counts
         .map(|one| {
-            let why = match one.severity {
-                Severity::Error => "an error on the original control",
-                _ => "nothing could be proved",
-            };
             let span = one.primary.span;
             let source = old.sources().get(span.file);
             let line = source.map_or(0, |source| source.line_of(span.range.start));
@@ -324,32 +322,10 @@ fn own_problems(old: &Job, options: &Options) -> Vec<Refusal> {
             Refusal {
                 line,
                 words: words.unwrap_or_default().trim().to_string(),
-                reason: format!("{why}: {}", one.message),
+                reason: format!("an error on the original control: {}", one.message),
             }
         })
         .collect()
-}
-
-/// True of codes and words that are not carried out and may move otherwise than the path that is known: G codes
-/// (rotation, scaling, polar coordinates), roundings and chamfers of corners.
-fn is_unknown_motion(job: &Job, one: &Diagnostic) -> bool {
-    let span = one.primary.span;
-    let Some(source) = job
-        .sources()
-        .get(span.file)
-        .filter(|_| matches!(one.code, Code::NotSimulated | Code::NotFollowed))
-    else {
-        return false;
-    };
-    let words = span.range.slice(source.text());
-    let mut reader = BlockReader::new(words, span.file, job.control().table.lexicon);
-    let mut block = Block::new();
-    reader.read(&mut block);
-    let is_code = block.words.first().is_some_and(|word| {
-        word.letter == b'G'
-            && job.control().row_of(word).is_some_and(|row| row.action.is_left_out())
-    });
-    is_code || words.starts_with(b",")
 }
 
 /// The target with what the old machine's tables hold: the cut depends on both.

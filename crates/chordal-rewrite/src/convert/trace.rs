@@ -4,7 +4,9 @@ use chordal::RunSink;
 use chordal::control::Action;
 use std::ops::Range;
 
-use chordal::control::{CallPath, FeedMode, Modal, Origin, Position, Side, Units, WorkName};
+use chordal::control::{
+    CallPath, FeedMode, FrameKinds, Modal, Origin, Position, Side, Units, WorkName,
+};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind, Diagnostic, Job, Sink, Span};
 
@@ -22,7 +24,9 @@ pub(crate) struct Modes {
     pub units: Units,
     pub side: Side,
     pub work: WorkName,
+    /// Of the tool tip in the work coordinate system.
     pub position: Position,
+    pub frames: FrameKinds,
 }
 
 impl From<Modal> for Modes {
@@ -36,7 +40,8 @@ impl From<Modal> for Modes {
             units: modal.units,
             side: modal.side,
             work: modal.work,
-            position: modal.position,
+            position: modal.work_position,
+            frames: modal.frames,
         }
     }
 }

@@ -57,6 +57,7 @@ impl<'a> Context<'a> {
         if !self.keeps_macros() {
             self.macros.values(draft, at)?;
         }
+        self.frames(at)?;
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;

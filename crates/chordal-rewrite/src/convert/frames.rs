@@ -1,0 +1,59 @@
+//! Mirror, scaling, rotation and polar coordinates: kept where both controls read them alike, else
+//! what runs in them is written out in the work coordinate system.
+
+use chordal::control::{Action, Control, FrameKinds, OnceCode};
+use chordal::syntax::Block;
+
+use super::codes;
+use super::context::Context;
+use super::draft::Expand;
+use crate::source::Source;
+
+/// True when every rotation of the program means the same on both controls: both coordinates of its
+/// centre and its angle are written, with points and in G90.
+pub(super) fn keeps_rotations(source: &Source, from: &Control, to: &Control) -> bool {
+    let rotation = Action::Once(OnceCode::Rotation);
+    if codes::row(rotation, to).is_none() {
+        return false;
+    }
+    (0..source.blocks.len())
+        .filter(|at| source.has_action(*at, from, |action| action == rotation))
+        .all(|at| is_plain(&source.blocks[at]))
+}
+
+fn is_plain(block: &Block) -> bool {
+    let has_point =
+        |letter: u8| block.last(letter).and_then(|word| word.number()).is_some_and(|n| n.has_point);
+    let is_zero =
+        |letter: u8| block.last(letter).and_then(|word| word.number()).is_some_and(|n| n.is_zero());
+    let axes = b"XYZ".iter().filter(|axis| block.letters().has(**axis)).count();
+    axes == 2
+        && has_point(b'R')
+        && b"XYZ"
+            .iter()
+            .all(|axis| !block.letters().has(*axis) || has_point(*axis) || is_zero(*axis))
+}
+
+impl Context<'_> {
+    /// A block that sets a frame, or runs in one.
+    pub(super) fn frames(&self, at: usize) -> Result<(), Expand> {
+        let Some(run) = self.run(at) else { return Ok(()) };
+        let (before, after) = (run.before.frames, run.after.frames);
+        if !(before.any() || after.any()) || self.same_control() {
+            return Ok(());
+        }
+        let title = self.to.table.title;
+        let others =
+            |frames: FrameKinds| frames.mirror || frames.scaling || frames.polar || frames.work;
+        if others(before) || others(after) {
+            return Err(Expand(format!(
+                "{title} reads the coordinates of this frame in another way"
+            )));
+        }
+        let in_g91 = after.rotation && !before.rotation && run.after.incremental;
+        if !self.keeps_rotations || in_g91 {
+            return Err(Expand(format!("{title} may read this rotation in another way")));
+        }
+        Ok(())
+    }
+}
