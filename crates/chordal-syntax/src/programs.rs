@@ -1,8 +1,8 @@
 //! The programs of a file, found by their heads.
 
-use chordal_diagnostics::TextRange;
+use chordal_diagnostics::{TextRange, line_ends};
 
-use crate::lexicon::Lexicon;
+use crate::lexicon::{Lexicon, Semicolon};
 use crate::reader::Position;
 
 /// A program of a file: its head and the text up to the next head.
@@ -73,6 +73,8 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
         match text[back - 1] {
             b'\n' | b'\r' => break,
             b' ' | b'\t' | 0 => {}
+            // `%;O1`
+            b'%' | b';' if lexicon.semicolon == Semicolon::EndOfBlock => {}
             b'0'..=b'9' | b'.' => seen_number = true,
             b'N' | b'n' if seen_number => {}
             _ => return None,
@@ -85,9 +87,7 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
 /// Counts the lines from a known position on.
 fn advance(text: &[u8], from: Position, to: u32) -> Position {
     let part = &text[from.offset as usize..to as usize];
-    let ends = memchr::memchr2_iter(b'\n', b'\r', part)
-        .filter(|&at| !(part[at] == b'\r' && part.get(at + 1) == Some(&b'\n')))
-        .count();
+    let ends = line_ends(part).count();
     Position { offset: to, line: from.line + ends as u32 }
 }
 
