@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use chordal::control::EndReason;
-use chordal::diagnostics::{Diagnostic, FileId};
+use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::MotionOptions;
 use chordal::{Job, Machine, Report, RunOptions, Source, SourceMap, TextProgram, Watch};
@@ -262,17 +262,10 @@ fn described(prepared: &Prepared, program: &TextProgram, place: usize) -> Row {
     }
 }
 
-/// Lines of a text, ended by LF, CR or both; a last one without an end counts.
+/// Lines of a text, however they end; a last one without an end counts.
 fn lines(text: &[u8]) -> u64 {
-    let mut count = 0;
-    let mut last = b'\n';
-    for &byte in text {
-        if byte == b'\r' || (byte == b'\n' && last != b'\r') {
-            count += 1;
-        }
-        last = byte;
-    }
-    count + u64::from(!matches!(last, b'\n' | b'\r'))
+    let count = line_ends(text).count() as u64;
+    count + u64::from(!matches!(text.last(), None | Some(b'\n' | b'\r')))
 }
 
 /// What a question gives; a panic inside is an error like any other.
@@ -418,6 +411,7 @@ mod tests {
             ("a\rb\r", 2),
             ("\n\n", 2),
             ("\r\r\n\n", 3),
+            ("a\n\r\rb\n\r\r", 2),
         ] {
             assert_eq!(lines(text.as_bytes()), count, "{text:?}");
         }

@@ -6,7 +6,10 @@ use imara_diff::{Algorithm, BasicLineDiffPrinter, Diff, InternedInput, UnifiedDi
 /// ends are not shown.
 pub fn unified(name: &str, before: &[u8], after: &[u8]) -> String {
     let [before, after] = [before, after].map(|text| {
-        String::from_utf8_lossy(text).replace("\r\n", "\n").replace(['\r', '\0'], "\n")
+        String::from_utf8_lossy(text)
+            .replace("\n\r\r", "\n")
+            .replace("\r\n", "\n")
+            .replace(['\r', '\0'], "\n")
     });
     let input = InternedInput::new(before.as_str(), after.as_str());
     let mut diff = Diff::compute(Algorithm::Histogram, &input);

@@ -34,6 +34,6 @@ pub use diagnostic::{Applicability, Diagnostic, Fix, Label};
 pub use registry::{Code, CodeInfo};
 pub use severity::Severity;
 pub use shift::Shift;
-pub use source::{LineColumn, Source};
+pub use source::{LineColumn, Source, line_end_length, line_ends};
 pub use source_map::SourceMap;
 pub use span::{FileId, Span, TextRange};

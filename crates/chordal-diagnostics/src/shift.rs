@@ -116,8 +116,8 @@ fn common_end(one: &[u8], other: &[u8]) -> usize {
 fn line_start_above(text: &[u8], at: usize) -> usize {
     let mut starts = memchr::memchr2_iter(b'\n', b'\r', &text[..at])
         .rev()
-        .filter(|&i| !(text[i] == b'\r' && text.get(i + 1) == Some(&b'\n')))
-        .map(|i| i + 1);
+        .map(|i| i + 1)
+        .filter(|&end| !matches!(text.get(end), Some(b'\n' | b'\r')));
     starts.nth(1).unwrap_or(0)
 }
 

@@ -101,11 +101,26 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Offsets just past each line end: LF, CR LF and a lone CR all end a line.
-pub(crate) fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
-    memchr::memchr2_iter(b'\n', b'\r', text)
-        .filter(|&at| !(text[at] == b'\r' && text.get(at + 1) == Some(&b'\n')))
-        .map(|at| at + 1)
+/// Offsets just past each line end: LF, CR LF, a lone CR, and LF CR CR, which controls punch, end a line.
+pub fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
+    let mut done = 0;
+    memchr::memchr2_iter(b'\n', b'\r', text).filter_map(move |at| {
+        let begins = at >= done;
+        if begins {
+            done = at + line_end_length(&text[at..]);
+        }
+        begins.then_some(done)
+    })
+}
+
+/// How many bytes the line end has with which a text begins.
+#[inline]
+pub fn line_end_length(text: &[u8]) -> usize {
+    match text {
+        [b'\r', b'\n', ..] => 2,
+        [b'\n', b'\r', b'\r', ..] => 3,
+        _ => 1,
+    }
 }
 
 #[cfg(test)]
@@ -121,6 +136,15 @@ mod tests {
         assert_eq!(lines, [1, 1, 2, 2, 2, 2, 3, 3, 4]);
         assert_eq!(source.line_text(2), b"bb");
         assert_eq!(source.line_text(9), b"");
+    }
+
+    #[test]
+    fn a_punched_line_end_is_one() {
+        let source = Source::new("t", &b"a\n\r\rbb\n\r\r\n\r\rc\n\rd"[..]);
+        let starts: Vec<u32> = (1..=6).map(|line| source.line_start(line)).collect();
+        assert_eq!(starts, [0, 4, 9, 12, 14, 15]);
+        assert_eq!([3, 4, 8, 12].map(|offset| source.line_of(offset)), [1, 2, 2, 4]);
+        assert_eq!(source.line_text(2), b"bb");
     }
 
     #[test]

@@ -125,6 +125,8 @@ pub enum ModeCode {
     /// Fadal G66: calls a subroutine after every move.
     ModalSubroutine,
     ModalCallOff,
+    /// G11: the lines after this block are blocks again, no data.
+    DataLinesOff,
 }
 
 /// How corners are passed.
@@ -138,6 +140,8 @@ pub enum PathCode {
     Continuous,
     /// Corners rounded within the distance of high-accuracy control (Mitsubishi G61.1).
     HighAccuracy,
+    /// Corners as in `Continuous`, and slower in inside corners of a compensated contour (G62).
+    CornerOverride,
     /// Corners as in `Continuous`, and the feed override has no effect (G63).
     Tapping,
     /// Look-ahead control: on with this value of the letter, off with 0.

@@ -41,6 +41,7 @@ impl Control {
         let (parameters, mut errors) =
             settings::resolve(table.settings, &table.parameters, machine);
         errors.extend(codes_of_both(table, machine));
+        errors.extend(codes_with_two_times(machine));
         let mut axes = AxisMask::NONE;
         for (index, limits) in machine.axes.iter().enumerate() {
             let present: Option<&AxisLimits> = limits.as_ref();
@@ -127,6 +128,19 @@ fn codes_of_both(
             message: format!("M{number} is not a custom M code: {title} has it ({what})"),
             help: Some("remove it from the machine's `shop_codes`".to_string()),
         })
+    })
+}
+
+/// Custom codes that are given blocks, which take their own time, and a time.
+fn codes_with_two_times(machine: &Machine) -> impl Iterator<Item = SettingError> {
+    let codes = machine.shop_codes.iter().map(|(number, code)| (format!("M{number}"), code));
+    let programs = machine.shop_programs.iter().map(|(number, code)| (format!("O{number}"), code));
+    let both =
+        codes.chain(programs).filter(|(_, code)| code.blocks.is_some() && code.time_s.is_some());
+    both.map(|(name, _)| SettingError {
+        name: format!("shop_codes.{name}"),
+        message: format!("{name} has `time` and `blocks`: its blocks take their own time"),
+        help: Some("remove `time`; a time without motion is a G4 among the blocks".to_string()),
     })
 }
 

@@ -115,11 +115,21 @@ pub struct SystemRow {
     pub last: u32,
     /// What they show.
     pub what: System,
+    /// Numbers from one work offset to the next.
+    pub step: u32,
 }
+
+/// Numbers from one work offset to the next, as rows of system variables are read.
+pub const OFFSET_STEP: u32 = 20;
 
 /// Writes a row of system variables.
 pub const fn system(first: u32, last: u32, what: System) -> SystemRow {
-    SystemRow { first, last, what }
+    SystemRow { first, last, what, step: OFFSET_STEP }
+}
+
+/// Writes a row of work offsets with another distance from one to the next.
+pub const fn system_by(step: u32, first: u32, last: u32, what: System) -> SystemRow {
+    SystemRow { first, last, what, step }
 }
 
 /// What a variable holds that was never written.
@@ -339,10 +349,13 @@ impl MacroRules {
         ..MacroRules::NONE
     };
 
-    /// What a system variable shows, and its place in its row.
+    /// What a system variable shows, and its place in its row, where work offsets are [`OFFSET_STEP`] apart.
     pub fn system_at(&self, number: u32) -> Option<(System, u32)> {
         let index = self.system.partition_point(|row| row.last < number);
         let row = self.system.get(index).filter(|row| row.first <= number)?;
-        Some((row.what, number - row.first))
+        let at = number - row.first;
+        let (offset, axis) = (at / row.step, at % row.step);
+        let place = if row.step == OFFSET_STEP { at } else { offset * OFFSET_STEP + axis };
+        (row.step == OFFSET_STEP || axis < OFFSET_STEP).then_some((row.what, place))
     }
 }

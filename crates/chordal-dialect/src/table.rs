@@ -1,6 +1,6 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
-use crate::action::Action;
+use crate::action::{Action, OnceCode};
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
@@ -9,7 +9,7 @@ use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
 use chordal_geometry::Direction;
 use chordal_kernel::{Alarms, ToolValue};
-use chordal_syntax::{Decimal, Letters, Lexicon};
+use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
 /// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
@@ -176,6 +176,8 @@ pub enum DataTarget {
     Register,
     /// Something that is not simulated.
     Other,
+    /// The lines up to the code that ends it are data for the control: parameters and the like.
+    Lines,
 }
 
 /// Time words of a dwell.
@@ -187,6 +189,8 @@ pub struct DwellWord {
     pub integer_s: f64,
     /// Seconds in one unit with a decimal point.
     pub point_s: f64,
+    /// A decimal point may be written; otherwise it is an alarm.
+    pub takes_point: bool,
 }
 
 /// A sign in the text that speaks for a control.
@@ -273,6 +277,10 @@ pub struct ControlTable {
     pub set_data: &'static [(u16, DataTarget)],
     /// Time words of G4.
     pub dwell: &'static [DwellWord],
+    /// G4 without a time is an exact stop, not an alarm.
+    pub dwell_alone_stops: bool,
+    /// M codes that the table does not have are those of the machine builder or the shop, not an alarm.
+    pub open_m_codes: bool,
     /// Of several codes of a group in a block the last one counts, without an alarm.
     pub last_of_group_counts: bool,
     /// Codes that must be the only G code of their block.
@@ -328,6 +336,19 @@ impl ControlTable {
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
         let index = self.m_codes.binary_search_by_key(&code, |row| row.code).ok()?;
         Some(&self.m_codes[index])
+    }
+
+    /// `G10 L50`: the lines after this block are data.
+    pub fn begins_data(&self, block: &Block) -> bool {
+        let l = block.word(b'L').and_then(|word| word.number()?.to_integer());
+        let lines = |(number, target): &(u16, DataTarget)| {
+            Some(i64::from(*number)) == l && *target == DataTarget::Lines
+        };
+        self.set_data.iter().any(lines)
+            && block.all(b'G').any(|word| {
+                let row = word.number().and_then(code_number).and_then(|code| self.g_code(code));
+                row.is_some_and(|row| row.action == Action::Once(OnceCode::SetData))
+            })
     }
 
     /// What the control shows for a diagnostic.

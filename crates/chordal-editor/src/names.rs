@@ -1,10 +1,10 @@
 //! Programs, labels and variables: where each is made and used, and other names for variables.
 
-use chordal::control::{Action, Called, OnceCode};
+use chordal::control::{Action, CallCode, Called, OnceCode};
 use std::collections::HashMap;
 
 use chordal::diagnostics::TextRange;
-use chordal::syntax::{Block, BlockKind, Value, Word};
+use chordal::syntax::{Block, BlockKind, Value, Word, find_programs};
 
 use crate::Program;
 use chordal::control::{Mark, marks};
@@ -217,13 +217,22 @@ struct Finder<'a> {
     /// Index of the program of the text that the blocks belong to.
     index: usize,
     begun: bool,
+    /// The blocks are data of the control, whose N is no block number.
+    data: bool,
     found: Vec<Occurrence>,
     keys: HashMap<Vec<u8>, String>,
 }
 
 impl<'a> Finder<'a> {
     fn new(program: &'a Program) -> Finder<'a> {
-        Finder { program, index: 0, begun: false, found: Vec::new(), keys: HashMap::new() }
+        Finder {
+            program,
+            index: 0,
+            begun: false,
+            data: false,
+            found: Vec::new(),
+            keys: HashMap::new(),
+        }
     }
 
     fn block(&mut self, block: &Block) {
@@ -251,6 +260,7 @@ impl<'a> Finder<'a> {
 
     fn words(&mut self, block: &Block) {
         let call = self.call_of(block);
+        self.data &= block.word(b'G').is_none() && block.word(b'M').is_none();
         for word in &block.words {
             if let Some(register) = word.register {
                 let name = Name::Variable { program: None, name: format!("R{register}") };
@@ -267,7 +277,7 @@ impl<'a> Finder<'a> {
                 _ => {}
             }
             match (word.letter, call, whole(word)) {
-                (b'N', _, Some(number)) => {
+                (b'N', _, Some(number)) if !self.data => {
                     let name = Name::Label { program: self.index, number };
                     self.note(name, word.range, Role::Definition);
                 }
@@ -280,8 +290,30 @@ impl<'a> Finder<'a> {
                     let name = Name::Label { program: self.index, number };
                     self.note(name, word.range, Role::Use);
                 }
+                (letter, Some(Call::Program), Some(number)) => {
+                    self.start_label(block, letter, number, word.range);
+                }
                 _ => {}
             }
+        }
+        self.data |= self.program.control().table.begins_data(block);
+    }
+
+    /// The block at which a call begins (Fanuc `M98 P1 Q100`, Mitsubishi H).
+    fn start_label(&mut self, block: &Block, letter: u8, number: i64, range: TextRange) {
+        let table = self.program.control().table;
+        let calls = |word: &Word| {
+            let row = self.program.control().row_of(word);
+            row.is_some_and(|row| row.action == Action::Call(CallCode::CallProgram))
+        };
+        if table.call_start_label != Some(letter) || !block.words.iter().any(calls) {
+            return;
+        }
+        let called = block.last(b'P').and_then(whole).and_then(|number| u32::try_from(number).ok());
+        let heads = find_programs(self.program.text(), self.program.lexicon());
+        let place = called.map(|called| heads.iter().position(|head| head.number == Some(called)));
+        if let Some(program) = place.unwrap_or(Some(self.index)) {
+            self.note(Name::Label { program, number }, range, Role::Use);
         }
     }
 

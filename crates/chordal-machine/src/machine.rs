@@ -54,6 +54,8 @@ pub struct Machine {
     pub probe: Probe,
     /// M codes that the shop has of its own, by number.
     pub shop_codes: BTreeMap<u16, ShopCode>,
+    /// Programs that are called and that no text holds, by number.
+    pub shop_programs: BTreeMap<u32, ShopCode>,
     /// What was read from its file otherwise than it was written.
     pub notices: Notices,
 }
@@ -207,13 +209,15 @@ pub struct Times {
     pub m_code_s: Option<f64>,
 }
 
-/// An M code that the control does not have and the machine takes.
+/// What the machine does for an M code that its control does not have, or for a program that no text holds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ShopCode {
     /// How long the machine takes for it; `None`: no time.
     pub time_s: Option<f64>,
     /// What it is, for people.
     pub label: Option<String>,
+    /// The blocks that it runs, as a subprogram would.
+    pub blocks: Option<String>,
 }
 
 /// What macro programs find when the program starts.
@@ -249,6 +253,14 @@ pub enum ProbeHit {
 }
 
 impl Machine {
+    /// Whether blocks are given for a code or a program; a run takes them in as further texts.
+    pub fn answers_with_blocks(&self) -> bool {
+        self.shop_codes
+            .values()
+            .chain(self.shop_programs.values())
+            .any(|code| code.blocks.is_some())
+    }
+
     /// A machine of which only the control is known: X, Y and Z without limits.
     pub fn new(name: &str, control: ControlName) -> Machine {
         let mut machine = Machine::without_axes(name, control);
@@ -279,6 +291,7 @@ impl Machine {
             macros: Macros::default(),
             probe: Probe::default(),
             shop_codes: BTreeMap::new(),
+            shop_programs: BTreeMap::new(),
             notices: Notices::default(),
         }
     }

@@ -47,11 +47,15 @@ impl Machine {
         }
         self.write_motion(&mut out);
         self.write_times(&mut out);
-        for (number, code) in &self.shop_codes {
-            out.table(&format!("shop_codes.M{number}"));
+        let codes = self.shop_codes.iter().map(|(number, code)| (format!("M{number}"), code));
+        let programs = self.shop_programs.iter().map(|(number, code)| (format!("O{number}"), code));
+        for (name, code) in codes.chain(programs) {
+            out.table(&format!("shop_codes.{name}"));
             out.quantity("time", code.time_s, Dimension::Time);
-            if let Some(label) = &code.label {
-                out.line("label", &string_text(label));
+            for (key, text) in [("label", &code.label), ("blocks", &code.blocks)] {
+                if let Some(text) = text {
+                    out.line(key, &string_text(text));
+                }
             }
         }
         self.write_macros(&mut out);

@@ -166,7 +166,7 @@ fn every_key() {
     assert!(m.switches.optional_stop);
     assert_eq!(m.clearance_mm, Some(2.54));
     assert_eq!(m.times.tool_change_s, Some(6.0));
-    let flip = ShopCode { time_s: Some(2.5), label: Some("part flip".into()) };
+    let flip = ShopCode { time_s: Some(2.5), label: Some("part flip".into()), blocks: None };
     assert_eq!(m.shop_codes[&120], flip);
     assert_eq!(m.shop_codes[&121], ShopCode::default());
     let setting = &m.settings["Setting 58"];

@@ -58,11 +58,29 @@ fn a_shop_code_by_its_number() {
     assert_eq!(code("shop_codes.m120.label=part flip").label.as_deref(), Some("part flip"));
     for key in ["120", "G120", "M", "M6554", "M1.5"] {
         let (message, _, help) = refused(&format!("shop_codes.\"{key}\".time=2 s"));
-        assert_eq!(message, format!("`{key}` is not an M code"));
+        assert_eq!(message, format!("`{key}` is not an M code or a program"));
         assert!(help.is_some_and(|help| help.contains("shop_codes.M120")));
     }
     let (message, ..) = refused("shop_codes.M120.time=-1 s");
     assert_eq!(message, "`shop_codes.M120.time` cannot be negative");
+}
+
+#[test]
+fn a_program_that_no_file_holds_by_its_call() {
+    for key in
+        ["O9810", "o9810", "\"G65 P9810\"", "\"G66 P9810\"", "\"M98P9810\"", "\"G66.1 P9810\""]
+    {
+        let machine = after(&format!("shop_codes.{key}.blocks=G1 X#24"));
+        assert_eq!(machine.shop_programs[&9810].blocks.as_deref(), Some("G1 X#24"), "{key}");
+        assert!(machine.answers_with_blocks());
+        let again = Machine::from_toml("again.toml", &machine.to_toml(), &|_| Err(String::new()));
+        assert_eq!(again.expect("its own text").shop_programs, machine.shop_programs);
+    }
+    for key in ["O", "P9810", "G65", "G65 P", "O1.5"] {
+        let (message, ..) = refused(&format!("shop_codes.\"{key}\".time=2 s"));
+        assert_eq!(message, format!("`{key}` is not an M code or a program"));
+    }
+    assert!(!after("shop_codes.O9810.time=2 s").answers_with_blocks());
 }
 
 #[test]

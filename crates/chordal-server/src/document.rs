@@ -4,6 +4,7 @@
 //! encoding of the file come back when it is saved. Places in changes are UTF-16 code units, as a
 //! browser counts.
 
+use chordal::diagnostics::line_ends;
 use chordal::syntax;
 use encoding_rs::mem::{decode_latin1, encode_latin1_lossy, is_str_latin1};
 
@@ -181,24 +182,27 @@ impl<'a> Places<'a> {
 /// The ending of most lines, and whether there are others.
 fn ending_of(text: &str) -> (&'static str, bool) {
     let bytes = text.as_bytes();
-    let (mut lf, mut crlf, mut cr) = (0, 0, 0);
-    for (at, byte) in bytes.iter().enumerate() {
-        match byte {
-            b'\n' if at > 0 && bytes[at - 1] == b'\r' => crlf += 1,
-            b'\n' => lf += 1,
-            b'\r' if bytes.get(at + 1) != Some(&b'\n') => cr += 1,
-            _ => {}
-        }
-    }
-    let kinds = [(lf, "\n"), (crlf, "\r\n"), (cr, "\r")];
-    let mixed = kinds.iter().filter(|(count, _)| *count > 0).count() > 1;
     // Of equal counts the last: a file without line ends gets LF all the same.
+    let mut kinds = [(0, "\n"), (0, "\r\n"), (0, "\r"), (0, "\n\r\r")];
+    let mut start = 0;
+    for end in line_ends(bytes) {
+        let last = bytes[start..end].iter().rposition(|byte| !matches!(byte, b'\n' | b'\r'));
+        let ending = &text[last.map_or(start, |last| start + last + 1)..end];
+        if let Some(kind) = kinds.iter_mut().find(|(_, kind)| *kind == ending) {
+            kind.0 += 1;
+        }
+        start = end;
+    }
+    let mixed = kinds.iter().filter(|(count, _)| *count > 0).count() > 1;
     let most = kinds.into_iter().rev().max_by_key(|(count, _)| *count);
     (most.map_or("\n", |(_, ending)| ending), mixed)
 }
 
 fn with_lf(text: &str) -> String {
-    if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n") } else { text.into() }
+    if !text.contains('\r') {
+        return text.into();
+    }
+    text.replace("\n\r\r", "\n").replace("\r\n", "\n").replace('\r', "\n")
 }
 
 #[cfg(test)]
@@ -219,6 +223,7 @@ mod tests {
             b"G0\rX1\rM30",
             b"\xEF\xBB\xBFG0 (\xC3\xA4)\n",
             b"G0 (\xE4\x83)\r\nM30\r\n",
+            b"G0\n\r\rM30\n\r\r",
             b"",
             b"no end",
             &utf16,

@@ -131,8 +131,11 @@ impl Decimal {
     }
 }
 
-/// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes.
-/// `None` when there is no digit, or more digits than 18 (no control keeps that many).
+/// Most digits that are kept: the double of a number with more is the same.
+const MOST_DIGITS: usize = 18;
+
+/// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes. Of more digits than
+/// 18 those after the point are rounded away. `None` when there is no digit, or more than 18 before the point.
 pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
     let sign = text.first().copied().unwrap_or(0);
     let negative = sign == b'-';
@@ -201,11 +204,40 @@ fn scan_any(text: &[u8], start: usize, negative: bool) -> Option<(Decimal, usize
         value = value.wrapping_mul(TENS[scale.min(19)]).wrapping_add(part);
     }
     let count = whole_digits + scale;
-    if count == 0 || count > 18 {
+    if count == 0 {
         return None;
+    }
+    if count > MOST_DIGITS {
+        return scan_long(text, start, whole_digits, scale, negative).map(|number| (number, at));
     }
     let mantissa = if negative { -(value as i64) } else { value as i64 };
     Some((Decimal { mantissa, scale: scale as u8, has_point, negative }, at))
+}
+
+/// A number of many digits: zeros in front do not count, and those that are too many are rounded.
+#[cold]
+fn scan_long(
+    text: &[u8],
+    start: usize,
+    whole_digits: usize,
+    part_digits: usize,
+    negative: bool,
+) -> Option<Decimal> {
+    let whole = &text[start..start + whole_digits];
+    let zeros = whole.iter().take_while(|byte| **byte == b'0').count();
+    let whole = &whole[zeros..];
+    if whole.len() > MOST_DIGITS {
+        return None;
+    }
+    let point = start + whole_digits;
+    let part = text.get(point + 1..point + 1 + part_digits).unwrap_or(&[]);
+    let kept = part.len().min(MOST_DIGITS - whole.len());
+    let (value, _) = digits(&[whole, &part[..kept]].concat(), 0);
+    let up = part.get(kept).is_some_and(|byte| *byte >= b'5');
+    let value = (value + u64::from(up)) as i64;
+    let mantissa = if negative { -value } else { value };
+    let has_point = text.get(point) == Some(&b'.');
+    Some(Decimal { mantissa, scale: kept as u8, has_point, negative })
 }
 
 const TENS: [u64; 20] = {
@@ -292,6 +324,21 @@ mod tests {
         for text in ["", "-", ".", "1..2", "1e5", "1234567890123456789"] {
             assert_eq!(Decimal::parse(text.as_bytes()), None, "{text}");
         }
+    }
+
+    #[test]
+    fn more_digits_than_a_double_tells_are_rounded() {
+        let pi = "3.14159265358979323846264338327950288";
+        assert_eq!(read(pi).to_f64(), std::f64::consts::PI);
+        assert_eq!(read(&format!("-{pi}")).to_f64(), -std::f64::consts::PI);
+        assert_eq!(read("0000000000000000000000012.5").to_f64(), 12.5);
+        assert_eq!(read("00000000000000000000000007"), Decimal::integer(7));
+        assert_eq!(read(".1000000000000000000000").to_f64(), 0.1);
+        assert_eq!(read("1.9999999999999999999").to_f64(), 2.0);
+        assert_eq!(
+            scan(b"0.00000000000000000000001X").map(|(n, at)| (n.to_f64(), at)),
+            Some((0.0, 25))
+        );
     }
 
     #[test]

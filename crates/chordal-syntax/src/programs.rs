@@ -1,8 +1,8 @@
 //! The programs of a file, found by their heads.
 
-use chordal_diagnostics::TextRange;
+use chordal_diagnostics::{TextRange, line_ends};
 
-use crate::lexicon::Lexicon;
+use crate::lexicon::{Lexicon, Semicolon};
 use crate::reader::Position;
 
 /// A program of a file: its head and the text up to the next head.
@@ -29,7 +29,7 @@ pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
     let mut heads: Vec<ProgramHead> = Vec::new();
     let mut counted = Position { offset: 0, line: 1 };
     for at in memchr::memchr3_iter(b'O', b'o', b':', text) {
-        let Some((line_start, number, end)) = head_at(text, at) else { continue };
+        let Some((line_start, number, end)) = head_at(text, at, lexicon) else { continue };
         counted = advance(text, counted, line_start as u32);
         if let Some(last) = heads.last_mut() {
             last.end = line_start as u32;
@@ -55,7 +55,7 @@ fn nameless(end: u32) -> ProgramHead {
 }
 
 /// Line start, number and end of a head whose letter is at `at`, if it is one.
-fn head_at(text: &[u8], at: usize) -> Option<(usize, u32, usize)> {
+fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usize)> {
     let digits = text[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
     if digits == 0 || digits > 9 {
         return None;
@@ -69,6 +69,8 @@ fn head_at(text: &[u8], at: usize) -> Option<(usize, u32, usize)> {
         match text[back - 1] {
             b'\n' | b'\r' => break,
             b' ' | b'\t' | 0 => {}
+            // `%;O1`
+            b'%' | b';' if lexicon.semicolon == Semicolon::EndOfBlock => {}
             b'0'..=b'9' | b'.' => seen_number = true,
             b'N' | b'n' if seen_number => {}
             _ => return None,
@@ -81,9 +83,7 @@ fn head_at(text: &[u8], at: usize) -> Option<(usize, u32, usize)> {
 /// Counts the lines from a known position on.
 fn advance(text: &[u8], from: Position, to: u32) -> Position {
     let part = &text[from.offset as usize..to as usize];
-    let ends = memchr::memchr2_iter(b'\n', b'\r', part)
-        .filter(|&at| !(part[at] == b'\r' && part.get(at + 1) == Some(&b'\n')))
-        .count();
+    let ends = line_ends(part).count();
     Position { offset: to, line: from.line + ends as u32 }
 }
 

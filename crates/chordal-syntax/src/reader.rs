@@ -5,7 +5,9 @@ mod macros;
 mod problems;
 mod remark;
 
-use chordal_diagnostics::{Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange};
+use chordal_diagnostics::{
+    Applicability, Code, Diagnostic, FileId, Fix, Span, TextRange, line_end_length,
+};
 
 use crate::block::{Block, BlockDelete, BlockKind, Letters, Value, Word};
 use crate::decimal::{self, Decimal};
@@ -144,7 +146,7 @@ impl<'a> BlockReader<'a> {
                 Class::Blank => self.at += 1,
                 Class::LineEnd => {
                     block.range.end = self.at as u32;
-                    self.skip_line_end(byte);
+                    self.skip_line_end();
                     return;
                 }
                 Class::Digit => self.lone_number(block),
@@ -158,11 +160,8 @@ impl<'a> BlockReader<'a> {
         block.range.end = self.at as u32;
     }
 
-    fn skip_line_end(&mut self, byte: u8) {
-        self.at += 1;
-        if byte == b'\r' && self.at < self.end && self.text[self.at] == b'\n' {
-            self.at += 1;
-        }
+    fn skip_line_end(&mut self) {
+        self.at += line_end_length(&self.text[self.at..self.end]);
         self.line += 1;
     }
 
@@ -181,7 +180,9 @@ impl<'a> BlockReader<'a> {
             b'\'' if self.lexicon.star_comment => self.comment_to_line_end(block),
             b'%' if block.words.is_empty() => {
                 block.kind = BlockKind::Percent;
-                self.skip_to_line_end();
+                if !self.end_of_block_follows() {
+                    self.skip_to_line_end();
+                }
             }
             b'&' if block.words.is_empty() => {
                 block.kind = BlockKind::Folder;
@@ -213,6 +214,19 @@ impl<'a> BlockReader<'a> {
     fn program_colon(&self, block: &Block) -> bool {
         block.words.iter().all(|word| word.letter == b'N')
             && self.text.get(self.at + 1).is_some_and(u8::is_ascii_digit)
+    }
+
+    /// A mark whose line holds an end of block right after it (`%;`): goes there.
+    fn end_of_block_follows(&mut self) -> bool {
+        let rest = &self.text[self.at + 1..self.end];
+        let blanks =
+            rest.iter().take_while(|byte| CLASSES[**byte as usize] == Class::Blank).count();
+        let follows =
+            self.lexicon.semicolon == Semicolon::EndOfBlock && rest.get(blanks) == Some(&b';');
+        if follows {
+            self.at += 1 + blanks;
+        }
+        follows
     }
 
     fn skip_to_line_end(&mut self) {

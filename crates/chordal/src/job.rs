@@ -228,7 +228,8 @@ impl<'a> Job<'a> {
     /// The program that is run, where it is one, and nobody is asked on the way.
     pub(crate) fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
-        if !readable || self.options.shop_codes.is_some() {
+        let asked = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
+        if !readable || asked {
             return None;
         }
         let language = self.language();

@@ -296,6 +296,11 @@ fn the_machine_file_names_codes_with_their_time() {
     };
     let both = job_on(machine.clone(), text, Some(Arc::new(shop)));
     assert_eq!(steps(&both)[1..3], ["2: 9 s by hand", "3: 1 s M121"]);
+    let mut twice = machine.clone();
+    twice.set("shop_codes.O9810={time=\"1 s\", blocks=\"G4 P1.\"}").expect("keys");
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text.as_bytes()));
+    assert!(Job::new(sources, twice).is_err(), "blocks take their own time");
     machine.set("shop_codes.M8.time=1 s").expect("keys");
     let mut sources = SourceMap::new();
     sources.add(Source::new("part.nc", text.as_bytes()));

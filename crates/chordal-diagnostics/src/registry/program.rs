@@ -7,7 +7,17 @@ codes! {
     "a called program was not found";
     r#"The program calls another program by number or name, and neither this file nor its folder has it.
 Chordal looks for an `O` (or `:`) number in the file, then for files in the same folder that begin with
-that number or have it as their name (`O1000`, `O1000.nc`, `1000.nc`). The call is skipped."#;
+that number or have it as their name (`O1000`, `O1000.nc`, `1000.nc`). The call is skipped, and with it what
+it moves.
+
+A macro of the machine builder or of a probe maker, such as `G65 P9810`, is often only in the control. The machine
+file can say what it does:
+
+    [shop_codes.O9810]
+    blocks = "G1 X#24 Y#25 Z#26 F#9"    # X, Y, Z and F of the call
+
+    [shop_codes.O9832]                  # no blocks: it moves nothing
+    label = "probe on""#;
 
     MissingLabel = 202, "missing-label", Error;
     "a jump to an N number that no block has";
@@ -66,7 +76,8 @@ with `chordal.load(…, shop_codes=…)`, in Rust with `RunOptions::shop_codes`.
 cannot be carried out: a time below zero, or more text than a run accepts. The code is skipped; the message quotes
 the answer.
 
-In a machine file `[shop_codes.M120]` gives a custom M code its `time` and its `label`; this is never refused."#;
+In a machine file `[shop_codes.M120]` gives a custom M code its `time` and `label`, or its `blocks`, and
+`[shop_codes.O9810]` the same for a program that no file holds; this is never refused."#;
 
     RepeatsStandStill = 213, "repeats-stand-still", Warning;
     "a helix is repeated with L in G90";

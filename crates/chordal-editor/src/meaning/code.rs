@@ -93,6 +93,9 @@ fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
         for word in view.table.dwell {
             facts.add("time", &dwell_text(word));
         }
+        if view.table.dwell_alone_stops {
+            facts.add("alone", "an exact stop");
+        }
     }
     if action == Action::Once(OnceCode::SetData) {
         // One line for all numbers that write the same.
@@ -120,7 +123,9 @@ fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
 /// `P1 is 0.001 s, P1. is 1 s`.
 pub fn dwell_text(word: &DwellWord) -> String {
     let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
-    if whole == point {
+    if !word.takes_point {
+        format!("{letter}1 is {whole} s; a point is an alarm")
+    } else if whole == point {
         format!("{letter}1 is {whole} s, with a point or without")
     } else {
         format!("{letter}1 is {whole} s, {letter}1. is {point} s")
@@ -148,6 +153,7 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
         DataTarget::Reload => "nothing: the tool table is read again",
         DataTarget::Register => "a register R",
         DataTarget::Other => "not carried out",
+        DataTarget::Lines => "parameters of the control, by the lines up to G11: not carried out",
     }
 }
 
@@ -227,7 +233,8 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
         | ModeCode::ScalingOff
         | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
-        | ModeCode::ModalCallOff => &[],
+        | ModeCode::ModalCallOff
+        | ModeCode::DataLinesOff => &[],
     }
 }
 

@@ -152,7 +152,8 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::RotationOff
         | ModeCode::ScalingOff
         | ModeCode::Polar { .. }
-        | ModeCode::ModalCallOff => return None,
+        | ModeCode::ModalCallOff
+        | ModeCode::DataLinesOff => return None,
     };
     Some(text.into())
 }
@@ -178,7 +179,8 @@ fn path_mode(code: PathCode, letter: u8) -> Option<String> {
         | PathCode::ExactStop
         | PathCode::ExactStopOnce
         | PathCode::HighAccuracy
-        | PathCode::Tapping => return None,
+        | PathCode::Tapping
+        | PathCode::CornerOverride => return None,
     };
     Some(text.into())
 }

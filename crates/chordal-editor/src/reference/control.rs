@@ -91,8 +91,11 @@ fn words(row: &CodeRow, view: &View) -> String {
 
 /// What G10 writes, by L.
 fn data(table: &ControlTable) -> String {
-    let known: Vec<_> =
-        table.set_data.iter().filter(|(_, target)| *target != DataTarget::Other).collect();
+    let known: Vec<_> = table
+        .set_data
+        .iter()
+        .filter(|(_, target)| !matches!(target, DataTarget::Other | DataTarget::Lines))
+        .collect();
     if known.is_empty() {
         return String::new();
     }

@@ -278,8 +278,22 @@ variables.500 = 12.7",
     },
     Section {
         table: "shop_codes",
-        about: "Custom M codes. NC blocks and refusals as answers: [from Python](python.md#custom-m-codes-and-programs).",
-        example: "[shop_codes.M120]\ntime = \"2.5 s\"\nlabel = \"part flip\"",
+        about: "Custom M codes, and programs that the control has and no file holds: probing and other macros of the machine \
+builder. A called program that neither a file nor this section has is an error (CH201), because nobody knows what it moves. \
+Refusals as answers: [from Python](python.md#custom-m-codes-and-programs).",
+        example: "
+[shop_codes.M120]
+time = \"2.5 s\"
+label = \"part flip\"
+
+# G65 P9832: moves nothing
+[shop_codes.O9832]
+label = \"probe on\"
+time = \"1 s\"
+
+# G65 P9810 X… Y… Z… F…: a protected move; its arguments are #24, #25, #26 and #9
+[shop_codes.O9810]
+blocks = \"G1 X#24 Y#25 Z#26 F#9\"",
     },
     Section {
         table: "probe",

@@ -86,6 +86,7 @@ impl Interpreter<'_> {
                 b'G' => self.control.g_code(code).filter(|row| self.has_unit_code(row)),
                 _ => self.m_row(block, at, code),
             });
+            let row = row.or_else(|| self.open_m_code(word, number));
             match row {
                 Some(row) => {
                     if number.scale > 0 {

@@ -1,7 +1,7 @@
 //! Subprograms, subroutines, local calls, returns and their limits.
 
 use chordal_dialect::table::Subroutines;
-use chordal_dialect::{Action, AfterCode};
+use chordal_dialect::{Action, AfterCode, code_number};
 use std::collections::HashMap;
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
 
     fn ends_section(&self, block: &Block) -> bool {
         block.all(b'M').any(|word| {
-            let code = word.number().and_then(chordal_dialect::code_number);
+            let code = word.number().and_then(code_number);
             code.and_then(|code| self.control.m_code(code)).is_some_and(|row| {
                 matches!(row.action, Action::After(AfterCode::ProgramEnd { rewind: true }))
             })
@@ -148,63 +148,45 @@ impl Interpreter<'_> {
 
     /// M98.
     pub(super) fn call_program(&mut self, block: &Block, at: usize) {
+        let start_letter = self.control.table.call_start_label;
+        let start_word = start_letter.and_then(|letter| block.last(letter).copied());
         let Some(word) = block.last(b'P').copied() else {
-            let span = self.span(block.words[at].range);
-            let text = self.reader.text();
-            let by_path = block.comments.iter().any(|c| c.slice(text).contains(&b'/'));
-            if !by_path {
-                let message = "M98 without a program number".to_string();
-                self.kernel.missing_word(span, message, "write P and the program's number");
-            } else {
-                let message = "a subprogram named by its path in a comment is not followed";
-                self.lose_path(span.range, message.into());
-            }
-            return;
+            return match start_word {
+                // Without a program's number the block is one of this program.
+                Some(word) => self.call_from_label(block, &word),
+                None => self.report_call_without_program(block, at),
+            };
         };
-        let Some(number) = self.count(&word) else { return };
-        let table = self.control.table;
-        let mut repeats = match block.letters().has(b'L') {
+        let Some(written) = self.count(&word) else { return };
+        let times = match block.letters().has(b'L') {
             true => self.count_of(block, b'L').unwrap_or(1),
             false => 1,
         };
-        if table.lexicon.o_words
-            && let Some(start) = self.label_ahead(number)
+        if self.control.table.lexicon.o_words
+            && let Some(start) = self.label_ahead(written)
         {
-            let repeats = self.cut_to_limit(&word, repeats);
-            if repeats > 0 {
-                self.enter(&word, self.program, start, repeats, false);
+            let times = self.cut_to_limit(&word, times);
+            if times > 0 {
+                self.enter(&word, self.program, start, times, false);
             }
             return;
         }
-        let mut number = number;
-        let found = self.library.find(number, self.file).or_else(|| {
-            let packed = self.control.parameters.packed_calls && number > 9999;
-            let plain = number % 10_000;
-            let program = if packed { self.library.find(plain, self.file) } else { None };
-            if program.is_some() {
-                repeats = number / 10_000;
-                number = plain;
-            }
-            program
-        });
-        let Some(program) = found else {
+        let (number, repeats) = self.unpacked(written, times);
+        let Some(program) = self.library.find(number, self.file) else {
             let given = Given { block: Some(block), arguments: &[] };
-            let packed = self.control.parameters.packed_calls && number > 9999;
-            let (asked, times) =
-                if packed { (number % 10_000, number / 10_000) } else { (number, repeats) };
-            if self.shop_program(&word, asked, times, given).is_none() {
+            if self.shop_program(&word, number, repeats, given).is_none() {
                 self.report_missing_program(&word, number);
             }
             return;
         };
-        let start_label = table.call_start_label.filter(|letter| block.letters().has(*letter));
         let mut start = self.library.programs()[program].head.start;
-        if let Some(letter) = start_label {
-            let label_word = block.last(letter).copied();
-            let Some(label) = label_word.and_then(|word| self.literal(&word)) else { return };
+        if let Some(start_word) = start_word {
+            let Some(label) = self.literal(&start_word) else { return };
             match self.label(program, label.to_integer().unwrap_or(-1)) {
                 Some(position) => start = position,
-                None => return self.report_missing_label(block, letter, &label.to_string()),
+                None => {
+                    return self.report_missing_label(block, start_word.letter, &label.to_string());
+                }
             }
         }
         let repeats = self.cut_to_limit(&word, repeats);
@@ -213,18 +195,44 @@ impl Interpreter<'_> {
         }
     }
 
+    /// The number of the called program and how often it runs, where P may hold both (`P50012`). A
+    /// program that has the whole number is meant as it stands.
+    fn unpacked(&self, written: u32, times: u32) -> (u32, u32) {
+        let packed = self.control.parameters.packed_calls && written > 9999;
+        if packed && self.library.find(written, self.file).is_none() {
+            (written % 10_000, written / 10_000)
+        } else {
+            (written, times)
+        }
+    }
+
+    fn report_call_without_program(&mut self, block: &Block, at: usize) {
+        let span = self.span(block.words[at].range);
+        let text = self.reader.text();
+        let by_path = block.comments.iter().any(|c| c.slice(text).contains(&b'/'));
+        if !by_path {
+            let message = "M98 without a program number".to_string();
+            return self.kernel.missing_word(span, message, "write P and the program's number");
+        }
+        let message = "a subprogram named by its path in a comment is not followed";
+        self.lose_path(span.range, message.into());
+    }
+
     pub(super) fn report_missing_program(&mut self, word: &Word, number: u32) {
         if !self.missing.contains(&number) {
             self.missing.push(number);
         }
-        self.kernel.report(
+        self.report_once(
             Diagnostic::new(
                 Code::MissingSubprogram,
                 self.span(word.range),
                 format!("there is no program O{number} in this file or its folder"),
             )
-            .label("the call is skipped")
-            .help(format!("put O{number} into the file, or a file O{number} into its folder")),
+            .label("the call is skipped: what it moves is missing from the path")
+            .help(format!(
+                "put O{number} into the file, or a file O{number} into its folder; or say in the machine \
+                 file what it does: `[shop_codes.O{number}]`"
+            )),
         );
     }
 
@@ -235,19 +243,24 @@ impl Interpreter<'_> {
             let message = "M97 without an N number".to_string();
             return self.kernel.missing_word(span, message, "write P and the N number");
         };
-        let Some(label) = self.count(&word) else { return };
+        self.call_from_label(block, &word);
+    }
+
+    /// Calls the running program from the block on whose N number a word gives.
+    fn call_from_label(&mut self, block: &Block, word: &Word) {
+        let Some(label) = self.count(word) else { return };
         let repeats = match block.letters().has(b'L') {
             true => self.count_of(block, b'L').unwrap_or(1),
             false => 1,
         };
-        let repeats = self.cut_to_limit(&word, repeats);
+        let repeats = self.cut_to_limit(word, repeats);
         match self.label(self.program, i64::from(label)) {
             Some(start) if repeats > 0 => {
                 let program = self.program;
-                self.enter(&word, program, start, repeats, false);
+                self.enter(word, program, start, repeats, false);
             }
             Some(_) => {}
-            None => self.report_missing_label(block, b'P', &label.to_string()),
+            None => self.report_missing_label(block, word.letter, &label.to_string()),
         }
     }
 
@@ -479,19 +492,24 @@ impl Interpreter<'_> {
 
     fn labels(&mut self, program: usize, label: i64) -> &[TextPosition] {
         let mut reader = self.reader_of(program);
+        let table = self.control.table;
         let labels = self.labels.entry(program).or_insert_with(|| {
             let mut labels: HashMap<i64, Vec<TextPosition>> = HashMap::new();
             let mut block = Block::new();
+            let mut is_data = false;
             loop {
                 if !reader.read(&mut block) {
                     return labels;
                 }
+                // N of a line of data is the number of a parameter.
+                is_data = is_data && block.word(b'G').is_none() && block.word(b'M').is_none();
                 let number = block.word(b'N').and_then(|word| word.number());
-                if let Some(number) = number.and_then(|n| n.to_integer()) {
+                if !is_data && let Some(number) = number.and_then(|n| n.to_integer()) {
                     let line = block.line;
                     let start = TextPosition { offset: block.range.start, line };
                     labels.entry(number).or_default().push(start);
                 }
+                is_data |= table.begins_data(&block);
             }
         });
         labels.get(&label).map_or(&[], Vec::as_slice)

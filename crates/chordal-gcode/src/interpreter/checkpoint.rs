@@ -25,6 +25,7 @@ struct BlockMemory {
     registers: [Decimal; 10],
     subroutines: BTreeMap<u32, TextPosition>,
     missing: Vec<u32>,
+    data_lines: bool,
     sequence: Option<Decimal>,
     reported: Reported,
     lost_jump: bool,
@@ -71,6 +72,7 @@ impl Interpreter<'_> {
             && !self.in_remark
             && self.kernel.calls.count() <= MOST_CALL_PATHS
             && self.options.shop_codes.is_none()
+            && !self.machine.answers_with_blocks()
             && self.macros.is_settled()
             && self.kernel.sink.is_settled()
     }
@@ -83,6 +85,7 @@ impl Interpreter<'_> {
             registers: self.registers,
             subroutines: self.subroutines.clone(),
             missing: self.missing.clone(),
+            data_lines: self.data_lines,
             sequence: self.sequence,
             // Whoever collects keeps the first of them, so that it does not decide about what follows.
             reported: Reported { excess_decimals: false, ..self.reported.clone() },
@@ -106,6 +109,7 @@ impl Interpreter<'_> {
         self.registers = memory.registers;
         self.subroutines = memory.subroutines;
         self.missing = memory.missing;
+        self.data_lines = memory.data_lines;
         self.sequence = memory.sequence;
         self.reported = memory.reported;
         self.lost_jump = memory.lost_jump;

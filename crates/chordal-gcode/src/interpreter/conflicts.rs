@@ -3,7 +3,7 @@
 
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
-use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{Action, ModeCode, MotionCode};
 use chordal_dialect::{CodeRow, Group};
 use chordal_kernel::Motion;
 use chordal_kernel::rules::SpiralForm;
@@ -122,9 +122,12 @@ impl Interpreter<'_> {
         if let Some(cycle) = self.kernel.state.cycle
             && let Some(row) = table.g_codes.iter().find(|r| r.action == Action::Cycle(cycle.kind))
         {
-            claims = claims.union(row.words);
+            claims = claims.union(self.words_of(row));
         }
-        if let Some(words) = self.modal_arc_words() {
+        // While a cycle is in force a block makes a hole, no arc.
+        let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
+        let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));
+        if !drills && let Some(words) = self.modal_arc_words() {
             claims = claims.union(words);
         }
         claims
@@ -154,7 +157,12 @@ impl Interpreter<'_> {
             self.control.parameters.rules.arc.spiral,
             SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount
         );
-        if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words }
+        let mut words =
+            if arc && !spirals { row.words.without(Letters::of("QL")) } else { row.words };
+        if matches!(row.action, Action::Cycle(_)) {
+            words.insert(self.control.parameters.rules.cycles.repeat_letter);
+        }
+        words
     }
 
     pub(super) fn check_unused(&mut self, block: &Block, claims: Letters) {

@@ -22,6 +22,9 @@ pub(super) const AXIS_OF: [u8; 256] = {
 /// Below this many least increments a number without a point is suspicious by itself.
 const SUSPICIOUS_INCREMENTS: u64 = 100;
 
+/// No control refuses a whole number below this for its digits.
+const LARGEST_OF_FEW_DIGITS: u64 = 10_000_000;
+
 /// Below this many it is when the program writes points elsewhere.
 const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
 
@@ -69,7 +72,7 @@ impl Interpreter<'_> {
         let control = self.control;
         let parameters = &control.parameters;
         if parameters.most_digits > 0 && number.digits() > parameters.most_digits {
-            self.report_too_many_digits(word, number.digits(), parameters.most_digits);
+            self.report_too_many_digits(word, parameters.most_digits);
         }
         let as_written = parameters.excess_decimals == ExcessDecimals::Unknown;
         if as_written && self.reported.excess_decimals {
@@ -86,6 +89,15 @@ impl Interpreter<'_> {
             self.report_excess_decimals(word, number, kept);
         }
         self.scale.length(kept)
+    }
+
+    /// A whole number of so many digits that some controls refuse it.
+    #[cold]
+    fn check_whole_digits(&mut self, word: &Word, number: Decimal) {
+        let most = self.control.parameters.most_digits;
+        if most > 0 && number.digits() > most {
+            self.report_too_many_digits(word, most);
+        }
     }
 
     fn report_excess_decimals(&mut self, word: &Word, number: Decimal, kept: Decimal) {
@@ -110,7 +122,10 @@ impl Interpreter<'_> {
         );
     }
 
-    fn report_too_many_digits(&mut self, word: &Word, digits: u8, most: u8) {
+    fn report_too_many_digits(&mut self, word: &Word, most: u8) {
+        // As written: a literal keeps no more than eighteen.
+        let written = word.range.slice(self.reader.text());
+        let digits = written.iter().filter(|byte| byte.is_ascii_digit()).count();
         self.kernel.report(
             Diagnostic::new(
                 Code::TooManyDigits,
@@ -135,6 +150,9 @@ impl Interpreter<'_> {
     #[inline]
     fn check_point(&mut self, word: &Word, number: Decimal) {
         let size = number.mantissa.unsigned_abs();
+        if size >= LARGEST_OF_FEW_DIGITS {
+            self.check_whole_digits(word, number);
+        }
         if size == 0 || self.control.parameters.decimal_point == DecimalPoint::Calculator {
             return;
         }

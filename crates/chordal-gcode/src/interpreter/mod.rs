@@ -39,7 +39,7 @@ use chordal_kernel::{Modal, Offsets, State};
 use in_force::codes_in_force;
 use statement::At;
 use std::cell::Cell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 use std::sync::Arc;
 
@@ -147,6 +147,8 @@ struct Interpreter<'a> {
     jumps: HashMap<u32, u32>,
     missing: Vec<u32>,
     blocks: u64,
+    /// The lines are data until G11.
+    data_lines: bool,
     /// The last N number, for alarms.
     sequence: Option<Decimal>,
     codes: Vec<(&'static CodeRow, usize)>,
@@ -178,6 +180,8 @@ struct Interpreter<'a> {
 #[derive(Clone, Default, Debug, PartialEq)]
 struct Reported {
     axes: AxisMask,
+    /// M codes that nothing says anything about.
+    open_codes: BTreeSet<i64>,
     points_seen: bool,
     excess_decimals: bool,
 }
@@ -267,6 +271,7 @@ impl<'a> Interpreter<'a> {
             jumps: HashMap::new(),
             missing: Vec::new(),
             blocks: 0,
+            data_lines: false,
             sequence: None,
             codes: Vec::new(),
             reported: Reported::default(),
@@ -407,6 +412,9 @@ impl<'a> Interpreter<'a> {
             block.truncate(delete.from_word);
         }
         if block.is_idle() {
+            return Flow::Next;
+        }
+        if self.data_lines && self.is_data_line(block) {
             return Flow::Next;
         }
         if let Some(number) = block.word(b'N').and_then(|word| word.number()) {

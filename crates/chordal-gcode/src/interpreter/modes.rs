@@ -146,6 +146,7 @@ impl Interpreter<'_> {
             ModeCode::CancelCycle => self.kernel.cancel_cycle(),
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
+            ModeCode::DataLinesOff => self.data_lines = false,
         }
     }
 

@@ -1,10 +1,10 @@
 //! Work offsets, tool length, compensation, G10, tools, spindle, coolant, registers.
 
 use chordal_command::{CommandKind, Side, WorkName};
-use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::Group;
 use chordal_dialect::table::{DataTarget, MotionModality};
-use chordal_dialect::{Action, MotionCode};
+use chordal_dialect::{Action, ModeCode, MotionCode};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::LeadLength;
@@ -186,7 +186,7 @@ impl Interpreter<'_> {
     }
 
     /// A block that turns compensation on and moves the third axis alone, on a control that wants a lead-in.
-    fn check_lead_in_words(&mut self, block: &Block, span: chordal_diagnostics::Span) {
+    fn check_lead_in_words(&mut self, block: &Block, span: Span) {
         let rules = &self.control.parameters.rules.compensation;
         let (a, b, normal) = self.kernel.state.plane.axes();
         let [a, b, normal] = [a, b, normal].map(|axis| b"XYZ"[axis]);
@@ -272,12 +272,7 @@ impl Interpreter<'_> {
     }
 
     /// Compensation goes on and off along a straight move.
-    fn check_compensation_move(
-        &mut self,
-        block: &Block,
-        side: Side,
-        span: chordal_diagnostics::Span,
-    ) {
+    fn check_compensation_move(&mut self, block: &Block, side: Side, span: Span) {
         // A change of side is no start.
         let on = self.kernel.state.side != Side::Off;
         let may_start = on || self.control.parameters.rules.compensation.start_on_arc;
@@ -348,6 +343,7 @@ impl Interpreter<'_> {
                 span,
                 format!("G10 L{} is not simulated", l.unwrap_or(0)),
             )),
+            Some(DataTarget::Lines) => self.begin_data_lines(span, l.unwrap_or(0)),
             None => {
                 let known: Vec<String> = self
                     .control
@@ -365,6 +361,50 @@ impl Interpreter<'_> {
                 self.kernel.report(Diagnostic::new(Code::BadWordValue, span, message).help(help));
             }
         }
+    }
+
+    /// G10 L50: the lines up to G11 are parameters of the control.
+    fn begin_data_lines(&mut self, span: Span, l: u32) {
+        self.data_lines = true;
+        let end = self.code_that(Action::Mode(ModeCode::DataLinesOff));
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                span,
+                format!("G10 L{l} writes parameters of the control, which is not simulated"),
+            )
+            .label(format!("the lines up to {end} are data, no motion"))
+            .help("say what the machine does otherwise with `[settings]` of the machine file"),
+        );
+    }
+
+    /// Whether a block after G10 L50 is data. One with a code is none: it ends the data, with G11 or without.
+    pub(super) fn is_data_line(&mut self, block: &Block) -> bool {
+        let word = block.words.iter().find(|word| matches!(word.letter, b'G' | b'M'));
+        let Some(word) = word else { return true };
+        self.data_lines = false;
+        let row = word.number().and_then(chordal_dialect::code_number);
+        let row = row.and_then(|code| self.control.g_code(code));
+        let off = Action::Mode(ModeCode::DataLinesOff);
+        if word.letter != b'G' || row.is_none_or(|row| row.action != off) {
+            let end = self.code_that(off);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::MissingWord,
+                    self.span(word.range),
+                    format!("this block stands among the data of G10, which no {end} ended"),
+                )
+                .label("carried out as a block")
+                .help(format!("write {end} after the last line of data")),
+            );
+        }
+        false
+    }
+
+    /// The name of the G code with an action.
+    fn code_that(&self, action: Action) -> String {
+        let row = self.control.table.g_codes.iter().find(|row| row.action == action);
+        row.map_or_else(String::new, |row| row.name(b'G'))
     }
 
     /// The key of work offset P as G10 L2 counts them.

@@ -23,7 +23,10 @@ impl Interpreter<'_> {
             PathCode::Exact => path.set_mode(PathMode::ExactPath),
             PathCode::ExactStop => path.set_mode(PathMode::ExactStop),
             PathCode::ExactStopOnce => path.once = true,
-            PathCode::Continuous | PathCode::Tapping => {
+            PathCode::Continuous | PathCode::Tapping | PathCode::CornerOverride => {
+                if code == PathCode::CornerOverride {
+                    self.tell_no_corner_override(block, row, at);
+                }
                 let own = if row.words.has(b'P') { self.length_of(block, b'P') } else { None };
                 if row.words.has(b'Q') {
                     self.tell_lines_stay(block);
@@ -51,6 +54,19 @@ impl Interpreter<'_> {
         if row.group == Group::PathMode {
             self.kernel.set_tapping_mode(code == PathCode::Tapping);
         }
+    }
+
+    /// G62 slows down where a compensated contour turns inwards.
+    fn tell_no_corner_override(&mut self, block: &Block, row: &CodeRow, at: usize) {
+        let name = row.name(b'G');
+        self.kernel.report(
+            Diagnostic::new(
+                Code::NotSimulated,
+                self.span(block.words[at].range),
+                format!("{name} slows down in inside corners while G41 or G42 is active; Chordal does not"),
+            )
+            .label("the path is right, the time a little short"),
+        );
     }
 
     /// Q of LinuxCNC's G64 lets the control make one move of lines that are nearly straight.

@@ -8,10 +8,10 @@ use chordal_geometry::Direction;
 use chordal_kernel::Motion;
 use chordal_kernel::rules::Allowance;
 use chordal_machine::{AXES, PerAxis};
-use chordal_syntax::Block;
+use chordal_syntax::{Block, Decimal, Word};
 
 use super::Interpreter;
-use super::literals::AXIS_OF;
+use super::literals::{AXIS_OF, trim};
 
 impl Interpreter<'_> {
     pub(super) fn one_shot(&mut self, block: &Block, code: OnceCode, at: usize) {
@@ -56,9 +56,9 @@ impl Interpreter<'_> {
                         .help("write G0 or G1 into this block"),
                     "Must use g0 or g1 with g53",
                 );
-                self.machine_coordinates(block);
+                self.machine_coordinates(block, at);
             }
-            OnceCode::MachineCoordinates => self.machine_coordinates(block),
+            OnceCode::MachineCoordinates => self.machine_coordinates(block, at),
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);
@@ -104,6 +104,10 @@ impl Interpreter<'_> {
         let words = self.control.table.dwell;
         let found = words.iter().find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
         let Some((rule, word)) = found else {
+            if self.control.table.dwell_alone_stops {
+                // An exact stop: the axes stand, for no time.
+                return self.kernel.emit(CommandKind::Dwell { seconds: 0.0, label: None });
+            }
             let span = self.span(block.words[at].range);
             let letters: Vec<String> =
                 words.iter().map(|rule| (rule.letter as char).to_string()).collect();
@@ -113,6 +117,9 @@ impl Interpreter<'_> {
         let Some(number) = self.literal(&word) else { return };
         let unit = if number.has_point { rule.point_s } else { rule.integer_s };
         let seconds = number.to_f64() * unit;
+        if number.has_point && !rule.takes_point {
+            self.report_point_of_dwell(&word, number, seconds);
+        }
         if seconds < 0.0 {
             self.kernel.report(
                 Diagnostic::new(
@@ -125,6 +132,25 @@ impl Interpreter<'_> {
             return;
         }
         self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+    }
+
+    fn report_point_of_dwell(&mut self, word: &Word, number: Decimal, seconds: f64) {
+        let letter = word.letter as char;
+        let others = self.control.table.dwell.iter().filter(|rule| rule.takes_point);
+        let others: Vec<String> =
+            others.map(|rule| format!("{}{number}", rule.letter as char)).collect();
+        self.kernel.report(
+            Diagnostic::new(
+                Code::BadNumber,
+                self.span(word.range),
+                format!("`{letter}{number}` of a dwell has a decimal point, which {letter} must not have"),
+            )
+            .label(format!("read as {} s", trim(seconds, 3)))
+            .help(format!(
+                "write {letter} without a point, in milliseconds, or {} for seconds",
+                others.join(" or ")
+            )),
+        );
     }
 
     /// G28, G29, G30 and G53 while the tool is beside the contour.
@@ -192,7 +218,7 @@ impl Interpreter<'_> {
     }
 
     /// G53: the words of this block are machine coordinates.
-    fn machine_coordinates(&mut self, block: &Block) {
+    fn machine_coordinates(&mut self, block: &Block, at: usize) {
         let mut place = [0.0; AXES];
         let mut named = AxisMask::NONE;
         for word in &block.words {
@@ -209,7 +235,27 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE {
             return;
         }
+        if self.control.parameters.rules.machine_move_needs_absolute
+            && self.kernel.state.incremental
+        {
+            return self.report_ignored_machine_move(block, at);
+        }
         self.kernel.to_machine_point(&self.at(block), place, named);
+    }
+
+    fn report_ignored_machine_move(&mut self, block: &Block, at: usize) {
+        let word = block.words[at];
+        let name = self.control.row_of(&word).map_or_else(String::new, |row| row.name(word.letter));
+        let title = self.control.table.title;
+        self.kernel.report(
+            Diagnostic::new(
+                Code::UnusedWord,
+                self.span(word.range),
+                format!("{title} ignores {name} in G91: this block does not move"),
+            )
+            .label("machine coordinates are absolute")
+            .help(format!("write `G90 {name}`, and G91 again after it where it is needed")),
+        );
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.

@@ -3,7 +3,7 @@
 use chordal_command::Side;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode};
-use chordal_dialect::{CodeRow, Field, code_name, code_number};
+use chordal_dialect::{CodeRow, CycleField, Field, code_name, code_number};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -17,10 +17,12 @@ impl Interpreter<'_> {
     pub(super) fn unknown_code(&mut self, word: &Word) {
         let letter = word.letter as char;
         let Some(number) = self.literal(word) else { return };
-        let title = self.control.table.title;
+        let own = self.control.table;
+        let title = own.title;
         let code = code_number(number);
         let others: Vec<&str> = chordal_dialect::CONTROLS
             .iter()
+            .filter(|table| table.name != own.name)
             .filter(|table| {
                 code.is_some_and(|code| match word.letter {
                     b'G' => table.g_code(code).is_some(),
@@ -35,12 +37,14 @@ impl Interpreter<'_> {
             format!("{title} has no {letter}{number}"),
         )
         .label("unknown code");
-        diagnostic = if others.is_empty() {
-            diagnostic.help("check the number")
-        } else {
-            let others = others.join(", ");
-            diagnostic.help(format!("{letter}{number} exists on {others}: is the machine right?"))
-        };
+        diagnostic = diagnostic.help(match &others[..] {
+            [] => "check the number".to_string(),
+            [one] => format!("{letter}{number} exists on {one}: is the machine right?"),
+            [most @ .., last] => {
+                let most = most.join(", ");
+                format!("{letter}{number} exists on {most} and {last}: is the machine right?")
+            }
+        });
         self.kernel.report(diagnostic);
     }
 
@@ -84,6 +88,7 @@ impl Interpreter<'_> {
         let letter = word.letter as char;
         let help = self
             .spiral_word_help(word.letter)
+            .or_else(|| self.repeat_word_help(word.letter))
             .unwrap_or_else(|| "remove it, or check for which code it was meant".to_string());
         self.kernel.report(
             Diagnostic::new(
@@ -128,6 +133,19 @@ impl Interpreter<'_> {
                     false => "remove it, or check for which code it was meant",
                 }),
         );
+    }
+
+    /// For an L where cycles count with another letter.
+    fn repeat_word_help(&self, letter: u8) -> Option<String> {
+        let own = self.control.parameters.rules.cycles.repeat_letter;
+        let field = Field::Cycle(CycleField::RepeatLetter);
+        let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
+        let (own, name) = (own as char, setting.name);
+        (letter == b'L' && own != 'L').then(|| {
+            format!(
+                "a cycle counts its holes with {own}, or with L where the setting `{name}` says so"
+            )
+        })
     }
 
     /// For a word that would make a spiral with another setting: how a spiral is written here.

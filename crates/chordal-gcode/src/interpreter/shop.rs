@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
-use chordal_syntax::{Block, Letters, Position as TextPosition, ProgramHead, Word};
+use chordal_syntax::{Block, Decimal, Letters, Position as TextPosition, ProgramHead, Word};
 
 use super::Interpreter;
 use crate::library::Program;
@@ -91,6 +91,29 @@ impl Interpreter<'_> {
         Some(&SHOP_CODE)
     }
 
+    /// The row of an M code that neither the control nor anybody else says anything about, where such a
+    /// code may be the machine builder's. It is noted once and moves nothing.
+    pub(super) fn open_m_code(&mut self, word: &Word, number: Decimal) -> Option<&'static CodeRow> {
+        let is_open = self.control.table.open_m_codes && word.letter == b'M';
+        let number = number.to_integer().filter(|number| is_open && *number >= 0)?;
+        if self.reported.open_codes.insert(number) {
+            let title = self.control.table.title;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NotSimulated,
+                    self.span(word.range),
+                    format!("{title} has no M{number}: what it does is up to the machine builder or the shop"),
+                )
+                .label("taken as a code that moves nothing and takes no time")
+                .help(format!(
+                    "say in the machine file what it does: `[shop_codes.M{number}]` with `label`, `time` or \
+                     `blocks`"
+                )),
+            );
+        }
+        Some(&SHOP_CODE)
+    }
+
     /// Carries out what was answered for the code at a place of its block.
     pub(super) fn carry_out_shop_code(
         &mut self,
@@ -171,11 +194,15 @@ impl Interpreter<'_> {
             ShopCode::M(tenths) if tenths.is_multiple_of(10) => {
                 self.machine.shop_codes.get(&(tenths / 10))
             }
-            _ => None,
+            ShopCode::M(_) => None,
+            ShopCode::Program(number) => self.machine.shop_programs.get(&number),
         };
-        own.map_or(ShopAnswer::NotMine, |own| ShopAnswer::Wait {
-            seconds: own.time_s.unwrap_or(0.0),
-            label: own.label.as_deref().map(Arc::from),
+        own.map_or(ShopAnswer::NotMine, |own| match &own.blocks {
+            Some(blocks) => ShopAnswer::text(blocks),
+            None => ShopAnswer::Wait {
+                seconds: own.time_s.unwrap_or(0.0),
+                label: own.label.as_deref().map(Arc::from),
+            },
         })
     }
 

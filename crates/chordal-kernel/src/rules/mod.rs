@@ -34,6 +34,8 @@ pub struct Rules {
     pub increment_digits_mm: u8,
     /// A move in machine coordinates (G53) is a rapid, whatever motion is in force.
     pub machine_move_is_rapid: bool,
+    /// In G91 it is ignored: its block does not move.
+    pub machine_move_needs_absolute: bool,
     /// Rapids.
     pub rapid: RapidPath,
     /// Largest turn of a rotary axis in a block, rad.
@@ -96,6 +98,7 @@ impl Rules {
         increment_digits_inch: 4,
         increment_digits_mm: 3,
         machine_move_is_rapid: false,
+        machine_move_needs_absolute: false,
         rapid: RapidPath::DogLeg,
         max_rotary_per_block_rad: f64::INFINITY,
         radius_offsets: OffsetKind::Radius,

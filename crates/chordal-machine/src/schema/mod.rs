@@ -5,7 +5,7 @@ mod rows;
 
 pub(crate) use self::rows::{ROWS, tool};
 use crate::axis::Axis;
-use crate::machine::{Machine, Programmed};
+use crate::machine::{Machine, Programmed, ShopCode};
 use crate::offset::work_offset_name;
 use crate::quantity::Dimension;
 use crate::tool::Solid;
@@ -18,7 +18,7 @@ pub(crate) type Place<T> = for<'m, 'k> fn(&'m mut Machine, &'k Keys) -> &'m mut 
 pub(crate) struct Keys {
     pub(crate) axis: Option<Axis>,
     pub(crate) number: u32,
-    pub(crate) code: u16,
+    pub(crate) code: ShopName,
     pub(crate) name: String,
 }
 
@@ -196,11 +196,10 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
             })?;
         }
         "<code>" => {
-            let digits = key.strip_prefix(['M', 'm']).unwrap_or_default();
-            let number = whole(digits).and_then(|number| u16::try_from(number).ok());
-            keys.code = number.filter(|number| *number <= LARGEST_M_CODE).ok_or_else(|| {
-                let help = "an M code is named by letter and number, such as `shop_codes.M120`";
-                (format!("`{key}` is not an M code"), help.to_string())
+            keys.code = ShopName::of(key).ok_or_else(|| {
+                let help = "an M code is named by letter and number, such as `shop_codes.M120`, and a \
+                            program by O and its number, such as `shop_codes.O9810`";
+                (format!("`{key}` is not an M code or a program"), help.to_string())
             })?;
         }
         "<point>" => {
@@ -226,6 +225,49 @@ pub(crate) fn bind(placeholder: &str, key: &str, keys: &mut Keys) -> Result<(), 
 
 /// No control has M codes of more than four digits, and ten times the number fits 16 bits.
 const LARGEST_M_CODE: u16 = 6553;
+
+/// What a table of `shop_codes` is about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ShopName {
+    M(u16),
+    Program(u32),
+}
+
+impl Default for ShopName {
+    fn default() -> ShopName {
+        ShopName::M(0)
+    }
+}
+
+impl ShopName {
+    /// `M120`, `O9810`, and as the call is written: `G65 P9810`.
+    fn of(key: &str) -> Option<ShopName> {
+        let key = key.trim().to_ascii_uppercase();
+        if let Some(number) = ["G65", "G66", "G66.1", "M98"]
+            .iter()
+            .find_map(|code| whole(key.strip_prefix(code)?.trim_start().strip_prefix('P')?))
+        {
+            return Some(ShopName::Program(number));
+        }
+        let number = whole(key.get(1..)?)?;
+        match key.as_bytes()[0] {
+            b'M' => {
+                let number = u16::try_from(number).ok()?;
+                (number <= LARGEST_M_CODE).then_some(ShopName::M(number))
+            }
+            b'O' => Some(ShopName::Program(number)),
+            _ => None,
+        }
+    }
+
+    /// Its place in a machine.
+    pub(crate) fn place(self, machine: &mut Machine) -> &mut ShopCode {
+        match self {
+            ShopName::M(number) => machine.shop_codes.entry(number).or_default(),
+            ShopName::Program(number) => machine.shop_programs.entry(number).or_default(),
+        }
+    }
+}
 
 fn whole(text: &str) -> Option<u32> {
     let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());

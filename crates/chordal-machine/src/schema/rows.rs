@@ -449,21 +449,26 @@ pub(crate) const ROWS: &[Row] = &[
     Row {
         path: "shop_codes.<code>",
         slot: Slot::Table(|m, k| {
-            m.shop_codes.entry(k.code).or_default();
+            k.code.place(m);
         }),
-        doc: "a custom M code: one that the machine has and its control does not, such as `shop_codes.M120`; it may also be one that the control has and Chordal does not carry out",
+        doc: "a custom M code: one that the machine has and its control does not, such as `shop_codes.M120`; it may also be one that the control has and Chordal does not carry out. Or a called program that no file holds, such as `shop_codes.O9810` for `G65 P9810`; a table without `blocks` says that it moves nothing",
     },
     quantity(
         "shop_codes.<code>.time",
         Dimension::Time,
         Sign::NotNegative,
-        |m, k| &mut m.shop_codes.entry(k.code).or_default().time_s,
+        |m, k| &mut k.code.place(m).time_s,
         "the time the machine takes for it",
     ),
     Row {
         path: "shop_codes.<code>.label",
-        slot: Slot::OptionalText(|m, k| &mut m.shop_codes.entry(k.code).or_default().label),
+        slot: Slot::OptionalText(|m, k| &mut k.code.place(m).label),
         doc: "what it does, for display",
+    },
+    Row {
+        path: "shop_codes.<code>.blocks",
+        slot: Slot::OptionalText(|m, k| &mut k.code.place(m).blocks),
+        doc: "the NC blocks that it runs, as a subprogram would; a macro call gives them its arguments as #1 to #33",
     },
     Row {
         path: "probe.hit",

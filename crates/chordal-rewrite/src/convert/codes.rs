@@ -262,7 +262,8 @@ fn mode_without_a_code(
             }
             Ok(())
         }
-        ModeCode::Overrides { .. } | ModeCode::OverridesByP => {
+        // What stood among the data was refused before.
+        ModeCode::Overrides { .. } | ModeCode::OverridesByP | ModeCode::DataLinesOff => {
             leave_out(draft, at, own, to);
             Ok(())
         }
@@ -364,7 +365,8 @@ fn offset_code(
         | ModeCode::ScalingOff
         | ModeCode::Polar { .. }
         | ModeCode::ModalSubroutine
-        | ModeCode::ModalCallOff => {
+        | ModeCode::ModalCallOff
+        | ModeCode::DataLinesOff => {
             let number = whole(p.map(|p| &draft.block.words[p]));
             let number = number.and_then(|number| u16::try_from(number).ok());
             let Some(number) = number else {

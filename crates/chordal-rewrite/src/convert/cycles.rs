@@ -263,6 +263,7 @@ fn dwell(context: &Context, draft: &mut Draft) {
         letter: b'P',
         integer_s: rules.dwell_integer_s,
         point_s: rules.dwell_point_s,
+        takes_point: true,
     });
     let unit = |word: &DwellWord| if number.has_point { word.point_s } else { word.integer_s };
     if unit(&one) == unit(&other) {

@@ -288,7 +288,7 @@ impl Places<'_> {
             let start = self.from.table.call_start_label;
             if start.is_some_and(|letter| block.letters().has(letter)) {
                 return Err(Expand(format!(
-                    "{} cannot start a called program at an N number",
+                    "{} cannot start a called program at an N number like this",
                     self.to.table.title
                 )));
             }

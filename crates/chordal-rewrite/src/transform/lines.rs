@@ -8,6 +8,7 @@ use super::edit::line_end;
 /// The end of lines of a text.
 pub(super) fn newline(text: &[u8]) -> &'static str {
     match text.iter().position(|byte| *byte == b'\n') {
+        Some(at) if text[at..].starts_with(b"\n\r\r") => "\n\r\r",
         Some(at) if at > 0 && text[at - 1] == b'\r' => "\r\n",
         None if text.contains(&b'\r') => "\r",
         _ => "\n",

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use chordal::Job;
-use chordal::diagnostics::{FileId, TextRange};
+use chordal::diagnostics::{FileId, TextRange, line_end_length};
 use chordal::syntax::{Block, BlockKind, BlockReader, Value, Word};
 use chordal_editor::{Name, Numbering, Role};
 
@@ -107,9 +107,8 @@ pub(super) fn strip_comments(job: &Job) -> Outcome {
             && text[..line.start as usize].last().is_none_or(|byte| matches!(byte, b'\n' | b'\r'))
             && line.slice(text).len() == block.range.len() as usize;
         if is_alone {
-            let end = text[line.end as usize..].iter().take_while(|byte| **byte == b'\r').count();
-            let end = line.end + end as u32;
-            let end = end + u32::from(text.get(end as usize) == Some(&b'\n'));
+            let rest = &text[line.end as usize..];
+            let end = line.end + if rest.is_empty() { 0 } else { line_end_length(rest) as u32 };
             gone = vec![Edit::new(TextRange::new(block.range.start, end), "", REASON)];
         }
         outcome.edits.append(&mut gone);

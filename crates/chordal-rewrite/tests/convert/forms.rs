@@ -155,11 +155,31 @@ fn a_tap_that_no_cycle_does_is_refused() {
 #[test]
 fn codes_that_are_not_carried_out_are_refused() {
     let begin = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1.\n";
-    for line in ["G68 X0 Y0 R30.", "G16", "G1 X1. F10. ,R.25"] {
+    for line in ["G68.2 X0 Y0 Z0 I0 J30. K0", "G12.1", "G7.1 C50."] {
         let text = format!("{begin}{line}\nG1 X2. Y1. F10.\nM30\n");
         let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
         assert_eq!(there.refusals.len(), 1, "{line}: {:?}", there.refusals);
         assert_eq!(there.refusals[0].line, 5, "{line}");
+    }
+}
+
+/// A rotation with its whole centre and its angle is read alike; other frames are written out.
+#[test]
+fn frames_are_kept_or_written_out() {
+    let begin = "O1\nT1 M6\nG21 G90 G17 G54 S900 M3\nG0 X0 Y0 Z1.\n";
+    let end = "G1 X20. Y5. F100.\nG2 X30. Y5. I5. J0\nG91 G1 X5.\nG90 X2. Y1.\n";
+    let cases = [
+        ("G68 X10. Y5. R30.", "G69", "G68 X10. Y5. R30."),
+        ("G51.1 X50.", "G50.1 X0", "X80."),
+        ("G51 X0 Y0 Z0 P2.", "G50", "X40."),
+        ("G16", "G15", "X19.924"),
+    ];
+    for (frame, off, expected) in cases {
+        let arc = if frame == "G16" { "G1 X20. Y5. F100.\nG91 Y10.\nG90 X2. Y1.\n" } else { end };
+        let text = format!("{begin}{frame}\n{arc}{off}\nG1 X2. Y1.\nM30\n");
+        let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
+        assert!(there.holds(), "{frame}: {:?}\n{}", there.refusals, there.text);
+        assert!(there.text.contains(expected), "{frame}: {}", there.text);
     }
 }
 

@@ -58,7 +58,7 @@ impl BlockReader<'_> {
         let digits = words.iter().filter(|b| b.is_ascii_digit()).count();
         let why = match (points, signs, digits) {
             (_, _, 0) => "it has no digit".to_string(),
-            (_, _, 19..) => format!("it has {digits} digits, and no control keeps more than 18"),
+            (_, _, 19..) => format!("it has {digits} digits"),
             (2.., _, _) => format!("it has {points} decimal points"),
             (_, 2.., _) => format!("it has {signs} signs"),
             _ => "its sign is in the middle".to_string(),

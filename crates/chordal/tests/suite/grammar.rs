@@ -98,7 +98,7 @@ pub fn read(text: &str) -> Result<Program, String> {
     let mut last = 1;
     for (index, line) in text.lines().enumerate() {
         let number = index as u32 + 1;
-        let line = line.trim_end_matches([';', ' ', '\t', '\r']);
+        let line = line.trim_start_matches('\r').trim_end_matches([';', ' ', '\t', '\r']);
         let at = |message: String| format!("line {number}: {message}");
         if let Some((before, items)) = line.split_once("(=") {
             let items = items.strip_suffix(')').ok_or_else(|| at("no `)` at the end".into()))?;

@@ -33,6 +33,8 @@ pub static TABLE: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
+    dwell_alone_stops: false,
+    open_m_codes: false,
     last_of_group_counts: false,
     alone: &[530, 920],
     spindle_stops_at_tool_change: true,
@@ -76,7 +78,7 @@ const SET_DATA: &[(u16, DataTarget)] = &[
     (109, DataTarget::Register),
 ];
 
-const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 }];
+const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001, takes_point: true }];
 
 /// User Manual (April 2003), sections 6 and 18.
 const FIXED_ROUTINES: &[(u32, FixedRoutine)] = &[

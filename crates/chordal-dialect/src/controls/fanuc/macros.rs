@@ -28,8 +28,8 @@ pub(in crate::controls) const GROUPS: &[ModalGroup] = &[
     ModalGroup::Fixed(15),
 ];
 
-/// #150–199 and #532–999 are an option that most machines have.
-const COMMON: &[VariableRange] = &[common(100, 199), common(500, 999)];
+/// #150–199 and #532–999 are an option that most machines have; #98000 on is one of the 30i.
+const COMMON: &[VariableRange] = &[common(100, 199), common(500, 999), common(98000, 98999)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, System::Input),
@@ -70,4 +70,13 @@ const SYSTEM: &[SystemRow] = &[
     system(12001, 12999, System::RadiusWear),
     system(13001, 13999, System::Radius),
     system(14001, 19986, System::ExtendedOffsets),
+    // The same for machines of up to fifty axes (30i): fifty numbers for each.
+    system(100001, 100006, System::BlockEnd),
+    system(100051, 100056, System::MachinePosition),
+    system(100101, 100106, System::WorkPosition),
+    system(100151, 100156, System::SkipPosition),
+    system(100201, 100206, System::ActiveToolOffset),
+    system(100301, 100306, System::ExternalOffset),
+    system_by(50, 100351, 100606, System::WorkOffsets),
+    system_by(50, 101001, 115956, System::ExtendedOffsets),
 ];

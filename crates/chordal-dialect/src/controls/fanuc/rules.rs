@@ -10,6 +10,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     macro_angles_full_circle: true,
     rules: Rules {
         machine_move_is_rapid: true,
+        machine_move_needs_absolute: true,
         radius_offsets: OffsetKind::Radius,
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,

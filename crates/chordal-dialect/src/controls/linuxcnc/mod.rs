@@ -33,6 +33,8 @@ pub static TABLE: ControlTable = ControlTable {
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
+    dwell_alone_stops: false,
+    open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],
     spindle_stops_at_tool_change: true,
@@ -66,4 +68,4 @@ const SET_DATA: &[(u16, DataTarget)] = &[
     (20, DataTarget::WorkOffsetFromPosition),
 ];
 
-const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0 }];
+const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0, takes_point: true }];

@@ -33,6 +33,8 @@ pub static TABLE: ControlTable = ControlTable {
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
+    dwell_alone_stops: false,
+    open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],
     spindle_stops_at_tool_change: true,
@@ -54,12 +56,12 @@ const SET_DATA: &[(u16, DataTarget)] = &[
     (12, DataTarget::Tool(ToolValue::Radius)),
     (13, DataTarget::Tool(ToolValue::RadiusWear)),
     (20, DataTarget::ExtendedWorkOffset),
-    (50, DataTarget::Other),
-    (70, DataTarget::Other),
+    (50, DataTarget::Lines),
+    (70, DataTarget::Lines),
 ];
 
 const DWELL: &[DwellWord] = &[
-    DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001 },
-    DwellWord { letter: b'X', integer_s: 0.001, point_s: 1.0 },
-    DwellWord { letter: b'U', integer_s: 0.001, point_s: 1.0 },
+    DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001, takes_point: true },
+    DwellWord { letter: b'X', integer_s: 0.001, point_s: 1.0, takes_point: true },
+    DwellWord { letter: b'U', integer_s: 0.001, point_s: 1.0, takes_point: true },
 ];

@@ -49,6 +49,7 @@ impl Interpreter<'_> {
         }
         if !self.block_fires(block, named, place, definition) {
             self.check_idle_block(block, named, definition);
+            self.check_idle_count(block, repeats, definition);
             if place != AxisMask::NONE {
                 self.kernel.go_to_place(target, place, cycle.axis);
             }
@@ -103,6 +104,17 @@ impl Interpreter<'_> {
                 "write the position or the depth into the block",
             );
         } else if let Some(word) = block.last(b'R').copied() {
+            self.unused_word(&word);
+        }
+    }
+
+    /// A count in a block that makes no hole.
+    fn check_idle_count(&mut self, block: &Block, repeats: u32, definition: bool) {
+        let letter = self.control.parameters.rules.cycles.repeat_letter;
+        if !definition
+            && repeats > 1
+            && let Some(word) = block.last(letter).copied()
+        {
             self.unused_word(&word);
         }
     }

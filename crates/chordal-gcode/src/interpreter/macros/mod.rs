@@ -188,7 +188,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reports a problem the first time that its place shows one.
-    fn report_once(&mut self, diagnostic: Diagnostic) {
+    pub(super) fn report_once(&mut self, diagnostic: Diagnostic) {
         let span = diagnostic.primary.span;
         if self.macros.told.insert((span.file, span.range.start, diagnostic.code)) {
             self.kernel.report(diagnostic);

@@ -3,7 +3,7 @@
 use chordal_command::{CommandKind, FeedMode, Side, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::Action;
-use chordal_dialect::macros::{ModalGroup, System};
+use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System};
 use chordal_geometry::{Direction, Plane};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
@@ -15,7 +15,18 @@ use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::Fault;
 use crate::macros::value::{Value, number};
 
+/// From here on variables are those of the system.
+const FIRST_OF_SYSTEM: f64 = 1000.0;
+
 pub(super) fn no_variable(number: f64, range: TextRange) -> Fault {
+    if number >= FIRST_OF_SYSTEM {
+        return Fault::new(
+            Code::BadVariable,
+            range,
+            format!("Chordal knows no system variable #{number} of this control"),
+            "if the control has it, give its value in the machine file, in `variables` of `[macros]`",
+        );
+    }
     Fault::new(
         Code::BadVariable,
         range,
@@ -33,13 +44,11 @@ pub(super) fn read_only(number: u32, range: TextRange) -> Fault {
     )
 }
 
-/// Numbers between two work offsets.
-const OFFSET_STEP: u32 = 20;
-
 impl Interpreter<'_> {
     pub(super) fn read_system(&mut self, index: u32, range: TextRange) -> Result<Value, Fault> {
         let Some((what, at)) = self.rules().system_at(index) else {
-            return Err(no_variable(f64::from(index), range));
+            let given = self.macros.kept.get(&index).copied();
+            return given.map(Some).ok_or_else(|| no_variable(f64::from(index), range));
         };
         let axis = at as usize;
         let value = match what {
@@ -117,7 +126,10 @@ impl Interpreter<'_> {
         range: TextRange,
     ) -> Result<(), Fault> {
         let Some((what, at)) = self.rules().system_at(index) else {
-            return Err(no_variable(f64::from(index), range));
+            let given = self.macros.kept.get_mut(&index);
+            let place = given.ok_or_else(|| no_variable(f64::from(index), range))?;
+            *place = number(value);
+            return Ok(());
         };
         let value = number(value);
         match what {
