@@ -166,7 +166,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::NoMotionInForce,
                 span,
-                "axis words, and no motion code is active after G80",
+                "axis words, and no motion code is active: none was written, or G80 has ended it",
             )
             .help("write G0 or G1 into this block"),
         );
