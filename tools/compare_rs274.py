@@ -5,7 +5,8 @@ Needs `rs274` (Debian package linuxcnc-uspace) and a built `chordal`; it is not 
 command. Each program of tests/rs274 is run by both, and the motions must agree in kind, end point,
 centre, direction and turns to 1e-4 of the program's unit (rs274 prints four decimals), and so must
 the lines that the programs print. Between the motions the dwells and the changes of the spindle
-must agree, up to the last motion.
+must agree, up to the last motion. The motions are the programmed ones; with `(tool path)` in the
+program those of the tool centre, after cutter compensation. They are compared up to the first probe.
 
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
@@ -29,17 +30,28 @@ SPINDLE = {
     "START_SPINDLE_COUNTERCLOCKWISE": "ccw",
     "ORIENT_SPINDLE": "oriented",
 }
+# In a program whose tool path is compared, not its programmed one.
+TOOL_PATH = "(tool path)"
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
+
+
+class Failed(Exception):
+    """A program that one of the two refuses, and the motions before that."""
+
+    def __init__(self, message, motions=()):
+        super().__init__(message)
+        self.motions = list(motions)
 
 
 def reference(program):
     """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
-        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\n")
+        tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n")
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
     unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
+    spindle = "off"
     for row in done.stdout.splitlines():
         call = CALL.match(row)
         if not call:
@@ -50,7 +62,7 @@ def reference(program):
             unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
             plane = text.strip().rsplit("_", 1)[1]
-        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET"):
+        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET", "USE_TOOL_LENGTH_OFFSET"):
             place = None if motions else place
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             numbers = [float(part) for part in text.split(",")]
@@ -58,10 +70,20 @@ def reference(program):
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
             motions.append((kind, end, None, unit, place))
             place = end
+        elif name == "RIGID_TAP":
+            end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
+            motions.append(("line", end, None, unit, place))
+            turning = {"cw": "ccw", "ccw": "cw"}.get(spindle, spindle)
+            motions.append((f"spindle {turning}", [0.0] * 6, None, 1.0, None))
+            motions.append(("line", place, None, unit, end))
+            motions.append((f"spindle {spindle}", [0.0] * 6, None, 1.0, None))
+        elif name == "STRAIGHT_PROBE":
+            break
         elif name == "DWELL" and float(text) > 0:
             motions.append((f"dwell {float(text):g}", [0.0] * 6, None, 1.0, None))
         elif name in SPINDLE:
-            motions.append((f"spindle {SPINDLE[name]}", [0.0] * 6, None, 1.0, None))
+            spindle = SPINDLE[name]
+            motions.append((f"spindle {spindle}", [0.0] * 6, None, 1.0, None))
         elif name == "ARC_FEED":
             first, second, center_a, center_b, turns, normal_end, *rotary = (
                 float(part) for part in text.split(",")
@@ -73,15 +95,22 @@ def reference(program):
             motions.append(("arc", end, arc, unit, place))
             place = end
     if done.returncode != 0 or not motions:
-        sys.exit(f"{program}: rs274 failed: {done.stderr.strip()}")
+        raise Failed(done.stderr.strip(), changes(moving(motions)))
     printed = [row for row in printed if row != "executing" and "N....." not in row]
-    motions = [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
-    return changes(motions), printed
+    return changes(moving(motions)), printed
 
 
-def ours(chordal, program):
-    """Motions of Chordal in mm and degrees; printed lines."""
-    command = [chordal, "commands", str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
+def moving(motions):
+    """Without the straight moves to where the tool stands."""
+    return [m for m in motions if m[2] or m[4] is None or far(m[1], m[4], 1e-9)]
+
+
+def ours(chordal, program, what="commands"):
+    """Motions of Chordal in mm and degrees; printed lines; whether it reports errors."""
+    command = [chordal, what, str(program), "--machine", "linuxcnc-mill", "--format", "jsonl"]
+    for tool, length, diameter in ((1, 0, 0), (2, 0, 0), (3, 2, 4)):
+        command += ["--set", f"tools.{tool}.length={length} in"]
+        command += ["--set", f"tools.{tool}.diameter={diameter} in"]
     done = subprocess.run(command, capture_output=True, text=True)
     motions, printed = [], []
     for row in done.stdout.splitlines():
@@ -93,6 +122,9 @@ def ours(chordal, program):
             motions.append((f"dwell {command['seconds']:g}", [0.0] * 6, None, command["line"]))
         if kind == "spindle":
             motions.append((f"spindle {command['state']}", [0.0] * 6, None, command["line"]))
+        if kind == "probed":
+            motions.pop()
+            break
         if kind not in ("rapid", "line", "arc", "spiral"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
@@ -109,8 +141,8 @@ def ours(chordal, program):
         if arc or far(end, start, 1e-9):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
-        sys.exit(f"{program}: chordal failed: {done.stderr.strip()}")
-    return changes(motions), printed
+        raise Failed(done.stderr.strip())
+    return changes(motions), printed, done.returncode == 1
 
 
 def changes(steps):
@@ -157,8 +189,12 @@ def main():
     programs = arguments.programs or sorted((here / "tests/rs274").glob("*.ngc"))
     wrong = motions = 0
     for program in programs:
-        theirs, their_lines = reference(program)
-        mine, my_lines = ours(arguments.chordal, program)
+        try:
+            theirs, their_lines = reference(program)
+            what = "path" if TOOL_PATH in program.read_text() else "commands"
+            mine, my_lines, _ = ours(arguments.chordal, program, what)
+        except Failed as failure:
+            sys.exit(f"{program}: {failure}")
         problems = list(differences(program, theirs, mine))
         if their_lines != my_lines:
             problems.append(f"rs274 prints {their_lines}, Chordal {my_lines}")

@@ -66,6 +66,14 @@ pub enum BeforeCode {
     CoolantMist,
     CoolantFlood,
     CoolantThroughTool,
+    /// The modes in force are kept (LinuxCNC M70); to come back at the end of the subprogram (M73).
+    SaveModes {
+        until_return: bool,
+    },
+    /// What is kept is forgotten (M71).
+    ForgetModes,
+    /// What is kept comes into force again (M72).
+    RestoreModes,
 }
 
 /// Modes that the motion of a block obeys.
@@ -85,6 +93,13 @@ pub enum ModeCode {
     /// G59.1 to G59.3.
     WorkOffsetPoint(u16),
     WorkOffsetExtended,
+    /// The present machine position becomes reference point 1 (G28.1) or 2 (G30.1).
+    StoreReference {
+        second: bool,
+    },
+    /// G41 with the tool's diameter in D (LinuxCNC G41.1).
+    CompensationLeftBy,
+    CompensationRightBy,
     /// An extended work offset by a code of its own (Haas G110 is G154 P1).
     WorkOffsetNumbered(u16),
     ReturnInitial,
@@ -147,6 +162,10 @@ pub enum LengthCode {
     Minus,
     /// G49.
     Cancel,
+    /// The axis words are the tool's offsets (LinuxCNC G43.1).
+    FromAxes,
+    /// The offsets of another tool are added (LinuxCNC G43.2).
+    Add,
 }
 
 /// Moves.
@@ -159,6 +178,10 @@ pub enum MotionCode {
     ArcCcw,
     SpiralCw,
     SpiralCcw,
+    /// A straight cut in step with the spindle: K is its advance per revolution.
+    Thread,
+    /// The same, back again with the spindle reversed.
+    RigidTap,
 }
 
 /// What takes the axis words of its block for itself.
@@ -245,6 +268,12 @@ impl ModeCode {
 
     /// G41 for G42 and the other way round.
     pub fn other_side(self) -> Option<ModeCode> {
+        if self == ModeCode::CompensationLeftBy {
+            return Some(ModeCode::CompensationRightBy);
+        }
+        if self == ModeCode::CompensationRightBy {
+            return Some(ModeCode::CompensationLeftBy);
+        }
         if self == ModeCode::CompensationLeft {
             return Some(ModeCode::CompensationRight);
         }
@@ -319,6 +348,7 @@ impl MotionCode {
             MotionCode::Rapid | MotionCode::Linear => false,
             MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => true,
+            MotionCode::Thread | MotionCode::RigidTap => false,
         }
     }
 }
@@ -331,7 +361,7 @@ impl Action {
 
     /// The code takes the axis words of its block for itself.
     pub const fn takes_axes(self) -> bool {
-        matches!(self, Action::Once(_)) || self.is_left_out()
+        matches!(self, Action::Once(_) | Action::Length(LengthCode::FromAxes)) || self.is_left_out()
     }
 
     /// The motion, where the code is one.
@@ -363,6 +393,7 @@ impl Action {
         match motion {
             MotionCode::Rapid | MotionCode::Linear | MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => false,
+            MotionCode::Thread | MotionCode::RigidTap => false,
         }
     }
 }
@@ -377,6 +408,8 @@ impl From<MotionMode> for Action {
             MotionMode::Arc(Direction::Ccw) => MotionCode::ArcCcw,
             MotionMode::Spiral(Direction::Cw) => MotionCode::SpiralCw,
             MotionMode::Spiral(Direction::Ccw) => MotionCode::SpiralCcw,
+            MotionMode::Thread => MotionCode::Thread,
+            MotionMode::RigidTap => MotionCode::RigidTap,
             MotionMode::Cycle(kind) => return Action::Cycle(kind),
         };
         Action::Motion(code)

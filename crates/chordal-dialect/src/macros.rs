@@ -90,6 +90,12 @@ pub enum System {
     SecondHome,
     /// The shift of G92.
     Preset,
+    /// 1 while G92 or G52 acts.
+    PresetActs,
+    /// Where the last probe move stopped, which a program may write.
+    ProbePosition,
+    /// The offsets of the tool in the spindle.
+    SpindleTool,
     /// Number of the work coordinate system in force: 1 is G54, 7 is G59.1.
     WorkSystem,
     /// Tables of the work offsets 1 to 9, twenty numbers for each, in mm.

@@ -2,7 +2,7 @@
 
 use chordal_command::Units;
 use chordal_kernel::rules::Rules;
-use chordal_syntax::Decimal;
+use chordal_syntax::{Decimal, Letters};
 
 /// How a number without a decimal point is read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -83,6 +83,18 @@ pub struct Parameters {
     pub center_and_radius: CenterAndRadius,
     /// H brings the length offset into force by itself (Fadal Format 1).
     pub length_by_h_alone: bool,
+    /// G4 waits, and the axis words of its block move after that (LinuxCNC).
+    pub dwell_with_motion: bool,
+    /// A program without an end is refused; a second percent sign is one (LinuxCNC).
+    pub end_required: bool,
+    /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
+    pub strict_words: bool,
+    /// Letters that no block may have without a code that uses them, of those that most controls store.
+    pub words_of_codes: Letters,
+    /// M codes of which one block may have one.
+    pub m_groups: &'static [&'static [u16]],
+    /// Most characters of a line; 0 for any.
+    pub longest_line: u32,
     /// How deep calls may be nested.
     pub nesting: u32,
     /// Largest count of a repeat or a call.
@@ -154,6 +166,12 @@ impl Parameters {
         rapid_disarms_arc: false,
         center_and_radius: CenterAndRadius::RadiusWins,
         length_by_h_alone: false,
+        dwell_with_motion: false,
+        end_required: false,
+        strict_words: false,
+        words_of_codes: Letters::NONE,
+        m_groups: &[],
+        longest_line: 0,
         nesting: 4,
         max_repeats: 9999,
         packed_calls: false,

@@ -166,6 +166,12 @@ pub enum DataTarget {
     Tool(ToolValue),
     /// Length and radius by the letters Z and R (LinuxCNC).
     ToolTable,
+    /// Offsets of a tool, so that the present position gets these work coordinates.
+    ToolFromPosition,
+    /// The same in the ninth work offset, that of the fixture.
+    ToolFromFixture,
+    /// The tool table is read again.
+    Reload,
     /// A register R0 … R9 (Fadal L100–L109).
     Register,
     /// Something that is not simulated.

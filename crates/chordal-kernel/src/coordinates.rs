@@ -48,7 +48,8 @@ impl Kernel<'_> {
     pub fn set_length(&mut self, at: &dyn Statement, length: LengthOffset) {
         let cancel = self.rules.cycles.cancel;
         self.end_cycle_if(length.number.is_none() && cancel.by_length_cancel);
-        self.state.shift_coordinates(|offsets| offsets.set_length(length));
+        let copied = self.rules.length_is_copied;
+        self.state.shift_coordinates(|offsets| offsets.set_length(length, copied));
         let length_mm = self.state.offsets.length_in_force();
         if let (Some(number), None) = (length.number, length_mm) {
             let span = at.words(What::LengthOffset);
@@ -59,6 +60,19 @@ impl Kernel<'_> {
                 format!("set it with --set tools.{number}.length=\"…\""),
             );
         }
+        self.emit_tool_length();
+    }
+
+    /// Brings tool offsets into force by their values: in place of those in force, or added to them.
+    pub fn set_tool_offsets(&mut self, values: &PerAxis<Option<f64>>, add: bool) {
+        self.state.shift_coordinates(|offsets| {
+            let mut tool = offsets.tool_in_force();
+            for (axis, value) in values.iter().enumerate() {
+                let Some(value) = *value else { continue };
+                tool[axis] = if add { tool[axis] + value } else { value };
+            }
+            offsets.set_tool_values(tool);
+        });
         self.emit_tool_length();
     }
 
@@ -144,16 +158,17 @@ impl Kernel<'_> {
         values: &PerAxis<Option<f64>>,
         from_position: bool,
     ) {
-        let add = self.state.incremental && !from_position;
+        let add = self.rules.work_values_add && self.state.incremental && !from_position;
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
-        let work = self.state.offsets.work();
+        let active = self.state.offsets.key(self.state.offsets.active());
         let meant = self.in_work_coordinates(values);
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 let Some(value) = *value else { continue };
                 let stored = if from_position {
                     // So that the present place gets this coordinate.
-                    let beyond_work = offsets.total()[axis] - work[axis];
+                    let own = offsets.work_value(&active, axis).unwrap_or(0.0);
+                    let beyond_work = offsets.total()[axis] - own;
                     machine[axis] - meant[axis] - beyond_work
                 } else {
                     value
@@ -166,6 +181,9 @@ impl Kernel<'_> {
 
     /// G52.
     pub fn local_shift(&mut self, values: &PerAxis<Option<f64>>) {
+        if self.rules.shift_is_preset {
+            return self.shift_by_preset(values);
+        }
         self.state.shift_coordinates(|offsets| {
             for (axis, value) in values.iter().enumerate() {
                 if let Some(value) = value {
@@ -174,6 +192,23 @@ impl Kernel<'_> {
             }
         });
         self.emit_work_offset();
+    }
+
+    /// G52 where it writes the values of G92.
+    fn shift_by_preset(&mut self, values: &PerAxis<Option<f64>>) {
+        let mut preset = self.state.offsets.preset();
+        for (preset, value) in preset.iter_mut().zip(values) {
+            *preset = value.unwrap_or(*preset);
+        }
+        self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
+        self.note_preset();
+        self.emit_work_offset();
+    }
+
+    /// G92 or G52 acts from here on.
+    fn note_preset(&mut self) {
+        self.preset_kept = self.state.offsets.preset();
+        self.preset_acts = true;
     }
 
     /// G92: the present position gets these coordinates.
@@ -208,6 +243,7 @@ impl Kernel<'_> {
                 self.state.known.insert(axis);
             }
         }
+        self.note_preset();
         self.emit_work_offset();
     }
 
@@ -220,7 +256,10 @@ impl Kernel<'_> {
 
     /// G92.1 and G92.2.
     pub fn clear_preset(&mut self, keep: bool) {
-        self.preset_kept = if keep { self.state.offsets.preset() } else { [0.0; AXES] };
+        if !keep {
+            self.preset_kept = [0.0; AXES];
+        }
+        self.preset_acts = false;
         self.state.shift_coordinates(|offsets| offsets.set_preset([0.0; AXES]));
         self.emit_work_offset();
     }
@@ -228,6 +267,7 @@ impl Kernel<'_> {
     /// G92.3: the presets that G92.2 has kept.
     pub fn restore_preset(&mut self) {
         let preset = self.preset_kept;
+        self.preset_acts = true;
         self.state.shift_coordinates(|offsets| offsets.set_preset(preset));
         self.emit_work_offset();
     }

@@ -53,6 +53,8 @@ pub struct KernelMemory {
     pub block_number: Option<f64>,
     /// Presets to put back.
     pub preset_kept: PerAxis<f64>,
+    /// Presets act.
+    pub preset_acts: bool,
     /// What was reported.
     pub reported: Reported,
 }
@@ -82,6 +84,8 @@ pub struct Kernel<'a> {
     pub max_repeated: u64,
     /// Presets that G92.2 keeps.
     pub preset_kept: PerAxis<f64>,
+    /// G92 or G52 acts: it was written, and not switched off since.
+    pub preset_acts: bool,
     /// What was reported once.
     pub reported: Reported,
     /// Who takes what the run produces.
@@ -109,6 +113,7 @@ impl<'a> Kernel<'a> {
             repeated: 0,
             max_repeated: u64::MAX,
             preset_kept: [0.0; AXES],
+            preset_acts: false,
             reported: Reported::default(),
             sink,
         }
@@ -189,6 +194,7 @@ impl<'a> Kernel<'a> {
             repeated: self.repeated,
             block_number: self.block_number,
             preset_kept: self.preset_kept,
+            preset_acts: self.preset_acts,
             reported: self.reported.clone(),
         }
     }
@@ -201,6 +207,7 @@ impl<'a> Kernel<'a> {
         self.repeated = memory.repeated;
         self.block_number = memory.block_number;
         self.preset_kept = memory.preset_kept;
+        self.preset_acts = memory.preset_acts;
         self.reported = memory.reported;
     }
 }

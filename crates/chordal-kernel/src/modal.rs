@@ -20,6 +20,10 @@ pub enum MotionMode {
     Arc(Direction),
     /// A spiral.
     Spiral(Direction),
+    /// A straight cut in step with the spindle.
+    Thread,
+    /// The same, back again with the spindle reversed.
+    RigidTap,
     /// A canned cycle.
     Cycle(CycleKind),
 }
@@ -134,6 +138,8 @@ impl State {
             (None, Motion::Linear) => Some(MotionMode::Linear),
             (None, Motion::Arc(direction)) => Some(MotionMode::Arc(direction)),
             (None, Motion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
+            (None, Motion::Thread) => Some(MotionMode::Thread),
+            (None, Motion::RigidTap) => Some(MotionMode::RigidTap),
             (None, Motion::None) => None,
         }
     }

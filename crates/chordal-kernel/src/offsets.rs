@@ -27,6 +27,8 @@ pub struct Offsets {
     /// The axes whose place G92 has made known or unknown, whatever the table says.
     preset_known: PerAxis<Option<bool>>,
     length: LengthOffset,
+    /// Tool offsets in force by their values, not by the table.
+    tool_values: Option<Position>,
     total: Position,
     work: Position,
     known: AxisMask,
@@ -72,6 +74,7 @@ impl Offsets {
             preset: [0.0; AXES],
             preset_known: [None; AXES],
             length: LengthOffset { number: None, minus: false },
+            tool_values: None,
             total: [0.0; AXES],
             work: [0.0; AXES],
             known: AxisMask::NONE,
@@ -118,9 +121,19 @@ impl Offsets {
         self.preset_known = [None; AXES];
     }
 
-    /// Brings a tool length into force.
-    pub fn set_length(&mut self, length: LengthOffset) {
+    /// Brings a tool length into force: as the table has it, or as it has it now.
+    pub fn set_length(&mut self, length: LengthOffset, copied: bool) {
         self.length = length;
+        self.tool_values = None;
+        if copied && length.number.is_some() && self.length_in_force().is_some() {
+            self.tool_values = Some(self.tool_in_force());
+        }
+    }
+
+    /// Brings tool offsets into force by their values.
+    pub fn set_tool_values(&mut self, values: Position) {
+        self.length = LengthOffset { number: None, minus: false };
+        self.tool_values = Some(values);
     }
 
     /// G52: the shift of an axis.
@@ -216,6 +229,9 @@ impl Offsets {
 
     /// What the tool length adds to Z, where it is known.
     pub fn length_in_force(&self) -> Option<f64> {
+        if let Some(values) = self.tool_values {
+            return Some(values[Z]);
+        }
         match self.length.number {
             None => Some(0.0),
             Some(number) => {
@@ -227,6 +243,9 @@ impl Offsets {
 
     /// What the tool's offsets add on every axis, zero where the table has none.
     pub fn tool_in_force(&self) -> Position {
+        if let Some(values) = self.tool_values {
+            return values;
+        }
         let Some(tool) = self.length.number.and_then(|number| self.tools.get(&number)) else {
             return [0.0; AXES];
         };

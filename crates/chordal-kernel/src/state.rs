@@ -23,6 +23,10 @@ pub enum Motion {
     Arc(Direction),
     /// G2.1 and G3.1.
     Spiral(Direction),
+    /// G33.
+    Thread,
+    /// G33.1.
+    RigidTap,
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
 }
@@ -115,6 +119,8 @@ impl OverrideState {
 pub struct State {
     /// The tool tip in program coordinates.
     pub position: Position,
+    /// Where the control takes the tool to be, where that is not its position: targets begin there.
+    pub believed: Option<Position>,
     /// The axes whose program coordinate is known.
     pub known: AxisMask,
     /// The axes whose machine coordinate is known.
@@ -188,6 +194,7 @@ impl State {
         }
         State {
             position,
+            believed: None,
             known,
             machine_known: AxisMask::ALL,
             offsets,
@@ -198,7 +205,11 @@ impl State {
             plane: Plane::Xy,
             incremental: rules.starts_incremental,
             incremental_from: [0.0; AXES],
-            motion: if rules.starts_linear { Motion::Linear } else { Motion::Rapid },
+            motion: match rules.starts_linear {
+                _ if rules.starts_without_motion => Motion::None,
+                true => Motion::Linear,
+                false => Motion::Rapid,
+            },
             armed: None,
             arc_over_rapid: false,
             arc_center: rules.arc.arc_center,
@@ -213,7 +224,7 @@ impl State {
             selected_tool: None,
             side: Side::Off,
             radius_offset: None,
-            return_to_r: false,
+            return_to_r: rules.cycles.starts_at_r,
             cycle: None,
             cycle_dwell_s: None,
             path: PathState::new(&rules.path),

@@ -46,6 +46,11 @@ impl Word {
             _ => None,
         }
     }
+
+    /// A radius or an angle (`@5`, `^30`).
+    pub const fn is_polar(&self) -> bool {
+        matches!(self.letter, b'@' | b'^')
+    }
 }
 
 /// A set of address letters.
@@ -145,6 +150,8 @@ pub struct Block {
     pub delete: Option<BlockDelete>,
     /// The words in order.
     pub words: Vec<Word>,
+    /// Radius `@` and angle `^` of a polar target, which are not among its words and letters.
+    pub polar: Vec<Word>,
     /// Comments with their marks.
     pub comments: Vec<TextRange>,
     /// A word's value is an expression.
@@ -172,6 +179,7 @@ impl Block {
         self.expressions = false;
         self.commas = false;
         self.words.clear();
+        self.polar.clear();
         self.comments.clear();
         self.problems.clear();
         self.letters = Letters::NONE;
@@ -193,9 +201,17 @@ impl Block {
         self.words.push(word);
     }
 
+    /// Adds a word or a polar word (`@5`, `^30`).
+    pub fn push_any(&mut self, word: Word) {
+        if word.is_polar() { self.polar.push(word) } else { self.push(word) }
+    }
+
     /// Drops the words from `from` on (block delete in the middle of a block).
     pub fn truncate(&mut self, from: usize) {
         let kept: Vec<Word> = self.words.drain(..).take(from).collect();
+        if from == 0 {
+            self.polar.clear();
+        }
         self.letters = Letters::NONE;
         self.repeated = Letters::NONE;
         self.commas = false;
@@ -241,6 +257,6 @@ impl Block {
 
     /// True when the block holds nothing to carry out.
     pub fn is_idle(&self) -> bool {
-        self.words.is_empty() && self.kind == BlockKind::Words
+        self.words.is_empty() && self.polar.is_empty() && self.kind == BlockKind::Words
     }
 }

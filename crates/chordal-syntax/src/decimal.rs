@@ -114,6 +114,16 @@ impl Decimal {
         self.mantissa == 0
     }
 
+    /// Reads digits and at most one point; of more than 18 digits those at the end are dropped. `None`
+    /// where there are no digits, or more than 18 before the point.
+    pub(crate) fn parse_long(text: &[u8]) -> Option<Decimal> {
+        let zeros = text.iter().take_while(|byte| **byte == b'0').count();
+        let text = &text[zeros.min(text.len().saturating_sub(1))..];
+        let point = text.contains(&b'.');
+        Decimal::parse(&text[..text.len().min(18 + usize::from(point))])
+            .filter(|_| text.iter().position(|byte| *byte == b'.').unwrap_or(text.len()) <= 18)
+    }
+
     /// Reads a whole text as a number; `None` when it is anything else.
     pub fn parse(text: &[u8]) -> Option<Decimal> {
         let (number, length) = scan(text)?;

@@ -38,6 +38,8 @@ pub struct Lexicon {
     pub blanks_in_numbers: bool,
     /// `O` words may be flow control (`o100 sub`), not only program heads.
     pub o_words: bool,
+    /// `@` and `^` are words: a radius and an angle in the plane.
+    pub polar_words: bool,
     /// Expressions and macro statements.
     pub grammar: &'static MacroGrammar,
 }
@@ -52,6 +54,7 @@ impl Lexicon {
         macro_lines: false,
         blanks_in_numbers: false,
         o_words: false,
+        polar_words: false,
         grammar: &MacroGrammar::FANUC,
     };
 }

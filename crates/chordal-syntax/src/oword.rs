@@ -72,7 +72,7 @@ pub fn parse_o_word(parser: &mut ExpressionParser<'_>) -> OWord {
     let label = label(parser);
     parser.next_mark();
     let word_at = parser.position();
-    let word = WORDS.iter().find(|(text, _)| parser.take_text(text)).map(|(_, word)| *word);
+    let word = WORDS.iter().find(|(text, _)| parser.take_spread(text)).map(|(_, word)| *word);
     if word.is_none() {
         parser.at = parser.end;
         let range = TextRange::new(word_at, parser.position());
@@ -88,7 +88,7 @@ pub fn parse_o_word(parser: &mut ExpressionParser<'_>) -> OWord {
 
 fn label(parser: &mut ExpressionParser<'_>) -> OLabel {
     let mark = parser.next_mark();
-    if mark == b'[' {
+    if matches!(mark, b'[' | b'#') {
         return OLabel::Computed(parser.value());
     }
     let rest = &parser.text[parser.at..parser.end];
@@ -142,6 +142,8 @@ mod tests {
         assert_eq!(parse("o[#1+1] call"), ("4 steps".into(), Some(FlowWord::Call), 0));
         assert_eq!(parse("o1 elseif [1]").1, Some(FlowWord::ElseIf));
         assert_eq!(parse("o1 endwhile").1, Some(FlowWord::EndWhile));
+        assert_eq!(parse("o 1 0 0 end s u b").1, Some(FlowWord::EndSub));
+        assert_eq!(parse("o#5 call"), ("2 steps".into(), Some(FlowWord::Call), 0));
     }
 
     #[test]

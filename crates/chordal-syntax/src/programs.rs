@@ -22,6 +22,10 @@ pub struct ProgramHead {
 /// an N number or blanks before it allowed. One pass that only stops at the letter `O`, so
 /// a gigabyte costs a fraction of a second.
 pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
+    if lexicon.o_words {
+        // A number after `O` is a label here: one file is one program.
+        return vec![nameless(text.len() as u32)];
+    }
     let mut heads: Vec<ProgramHead> = Vec::new();
     let mut counted = Position { offset: 0, line: 1 };
     for at in memchr::memchr3_iter(b'O', b'o', b':', text) {
@@ -58,14 +62,6 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
     }
     let end = at + 1 + digits;
     let number = std::str::from_utf8(&text[at + 1..end]).ok()?.parse().ok()?;
-    if lexicon.o_words {
-        // `o100 sub` is flow control.
-        let rest = &text[end..];
-        let word = rest.iter().find(|b| !matches!(b, b' ' | b'\t'));
-        if word.is_some_and(u8::is_ascii_alphabetic) {
-            return None;
-        }
-    }
     // Back to the start of the line over blanks, NULs and one N number.
     let mut back = at;
     let mut seen_number = false;

@@ -202,6 +202,9 @@ impl<'a> BlockReader<'a> {
                 let range = TextRange::new(start as u32, self.at as u32);
                 block.kind = BlockKind::Macro(range);
             }
+            b'@' | b'^' if self.lexicon.polar_words => {
+                return self.read_any_word(block, byte, false);
+            }
             _ => self.unexpected(block),
         }
         true
@@ -386,13 +389,13 @@ impl<'a> BlockReader<'a> {
                     Value::Number(number)
                 }
             }
-            _ => match self.unusual_value(block, letter, start) {
+            _ => match self.loose_number().or_else(|| self.unusual_value(block, letter, start)) {
                 Some(value) => value,
                 None => return false,
             },
         };
         let range = TextRange::new(start as u32, self.at as u32);
-        block.push(Word { letter, register, comma, value, range });
+        block.push_any(Word { letter, register, comma, value, range });
         true
     }
 
@@ -423,19 +426,46 @@ impl<'a> BlockReader<'a> {
         let taken =
             line.iter().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b' ' | b'\t'));
         let taken = taken.count();
-        let digits: Vec<u8> = number
-            .to_string()
-            .into_bytes()
-            .into_iter()
+        let unsigned = number.to_string();
+        let digits: Vec<u8> = unsigned
+            .trim_start_matches('-')
+            .bytes()
             .chain(line[..taken].iter().copied().filter(|b| !matches!(b, b' ' | b'\t')))
             .collect();
-        match Decimal::parse(&digits) {
+        let point = digits.iter().filter(|b| **b == b'.').count() <= 1;
+        match Decimal::parse_long(&digits).filter(|_| point) {
             Some(whole) => {
                 self.at += taken;
-                Value::Number(whole)
+                let mantissa = if number.negative { -whole.mantissa } else { whole.mantissa };
+                Value::Number(Decimal { mantissa, negative: number.negative, ..whole })
             }
             None => Value::Number(number),
         }
+    }
+
+    /// Signs and digits with blanks between them, in any count (`x--1`, `y - 2`), where the lexicon
+    /// says so. Digits beyond the eighteenth are dropped.
+    #[cold]
+    fn loose_number(&mut self) -> Option<Value> {
+        if !self.lexicon.blanks_in_numbers {
+            return None;
+        }
+        let line = &self.text[self.at..self.end];
+        let blank = |b: &u8| matches!(b, b' ' | b'\t');
+        let signs = line.iter().take_while(|b| blank(b) || matches!(b, b'+' | b'-')).count();
+        let negative = line[..signs].iter().filter(|b| **b == b'-').count() % 2 == 1;
+        let digit = |b: &u8| b.is_ascii_digit() || *b == b'.';
+        let taken = line[signs..].iter().take_while(|b| blank(b) || digit(b)).count();
+        let end = signs + taken;
+        let strange = line.get(end).is_some_and(|b| STRANGE_BEHIND_NUMBER[usize::from(*b)]);
+        let digits: Vec<u8> = line[signs..end].iter().copied().filter(|b| digit(b)).collect();
+        if strange || digits.iter().filter(|b| **b == b'.').count() > 1 {
+            return None;
+        }
+        let number = Decimal::parse_long(&digits)?;
+        self.at += line[..end].trim_ascii_end().len();
+        let mantissa = if negative { -number.mantissa } else { number.mantissa };
+        Some(Value::Number(Decimal { mantissa, negative, ..number }))
     }
 
     /// Everything after a letter that is not a plain number. `None` when the line turned

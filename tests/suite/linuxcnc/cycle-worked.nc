@@ -24,7 +24,9 @@ G98 G84 X1 Z-1 R.1 P.5 (= rapid to X1 Y0 Z1 | rapid to Z.1 | line to Z-1 | spind
 G80
 (E6: back boring.)
 G0 X0 Y0 Z1
-G98 G87 X1 Y0 Z-1 R.1 I.1 J0 K-.5 (= rapid to X1 Y0 Z1 | rapid to Z.1 | rapid to X1.1 Y0 Z.1 | spindle off | spindle oriented | rapid to Z-1 | rapid to X1 Y0 Z-1 | spindle cw | line to Z-.5 | line to Z-1 | spindle off | spindle oriented | rapid to X1.1 Y0 Z-1 | rapid to Z1 | rapid to X1 Y0 Z1 | spindle cw)
+G98 G87 X1 Y0 Z-1 R.1 I.1 J0 K-.5
+(= rapid to X1 Y0 Z1 | rapid to Z.1 | rapid to X1.1 Y0 Z.1 | spindle off | spindle oriented | rapid to Z-1 | rapid to X1 Y0 Z-1 | spindle cw)
+(= line to Z-.5 | line to Z-1 | spindle off | spindle oriented | rapid to X1.1 Y0 Z-1 | rapid to Z1 | rapid to X1 Y0 Z1 | spindle cw)
 G80
 (E7: from G99 to G98 the way to the second hole slopes.)
 G0 X1 Y-.5 Z2

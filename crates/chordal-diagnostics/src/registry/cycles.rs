@@ -102,4 +102,10 @@ the centre, or at the first hole of a line."#;
 
     G90 G81 G99 Z-.6 R0+.1 F40. X0 Y0
     G91 X.5 L20"#;
+
+    TapExchanged = 840, "tap-exchanged", Warning;
+    "a tap whose axes the control exchanges";
+    r#"LinuxCNC 2.9 exchanges the coordinates of G84 and G74 twice in G18 and G19. The tool goes to the hole as
+programmed, and its feed then goes somewhere else: in G18 to X depth, Y the hole's Z, Z the hole's X. The path is
+shown as the control makes it. Tap in G17, or write the tap with G33.1."#;
 }

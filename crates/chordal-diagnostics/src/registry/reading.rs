@@ -80,4 +80,9 @@ the program, and most of them have no meaning. Chordal reports all lines of the 
 
     (ROUGH THE POCKET AND LEAVE
     STOCK ON THE WALLS)             this line is not a comment"#;
+
+    LineTooLong = 140, "line-too-long", Error;
+    "a line is longer than the control reads";
+    r#"LinuxCNC reads lines of at most 253 characters, comments and blanks included. A longer one stops
+the program. Write it on several lines; a long comment may stand on a line of its own."#;
 }

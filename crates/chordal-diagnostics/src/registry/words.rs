@@ -71,4 +71,17 @@ refuses it.
 
 Look up what the code does. Where it has no effect in this program, delete it in a copy and check that; where a custom
 code of the machine stands behind it, say what it does in `[shop_codes]` of the machine file."#;
+
+    PolarWords = 340, "polar-words", Error;
+    "a radius or an angle that cannot be used here";
+    r#"On LinuxCNC `@` is a radius and `^` an angle in degrees about the work origin, in place of X and Y:
+`G1 @10 ^30`. The one that is not written stays; in G91 both are added to the present ones. They
+work in G17 only, in motions and cycles, and not together with X or Y. At the work origin there is no angle
+to keep, so that `@` needs `^`."#;
+
+    NoKeptModes = 341, "no-kept-modes", Error;
+    "M72 without modes that were kept";
+    r#"On LinuxCNC M70 keeps the modes in force, and M72 brings them back: units, plane, G90 or G91, feed, work
+offset and more. M73 keeps them until the subprogram ends. What is kept belongs to one level of calls, and M71
+forgets it. M72 with nothing kept stops the program."#;
 }

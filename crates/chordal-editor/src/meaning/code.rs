@@ -144,6 +144,13 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
         DataTarget::Tool(ToolValue::Radius) => "radius or diameter of tool P",
         DataTarget::Tool(ToolValue::RadiusWear) => "wear of the radius or diameter of tool P",
         DataTarget::ToolTable => "length and radius of tool P",
+        DataTarget::ToolFromPosition => {
+            "offsets of tool P, so that the current position becomes these numbers"
+        }
+        DataTarget::ToolFromFixture => {
+            "offsets of tool P, so that the current position becomes these numbers in the last work offset"
+        }
+        DataTarget::Reload => "nothing: the tool table is read again",
         DataTarget::Register => "a register R",
         DataTarget::Other => "not carried out",
         DataTarget::Lines => "parameters of the control, by the lines up to G11: not carried out",
@@ -156,7 +163,7 @@ fn fields_of(action: Action) -> &'static [Field] {
     match action {
         Action::Motion(code) => match code {
             MotionCode::Rapid => &[F::Rapid],
-            MotionCode::Linear => &[],
+            MotionCode::Linear | MotionCode::Thread | MotionCode::RigidTap => &[],
             MotionCode::ArcCw | MotionCode::ArcCcw => &[
                 F::ArcCenter,
                 F::RadiusErrorTolerance,
@@ -182,7 +189,7 @@ fn fields_of(action: Action) -> &'static [Field] {
         Action::Mode(code) => settings_of_mode(code),
         Action::Length(code) => match code {
             LengthCode::Plus | LengthCode::Minus => &[F::LengthMustMatchTool, F::LengthByHAlone],
-            LengthCode::Cancel => &[],
+            LengthCode::Cancel | LengthCode::FromAxes | LengthCode::Add => &[],
         },
         Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
         Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
@@ -208,6 +215,9 @@ fn settings_of_mode(code: ModeCode) -> &'static [Field] {
             &[Field::RadiusOffsets, Field::MaxRadiusCompensated]
         }
         ModeCode::CompensationOff
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::StoreReference { .. }
         | ModeCode::CornerArc
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)

@@ -7,6 +7,8 @@ use chordal::control::{
 use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
 use chordal::control::{CycleKind, HolePattern};
 
+use chordal::machine::AXIS_LETTERS;
+
 use crate::meaning::View;
 use crate::meaning::code::dwell_text;
 
@@ -32,6 +34,11 @@ fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
     match code {
         MotionCode::Rapid | MotionCode::Linear => None,
         MotionCode::ArcCw | MotionCode::ArcCcw => arc(letter, view),
+        MotionCode::Thread | MotionCode::RigidTap => match letter {
+            b'K' => Some("advance along the path per revolution of the spindle".into()),
+            b'I' => Some("how many times as fast the tool comes back; 1 without it".into()),
+            _ => None,
+        },
         MotionCode::SpiralCw | MotionCode::SpiralCcw => match letter {
             b'P' => Some("whole turns beyond the angle from start to end, 0 to 99".into()),
             b'I' | b'J' | b'K' => center(letter, view),
@@ -114,6 +121,11 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
             b'I' | b'J' | b'K' => "direction of the offset at the end of this block",
             _ => return None,
         },
+        ModeCode::CompensationLeftBy | ModeCode::CompensationRightBy => match letter {
+            b'D' => "diameter of the tool; below zero it goes on the other side",
+            b'L' => "position of the tip of a turning tool, 0 to 9",
+            _ => return None,
+        },
         ModeCode::WorkOffsetExtended => match letter {
             b'P' => "number of the extended work offset",
             _ => return None,
@@ -132,6 +144,7 @@ fn mode(code: ModeCode, letter: u8) -> Option<String> {
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
         | ModeCode::WorkOffsetNumbered(_)
+        | ModeCode::StoreReference { .. }
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR
         | ModeCode::CancelCycle
@@ -177,6 +190,10 @@ fn length(code: LengthCode, letter: u8) -> Option<&'static str> {
         LengthCode::Plus | LengthCode::Minus => {
             (letter == b'H').then_some("number of the length offset")
         }
+        LengthCode::Add => (letter == b'H').then_some("number of the tool whose offsets are added"),
+        LengthCode::FromAxes => AXIS_LETTERS
+            .contains(char::from(letter))
+            .then_some("offset of the tool along this axis"),
         LengthCode::Cancel => None,
     }
 }
@@ -190,7 +207,10 @@ fn before(code: BeforeCode, letter: u8) -> Option<&'static str> {
         | BeforeCode::SpindleCcw
         | BeforeCode::CoolantMist
         | BeforeCode::CoolantFlood
-        | BeforeCode::CoolantThroughTool => None,
+        | BeforeCode::CoolantThroughTool
+        | BeforeCode::SaveModes { .. }
+        | BeforeCode::ForgetModes
+        | BeforeCode::RestoreModes => None,
     }
 }
 

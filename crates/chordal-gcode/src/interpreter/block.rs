@@ -2,8 +2,9 @@
 
 use chordal_command::AxisMask;
 use chordal_dialect::table::{LineRepeat, Subroutines};
-use chordal_dialect::{Action, OnceCode};
+use chordal_dialect::{Action, BeforeCode, OnceCode};
 use chordal_dialect::{CodeRow, Group, UnitCodes, code_number};
+use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Letters};
 
 use super::conflicts::ALWAYS;
@@ -11,6 +12,8 @@ use super::{EndReason, Flow, Interpreter};
 
 /// Letters of a block that only moves: no mode, no table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
+
+const AXES: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
     /// Carries out the words of a block.
@@ -41,6 +44,7 @@ impl Interpreter<'_> {
             || self.macros.active > 0
             || block.repeated() != Letters::NONE
             || block.commas
+            || !block.polar.is_empty()
         {
             return false;
         }
@@ -145,6 +149,11 @@ impl Interpreter<'_> {
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
     ) -> Flow {
+        for (row, at) in codes {
+            if let Action::Before(code) = row.action {
+                self.keep_modes(block, code, *at);
+            }
+        }
         for (row, _) in codes {
             self.take_reading_mode(row.action);
         }
@@ -159,7 +168,24 @@ impl Interpreter<'_> {
             }
         }
         self.take_length(block, codes);
-        let one_shot = codes.iter().rev().find(|(row, _)| row.action.takes_axes());
+        if codes.iter().any(|(row, _)| row.action == Action::Before(BeforeCode::RestoreModes)) {
+            self.restore_modes(block);
+        }
+        if !block.polar.is_empty() && !self.check_polar(block, codes) {
+            return self.take_after_motion(block, codes);
+        }
+        let dwells = self.control.parameters.dwell_with_motion;
+        let is_dwell = |action: Action| dwells && action == Action::Once(OnceCode::Dwell);
+        let takes = |action: Action| action.takes_axes() && !is_dwell(action);
+        let one_shot = codes.iter().rev().find(|(row, _)| takes(row.action));
+        if let Some((_, at)) = codes.iter().find(|(row, _)| is_dwell(row.action)) {
+            self.one_shot(block, OnceCode::Dwell, *at);
+            if !block.letters().meets(AXES) && block.polar.is_empty() {
+                let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
+                motion.into_iter().for_each(|code| self.take_motion_code(code));
+                return self.take_after_motion(block, codes);
+            }
+        }
         match one_shot {
             Some((row, at)) => {
                 self.modes_beside_one_shot(block, codes, row);

@@ -163,6 +163,15 @@ impl Interpreter<'_> {
             false => 1,
         };
         let (number, repeats) = self.unpacked(written, times);
+        if self.control.table.lexicon.o_words
+            && let Some(start) = self.label_ahead(number)
+        {
+            let repeats = self.cut_to_limit(&word, repeats);
+            if repeats > 0 {
+                self.enter(&word, self.program, start, repeats, false);
+            }
+            return;
+        }
         let Some(program) = self.library.find(number, self.file) else {
             let given = Given { block: Some(block), arguments: &[] };
             if self.shop_program(&word, number, repeats, given).is_none() {
@@ -399,6 +408,9 @@ impl Interpreter<'_> {
             return;
         }
         self.check_contour_of_call();
+        if !self.kept_modes.is_empty() {
+            self.modes_at_return(self.frames.len());
+        }
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;

@@ -7,8 +7,10 @@ use chordal_command::{CallPath, Side};
 use chordal_diagnostics::{FileId, Shift, TextRange};
 use chordal_dialect::Scale;
 use chordal_kernel::{Checkpoint, KernelMemory, Memory};
+use chordal_machine::PerAxis;
 use chordal_syntax::{Decimal, Position as TextPosition};
 
+use super::context::KeptModes;
 use super::macros::MacroMemory;
 use super::{Interpreter, Reported};
 
@@ -28,6 +30,8 @@ struct BlockMemory {
     reported: Reported,
     lost_jump: bool,
     carried_out: bool,
+    kept_modes: Vec<KeptModes>,
+    references: [PerAxis<Option<f64>>; 2],
     macros: MacroMemory,
 }
 
@@ -87,6 +91,8 @@ impl Interpreter<'_> {
             reported: Reported { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
             carried_out: self.carried_out,
+            kept_modes: self.kept_modes.clone(),
+            references: self.references,
             macros: self.macros.memory(),
         };
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
@@ -108,6 +114,8 @@ impl Interpreter<'_> {
         self.reported = memory.reported;
         self.lost_jump = memory.lost_jump;
         self.carried_out = memory.carried_out;
+        self.kept_modes = memory.kept_modes;
+        self.references = memory.references;
         self.macros.recall(memory.macros);
     }
 

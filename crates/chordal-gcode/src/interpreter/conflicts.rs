@@ -21,12 +21,14 @@ impl Interpreter<'_> {
             let clash = codes[..index].iter().find(|first| {
                 block.words[first.1].letter == letter
                     && self.one_group(first.0.group, second.0.group)
+                    && !self.cycle_off_beside(first.0, second.0)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
             });
             if let Some(first) = clash {
                 self.same_group(block, *first, *second);
             }
         }
+        self.check_m_groups(block, codes);
         let g_words = block.all(b'G').count();
         for (row, at) in codes {
             let word = &block.words[*at];
@@ -42,6 +44,29 @@ impl Interpreter<'_> {
                     .help("put the other G codes into the block before"),
                 );
             }
+        }
+    }
+
+    /// Two M codes of one group, where the control has such groups.
+    fn check_m_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        for group in self.control.parameters.m_groups {
+            let own = |at: &usize, row: &CodeRow| {
+                block.words[*at].letter == b'M' && group.contains(&row.code)
+            };
+            let mut found = codes.iter().filter(|(row, at)| own(at, row));
+            let (Some(first), Some(second)) = (found.next(), found.next()) else { continue };
+            let names = [first.0.name(b'M'), second.0.name(b'M')];
+            let title = self.control.table.title;
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::SameGroup,
+                    self.span(block.words[second.1].range),
+                    format!("{} and {} cannot be in one block", names[0], names[1]),
+                )
+                .also(self.span(block.words[first.1].range), "the first")
+                .alarm(format!("{title}: Two m codes used from same modal group"))
+                .help("write them in two blocks"),
+            );
         }
     }
 
@@ -83,7 +108,7 @@ impl Interpreter<'_> {
 
     /// Letters that the block's codes and modes take.
     pub(super) fn claims(&self, codes: &[(&'static CodeRow, usize)]) -> Letters {
-        let mut claims = ALWAYS;
+        let mut claims = ALWAYS.without(self.control.parameters.words_of_codes);
         for (row, _) in codes {
             claims = claims.union(self.words_of(row));
         }
@@ -113,6 +138,8 @@ impl Interpreter<'_> {
         let code = match self.kernel.state.motion {
             Motion::Arc(_) => 20,
             Motion::Spiral(_) => 21,
+            Motion::Thread => 330,
+            Motion::RigidTap => 331,
             _ if self.control.table.motion == MotionModality::Armed => 20,
             _ => return None,
         };

@@ -10,6 +10,7 @@ mod block;
 mod calls;
 mod checkpoint;
 mod conflicts;
+mod context;
 mod cycle;
 mod frames;
 mod in_force;
@@ -20,12 +21,14 @@ mod motion;
 mod offsets;
 mod path_modes;
 mod pocket;
+mod polar;
 mod reference;
 mod repeats;
 mod report;
 mod shop;
 mod spiral;
 mod statement;
+mod thread;
 
 pub use self::calls::subroutine_head;
 
@@ -43,7 +46,7 @@ use std::sync::Arc;
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::Scale;
 use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
-use chordal_machine::{Machine, PerAxis};
+use chordal_machine::{AXES, Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockReader, Decimal, Position as TextPosition};
 
 use crate::library::{Library, Program};
@@ -160,9 +163,15 @@ struct Interpreter<'a> {
     repeat_until: u32,
     /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
     message: Option<TextRange>,
+    /// A percent sign has ended it.
+    ended_by_percent: bool,
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
     shop: shop::ShopState,
+    /// The modes that M70 and M73 keep, outermost call first.
+    kept_modes: Vec<context::KeptModes>,
+    /// Reference points that the program has stored: machine position, mm and rad.
+    references: [PerAxis<Option<f64>>; 2],
     /// What of the first text was read since the last rest beside the blocks one after the other.
     looked: Cell<Option<TextRange>>,
 }
@@ -272,8 +281,11 @@ impl<'a> Interpreter<'a> {
             macros: macros::MacroState::new(control.table, machine),
             repeat_until: 0,
             message: None,
+            ended_by_percent: false,
             stopped: None,
             shop: shop::ShopState::new(program),
+            kept_modes: Vec::new(),
+            references: [[None; AXES]; 2],
             looked: Cell::new(None),
         }
     }
@@ -359,6 +371,10 @@ impl<'a> Interpreter<'a> {
             call: self.kernel.call,
             cycle: false,
         };
+        let longest = self.control.parameters.longest_line;
+        if longest > 0 && block.range.len() > longest {
+            self.report_long_line(block, longest);
+        }
         let goes_on = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {
             self.report_problems_of_text(block, goes_on);
@@ -395,7 +411,7 @@ impl<'a> Interpreter<'a> {
         {
             block.truncate(delete.from_word);
         }
-        if block.words.is_empty() {
+        if block.is_idle() {
             return Flow::Next;
         }
         if self.data_lines && self.is_data_line(block) {
@@ -463,6 +479,7 @@ impl<'a> Interpreter<'a> {
     /// A percent sign ends the tape, once something stood before it.
     fn percent(&mut self) -> Flow {
         if self.carried_out && self.frames.is_empty() {
+            self.ended_by_percent = true;
             return Flow::End(EndReason::EndOfText);
         }
         Flow::Next

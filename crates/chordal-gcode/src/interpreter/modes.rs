@@ -38,7 +38,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn set_units(&mut self, units: Units) {
+    pub(super) fn set_units(&mut self, units: Units) {
         self.kernel.set_units(units);
         self.scale = Scale::new(units, &self.control.parameters);
     }
@@ -58,7 +58,12 @@ impl Interpreter<'_> {
         if letters.has(b'E') && self.control.table.work_names.by_e {
             self.take_e_word(block);
         }
+        let by_diameter = |row: &CodeRow| {
+            row.action == Action::Mode(ModeCode::CompensationLeftBy)
+                || row.action == Action::Mode(ModeCode::CompensationRightBy)
+        };
         if letters.has(b'D')
+            && !codes.iter().any(|(row, _)| by_diameter(row))
             && let Some(number) = self.count_of(block, b'D')
         {
             let before = self.kernel.state.radius_offset.replace(number);
@@ -87,6 +92,8 @@ impl Interpreter<'_> {
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
             BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
+            // Taken first of all, or last of the modes.
+            BeforeCode::SaveModes { .. } | BeforeCode::ForgetModes | BeforeCode::RestoreModes => {}
         }
     }
 
@@ -114,9 +121,14 @@ impl Interpreter<'_> {
             ModeCode::CompensationOff => self.set_compensation(block, at, Side::Off),
             ModeCode::CompensationLeft => self.set_compensation(block, at, Side::Left),
             ModeCode::CompensationRight => self.set_compensation(block, at, Side::Right),
+            ModeCode::CompensationLeftBy => self.compensation_by_diameter(block, at, Side::Left),
+            ModeCode::CompensationRightBy => {
+                self.compensation_by_diameter(block, at, Side::Right);
+            }
+            ModeCode::StoreReference { second } => self.store_reference(second),
             ModeCode::CornerArc => self.corner_arc(block, false),
-            ModeCode::WorkOffset(number) => self.kernel.select_work(WorkName::G(number)),
-            ModeCode::WorkOffsetPoint(number) => self.kernel.select_work(WorkName::G59(number)),
+            ModeCode::WorkOffset(number) => self.select_work(WorkName::G(number)),
+            ModeCode::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
             ModeCode::WorkOffsetNumbered(number) => {
                 self.kernel.select_work(WorkName::Extended(number));
             }
@@ -136,6 +148,11 @@ impl Interpreter<'_> {
             ModeCode::ModalCallOff => self.end_modal_call(),
             ModeCode::DataLinesOff => self.data_lines = false,
         }
+    }
+
+    pub(super) fn select_work(&mut self, name: WorkName) {
+        self.take_written_offsets();
+        self.kernel.select_work(name);
     }
 
     /// M50: feed and rapid overrides by P.
@@ -161,8 +178,12 @@ impl Interpreter<'_> {
         if by_code.is_none() && !block.letters().has(b'H') {
             return;
         }
-        let called = codes.iter().any(|(row, _)| row.group == Group::Calling)
-            || codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));
+        let writes = codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::SetData));
+        if writes && by_code == Some(Action::Length(LengthCode::Cancel)) {
+            let none = LengthOffset { number: None, minus: false };
+            return self.kernel.set_length(&self.at(block), none);
+        }
+        let called = codes.iter().any(|(row, _)| row.group == Group::Calling) || writes;
         if called {
             return;
         }
@@ -170,6 +191,13 @@ impl Interpreter<'_> {
             return self
                 .kernel
                 .set_length(&self.at(block), LengthOffset { number: None, minus: false });
+        }
+        if by_code == Some(Action::Length(LengthCode::FromAxes)) {
+            let values = self.axis_words(block);
+            return self.kernel.set_tool_offsets(&values, false);
+        }
+        if by_code == Some(Action::Length(LengthCode::Add)) {
+            return self.add_tool_offsets(block);
         }
         let in_force = self.kernel.state.offsets.length();
         let minus = match by_code {

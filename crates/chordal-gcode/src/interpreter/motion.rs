@@ -19,24 +19,25 @@ impl Interpreter<'_> {
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
         if self.kernel.state.polar.is_some() {
-            return self.polar_target(block);
+            return self.target_by_angle(block);
         }
-        let mut target = self.kernel.state.position;
+        let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
+        let mut target = from;
         let mut named = AxisMask::NONE;
         let left_to_right = self.control.table.distance_left_to_right && block.letters().has(b'G');
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                target[axis] = if self.kernel.state.incremental {
-                    self.kernel.state.position[axis] + value
-                } else {
-                    value
-                };
+                target[axis] =
+                    if self.kernel.state.incremental { from[axis] + value } else { value };
                 named.insert(axis);
             } else if left_to_right && word.letter == b'G' {
                 self.distance_word(word);
             }
+        }
+        if !block.polar.is_empty() {
+            self.polar_target(block, &mut target, &mut named);
         }
         if !self.control.axes().covers(named) {
             self.missing_axes(block, &mut target, &mut named);
@@ -121,6 +122,8 @@ impl Interpreter<'_> {
             MotionCode::ArcCcw => Motion::Arc(Direction::Ccw),
             MotionCode::SpiralCw => Motion::Spiral(Direction::Cw),
             MotionCode::SpiralCcw => Motion::Spiral(Direction::Ccw),
+            MotionCode::Thread => Motion::Thread,
+            MotionCode::RigidTap => Motion::RigidTap,
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
@@ -146,6 +149,8 @@ impl Interpreter<'_> {
             }
             Motion::Arc(direction) => self.arc_block(block, direction, target, named, explicit),
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            Motion::Thread => self.thread_block(block, target, named, false),
+            Motion::RigidTap => self.thread_block(block, target, named, true),
             Motion::None => self.report_no_motion(block, target, named),
         }
     }

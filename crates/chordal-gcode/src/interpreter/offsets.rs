@@ -13,6 +13,17 @@ use chordal_syntax::{Block, Letters, Value};
 use super::Interpreter;
 use chordal_command::telling_number;
 
+/// Where G10 takes the offsets of a tool from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ToolFrom {
+    /// The words are the offsets.
+    Words,
+    /// The present position gets these work coordinates.
+    WorkPosition,
+    /// It gets these coordinates of the ninth work offset, which belongs to the fixture.
+    Fixture,
+}
+
 impl Interpreter<'_> {
     /// E.
     pub(super) fn take_e_word(&mut self, block: &Block) {
@@ -120,6 +131,58 @@ impl Interpreter<'_> {
         }
         let toward = self.compensation_direction(block);
         self.kernel.emit_compensation(number, toward, span);
+    }
+
+    /// G41.1 and G42.1: D is the tool's diameter; below zero the tool goes on the other side.
+    pub(super) fn compensation_by_diameter(&mut self, block: &Block, at: usize, side: Side) {
+        let span = self.span(block.words[at].range);
+        let Some(diameter) = self.length_of(block, b'D') else {
+            let title = self.control.table.title;
+            let name = if side == Side::Left { "G41.1" } else { "G42.1" };
+            self.kernel.report(
+                Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
+                    .alarm(format!("{title}: G41.1/G42.1 without D word"))
+                    .help("give the diameter of the tool with D"),
+            );
+            return;
+        };
+        if block.letters().has(b'L') && self.kernel.state.plane != chordal_geometry::Plane::Zx {
+            let span = self.words_span(block, Letters::of("L"));
+            self.report_refused(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    "L, the tip of a turning tool, needs G18",
+                )
+                .help("remove L, or write G18 before"),
+                "G41.1/G42.1 with L word, but plane is not G18",
+            );
+        }
+        let side = match side {
+            Side::Left if diameter < 0.0 => Side::Right,
+            Side::Right if diameter < 0.0 => Side::Left,
+            side => side,
+        };
+        self.check_compensation_move(block, side, span);
+        if self.kernel.state.side == Side::Off {
+            self.note_contour_of_call(block);
+        }
+        self.kernel.state.side = side;
+        let radius_mm = Some(diameter.abs() / 2.0);
+        self.kernel.emit(CommandKind::Compensation { side, number: None, radius_mm, toward: None });
+    }
+
+    /// G43.2: the offsets of tool H are added to those in force.
+    pub(super) fn add_tool_offsets(&mut self, block: &Block) {
+        let Some(number) = self.count_of(block, b'H') else {
+            let span = self.span(block.range);
+            let message = "G43.2 without H".to_string();
+            return self.kernel.missing_word(span, message, "give the number of the tool with H");
+        };
+        let offsets = &self.kernel.state.offsets;
+        let tool = offsets.tool(number);
+        let values = std::array::from_fn(|axis| tool.and_then(|tool| tool.offset_of(axis)));
+        self.kernel.set_tool_offsets(&values, true);
     }
 
     /// A block that turns compensation on and moves the third axis alone, on a control that wants a lead-in.
@@ -266,7 +329,14 @@ impl Interpreter<'_> {
             Some(DataTarget::WorkOffsetFromPosition) => self.write_work_offset(block, true),
             Some(DataTarget::ExtendedWorkOffset) => self.write_extended(block),
             Some(DataTarget::Register) => self.write_register(block, l.unwrap_or(100) - 100),
-            Some(DataTarget::ToolTable) => self.write_tool_table(block),
+            Some(DataTarget::Reload) => {}
+            Some(DataTarget::ToolTable) => self.write_tool_table(block, ToolFrom::Words),
+            Some(DataTarget::ToolFromPosition) => {
+                self.write_tool_table(block, ToolFrom::WorkPosition);
+            }
+            Some(DataTarget::ToolFromFixture) => {
+                self.write_tool_table(block, ToolFrom::Fixture);
+            }
             Some(DataTarget::Tool(value)) => self.write_tool(block, value),
             Some(DataTarget::Other) => self.kernel.report(Diagnostic::new(
                 Code::NotSimulated,
@@ -361,6 +431,7 @@ impl Interpreter<'_> {
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
         };
         let values = self.axis_words(block);
+        self.take_written_offsets();
         self.kernel.write_work_values(&key, &values, from_position);
     }
 
@@ -387,10 +458,25 @@ impl Interpreter<'_> {
         self.kernel.store_tool_value(of, number, value, self.kernel.state.incremental);
     }
 
-    /// LinuxCNC G10 L1: the axis words are the offsets, Z the length, R the radius.
-    fn write_tool_table(&mut self, block: &Block) {
+    /// LinuxCNC G10 L1, L10 and L11: the axis words are the tool's offsets, or the coordinates that the
+    /// present position shall get with them; R is the radius.
+    fn write_tool_table(&mut self, block: &Block, from: ToolFrom) {
         let Some(number) = self.count_of(block, b'P') else { return };
-        let words = self.axis_words(block);
+        let mut words = self.axis_words(block);
+        let state = &self.kernel.state;
+        let offsets = &state.offsets;
+        let fixture = offsets.key(WorkName::G59(3));
+        for (axis, word) in words.iter_mut().enumerate() {
+            let Some(value) = *word else { continue };
+            let machine = state.machine_position(axis);
+            *word = Some(match from {
+                ToolFrom::Words => value,
+                ToolFrom::WorkPosition => machine - offsets.work()[axis] - value,
+                ToolFrom::Fixture => {
+                    machine - offsets.work_value(&fixture, axis).unwrap_or(0.0) - value
+                }
+            });
+        }
         let radius = self.length_of(block, b'R');
         self.kernel.state.shift_coordinates(|offsets| {
             let tool = offsets.tool_mut(number);

@@ -5,6 +5,7 @@ use chordal_command::{AxisMask, CommandKind, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::OnceCode;
 use chordal_geometry::Direction;
+use chordal_kernel::Motion;
 use chordal_kernel::rules::Allowance;
 use chordal_machine::{AXES, PerAxis};
 use chordal_syntax::{Block, Decimal, Word};
@@ -40,6 +41,23 @@ impl Interpreter<'_> {
             }
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => self.probe_move(block, at, must_hit),
+            OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
+                let span = self.span(block.words[at].range);
+                self.report_refused(
+                    Diagnostic::new(Code::MissingWord, span, "this code needs an axis word")
+                        .help("write the axes and their values"),
+                    "All axes missing with g52 or g92",
+                );
+            }
+            OnceCode::MachineCoordinates if !self.may_use_machine_coordinates() => {
+                let span = self.span(block.words[at].range);
+                self.report_refused(
+                    Diagnostic::new(Code::NoMotionInForce, span, "G53 needs G0 or G1")
+                        .help("write G0 or G1 into this block"),
+                    "Must use g0 or g1 with g53",
+                );
+                self.machine_coordinates(block, at);
+            }
             OnceCode::MachineCoordinates => self.machine_coordinates(block, at),
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
@@ -62,6 +80,24 @@ impl Interpreter<'_> {
             OnceCode::GeneralPocket => self.general_pocket(block, at),
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
         }
+    }
+
+    /// No axis word, where a code without its words stops the program.
+    fn lacks_axes(&mut self, block: &Block) -> bool {
+        self.control.parameters.strict_words && self.axis_words(block).iter().all(Option::is_none)
+    }
+
+    fn may_use_machine_coordinates(&self) -> bool {
+        !self.control.parameters.strict_words
+            || matches!(self.kernel.state.motion, Motion::Rapid | Motion::Linear)
+                && self.kernel.state.cycle.is_none()
+    }
+
+    /// A problem with the control's own words for this case of it.
+    pub(super) fn report_refused(&mut self, diagnostic: Diagnostic, alarm: &str) {
+        let title = self.control.table.title;
+        let diagnostic = diagnostic.severity(Severity::Error).alarm(format!("{title}: {alarm}"));
+        self.kernel.report(diagnostic);
     }
 
     fn dwell(&mut self, block: &Block, at: usize) {
@@ -137,14 +173,8 @@ impl Interpreter<'_> {
     /// G28 and G30: over the point that the words give, then home with the axes they name.
     fn return_to_reference(&mut self, block: &Block, second: bool) {
         let (target, mut named) = self.target(block);
-        let place = match second {
-            false => self.machine.home,
-            true => {
-                let number = self.count_of(block, b'P').unwrap_or(2);
-                let index = (number.clamp(2, 4) - 2) as usize;
-                self.machine.reference_points[index]
-            }
-        };
+        let number = if second { self.count_of(block, b'P').unwrap_or(2).clamp(2, 4) } else { 1 };
+        let place = self.reference(number);
         let bare = named == AxisMask::NONE;
         if bare {
             if !self.control.parameters.rules.bare_home_moves_all {
@@ -159,6 +189,24 @@ impl Interpreter<'_> {
             return self.kernel.go_to_reference(named, &place);
         }
         self.kernel.return_over(target, named, &place);
+    }
+
+    /// A reference point: as the program has stored it, else as the machine file has it.
+    pub(super) fn reference(&self, number: u32) -> PerAxis<Option<f64>> {
+        let (of_machine, stored) = match number {
+            ..=1 => (self.machine.home, Some(0)),
+            2 => (self.machine.reference_points[0], Some(1)),
+            _ => (self.machine.reference_points[(number.min(4) - 2) as usize], None),
+        };
+        let stored = stored.map_or([None; AXES], |at: usize| self.references[at]);
+        std::array::from_fn(|axis| stored[axis].or(of_machine[axis]))
+    }
+
+    /// G28.1 and G30.1.
+    pub(super) fn store_reference(&mut self, second: bool) {
+        let state = &self.kernel.state;
+        let place = std::array::from_fn(|axis| Some(state.machine_position(axis)));
+        self.references[usize::from(second)] = place;
     }
 
     /// G29: back over the point of the last G28, of which the end alone is known here.

@@ -82,6 +82,9 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn unused_word(&mut self, word: &Word) {
+        if self.control.parameters.strict_words {
+            return self.refused_word(word);
+        }
         let letter = word.letter as char;
         let help = self
             .spiral_word_help(word.letter)
@@ -109,6 +112,40 @@ impl Interpreter<'_> {
                 "a cycle counts its holes with {own}, or with L where the setting `{name}` says so"
             )
         })
+    }
+
+    #[cold]
+    pub(super) fn report_long_line(&mut self, block: &Block, longest: u32) {
+        let title = self.control.table.title;
+        let length = block.range.len();
+        let message = format!("this line has {length} characters, and the control reads {longest}");
+        self.kernel.report(
+            Diagnostic::new(Code::LineTooLong, self.span(block.range), message)
+                .alarm(format!("{title}: Command too long"))
+                .help("write it on several lines, or shorten its comment"),
+        );
+    }
+
+    /// A word that nothing uses, where that stops the program.
+    fn refused_word(&mut self, word: &Word) {
+        let letter = word.letter as char;
+        let title = self.control.table.title;
+        let is_axis = matches!(letter, 'U' | 'V' | 'W');
+        let alarm = match is_axis {
+            true => format!("{title}: Bad character '{}' used", letter.to_ascii_lowercase()),
+            false => format!("{title}: {letter} word with no g code that uses it"),
+        };
+        let message = format!("`{letter}` without a code that uses it stops the program");
+        self.kernel.report(
+            Diagnostic::new(Code::UnusedWord, self.span(word.range), message)
+                .severity(Severity::Error)
+                .label("nothing in this block uses it")
+                .alarm(alarm)
+                .help(match is_axis {
+                    true => "this machine has no such axis: remove the word",
+                    false => "remove it, or check for which code it was meant",
+                }),
+        );
     }
 
     /// For a word that would make a spiral with another setting: how a spiral is written here.
@@ -205,7 +242,8 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn report_missing_end(&mut self) {
-        if !self.carried_out {
+        let refused = self.control.parameters.end_required;
+        if !self.carried_out || refused && self.ended_by_percent {
             return;
         }
         let end = self.kernel.origin.span;
@@ -214,6 +252,7 @@ impl Interpreter<'_> {
             Diagnostic::new(Code::ProgramWithoutEnd, end, "the program ends without M30 or M2")
                 .label("the last block")
                 .help("put `M30` at the end")
+                .severity(if refused { Severity::Error } else { Severity::Warning })
                 .note(format!("{title} needs an end code to stop spindle and coolant")),
         );
     }

@@ -18,6 +18,11 @@ pub(crate) trait Variables {
     /// True when a named variable is set.
     fn is_set(&mut self, name: TextRange) -> bool;
 
+    /// True when there is a variable of this number.
+    fn is_number(&mut self, number: f64) -> bool {
+        self.read(number, TextRange::default()).is_ok()
+    }
+
     /// A variable written with letters: its place in the grammar's list, and its number.
     fn read_letters(&mut self, letters: u8, number: f64, range: TextRange) -> Result<Value, Fault>;
 
@@ -83,13 +88,16 @@ pub(crate) fn evaluate(
         let value = match step.op {
             Op::Number(number) => Some(number),
             Op::Unreadable => return Err(Fault::told(step.range)),
+            Op::Read if is_asked(steps, index) => {
+                let number = number(pop(stack));
+                Some(if variables.is_number(number) { 1.0 } else { 0.0 })
+            }
             Op::Read => {
                 let number = number(pop(stack));
                 variables.read(number, step.range)?
             }
             Op::ReadNamed(name) => {
-                let next = steps.get(index + 1).map(|step| step.op);
-                if matches!(next, Some(Op::Call { function: Function::Exists, .. })) {
+                if is_asked(steps, index) {
                     Some(if variables.is_set(name) { 1.0 } else { 0.0 })
                 } else {
                     variables.read_named(name, step.range)?
@@ -107,7 +115,18 @@ pub(crate) fn evaluate(
                 let result = functions::binary(operator, a, b, rules);
                 Some(defined(result, step)?)
             }
-            Op::Call { function: Function::Exists, .. } => pop(stack),
+            Op::Call { function: Function::Exists, .. } => {
+                let before = index.checked_sub(1).map(|index| steps[index].op);
+                if !matches!(before, Some(Op::Read | Op::ReadNamed(_))) {
+                    return Err(Fault::new(
+                        Code::BadExpression,
+                        step.range,
+                        "EXISTS needs a variable, not a value",
+                        "write the variable with its `#`: `EXISTS[#<depth>]`",
+                    ));
+                }
+                pop(stack)
+            }
             Op::Call { function, two: false } => {
                 let radians = variables.radians();
                 let x = number(pop(stack));
@@ -126,6 +145,12 @@ pub(crate) fn evaluate(
         stack.push(value);
     }
     Ok(pop(stack))
+}
+
+/// Whether EXISTS asks for the variable of a step.
+fn is_asked(steps: &[Step], index: usize) -> bool {
+    let next = steps.get(index + 1).map(|step| step.op);
+    matches!(next, Some(Op::Call { function: Function::Exists, .. }))
 }
 
 fn takes_angle(function: Function) -> bool {

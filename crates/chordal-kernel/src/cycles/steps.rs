@@ -37,7 +37,10 @@ impl Kernel<'_> {
             CycleKind::Tap | CycleKind::LeftTap => self.tap(at, hole),
             CycleKind::SelfReversingTap => self.tap_with_head(at, hole),
         }
-        self.level(hole, hole.clear);
+        let is_out = |believed: Position| believed[hole.axis] == hole.clear;
+        if !self.state.believed.is_some_and(is_out) {
+            self.level(hole, hole.clear);
+        }
         self.clean_chips(hole);
         self.origin.cycle = false;
     }
@@ -50,7 +53,7 @@ impl Kernel<'_> {
             Approach::PlaceThenLevel => self.go_to_place(place, named, hole.axis),
             Approach::ByClearLevel => {
                 let mut target = place;
-                let now = self.state.position[hole.axis];
+                let now = self.state.believed.unwrap_or(self.state.position)[hole.axis];
                 if hole.words.initial < hole.r {
                     self.level(hole, hole.r);
                     target[hole.axis] = hole.r;
@@ -94,7 +97,7 @@ impl Kernel<'_> {
 
     /// A rapid along the drilling axis.
     pub fn level(&mut self, hole: &Hole, level: f64) {
-        let mut target = self.state.position;
+        let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
         self.rapid_to(target, AxisMask(1 << hole.axis));
     }

@@ -1,7 +1,8 @@
 //! Tapping: the lead ties the feed to the spindle, in both directions.
 
-use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, SpindleState};
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::Plane;
 
 use super::hole::{Hole, LEVEL_EPSILON_MM};
 use super::peck::{FREE_PECKS, MAX_PECKS};
@@ -32,6 +33,11 @@ impl Kernel<'_> {
         if let Some(q) = peck {
             self.tap_in_pecks(at, hole, q, (inward, outward));
         }
+        let start = self.state.position;
+        let exchanged = rules.exchanged_off_xy && self.state.plane != Plane::Xy;
+        if exchanged {
+            self.report_exchanged(at, hole);
+        }
         self.tap_to(at, hole, hole.z, 1.0);
         self.turn_spindle(SpindleState::Off);
         if !rules.dwell_after_reverse {
@@ -43,7 +49,16 @@ impl Kernel<'_> {
         if rules.dwell_after_reverse {
             self.wait(hole.words.dwell_s);
         }
-        self.tap_to(at, hole, if rules.out_to_clear { hole.clear } else { hole.r }, factor);
+        let level = if rules.out_to_clear { hole.clear } else { hole.r };
+        if exchanged {
+            self.state.believed = Some(start);
+        }
+        self.tap_to(at, hole, level, factor);
+        if exchanged {
+            let mut believed = start;
+            believed[hole.axis] = level;
+            self.state.believed = Some(believed);
+        }
         if rules.dwell_at_r {
             self.wait(hole.words.dwell_s);
         }
@@ -100,9 +115,13 @@ impl Kernel<'_> {
 
     /// A move along the thread; `factor` is how much faster than the way in it goes.
     fn tap_to(&mut self, at: &dyn Statement, hole: &Hole, level: f64, factor: f64) {
-        let mut target = self.state.position;
+        let mut target = self.state.believed.unwrap_or(self.state.position);
         target[hole.axis] = level;
-        let motion = self.moved_to(target, AxisMask(1 << hole.axis));
+        let mut axes = AxisMask(1 << hole.axis);
+        if self.rules.cycles.tap.exchanged_off_xy && hole.words.kind.is_tap() {
+            (target, axes) = self.exchanged(target, axes);
+        }
+        let motion = self.moved_to(target, axes);
         let rev_per_s = self.state.rpm / 60.0 * factor;
         let lead = self.lead_given(hole);
         let feed = match lead {
@@ -122,6 +141,34 @@ impl Kernel<'_> {
             }
         };
         self.emit(CommandKind::Line { motion, feed });
+    }
+
+    /// Where a tap of LinuxCNC goes in G18 and G19, which exchanges the coordinates twice.
+    fn exchanged(&self, target: Position, axes: AxisMask) -> (Position, AxisMask) {
+        let [x, y, z] = [target[0], target[1], target[2]];
+        let mut to = target;
+        match self.state.plane {
+            Plane::Xy => return (target, axes),
+            Plane::Zx => [to[0], to[1], to[2]] = [y, z, x],
+            Plane::Yz => [to[0], to[1], to[2]] = [z, x, y],
+        }
+        (to, axes.or(AxisMask(0b111)))
+    }
+
+    fn report_exchanged(&mut self, at: &dyn Statement, hole: &Hole) {
+        let mut bottom = self.state.position;
+        bottom[hole.axis] = hole.z;
+        let (to, _) = self.exchanged(bottom, AxisMask::NONE);
+        let [x, y, z] = [to[0], to[1], to[2]].map(|value| self.length_text(value));
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::TapExchanged,
+                span,
+                format!("outside of G17 this control exchanges the axes of a tap: its feed ends at X {x}, Y {y}, Z {z}"),
+            )
+            .help("tap in G17, or with G33.1"),
+        );
     }
 
     /// The lead of the thread in mm, where the control reads it from a word.

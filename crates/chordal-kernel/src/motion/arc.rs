@@ -303,11 +303,12 @@ impl Kernel<'_> {
         let p = &self.rules.arc;
         let error = fit.radius_error().abs();
         // A difference of rounding must not decide at the tolerance itself.
-        if error <= p.radius_error_tolerance_mm * (1.0 + 1e-9) {
+        let factor = p.radius_error_factor(self.state.units);
+        if error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
             return;
         }
         let by_radius = p.radius_error_relative > 0.0
-            && error <= p.radius_error_limit_mm
+            && error <= factor * p.radius_error_limit_mm
             && error <= p.radius_error_relative * fit.radius_start.max(fit.radius_end);
         if !by_radius {
             self.report_mismatch(at, fit, arc, target);
@@ -324,7 +325,8 @@ impl Kernel<'_> {
     ) {
         let span = at.words(What::EndAndCenter(self.state.plane));
         let error = self.length_text(fit.radius_error().abs());
-        let allowed = self.length_text(self.rules.arc.radius_error_tolerance_mm);
+        let factor = self.rules.arc.radius_error_factor(self.state.units);
+        let allowed = self.length_text(factor * self.rules.arc.radius_error_tolerance_mm);
         let (from, to) = (self.length_text(fit.radius_start), self.length_text(fit.radius_end));
         let place = if fit.radius_end > fit.radius_start { "outside" } else { "inside" };
         let alarm = self.alarm_text(Code::RadiusMismatch, Some(error.clone()));

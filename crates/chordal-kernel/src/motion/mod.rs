@@ -3,6 +3,7 @@
 mod arc;
 mod reference;
 mod spiral;
+mod thread;
 
 use chordal_command::{
     ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
@@ -79,6 +80,7 @@ impl Kernel<'_> {
             }
         };
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
+        self.state.believed = None;
         let from = std::mem::replace(&mut self.state.position, target);
         Move { from, to: target, from_known, to_known: self.state.known }
     }

@@ -1,6 +1,6 @@
 //! What a control does with arcs and spirals, as data.
 
-use chordal_command::FeedAlong;
+use chordal_command::{FeedAlong, Units};
 
 /// What I, J and K say.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -74,6 +74,8 @@ pub struct ArcRules {
     pub radius_error_relative: f64,
     /// See `radius_error_relative`, mm.
     pub radius_error_limit_mm: f64,
+    /// In a program in inch tolerance and limit are so many times as large.
+    pub radius_error_inch_factor: f64,
     /// What happens within the tolerance.
     pub arc_mismatch: ArcMismatch,
     /// `|2R − chord|` up to here makes the middle of the chord the centre, mm; `None` for two least
@@ -103,12 +105,21 @@ pub struct ArcRules {
 }
 
 impl ArcRules {
+    /// What the tolerance of radii is multiplied by in a program of these units.
+    pub fn radius_error_factor(&self, units: Units) -> f64 {
+        match units {
+            Units::Inch => self.radius_error_inch_factor,
+            Units::Millimetre => 1.0,
+        }
+    }
+
     /// What most controls share; a table names only what it has otherwise.
     pub const COMMON: ArcRules = ArcRules {
         arc_center: ArcCenter::FromStart,
         radius_error_tolerance_mm: 0.0127,
         radius_error_relative: 0.0,
         radius_error_limit_mm: 0.0,
+        radius_error_inch_factor: 1.0,
         arc_mismatch: ArcMismatch::Spiral,
         semicircle_tolerance_mm: None,
         coincidence_mm: 1e-6,

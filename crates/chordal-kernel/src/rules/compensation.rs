@@ -141,6 +141,15 @@ pub struct CompensationRules {
     pub on_alone: AloneAction,
     /// G40 in a block that does not move.
     pub off_alone: AloneAction,
+    /// G40 acts at once: the next move of any axis ends on its programmed point.
+    pub off_at_once: bool,
+    /// A path that turns back by nearly 180 degrees into an arc, with the tool outside of it, is an inside
+    /// corner.
+    pub cusps_meet: bool,
+    /// F of G93 is for the programmed length, and its speed holds for the path of the tool.
+    pub inverse_time_as_speed: bool,
+    /// The arc round a corner belongs to the block after it: its feed, or straight at its rapid.
+    pub corner_of_next: bool,
     /// G40 with I J ends the last block at the crossing with that direction.
     pub off_toward: bool,
     /// Compensation may start on an arc.
@@ -202,6 +211,10 @@ impl CompensationRules {
         stops_end_look_ahead: false,
         on_alone: AloneAction::Waits,
         off_alone: AloneAction::Waits,
+        off_at_once: false,
+        cusps_meet: false,
+        inverse_time_as_speed: false,
+        corner_of_next: false,
         off_toward: false,
         start_on_arc: false,
         repeated: Repeated::Ignored,

@@ -236,6 +236,8 @@ pub struct PeckRules {
 /// Taps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TapRules {
+    /// In G18 and G19 the cut goes to exchanged coordinates (LinuxCNC).
+    pub exchanged_off_xy: bool,
     /// What F is.
     pub feed: TapFeed,
     /// The cycle starts the spindle itself where it stands.
@@ -330,6 +332,8 @@ pub struct CycleRules {
     /// Cycle codes and motion codes are one group, and after G80 an axis word needs a motion
     /// code (LinuxCNC).
     pub one_group_with_motion: bool,
+    /// G99, not G98, at power-on.
+    pub starts_at_r: bool,
     /// Registers of the fixed bolt circle (Fadal L93NN): radius and first angle.
     pub bolt_circle: [u8; 2],
     /// Pecks.
@@ -364,6 +368,7 @@ impl CycleRules {
         needs_p: false,
         strict: false,
         one_group_with_motion: false,
+        starts_at_r: false,
         bolt_circle: [1, 2],
         peck: PeckRules {
             positive_only: false,
@@ -376,6 +381,7 @@ impl CycleRules {
             p_is_clearance: false,
         },
         tap: TapRules {
+            exchanged_off_xy: false,
             feed: TapFeed::Programmed,
             starts_spindle: true,
             spindle_must_turn: false,

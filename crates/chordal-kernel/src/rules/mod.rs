@@ -24,6 +24,8 @@ pub struct Rules {
     pub units: Units,
     /// G1, not G0, at power-on.
     pub starts_linear: bool,
+    /// No motion code at power-on: an axis word needs one.
+    pub starts_without_motion: bool,
     /// G91, not G90, at power-on.
     pub starts_incremental: bool,
     /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
@@ -52,6 +54,12 @@ pub struct Rules {
     pub peck_clearance_mm: f64,
     /// G92 takes G52 back on the axes it names.
     pub preset_clears_shift: bool,
+    /// G10 L2 in G91 adds to the work offset.
+    pub work_values_add: bool,
+    /// G52 writes the values of G92, and G92 of the others stays (LinuxCNC).
+    pub shift_is_preset: bool,
+    /// G43 takes a copy of the tool's offsets: what is written into the table later acts at the next G43.
+    pub length_is_copied: bool,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
     /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
@@ -85,6 +93,7 @@ impl Rules {
     pub const COMMON: Rules = Rules {
         units: Units::Inch,
         starts_linear: false,
+        starts_without_motion: false,
         starts_incremental: false,
         increment_digits_inch: 4,
         increment_digits_mm: 3,
@@ -99,6 +108,9 @@ impl Rules {
         chip_break_mm: 0.254,
         peck_clearance_mm: 0.254,
         preset_clears_shift: false,
+        work_values_add: true,
+        shift_is_preset: false,
+        length_is_copied: false,
         bare_home_moves_all: false,
         pocket_stepover_mm: f64::INFINITY,
         cycles: CycleRules::COMMON,

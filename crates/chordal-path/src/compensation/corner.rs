@@ -2,7 +2,7 @@
 
 use chordal_geometry::Vec2;
 
-use super::plane::{Edge, NOTHING_MM, meeting};
+use super::plane::{Edge, NOTHING_MM, PlaneCurve, meeting};
 
 /// How the tool goes round a corner: points joined by straight links, or an arc between two.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,6 +90,8 @@ pub(super) struct CornerRules {
     /// Sine of the largest kink that is left as it is.
     pub tangent_sine: f64,
     pub round: bool,
+    /// A path that turns back into an arc, with the tool outside of it, is an inside corner.
+    pub cusps_meet: bool,
 }
 
 /// A corner between two blocks of the contour on the same side.
@@ -109,7 +111,11 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     }
     // An exact reversal is the sharpest outside corner.
     let reversal = ahead < 0.0 && turn.abs() < 1e-9;
-    let inside = end.sign * turn > 0.0 && !reversal;
+    let cusp = rules.cusps_meet
+        && ahead < 0.0
+        && turn.abs() < rules.tangent_sine
+        && matches!(start.curve, PlaneCurve::Arc { sweep, .. } if start.sign * sweep < 0.0);
+    let inside = end.sign * turn > 0.0 && !reversal || cusp;
     if inside {
         let mut corner = match meeting(at, end, start, rules.tangent_mm) {
             Some(point) => Corner::at(point),

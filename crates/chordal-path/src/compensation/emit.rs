@@ -215,10 +215,23 @@ impl Compensator {
         };
         self.place(&mut motion.from, link.from());
         self.place(&mut motion.to, link.to());
-        let kind = match (&block.command.kind, *link) {
-            (CommandKind::Rapid { path, .. }, _) => CommandKind::Rapid { motion, path: *path },
-            (kind, PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
-                let Some(feed) = kind.feed() else { return };
+        // The way to a rapid is one, where the corner belongs to the block that follows.
+        let of_next = self.rules.compensation.corner_of_next;
+        let to_rapid = block.next_rapid.filter(|_| of_next);
+        let to_rapid = to_rapid.filter(|_| link.is_arc());
+        let kind = match (to_rapid, &block.command.kind, *link) {
+            (Some(path), ..) => CommandKind::Rapid { motion, path },
+            (None, CommandKind::Rapid { path, .. }, PlaneCurve::Line { .. }) => {
+                CommandKind::Rapid { motion, path: *path }
+            }
+            (None, CommandKind::Rapid { path, .. }, _) if block.next_feed.is_none() => {
+                CommandKind::Rapid { motion, path: *path }
+            }
+            (None, kind, PlaneCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
+                // After a rapid the arc is cut at the feed of the block that follows.
+                let next = block.next_feed.as_ref();
+                let feed = if of_next { next.or(kind.feed()) } else { kind.feed().or(next) };
+                let Some(feed) = feed else { return };
                 let shape = ArcShape {
                     plane: self.plane,
                     center: [center.a, center.b],
@@ -228,7 +241,7 @@ impl Compensator {
                 };
                 CommandKind::Arc { motion, shape, feed: *feed }
             }
-            (kind, PlaneCurve::Line { .. }) => {
+            (None, kind, PlaneCurve::Line { .. }) => {
                 let Some(feed) = kind.feed() else { return };
                 CommandKind::Line { motion, feed: *feed }
             }
@@ -285,7 +298,7 @@ impl Compensator {
             stretch: self.stretch,
             role: Role::Cancel,
             plane: self.plane,
-            programmed: Some(curve),
+            programmed: curve.moves().then_some(curve),
             centre: vec![PlaneCurve::Line { from, to: curve.to() }],
             sign: self.sign,
             radius_mm: self.radius,

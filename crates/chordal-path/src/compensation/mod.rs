@@ -318,7 +318,12 @@ impl Compensator {
         self.toward = None;
         match (self.phase, on) {
             (Phase::Off, false) => {}
-            (Phase::Off | Phase::Starting, true) => self.phase = Phase::Starting,
+            (Phase::Off, true) => self.phase = Phase::Starting,
+            (Phase::Starting, true) => {
+                if rules.repeated == Repeated::Refused && self.code.span != origin.span {
+                    self.twice(origin, out);
+                }
+            }
             (Phase::Starting, false) => self.phase = Phase::Off,
             (Phase::On, true) => {
                 let same = sign == self.sign && side == self.side;
@@ -378,7 +383,9 @@ impl Compensator {
     fn shift(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut dyn PathSink) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, Phase::On | Phase::Cancelling) {
-            if self.rules.compensation.coordinate_change == Allowance::Refused {
+            let rules = &self.rules.compensation;
+            let over = self.phase == Phase::Cancelling && rules.off_at_once;
+            if rules.coordinate_change == Allowance::Refused && !over {
                 self.shift_refused(&command.origin, out);
             }
             self.end_square(out);

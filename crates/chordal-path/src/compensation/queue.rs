@@ -1,12 +1,14 @@
 //! Blocks that wait for the next move: each corner needs both of its blocks.
 
-use chordal_command::{Command, CommandKind};
+use chordal_command::{Command, CommandKind, Feed, FeedMode, RapidPath};
 use chordal_diagnostics::Span;
-use chordal_geometry::{Plane, Vec2};
+use chordal_geometry::{ParamCurve, Plane, Vec2};
 use chordal_kernel::rules::{
     Allowance, AloneAction, CompensationPlanes, Interference, LeadLength, OutsideCorner, Remedy,
     SideChange,
 };
+
+use crate::curve_of;
 
 use super::corner::{Corner, CornerRules, corner, rounded};
 use super::plane::{Edge, PlaneCurve};
@@ -42,6 +44,10 @@ pub(super) struct Block {
     /// Set square to its end whatever follows.
     pub square: bool,
     pub corner: Option<Corner>,
+    /// Feed of the block after its corner.
+    pub next_feed: Option<Feed>,
+    /// The block after its corner is a rapid.
+    pub next_rapid: Option<RapidPath>,
     /// Blocks without motion after it.
     pub idle: u32,
     pub zero_move: Option<Span>,
@@ -73,13 +79,25 @@ impl Compensator {
     /// A move while compensation is on, starts or ends.
     pub(super) fn motion(&mut self, command: &Command, out: &mut dyn PathSink) {
         let Some(motion) = command.kind.motion() else { return };
-        if command.origin.cycle {
+        let ends = self.phase == Phase::Cancelling && self.rules.compensation.off_at_once;
+        if command.origin.cycle && !ends {
             return self.cycle_move(command, out);
         }
         let curve = PlaneCurve::of(motion, command.kind.shape(), self.plane);
         if !curve.moves() {
-            return self.still_in_plane(command, out);
+            return match ends {
+                true => self.cancel_block(command, curve, out),
+                false => self.still_in_plane(command, out),
+            };
         }
+        let by_speed;
+        let command = match self.as_speed(command) {
+            Some(command) => {
+                by_speed = command;
+                &by_speed
+            }
+            None => command,
+        };
         if matches!(command.kind, CommandKind::Spiral { .. }) {
             self.spiral(&command.origin, out);
         }
@@ -93,6 +111,25 @@ impl Compensator {
             }
             Phase::Cancelling => self.cancel_block(command, curve, out),
         }
+    }
+
+    /// A cut in inverse time as one at a speed, where that speed holds for the path of the tool.
+    fn as_speed(&self, command: &Command) -> Option<Command> {
+        if self.phase == Phase::Off || !self.rules.compensation.inverse_time_as_speed {
+            return None;
+        }
+        let motion = command.kind.motion()?;
+        let length = curve_of(motion, command.kind.shape()).length();
+        let mut command = command.clone();
+        let (CommandKind::Line { feed, .. } | CommandKind::Arc { feed, .. }) = &mut command.kind
+        else {
+            return None;
+        };
+        if feed.mode != FeedMode::InverseTime {
+            return None;
+        }
+        (feed.value, feed.mode) = (feed.value * length, FeedMode::PerTime);
+        Some(command)
     }
 
     /// Only the third axis moves, or nothing.
@@ -133,6 +170,8 @@ impl Compensator {
             straight: false,
             square: false,
             corner: None,
+            next_feed: None,
+            next_rapid: None,
             idle: 0,
             zero_move: None,
             trailing: Vec::new(),
@@ -251,6 +290,11 @@ impl Compensator {
         }
         new.start = corner.last();
         before.corner = Some(corner);
+        before.next_feed = new.command.kind.feed().copied();
+        before.next_rapid = match new.command.kind {
+            CommandKind::Rapid { path, .. } => Some(path),
+            _ => None,
+        };
         self.settle(before, Some(&mut new), out);
         self.queue.push_back(new);
     }
@@ -303,6 +347,7 @@ impl Compensator {
             tangent_mm: rules.tangent_mm,
             tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
             round: self.rules.outside_corner == OutsideCorner::Arc,
+            cusps_meet: rules.cusps_meet,
         }
     }
 

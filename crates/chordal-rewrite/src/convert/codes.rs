@@ -273,6 +273,9 @@ fn mode_without_a_code(
         | ModeCode::CompensationOff
         | ModeCode::CompensationLeft
         | ModeCode::CompensationRight
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::StoreReference { .. }
         | ModeCode::CornerArc
         | ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
@@ -348,6 +351,9 @@ fn offset_code(
         | ModeCode::CompensationOff
         | ModeCode::CompensationLeft
         | ModeCode::CompensationRight
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::StoreReference { .. }
         | ModeCode::CornerArc
         | ModeCode::ReturnInitial
         | ModeCode::ReturnToR

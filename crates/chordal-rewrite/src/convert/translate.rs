@@ -58,6 +58,10 @@ impl<'a> Context<'a> {
             self.macros.values(draft, at)?;
         }
         self.frames(at)?;
+        if !draft.block.polar.is_empty() && !self.to.table.lexicon.polar_words {
+            let title = self.to.table.title;
+            return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
+        }
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;

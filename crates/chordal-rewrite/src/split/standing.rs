@@ -147,7 +147,11 @@ impl Said {
                 self.coolant.retain(|said| *said != text);
                 self.coolant.push(text);
             }
-            BeforeCode::ToolChange | BeforeCode::SpindleOrient => {}
+            BeforeCode::ToolChange
+            | BeforeCode::SpindleOrient
+            | BeforeCode::SaveModes { .. }
+            | BeforeCode::ForgetModes
+            | BeforeCode::RestoreModes => {}
         }
     }
 

@@ -115,6 +115,32 @@ impl<'a> ExpressionParser<'a> {
         found
     }
 
+    /// The same with blanks between the letters of `word`.
+    pub(crate) fn take_spread(&mut self, word: &str) -> bool {
+        self.next_mark();
+        let mut at = self.at;
+        for letter in word.bytes() {
+            while at < self.end && matches!(self.text[at], b' ' | b'\t') {
+                at += 1;
+            }
+            if at >= self.end || !self.text[at].eq_ignore_ascii_case(&letter) {
+                return false;
+            }
+            at += 1;
+        }
+        self.at = at;
+        true
+    }
+
+    /// The next mark that is not in a comment.
+    pub fn next_mark_after_comments(&mut self) -> u8 {
+        while self.next_mark() == b'(' && self.at < self.end {
+            let rest = &self.text[self.at..self.end];
+            self.at += rest.iter().position(|b| *b == b')').map_or(rest.len(), |at| at + 1);
+        }
+        self.peek()
+    }
+
     pub(crate) fn begins_with(&self, word: &str) -> bool {
         let rest = &self.text[self.at..self.end];
         rest.get(..word.len()).is_some_and(|head| head.eq_ignore_ascii_case(word.as_bytes()))
@@ -230,7 +256,13 @@ impl<'a> ExpressionParser<'a> {
             None => {
                 let digits = |b: &u8| b.is_ascii_digit() || *b == b'.';
                 let rest = &self.text[self.at..self.end];
-                self.at += rest.iter().take_while(|b| digits(b)).count().max(1);
+                let length = rest.iter().take_while(|b| digits(b)).count();
+                self.at += length.max(1);
+                let long = std::str::from_utf8(&rest[..length]).ok();
+                let long = long.and_then(|text| text.parse::<f64>().ok());
+                if let Some(number) = long.filter(|_| self.grammar.names) {
+                    return self.push(Op::Number(number), start);
+                }
                 self.push(Op::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);
                 self.problem(Code::BadExpression, range, |d| d.label("this is not a number"));
@@ -304,6 +336,7 @@ impl<'a> ExpressionParser<'a> {
             }
             mark if mark == open => self.bracket(),
             b'<' if self.grammar.names => return self.named(start, marks),
+            mark if mark.is_ascii_alphabetic() && self.grammar.names => self.name(start),
             _ => {
                 self.push(Op::Unreadable, start);
                 let range = TextRange::new(start as u32, self.at as u32);

@@ -12,7 +12,7 @@ impl BlockReader<'_> {
         let blank = |b: &u8| CLASSES[*b as usize] == Class::Blank;
         let mut at = line.iter().take_while(|b| blank(b)).count();
         match line.get(at) {
-            Some(b'<') => return true,
+            Some(b'<' | b'#') => return true,
             Some(b'[') => {
                 let mut depth = 0usize;
                 for byte in &line[at..] {

@@ -55,6 +55,7 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: true,
     blanks_in_numbers: false,
     o_words: false,
+    polar_words: false,
     grammar: &MacroGrammar::FADAL,
 };
 

@@ -42,6 +42,7 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::BadNumber, "Bad number format"),
     (Code::PlaneChangeInCompensation, "Cannot change planes with cutter radius compensation on"),
     (Code::DivisionByZero, "Attempt to divide by zero"),
+    (Code::MissingSubprogram, "EOF in file seeking o-word"),
     (Code::NestingTooDeep, "Too many subroutine levels"),
     (Code::UnsetName, "Named parameter not defined"),
     (Code::BadVariable, "Parameter number out of range"),
@@ -58,5 +59,9 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::CycleInInverseTime, "Cannot use inverse time feed with canned cycles"),
     (Code::CycleRotaryWord, "Cannot put an a in canned cycle"),
     (Code::NoMotionInForce, "Cannot use axis values without a g code that uses them"),
+    (
+        Code::NoKeptModes,
+        "Cannot restore context from invalid stack frame - missing M70/M73?",
+    ),
     (Code::CycleSpindle, "Spindle not turning in cycle"),
 ];

@@ -55,14 +55,16 @@ const LEXICON: Lexicon = Lexicon {
     macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
+    polar_words: true,
     grammar: &MacroGrammar::LINUXCNC,
 };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
+    (0, DataTarget::Reload),
     (1, DataTarget::ToolTable),
     (2, DataTarget::WorkOffset),
-    (10, DataTarget::ToolTable),
-    (11, DataTarget::ToolTable),
+    (10, DataTarget::ToolFromPosition),
+    (11, DataTarget::ToolFromFixture),
     (20, DataTarget::WorkOffsetFromPosition),
 ];
 

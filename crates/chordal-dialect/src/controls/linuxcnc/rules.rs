@@ -1,16 +1,27 @@
 //! How LinuxCNC (RS274/NGC) moves, cuts, drills and compensates.
 
 use crate::vocabulary::*;
+use chordal_syntax::Letters;
 
 pub(super) const PARAMETERS: Parameters = Parameters {
     excess_decimals: ExcessDecimals::Exact,
     decimal_point: DecimalPoint::Calculator,
     center_and_radius: CenterAndRadius::Refused,
-    nesting: 10,
+    dwell_with_motion: true,
+    end_required: true,
+    strict_words: true,
+    words_of_codes: Letters::of("DH"),
+    m_groups: M_GROUPS,
+    longest_line: 253,
+    nesting: 9,
     rules: Rules {
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
+        starts_without_motion: true,
         bare_home_moves_all: true,
+        work_values_add: false,
+        shift_is_preset: true,
+        length_is_copied: true,
         cycles: CYCLES,
         compensation: COMPENSATION,
         // Rapids are blended like cuts.
@@ -25,15 +36,26 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         arc: ArcRules {
             // Above this difference the radius must agree to one part in a thousand, and above a
             // hundred times this nothing helps.
-            radius_error_tolerance_mm: 0.0283,
+            radius_error_tolerance_mm: 0.028_284_3,
             radius_error_relative: 0.001,
-            radius_error_limit_mm: 2.83,
+            radius_error_limit_mm: 2.828_43,
+            radius_error_inch_factor: 2.54,
             ..ArcRules::COMMON
         },
         ..Rules::COMMON
     },
     ..Parameters::COMMON
 };
+
+/// The modal groups of M codes, ten times the number.
+const M_GROUPS: &[&[u16]] = &[
+    &[0, 10, 20, 300, 600],
+    &[620, 630, 640, 650, 660, 670, 680],
+    &[60, 610],
+    &[30, 40, 50, 190],
+    &[70, 80, 90],
+    &[480, 490, 500, 510, 520, 530],
+];
 
 const CYCLES: CycleRules = CycleRules {
     axis: DrillingAxis::PlaneNormal,
@@ -48,6 +70,7 @@ const CYCLES: CycleRules = CycleRules {
     needs_p: true,
     strict: true,
     one_group_with_motion: true,
+    starts_at_r: true,
     peck: PeckRules { positive_only: true, ..CycleRules::COMMON.peck },
     tap: TapRules {
         starts_spindle: false,
@@ -55,6 +78,7 @@ const CYCLES: CycleRules = CycleRules {
         out_to_clear: true,
         dwell_after_reverse: true,
         keeps_dwell: true,
+        exchanged_off_xy: true,
         ..CycleRules::COMMON.tap
     },
     bore: BoreRules {
@@ -71,6 +95,10 @@ const CYCLES: CycleRules = CycleRules {
 /// LinuxCNC 2.9, as its interpreter does it.
 const COMPENSATION: CompensationRules = CompensationRules {
     tangent_rad: 0.05,
+    off_at_once: true,
+    cusps_meet: true,
+    inverse_time_as_speed: true,
+    corner_of_next: true,
     start_on_arc: true,
     repeated: Repeated::Refused,
     side_change: SideChange::Refused,

@@ -2,7 +2,7 @@
 //! the subroutine that G66 runs at every position.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_dialect::{Action, CodeRow, Group};
+use chordal_dialect::{Action, CodeRow, Group, ModeCode};
 use chordal_kernel::rules::CycleKind;
 use chordal_kernel::rules::TapFeed;
 use chordal_machine::AXIS_LETTERS;
@@ -18,6 +18,12 @@ impl Interpreter<'_> {
         let motion = |group| matches!(group, Group::Motion | Group::Cycle);
         let joined = self.control.parameters.rules.cycles.one_group_with_motion;
         first == second || joined && motion(first) && motion(second)
+    }
+
+    /// G80 and a motion or a cycle in one block, where they are one group: the other one counts.
+    pub(in super::super) fn cycle_off_beside(&self, first: &CodeRow, second: &CodeRow) -> bool {
+        let off = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
+        self.control.parameters.rules.cycles.one_group_with_motion && off(first) != off(second)
     }
 
     /// The cycle that this block is about: its own, or the one in force.

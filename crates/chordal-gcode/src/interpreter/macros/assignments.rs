@@ -40,6 +40,7 @@ impl Interpreter<'_> {
                 self.resolve_words(block);
             }
             words.extend_from_slice(&block.words);
+            words.extend_from_slice(&block.polar);
             comments.extend_from_slice(&block.comments);
             let BlockKind::Macro(range) = block.kind else { break };
             if pending.len() >= MOST_ASSIGNMENTS {
@@ -73,7 +74,7 @@ impl Interpreter<'_> {
         block.truncate(0);
         block.kind = BlockKind::Words;
         block.range = self.kernel.origin.span.range;
-        words.into_iter().for_each(|word| block.push(word));
+        words.into_iter().for_each(|word| block.push_any(word));
         if let Some(number) = block.word(b'N').and_then(|word| word.number()) {
             self.sequence = Some(number);
         }

@@ -145,7 +145,7 @@ impl Interpreter<'_> {
     fn motion_code(&self) -> f64 {
         match self.kernel.state.motion {
             Motion::Rapid | Motion::None => 0.0,
-            Motion::Linear => 1.0,
+            Motion::Linear | Motion::Thread | Motion::RigidTap => 1.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
         }

@@ -4,6 +4,7 @@ use chordal_command::Position;
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_diagnostics::{Code, FileId, Shift};
+use chordal_syntax::Position as TextPosition;
 
 use super::MacroState;
 use super::lines::Lines;
@@ -27,6 +28,7 @@ pub(in super::super) struct MacroMemory {
     printed: usize,
     names: Names,
     returned: (f64, bool),
+    called: BTreeMap<(usize, u32), TextPosition>,
     lines: Lines,
     probe: Probe,
 }
@@ -60,6 +62,7 @@ impl MacroState<'_> {
             printed: self.printed,
             names: self.names.clone(),
             returned: (self.owords.value, self.owords.value_returned),
+            called: self.owords.called.clone(),
             lines: self.lines.lasting(),
             probe: self.probe,
         }
@@ -76,6 +79,7 @@ impl MacroState<'_> {
         self.printed = memory.printed;
         self.names = memory.names;
         (self.owords.value, self.owords.value_returned) = memory.returned;
+        self.owords.called = memory.called;
         self.lines = memory.lines;
         self.probe = memory.probe;
     }
@@ -88,6 +92,9 @@ impl MacroMemory {
         for (file, at, code) in told {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };
             self.told.insert((file, at, code));
+        }
+        for place in self.called.values_mut() {
+            (place.offset, place.line) = shift.place(place.offset, place.line)?;
         }
         Some(())
     }

@@ -70,6 +70,13 @@ impl Interpreter<'_> {
             "a" => axis(3),
             "b" => axis(4),
             "c" => axis(5),
+            "u" | "v" | "w" | "abs_u" | "abs_v" | "abs_w" => 0.0,
+            "abs_x" => self.axis_out(0, state.machine_position(0)),
+            "abs_y" => self.axis_out(1, state.machine_position(1)),
+            "abs_z" => self.axis_out(2, state.machine_position(2)),
+            "abs_a" => self.axis_out(3, state.machine_position(3)),
+            "abs_b" => self.axis_out(4, state.machine_position(4)),
+            "abs_c" => self.axis_out(5, state.machine_position(5)),
             "vmajor" => 2.9,
             "vminor" => 0.0,
             "line" => {
@@ -99,7 +106,10 @@ impl Interpreter<'_> {
                 WorkName::G59(number) => 590.0 + f64::from(number),
                 _ => 540.0,
             },
-            "tool_offset" => flag(state.offsets.length().number.is_some()),
+            "tool_offset" => {
+                let offsets = state.offsets.tool_in_force();
+                flag(offsets.iter().any(|offset| *offset != 0.0))
+            }
             "retract_r_plane" => flag(state.return_to_r),
             "retract_old_z" => flag(!state.return_to_r),
             "spindle_rpm_mode" => 1.0,
@@ -134,6 +144,8 @@ impl Interpreter<'_> {
             Motion::None => 800.0,
             Motion::Rapid => 0.0,
             Motion::Linear => 10.0,
+            Motion::Thread => 330.0,
+            Motion::RigidTap => 331.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 30.0,
         }

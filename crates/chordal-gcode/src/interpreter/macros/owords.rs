@@ -4,10 +4,10 @@
 //! and each is joined with those of its structure: a jump is then a look into a table. Labels
 //! are local to their subroutine.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_syntax::{
     Block, BlockKind, BlockReader, ExpressionParser, FlowWord, OLabel, OWord,
     Position as TextPosition, Value as Written, Word, parse_o_word,
@@ -37,6 +37,8 @@ struct Line {
     next: usize,
     /// The last.
     close: usize,
+    /// A line before it whose structure has the same label.
+    same: usize,
 }
 
 /// The lines of flow control of a program.
@@ -60,9 +62,13 @@ struct Repeat {
 #[derive(Debug, Default)]
 pub(super) struct OWords {
     indexes: HashMap<usize, Rc<Index>>,
+    /// Lines with nothing but a label (`O5`) of each program.
+    heads: HashMap<usize, Vec<(u32, TextPosition)>>,
     /// The first program of each file by the file's name.
     files: Option<HashMap<String, usize>>,
     repeats: Vec<Repeat>,
+    /// Labels that calls have found, by program and number.
+    pub called: BTreeMap<(usize, u32), TextPosition>,
     /// What the last subroutine returned.
     pub value: f64,
     /// It returned something.
@@ -91,6 +97,7 @@ impl Index {
         let mut index = Index::default();
         // Lines of structures that are not closed, by subroutine and label.
         let mut open: HashMap<(usize, String), Vec<usize>> = HashMap::new();
+        let mut labels: HashMap<(usize, String), usize> = HashMap::new();
         let mut sub = NONE;
         let mut block = Block::new();
         let text = reader.text();
@@ -108,7 +115,15 @@ impl Index {
             let here = index.lines.len();
             let at = TextPosition { offset: block.range.start, line: block.line };
             let after = reader.position();
-            index.lines.push(Line { at, after, word, open: here, next: NONE, close: NONE });
+            index.lines.push(Line {
+                at,
+                after,
+                word,
+                open: here,
+                next: NONE,
+                close: NONE,
+                same: NONE,
+            });
             let label = label_text(label.slice(text));
             let scope = match word {
                 FlowWord::Sub => {
@@ -123,6 +138,10 @@ impl Index {
                 FlowWord::Call | FlowWord::Return => continue,
                 _ => sub,
             };
+            if word != FlowWord::Sub {
+                let first = *labels.entry((scope, label.clone())).or_insert(here);
+                index.lines[here].same = if first == here { NONE } else { first };
+            }
             index.join(open.entry((scope, label)).or_default(), here);
         }
         index
@@ -230,7 +249,12 @@ impl<'a> Interpreter<'a> {
             FlowWord::If | FlowWord::While => self.holds(parser),
             _ => false,
         };
+        if !matches!(word, FlowWord::Repeat | FlowWord::ElseIf) {
+            self.check_line_end(parser);
+        }
+        self.check_label(&index, line, here);
         match word {
+            FlowWord::Sub if self.is_again(&index, line, here) => Flow::Next,
             FlowWord::Sub => self.after(&index, line, row.close),
             FlowWord::If if holds => Flow::Next,
             FlowWord::If => self.next_branch(parser, &index, line, row.next),
@@ -252,6 +276,9 @@ impl<'a> Interpreter<'a> {
             FlowWord::Repeat => self.begin_repeat(parser, &index, line, here),
             FlowWord::EndRepeat if row.open != here => self.end_repeat(&index, line, here),
             FlowWord::Break if row.open != here => {
+                if index.lines[row.open].word == FlowWord::Repeat {
+                    self.report_structure(line, "break belongs in while and do, not in repeat");
+                }
                 self.drop_repeat(row.open);
                 self.after(&index, line, row.close)
             }
@@ -259,12 +286,149 @@ impl<'a> Interpreter<'a> {
                 if index.lines[row.open].word == FlowWord::Repeat {
                     self.report_structure(line, "continue belongs in while and do, not in repeat");
                 }
+                // On its way to the end of a `do` the control carries out a break that it passes.
+                let breaks = |line: &usize| index.lines[*line].word == FlowWord::Break;
+                let ahead = |line: &usize| Some(index.lines[*line].next).filter(|n| *n != NONE);
+                let mut passed = std::iter::successors(ahead(&here), ahead);
+                if index.lines[row.open].word == FlowWord::Do && passed.any(|line| breaks(&line)) {
+                    self.report_passed_break(line);
+                    return self.after(&index, line, row.close);
+                }
                 self.go_to(index.lines[row.close].at);
                 Flow::Next
             }
             _ => {
                 self.report_structure(line, "no structure with this label is open here");
                 Flow::Next
+            }
+        }
+    }
+
+    /// A label that names two structures, and a subroutine within another.
+    fn check_label(&mut self, index: &Index, line: &OWord, here: usize) {
+        let row = index.lines[here];
+        let title = self.control.table.title;
+        if row.same != NONE && row.open == here && row.close != NONE {
+            let before = index.lines[row.same].at.line;
+            self.report_once(
+                Diagnostic::new(
+                    Code::LoopMismatch,
+                    self.span(line.range),
+                    format!("this label is used twice: line {before} begins with it, too"),
+                )
+                .alarm(format!(
+                    "{title}: duplicate O-word label - already defined in line {before}"
+                ))
+                .help("give each structure of a subroutine a label of its own"),
+            );
+        }
+        let inner = (here + 1..row.close.min(index.lines.len()))
+            .find(|inner| row.word == FlowWord::Sub && index.lines[*inner].word == FlowWord::Sub);
+        if let Some(inner) = inner.filter(|_| row.close != NONE) {
+            let inner = index.lines[inner].at.line;
+            self.report_once(
+                Diagnostic::new(
+                    Code::LoopMismatch,
+                    self.span(line.range),
+                    format!("line {inner} defines a subroutine inside of this one"),
+                )
+                .alarm(format!("{title}: Nested subroutine definition"))
+                .help("end this subroutine before the other one begins"),
+            );
+        }
+    }
+
+    /// `continue` in a `do` with a `break` below it.
+    fn report_passed_break(&mut self, line: &OWord) {
+        self.report_once(
+            Diagnostic::new(
+                Code::LoopMismatch,
+                self.span(line.range),
+                "this continue ends the loop: on its way to the end of `do` the control carries out the \
+                 break below it",
+            )
+            .severity(Severity::Warning)
+            .help("put the break before the continue, or write the loop with while and endwhile"),
+        );
+    }
+
+    /// A subroutine that was defined before in its file.
+    fn is_again(&mut self, index: &Index, line: &OWord, here: usize) -> bool {
+        let OLabel::Text(range) = line.label else { return false };
+        let label = label_text(range.slice(self.reader.text()));
+        let Some(first) = index.subs.get(&label).copied().filter(|first| *first != here) else {
+            return false;
+        };
+        let title = self.control.table.title;
+        let before = index.lines[first].at.line;
+        self.report_once(
+            Diagnostic::new(
+                Code::LoopMismatch,
+                self.span(line.range),
+                format!("the subroutine `{label}` is defined again; line {before} defines it"),
+            )
+            .alarm(format!("{title}: redefining sub: o|{label}| already defined"))
+            .help("give one of them another name"),
+        );
+        let close = index.lines[here].close;
+        if let Some(row) = index.lines.get(close) {
+            self.go_to(row.after);
+        }
+        true
+    }
+
+    /// Nothing but a comment may follow on the line of an O word.
+    fn check_line_end(&mut self, parser: &mut ExpressionParser<'a>) {
+        let mark = parser.next_mark_after_comments();
+        let rest = parser.rest();
+        if rest.is_empty() || matches!(mark, b';' | b'\n' | b'\r' | b'/') {
+            return;
+        }
+        let title = self.control.table.title;
+        self.report_once(
+            Diagnostic::new(
+                Code::BadStatement,
+                self.span(rest),
+                "there is something after the O word of this line",
+            )
+            .label("not read")
+            .alarm(format!("{title}: Unexpected character after O-word"))
+            .help("write it on a line of its own, or in a comment"),
+        );
+    }
+
+    /// The line `O5` of a program that M98 P5 calls: the one that a call before has found, else the next
+    /// one from here on.
+    pub(in super::super) fn label_ahead(&mut self, number: u32) -> Option<TextPosition> {
+        self.look_at(self.program);
+        let program = self.program;
+        if !self.macros.owords.heads.contains_key(&program) {
+            let heads = self.find_heads();
+            self.macros.owords.heads.insert(program, heads);
+        }
+        if let Some(place) = self.macros.owords.called.get(&(program, number)) {
+            return Some(*place);
+        }
+        let from = self.reader.position().offset;
+        let heads = &self.macros.owords.heads[&program];
+        let mut ahead = heads.iter().filter(|(_, place)| place.offset >= from);
+        let place = ahead.find(|(other, _)| *other == number).map(|(_, place)| *place)?;
+        self.macros.owords.called.insert((program, number), place);
+        Some(place)
+    }
+
+    fn find_heads(&self) -> Vec<(u32, TextPosition)> {
+        let mut reader = self.reader_of(self.program);
+        let mut block = Block::new();
+        let mut heads = Vec::new();
+        loop {
+            let place = reader.position();
+            if !reader.read(&mut block) {
+                return heads;
+            }
+            let number = block.word(b'O').and_then(|word| word.number()?.to_integer());
+            if let Some(number) = number.and_then(|number| u32::try_from(number).ok()) {
+                heads.push((number, place));
             }
         }
     }
@@ -371,10 +535,11 @@ impl<'a> Interpreter<'a> {
             }
         };
         let mut arguments = Vec::new();
-        while parser.next_mark() == b'[' {
+        while parser.next_mark_after_comments() == b'[' {
             let Some(value) = self.bracket(parser, Purpose::VALUE) else { return Flow::Next };
             arguments.push((arguments.len() as u32 + 1, value));
         }
+        self.check_line_end(parser);
         if arguments.len() > MOST_ARGUMENTS {
             let count = arguments.len();
             self.report_once(
@@ -451,6 +616,8 @@ impl<'a> Interpreter<'a> {
                     self.span(line.range),
                     "a return where no subroutine was called",
                 )
+                .severity(Severity::Error)
+                .alarm(format!("{}: not in a subroutine definition", self.control.table.title))
                 .help("call the subroutine; its lines do not run by themselves"),
             );
             return Flow::Next;

@@ -19,6 +19,9 @@ pub(in super::super) struct Probe {
     told: bool,
 }
 
+/// A probe move of less is none, mm and rad.
+const LEAST_PROBE_MM: f64 = 1e-6;
+
 impl Interpreter<'_> {
     /// A move that ends where the probe touches. `must_hit`: without a touch the control stops.
     pub(in super::super) fn probe_move(&mut self, block: &Block, at: usize, must_hit: bool) {
@@ -33,6 +36,14 @@ impl Interpreter<'_> {
         }
         if self.kernel.state.side != Side::Off {
             self.report_probe(span, "a probe move while cutter compensation is on");
+        }
+        let way = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
+        if self.control.parameters.strict_words && way.fold(0.0, f64::max) < LEAST_PROBE_MM {
+            self.report_refused(
+                Diagnostic::new(Code::BadProbeMove, span, "this probe move ends where it begins")
+                    .help("program an end point on the other side of what is probed"),
+                "Start point too close to probe point",
+            );
         }
         let (end, found) = self.probe_end(target);
         if !self.macros.probe.told {
@@ -58,6 +69,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Probed { hit: found });
         self.macros.used = true;
         self.macros.probe.found = found;
+        self.forget_probe_result();
         self.macros.skip = end;
         self.macros.probe.points[0] = end;
         if self.rules().skip_with_length {

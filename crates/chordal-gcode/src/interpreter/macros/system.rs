@@ -61,7 +61,9 @@ impl Interpreter<'_> {
                 let length = offsets.total()[axis] - offsets.work()[axis];
                 self.axis_out(axis, self.kernel.state.position[axis] + length)
             }
-            System::SkipPosition => self.axis_out(axis, self.macros.skip[axis]),
+            System::SkipPosition | System::ProbePosition => {
+                self.axis_out(axis, self.macros.skip[axis])
+            }
             System::ActiveToolOffset => {
                 self.axis_out(axis, self.kernel.state.offsets.tool_in_force()[axis])
             }
@@ -94,19 +96,25 @@ impl Interpreter<'_> {
             System::Tool => f64::from(self.kernel.state.tool),
             System::SpindleSpeed => self.kernel.state.rpm,
             System::Constant(value) => f64::from(value),
-            System::Home => self.axis_out(axis, self.machine.home[axis].unwrap_or(0.0)),
-            System::SecondHome => {
-                self.axis_out(axis, self.machine.reference_points[0][axis].unwrap_or(0.0))
+            System::Home => self.stored_out(axis, self.reference(1)[axis].unwrap_or(0.0)),
+            System::SecondHome => self.stored_out(axis, self.reference(2)[axis].unwrap_or(0.0)),
+            System::Preset => self.stored_out(axis, self.kernel.preset_kept[axis]),
+            System::PresetActs => f64::from(u8::from(self.kernel.preset_acts)),
+            System::WorkSystem => self.kept_or(index, self.work_system()),
+            System::WorkTable => self.kept_or(index, self.work_table(at)),
+            System::SpindleTool => {
+                let state = &self.kernel.state;
+                let tool = state.offsets.tool(state.tool);
+                let offset = tool.and_then(|tool| tool.offset_of(axis));
+                self.stored_out(axis, offset.unwrap_or(0.0))
             }
-            System::Preset => self.axis_out(axis, self.kernel.state.offsets.preset()[axis]),
-            System::WorkSystem => self.work_system(),
-            System::WorkTable => self.work_table(at),
             System::ToolDiameter => {
-                let number =
-                    self.kernel.state.offsets.length().number.unwrap_or(self.kernel.state.tool);
-                2.0 * self.kernel.state.offsets.radius_mm(number).unwrap_or(0.0) / self.unit()
+                let radius = self.kernel.state.offsets.radius_mm(self.kernel.state.tool);
+                2.0 * self.stored_out(0, radius.unwrap_or(0.0))
             }
-            System::ProbeResult => f64::from(u8::from(self.macros.probe.found)),
+            System::ProbeResult => {
+                self.kept_or(index, f64::from(u8::from(self.macros.probe.found)))
+            }
         };
         Ok(Some(value))
     }
@@ -129,6 +137,28 @@ impl Interpreter<'_> {
             System::Message => self.message_stop(),
             System::Kept | System::Timer | System::Setting => {
                 self.macros.kept.insert(index, value);
+            }
+            System::Home | System::SecondHome => {
+                let axis = at as usize;
+                let place = self.stored_in(axis, value);
+                self.references[usize::from(what == System::SecondHome)][axis] = Some(place);
+            }
+            System::Preset => {
+                self.kernel.preset_kept[at as usize] = self.stored_in(at as usize, value);
+            }
+            System::PresetActs => self.kernel.preset_acts = value != 0.0,
+            System::ProbePosition => {
+                self.macros.skip[at as usize] = self.axis_in(at as usize, value);
+            }
+            System::WorkSystem | System::ProbeResult => {
+                self.macros.kept.insert(index, value);
+            }
+            System::WorkTable => {
+                self.macros.kept.insert(index, value);
+                let system = f64::from(at / OFFSET_STEP) + 1.0;
+                if system != self.work_system() {
+                    self.take_written_offsets();
+                }
             }
             System::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
             System::LengthWear => self.write_tool_value(ToolValue::LengthWear, at + 1, value),
@@ -166,6 +196,76 @@ impl Interpreter<'_> {
         if axis < 3 { written / self.unit() } else { written.to_degrees() }
     }
 
+    /// A coordinate as the tables of a control show it: in the units of the machine.
+    fn stored_out(&self, axis: usize, value: f64) -> f64 {
+        if axis >= 3 { value.to_degrees() } else { value / self.machine_unit() }
+    }
+
+    fn stored_in(&self, axis: usize, written: f64) -> f64 {
+        if axis >= 3 { written.to_radians() } else { written * self.machine_unit() }
+    }
+
+    /// mm in one unit of the machine.
+    fn machine_unit(&self) -> f64 {
+        match self.control.parameters.rules.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        }
+    }
+
+    /// The result of a probe move takes the place of what the program has written.
+    pub(super) fn forget_probe_result(&mut self) {
+        let rules = self.rules();
+        self.macros.kept.retain(|number, _| {
+            !matches!(rules.system_at(*number), Some((System::ProbeResult, _)))
+        });
+    }
+
+    /// What the program has written there, else a value.
+    fn kept_or(&self, index: u32, value: f64) -> f64 {
+        self.macros.kept.get(&index).copied().unwrap_or(value)
+    }
+
+    /// Work offsets that the program has written as variables: they act when a system is selected
+    /// or written.
+    pub(in super::super) fn take_written_offsets(&mut self) {
+        let rules = self.rules();
+        let is_work = |number: u32| match rules.system_at(number) {
+            Some((System::WorkTable, at)) => Some(at),
+            _ => None,
+        };
+        let kept = std::mem::take(&mut self.macros.kept);
+        let (written, kept): (Vec<_>, Vec<_>) =
+            kept.into_iter().partition(|(number, _)| is_work(*number).is_some());
+        let is_system =
+            |number: u32| matches!(rules.system_at(number), Some((System::WorkSystem, _)));
+        self.macros.kept = kept.into_iter().filter(|(number, _)| !is_system(*number)).collect();
+        if written.is_empty() {
+            return;
+        }
+        let values: Vec<(String, usize, f64)> = written
+            .into_iter()
+            .filter_map(|(number, value)| {
+                let at = is_work(number)?;
+                let (key, axis) = self.work_place(at)?;
+                Some((key, axis, self.stored_in(axis, value)))
+            })
+            .collect();
+        self.kernel.state.shift_coordinates(|offsets| {
+            for (key, axis, value) in &values {
+                offsets.write_work(key, *axis, *value, false);
+            }
+        });
+        self.kernel.emit_work_offset();
+    }
+
+    /// Key and axis of a value of the table of work offsets.
+    fn work_place(&self, at: u32) -> Option<(String, usize)> {
+        let (system, axis) = ((at / OFFSET_STEP) as u16, (at % OFFSET_STEP) as usize);
+        let name = if system < 6 { WorkName::G(54 + system) } else { WorkName::G59(system - 5) };
+        (axis < AXES).then(|| (self.kernel.state.offsets.key(name), axis))
+    }
+
     /// A coordinate from the number that a variable got.
     fn axis_in(&self, axis: usize, written: f64) -> f64 {
         let value = if axis < 3 { written * self.unit() } else { written.to_radians() };
@@ -196,16 +296,11 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value of the tables of the nine work offsets, mm and degrees.
+    /// A value of the tables of the nine work offsets, in the units of the machine.
     fn work_table(&self, at: u32) -> f64 {
-        let (system, axis) = ((at / OFFSET_STEP) as u16, (at % OFFSET_STEP) as usize);
-        let name = if system < 6 { WorkName::G(54 + system) } else { WorkName::G59(system - 5) };
-        let key = self.kernel.state.offsets.key(name);
-        match axis {
-            0..3 => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0),
-            3..AXES => self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0).to_degrees(),
-            _ => 0.0,
-        }
+        let Some((key, axis)) = self.work_place(at) else { return 0.0 };
+        let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
+        self.stored_out(axis, value)
     }
 
     fn tool_value(&self, what: System, number: u32) -> f64 {
@@ -357,6 +452,7 @@ impl Interpreter<'_> {
             ModalGroup::Motion => match state.motion {
                 Motion::Rapid | Motion::None => 0.0,
                 Motion::Linear => 1.0,
+                Motion::Thread | Motion::RigidTap => 33.0,
                 Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
                 Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
             },

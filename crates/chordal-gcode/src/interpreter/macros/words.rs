@@ -28,10 +28,11 @@ impl Interpreter<'_> {
         let mut words = std::mem::take(&mut self.macros.words);
         words.clear();
         words.extend_from_slice(&block.words);
+        words.extend_from_slice(&block.polar);
         block.truncate(0);
         for word in &words {
             let Written::Expression(range) = word.value else {
-                block.push(*word);
+                block.push_any(*word);
                 continue;
             };
             if call && !matches!(word.letter, b'G' | b'P' | b'L') {
@@ -48,7 +49,7 @@ impl Interpreter<'_> {
                 None => None,
             };
             let value = value.map_or(Written::Missing, Written::Number);
-            block.push(Word { value, ..*word });
+            block.push_any(Word { value, ..*word });
         }
         self.macros.words = words;
     }
@@ -82,6 +83,7 @@ impl Interpreter<'_> {
         let parameters = &self.control.parameters;
         match letter {
             b'G' => 1,
+            b'@' | b'^' => 9,
             letter if WHOLE.has(letter) => 0,
             b'E' if self.control.table.work_names.by_e => 0,
             b'A' | b'B' | b'C' | b'P' => 3,

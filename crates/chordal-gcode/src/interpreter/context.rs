@@ -1,0 +1,156 @@
+//! The modes that a program keeps and brings back: M70 to M73 (LinuxCNC).
+
+use chordal_command::{Coolant, FeedMode, Overrides, Side, SpindleState, Units, WorkName};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::BeforeCode;
+use chordal_geometry::Plane;
+use chordal_kernel::LengthOffset;
+use chordal_kernel::PathState;
+use chordal_kernel::rules::ArcCenter;
+use chordal_syntax::Block;
+
+use super::Interpreter;
+
+/// The modes that one level of calls has kept.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct KeptModes {
+    /// How many calls deep.
+    depth: usize,
+    /// They come back at the return.
+    until_return: bool,
+    modes: Modes,
+}
+
+/// What is kept. Motion code and position are not among it.
+#[derive(Clone, Debug, PartialEq)]
+struct Modes {
+    units: Units,
+    plane: Plane,
+    side: Side,
+    incremental: bool,
+    arc_center: ArcCenter,
+    feed_mode: FeedMode,
+    feed: Option<(f64, f64)>,
+    work: WorkName,
+    length: bool,
+    return_to_r: bool,
+    path: PathState,
+    overrides: Overrides,
+    rpm: f64,
+    spindle: SpindleState,
+    coolant: Coolant,
+}
+
+impl Interpreter<'_> {
+    /// M70, M71 and M73: before all other codes of their block.
+    pub(super) fn keep_modes(&mut self, block: &Block, code: BeforeCode, at: usize) {
+        let depth = self.frames.len();
+        let has = self.kept_modes.iter().any(|kept| kept.depth == depth);
+        match code {
+            BeforeCode::SaveModes { until_return } => {
+                let modes = self.modes_in_force();
+                self.kept_modes.retain(|kept| kept.depth < depth);
+                self.kept_modes.push(KeptModes { depth, until_return, modes });
+            }
+            BeforeCode::ForgetModes => self.kept_modes.retain(|kept| kept.depth != depth),
+            BeforeCode::RestoreModes if !has => {
+                let span = self.span(block.words[at].range);
+                self.kernel.report(
+                    Diagnostic::new(
+                        Code::NoKeptModes,
+                        span,
+                        "M72 brings modes back, and none were kept at this level of calls",
+                    )
+                    .help("write M70 or M73 before it, in the same subprogram"),
+                );
+            }
+            BeforeCode::RestoreModes
+            | BeforeCode::ToolChange
+            | BeforeCode::SpindleCw
+            | BeforeCode::SpindleCcw
+            | BeforeCode::SpindleOrient
+            | BeforeCode::CoolantMist
+            | BeforeCode::CoolantFlood
+            | BeforeCode::CoolantThroughTool => {}
+        }
+    }
+
+    fn modes_in_force(&self) -> Modes {
+        let state = &self.kernel.state;
+        let tool = state.offsets.tool_in_force();
+        Modes {
+            units: state.units,
+            plane: state.plane,
+            side: state.side,
+            incremental: state.incremental,
+            arc_center: state.arc_center,
+            feed_mode: state.feed_mode,
+            feed: state.feed.zip(state.feed_angular),
+            work: state.offsets.active(),
+            length: tool.iter().any(|offset| *offset != 0.0),
+            return_to_r: state.return_to_r,
+            path: state.path,
+            overrides: state.overrides.by_code,
+            rpm: state.rpm,
+            spindle: state.spindle,
+            coolant: state.coolant,
+        }
+    }
+
+    /// M72: after the modes of its block, before its motion.
+    pub(super) fn restore_modes(&mut self, block: &Block) {
+        let depth = self.frames.len();
+        let kept = self.kept_modes.iter().find(|kept| kept.depth == depth);
+        if let Some(modes) = kept.map(|kept| kept.modes.clone()) {
+            self.bring_back(block, modes);
+        }
+    }
+
+    /// A subprogram of this depth returns: what it has kept is forgotten, and comes back after M73.
+    pub(super) fn modes_at_return(&mut self, depth: usize) {
+        while let Some(kept) = self.kept_modes.pop_if(|kept| kept.depth >= depth) {
+            if kept.until_return && kept.depth == depth {
+                let mut block = Block::new();
+                block.range = self.kernel.origin.span.range;
+                self.bring_back(&block, kept.modes);
+            }
+        }
+    }
+
+    fn bring_back(&mut self, block: &Block, modes: Modes) {
+        let span = self.span(block.range);
+        self.set_units(modes.units);
+        if self.kernel.state.side != modes.side {
+            self.kernel.state.side = modes.side;
+            let number = (modes.side != Side::Off).then_some(self.kernel.state.tool);
+            self.kernel.emit_compensation(number, None, span);
+        }
+        self.kernel.set_plane(span, modes.plane);
+        self.kernel.set_incremental(modes.incremental);
+        self.kernel.state.arc_center = modes.arc_center;
+        self.kernel.set_feed_mode(modes.feed_mode);
+        self.select_work(modes.work);
+        let tool = self.kernel.state.tool;
+        let number = (modes.length && tool > 0).then_some(tool);
+        if number.is_some() || self.modes_in_force().length {
+            self.kernel.set_length(&self.at(block), LengthOffset { number, minus: false });
+        }
+        self.kernel.state.return_to_r = modes.return_to_r;
+        if self.kernel.state.path != modes.path {
+            self.kernel.change_path_mode(|path| *path = modes.path);
+        }
+        self.kernel.set_overrides(Some(modes.overrides.feed), Some(modes.overrides.rapid));
+        if let Some((feed, angular)) = modes.feed
+            && self.kernel.state.feed != Some(feed)
+        {
+            self.kernel.set_feed(span, feed, angular);
+        }
+        if self.kernel.state.rpm != modes.rpm {
+            self.kernel.set_speed(modes.rpm);
+        }
+        if self.kernel.state.spindle != modes.spindle {
+            self.kernel.set_spindle(modes.spindle);
+        }
+        self.kernel.set_coolant(|coolant| *coolant = modes.coolant);
+    }
+}

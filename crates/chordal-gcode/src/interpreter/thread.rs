@@ -1,0 +1,67 @@
+//! G33 and G33.1: straight cuts in step with the spindle.
+
+use chordal_command::{AxisMask, Position, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// K is the advance per revolution, along the path. `back`: the tool comes back with the spindle
+    /// reversed, I times as fast.
+    pub(super) fn thread_block(
+        &mut self,
+        block: &Block,
+        target: Position,
+        named: AxisMask,
+        back: bool,
+    ) {
+        if named == AxisMask::NONE {
+            return;
+        }
+        let title = self.control.table.title;
+        let name = if back { "G33.1" } else { "G33" };
+        let span = self.span(block.range);
+        if !block.letters().has(b'K') {
+            self.kernel.report(
+                Diagnostic::new(Code::MissingWord, span, format!("{name} without K"))
+                    .label("nothing moves in this block")
+                    .alarm(format!("{title}: K word missing with g33/g33.1"))
+                    .help("give the advance per revolution with K in each block"),
+            );
+            return;
+        }
+        let Some(lead) = self.length_of(block, b'K') else { return };
+        let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
+        if !turns || self.kernel.state.rpm <= 0.0 {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::SpindleStopped,
+                    span,
+                    format!("{name} moves in step with the spindle, which does not turn"),
+                )
+                .severity(Severity::Error)
+                .alarm(format!("{title}: Spindle not turning in {name}"))
+                .help("start the spindle (S… M3) before"),
+            );
+        }
+        if lead == 0.0 {
+            let span = self.words_span(block, Letters::of("K"));
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::BadWordValue,
+                    span,
+                    format!("{name} with an advance of zero"),
+                )
+                .help("give the advance per revolution with K"),
+            );
+        }
+        if back {
+            let factor = block.last(b'I').and_then(|word| self.literal(word));
+            let factor = factor.map_or(1.0, |number| number.to_f64());
+            self.kernel.rigid_tap(target, named, lead.abs(), factor);
+        } else {
+            self.kernel.thread(target, named, lead.abs());
+        }
+    }
+}

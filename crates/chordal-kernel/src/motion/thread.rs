@@ -1,0 +1,39 @@
+//! Cuts in step with the spindle: their feed is the lead, and no override acts.
+
+use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
+
+use crate::kernel::Kernel;
+
+impl Kernel<'_> {
+    /// A straight cut that advances by `lead_mm` along its path in a revolution of the spindle.
+    pub fn thread(&mut self, target: Position, named: AxisMask, lead_mm: f64) {
+        self.set_in_tap(true);
+        self.in_step(target, named, lead_mm, 1.0);
+        self.set_in_tap(false);
+    }
+
+    /// The same, and back to its start with the spindle reversed, `out_factor` times as fast.
+    pub fn rigid_tap(&mut self, target: Position, named: AxisMask, lead_mm: f64, out_factor: f64) {
+        let start = self.state.position;
+        let (inward, rpm) = (self.state.spindle, self.state.rpm);
+        let outward =
+            if inward == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };
+        self.set_in_tap(true);
+        self.in_step(target, named, lead_mm, 1.0);
+        self.emit(CommandKind::Spindle { state: outward, rpm: rpm * out_factor });
+        self.in_step(start, named, lead_mm, out_factor);
+        self.emit(CommandKind::Spindle { state: inward, rpm });
+        self.set_in_tap(false);
+    }
+
+    fn in_step(&mut self, target: Position, named: AxisMask, lead_mm: f64, factor: f64) {
+        let motion = self.moved_to(target, named);
+        let feed = Feed {
+            value: lead_mm,
+            mode: FeedMode::PerRevolution,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: self.state.rpm / 60.0 * factor,
+        };
+        self.emit(CommandKind::Line { motion, feed });
+    }
+}
