@@ -6,6 +6,7 @@
 //! | arc, helix, inscribed | even | 2·acos(1 − e/R) |
 //! | arc, helix, balanced | even but for the two ends | 2·acos((R − e)/(R + e)) |
 //! | spiral, cone | closer where the curvature is larger | √(8e/√(r² + 4b²)), b = dr/dφ |
+//! | span of a spline | even in its parameter | by its control points |
 //!
 //! *Balanced* corners lie `e` outside the circle and chord middles up to `e` inside. The two ends
 //! stay on the curve, for a full circle as well, and each end chord spans
@@ -25,7 +26,7 @@
 //! spirals lie on the curve in either placement.
 
 use crate::winding::Winding;
-use crate::{Vec3, math};
+use crate::{ParamCurve, SplinePiece, Vec3, math};
 
 /// Where the corners of the chords lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -34,7 +35,7 @@ pub enum Placement {
     #[default]
     Inscribed,
     /// The tolerance outside the circle, the middles of the chords inside by the same; √2 fewer
-    /// chords. On spirals the same as inscribed.
+    /// chords. On spirals and splines the same as inscribed.
     Balanced,
 }
 
@@ -82,6 +83,7 @@ pub struct Chords {
 }
 
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for each curve, never kept in numbers")]
 enum Spacing {
     Ends,
     Even(Winding),
@@ -96,6 +98,7 @@ enum Spacing {
         winding: Winding,
         grading: Grading,
     },
+    Parameter(SplinePiece),
 }
 
 impl Chords {
@@ -129,6 +132,7 @@ impl Chords {
                 winding.point_outside(t, *outward)
             }
             Spacing::Graded { winding, grading } => winding.point(grading.fraction(share)),
+            Spacing::Parameter(piece) => piece.jet_at_parameter(share)[0],
         }
     }
 
@@ -164,6 +168,16 @@ impl Chords {
             }
         };
         Ok(Self { spacing, count, ..straight })
+    }
+
+    /// Along a span of a spline: even in its parameter, so that the count of its control points holds.
+    pub(crate) fn along(piece: &SplinePiece, tolerance: f64) -> Result<Self, ChordError> {
+        let straight = Self::straight(piece.start(), piece.end(), tolerance)?;
+        if !piece.points().iter().all(|point| point.is_finite()) {
+            return Err(ChordError::NotFinite);
+        }
+        let count = whole(piece.steps_within(tolerance))?;
+        Ok(Self { spacing: Spacing::Parameter(*piece), count, ..straight })
     }
 }
 
