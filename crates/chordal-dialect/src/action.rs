@@ -8,8 +8,8 @@
 
 use chordal_command::Units;
 use chordal_geometry::Direction;
-use chordal_kernel::MotionMode;
 use chordal_kernel::rules::{CycleKind, HolePattern};
+use chordal_kernel::{MotionMode, SplineForm};
 
 /// What a code does.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -145,6 +145,10 @@ pub enum MotionCode {
     ArcCcw,
     SpiralCw,
     SpiralCcw,
+    /// A spline, or a control point of one.
+    Spline(SplineForm),
+    /// A spline of the control points since G5.2 (G5.3).
+    SplineEnd,
 }
 
 /// What takes the axis words of its block for itself.
@@ -283,6 +287,7 @@ impl MotionCode {
             MotionCode::Rapid | MotionCode::Linear => false,
             MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => true,
+            MotionCode::Spline(_) | MotionCode::SplineEnd => true,
         }
     }
 }
@@ -322,6 +327,7 @@ impl Action {
         match motion {
             MotionCode::Rapid | MotionCode::Linear | MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => false,
+            MotionCode::Spline(_) | MotionCode::SplineEnd => false,
         }
     }
 }
@@ -336,6 +342,7 @@ impl From<MotionMode> for Action {
             MotionMode::Arc(Direction::Ccw) => MotionCode::ArcCcw,
             MotionMode::Spiral(Direction::Cw) => MotionCode::SpiralCw,
             MotionMode::Spiral(Direction::Ccw) => MotionCode::SpiralCcw,
+            MotionMode::Spline(form) => MotionCode::Spline(form),
             MotionMode::Cycle(kind) => return Action::Cycle(kind),
         };
         Action::Motion(code)

@@ -6,7 +6,7 @@ use chordal_command::{
 use chordal_geometry::{Direction, Plane};
 
 use crate::rules::{ArcCenter, CycleKind};
-use crate::state::{Motion, State};
+use crate::state::{Motion, SplineForm, State};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,6 +19,8 @@ pub enum MotionMode {
     Arc(Direction),
     /// A spiral.
     Spiral(Direction),
+    /// A spline.
+    Spline(SplineForm),
     /// A canned cycle.
     Cycle(CycleKind),
 }
@@ -122,6 +124,7 @@ impl State {
             (None, Motion::Linear) => Some(MotionMode::Linear),
             (None, Motion::Arc(direction)) => Some(MotionMode::Arc(direction)),
             (None, Motion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
+            (None, Motion::Spline(form)) => Some(MotionMode::Spline(form)),
             (None, Motion::None) => None,
         }
     }

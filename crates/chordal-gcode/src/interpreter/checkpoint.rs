@@ -10,6 +10,7 @@ use chordal_kernel::{Checkpoint, KernelMemory, Memory};
 use chordal_syntax::{Decimal, Position as TextPosition};
 
 use super::macros::MacroMemory;
+use super::spline::SplineMemory;
 use super::{Interpreter, Reported};
 
 /// With more chains of calls a checkpoint would cost more than it saves.
@@ -28,6 +29,7 @@ struct BlockMemory {
     lost_jump: bool,
     carried_out: bool,
     macros: MacroMemory,
+    spline: SplineMemory,
 }
 
 impl Memory for BlockMemory {
@@ -85,6 +87,7 @@ impl Interpreter<'_> {
             lost_jump: self.lost_jump,
             carried_out: self.carried_out,
             macros: self.macros.memory(),
+            spline: self.spline.clone(),
         };
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
     }
@@ -105,6 +108,7 @@ impl Interpreter<'_> {
         self.lost_jump = memory.lost_jump;
         self.carried_out = memory.carried_out;
         self.macros.recall(memory.macros);
+        self.spline = memory.spline;
     }
 
     /// Notes that a program was read, searched, or asked for a place in it.

@@ -24,6 +24,7 @@ mod repeats;
 mod report;
 mod shop;
 mod spiral;
+mod spline;
 mod statement;
 
 pub use self::calls::subroutine_head;
@@ -152,6 +153,8 @@ struct Interpreter<'a> {
     /// The block before was a remark without its marks, or a comment left open.
     in_remark: bool,
     macros: macros::MacroState<'a>,
+    /// What G5 and G5.2 remember.
+    spline: spline::SplineMemory,
     /// Blocks of the main program before this place are repeats after a jump back; 0 when
     /// there are none.
     repeat_until: u32,
@@ -255,6 +258,7 @@ impl<'a> Interpreter<'a> {
             subroutines: BTreeMap::new(),
             labels: HashMap::new(),
             jumps: HashMap::new(),
+            spline: spline::SplineMemory::default(),
             missing: Vec::new(),
             blocks: 0,
             sequence: None,

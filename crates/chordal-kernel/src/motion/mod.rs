@@ -3,6 +3,7 @@
 mod arc;
 mod reference;
 mod spiral;
+mod spline;
 
 use chordal_command::{
     ArcShape, AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
