@@ -102,6 +102,7 @@ fn kind_of(segment: &Segment, inserted: bool) -> u8 {
         SegmentKind::Line => 1,
         SegmentKind::Arc => 2,
         SegmentKind::Spiral => 3,
+        SegmentKind::Spline => 4,
     };
     let flag = |is, flag| if is { flag } else { 0 };
     kind | flag(segment.known, KNOWN) | flag(inserted, INSERTED) | flag(segment.origin.cycle, CYCLE)
@@ -115,7 +116,7 @@ fn feed_of(segment: &Segment) -> f32 {
 
 fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC]> {
     let (center, u, w, radii, sweep, rise) = match curve {
-        Curve::Line(_) => return None,
+        Curve::Line(_) | Curve::Spline(_) => return None,
         Curve::Arc(arc) => {
             (arc.center, arc.u, arc.w, (arc.radius, arc.radius), arc.sweep, arc.rise)
         }

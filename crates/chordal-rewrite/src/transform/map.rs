@@ -371,6 +371,8 @@ fn mirrored(action: Action) -> Option<Action> {
             MotionCode::SpiralCw => MotionCode::SpiralCcw,
             MotionCode::SpiralCcw => MotionCode::SpiralCw,
             MotionCode::Rapid | MotionCode::Linear => return None,
+            // Programs with splines are not transformed.
+            MotionCode::Spline(_) | MotionCode::SplineEnd => return None,
         })),
         Action::Mode(code) => Some(Action::Mode(code.other_side()?)),
         Action::Reading(_)
