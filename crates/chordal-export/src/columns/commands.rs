@@ -26,6 +26,7 @@ const KINDS: &[&str] = &[
     "line",
     "arc",
     "spiral",
+    "spline",
     "dwell",
     "tool",
     "tool_select",
