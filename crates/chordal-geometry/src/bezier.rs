@@ -39,6 +39,27 @@ impl Weighted {
     }
 }
 
+/// The most control points of a span that is kept by itself.
+pub(crate) const MOST: usize = 6;
+
+/// A span that stands alone: its control points seen from the first, and that.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bezier {
+    pub points: [Weighted; MOST],
+    pub order: usize,
+    pub start: Vec3,
+}
+
+impl Bezier {
+    /// The point at `t` and its derivatives by it.
+    pub(crate) fn jet(&self, t: f64) -> [Vec3; 4] {
+        let mut points = self.points;
+        let mut jet = quotient(jet(&mut points[..self.order], t));
+        jet[0] += self.start;
+        jet
+    }
+}
+
 /// The point of a rational curve and its first three derivatives, from those of A and w.
 pub(crate) fn quotient(of: [Weighted; 4]) -> [Vec3; 4] {
     let [a, a1, a2, a3] = of.map(|part| part.point);

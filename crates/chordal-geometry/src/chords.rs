@@ -25,8 +25,9 @@
 //! makes the spacing a closed form and every corner reachable without the ones before. Corners of
 //! spirals lie on the curve in either placement.
 
+use crate::bezier::Bezier;
 use crate::winding::Winding;
-use crate::{ParamCurve, SplinePiece, Vec3, math};
+use crate::{Vec3, math};
 
 /// Where the corners of the chords lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -98,7 +99,7 @@ enum Spacing {
         winding: Winding,
         grading: Grading,
     },
-    Parameter(SplinePiece),
+    Parameter(Bezier),
 }
 
 impl Chords {
@@ -132,7 +133,7 @@ impl Chords {
                 winding.point_outside(t, *outward)
             }
             Spacing::Graded { winding, grading } => winding.point(grading.fraction(share)),
-            Spacing::Parameter(piece) => piece.jet_at_parameter(share)[0],
+            Spacing::Parameter(span) => span.jet(share)[0],
         }
     }
 
@@ -170,14 +171,19 @@ impl Chords {
         Ok(Self { spacing, count, ..straight })
     }
 
-    /// Along a span of a spline: even in its parameter, so that the count of its control points holds.
-    pub(crate) fn along(piece: &SplinePiece, tolerance: f64) -> Result<Self, ChordError> {
-        let straight = Self::straight(piece.start(), piece.end(), tolerance)?;
-        if !piece.points().iter().all(|point| point.is_finite()) {
+    /// Along a span of a spline, in so many steps of equal parameter.
+    pub(crate) fn along(
+        span: Bezier,
+        end: Vec3,
+        steps: f64,
+        tolerance: f64,
+    ) -> Result<Self, ChordError> {
+        let straight = Self::straight(span.start, end, tolerance)?;
+        let is_finite = span.points[..span.order].iter().all(|point| point.point.is_finite());
+        if !is_finite {
             return Err(ChordError::NotFinite);
         }
-        let count = whole(piece.steps_within(tolerance))?;
-        Ok(Self { spacing: Spacing::Parameter(*piece), count, ..straight })
+        Ok(Self { spacing: Spacing::Parameter(span), count: whole(steps)?, ..straight })
     }
 }
 

@@ -1,11 +1,8 @@
 //! One polynomial span of a spline as a curve of its own: a rational Bezier curve.
 
-use crate::bezier::{self, Weighted, quotient};
+use crate::bezier::{self, Bezier, MOST, Weighted};
 use crate::quadrature::{gauss, integral};
 use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Transform, Vec3};
-
-/// The most control points of a piece.
-const MOST: usize = 6;
 
 /// What a length may be off, as a share of it: rounding.
 const OFF: f64 = 1e-13;
@@ -87,11 +84,14 @@ impl SplinePiece {
         std::array::from_fn(|index| Weighted::new(self.points[index] - start, self.weights[index]))
     }
 
+    fn bezier(&self) -> Bezier {
+        Bezier { points: self.from_start(), order: self.order, start: self.points[0] }
+    }
+
     /// The point at parameter `t` from 0 to 1, mm, and its first three derivatives by it.
     #[must_use]
     pub fn jet_at_parameter(&self, t: f64) -> [Vec3; 4] {
-        let mut jet = quotient(bezier::jet(&mut self.from_start()[..self.order], t));
-        jet[0] += self.points[0];
+        let mut jet = self.bezier().jet(t);
         if t <= 0.0 {
             jet[0] = self.points[0];
         } else if t >= 1.0 {
@@ -441,7 +441,8 @@ impl ParamCurve for SplinePiece {
     }
 
     fn chords(&self, tolerance: f64, _placement: Placement) -> Result<Chords, ChordError> {
-        Chords::along(self, tolerance)
+        let steps = self.steps_within(tolerance);
+        Chords::along(self.bezier(), self.end(), steps, tolerance)
     }
 }
 
@@ -451,7 +452,7 @@ impl SplinePiece {
     /// A chord is the straight line that A and w make where they are taken as straight over the step. Both
     /// miss it by step²/8 of their second derivatives at most, so the curve misses the chord by
     /// step²/8·(max|A''| + max|C|·max|w''|)/min w. Bezier's control points bound all of these.
-    pub(crate) fn steps_within(&self, tolerance: f64) -> f64 {
+    fn steps_within(&self, tolerance: f64) -> f64 {
         let hull = self.points().iter().fold(Aabb::EMPTY, |hull, point| hull.include(*point));
         let middle = hull.center();
         let weighted: [Weighted; MOST] =
