@@ -79,13 +79,13 @@ impl SplinePiece {
     }
 
     /// Seen from the start, so that a small curve far from the origin keeps its digits.
-    fn from_start(&self) -> [Weighted; MOST] {
+    fn about_start(&self) -> [Weighted; MOST] {
         let start = self.points[0];
         std::array::from_fn(|index| Weighted::new(self.points[index] - start, self.weights[index]))
     }
 
     fn bezier(&self) -> Bezier {
-        Bezier { points: self.from_start(), order: self.order, start: self.points[0] }
+        Bezier { points: self.about_start(), order: self.order, start: self.points[0] }
     }
 
     /// The point at parameter `t` from 0 to 1, mm, and its first three derivatives by it.
@@ -101,7 +101,7 @@ impl SplinePiece {
     }
 
     fn speed(&self, t: f64) -> f64 {
-        bezier::velocity(&mut self.from_start()[..self.order], t).length()
+        bezier::velocity(&mut self.about_start()[..self.order], t).length()
     }
 
     /// Length of the control polygon, mm: not below that of the curve.
@@ -195,7 +195,7 @@ impl SplinePiece {
     /// The parts before and after a parameter. The inner ends are equal.
     #[must_use]
     pub fn split_at_parameter(&self, t: f64) -> (SplinePiece, SplinePiece) {
-        let mut before = self.from_start();
+        let mut before = self.about_start();
         let mut after = before;
         let start = self.points[0];
         bezier::split(&mut before[..self.order], &mut after[..self.order], t);

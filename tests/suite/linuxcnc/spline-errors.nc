@@ -39,4 +39,5 @@ G41 D1 G1 X10 Y0
 X20
 G5.1 X30 Y0 I5 J5 (= line to X30 Y0 | ! CH425 "compensation" "Cannot convert spline with cutter radius compensation")
 G40 G1 X40
-M2
+G5.2 X1 Y1 P1 (= none)
+M2 (= ! CH422 "2 control points since G5.2 are not cut")

@@ -297,8 +297,18 @@ impl Interpreter<'_> {
 
     /// A motion code while a NURBS is open throws its points away.
     pub(super) fn watch_open_spline(&mut self, block: &Block, code: MotionCode) {
-        let goes_on =
-            matches!(code, MotionCode::Spline(SplineForm::Points) | MotionCode::SplineEnd);
+        let is_open = self.kernel.state.motion == Motion::Spline(SplineForm::Points);
+        let goes_on = match code {
+            MotionCode::Spline(SplineForm::Points) => is_open,
+            MotionCode::SplineEnd => true,
+            MotionCode::Rapid
+            | MotionCode::Linear
+            | MotionCode::ArcCw
+            | MotionCode::ArcCcw
+            | MotionCode::SpiralCw
+            | MotionCode::SpiralCcw
+            | MotionCode::Spline(SplineForm::Cubic | SplineForm::Quadratic) => false,
+        };
         if !goes_on {
             self.drop_open_spline(block);
         }
