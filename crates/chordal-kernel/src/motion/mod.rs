@@ -3,6 +3,7 @@
 mod arc;
 mod reference;
 mod spiral;
+mod spline;
 mod thread;
 
 use chordal_command::{
