@@ -42,6 +42,7 @@ def _summary(program: Program) -> str:
         "arc": told.arcs,
         "helix": told.helices,
         "spiral": told.spirals,
+        "spline": told.splines,
         "rapid": told.rapids,
     }
     rows = [

@@ -40,6 +40,7 @@ class Summary:
     arcs: int
     helices: int
     spirals: int
+    splines: int
     rapids: int
     dwells: int
     #: Cuts without a feed; their time is not known.

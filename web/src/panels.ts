@@ -93,7 +93,7 @@ function row(table: HTMLTableElement, name: string, value: string): void {
   line.insertCell().textContent = value;
 }
 
-const MOTIONS = ["rapid", "straight", "arc", "spiral"];
+const MOTIONS = ["rapid", "straight", "arc", "spiral", "spline"];
 
 export function showState(
   root: HTMLElement,

@@ -7,6 +7,7 @@ import { onCurve } from "./turn";
 export const RAPID = 0;
 export const ARC = 2;
 export const SPIRAL = 3;
+export const SPLINE = 4;
 const KIND = 0x0f;
 export const KNOWN = 0x10;
 export const INSERTED = 0x20;
@@ -32,7 +33,7 @@ export interface Batch {
   programmed?: Float32Array;
   /** A, B and C at both ends of each row, rad, where one of them is not zero. */
   turns?: Float32Array;
-  /** Rows that a turning part bends: points along them. */
+  /** Splines, and rows that a turning part bends: points along them. */
   curves?: Map<number, Float32Array>;
 }
 
@@ -53,8 +54,23 @@ export function batchOf(frame: Frame): Batch {
     feed: f32(frame, "feed"),
     arcRows: u32(frame, "arc_rows"),
     arcs: f32(frame, "arcs"),
+    ...("spline_rows" in frame.columns ? { curves: splinesOf(frame) } : {}),
     ...("turns" in frame.columns ? { turns: f32(frame, "turns") } : {}),
   };
+}
+
+/** The points along each row that is a spline. */
+function splinesOf(frame: Frame): Map<number, Float32Array> {
+  const counts = u32(frame, "spline_counts");
+  const points = f32(frame, "spline_points");
+  const curves = new Map<number, Float32Array>();
+  let from = 0;
+  u32(frame, "spline_rows").forEach((row, index) => {
+    const to = from + 3 * counts[index]!;
+    curves.set(row, points.subarray(from, to));
+    from = to;
+  });
+  return curves;
 }
 
 export function kindOf(flags: number): number {

@@ -69,7 +69,9 @@ export class Kinematics {
       const to = from + 3;
       const steps = this.steps(turns, row);
       const arc = arcIndex(batch, row);
-      if (steps > 1) curves.set(row, this.curve(batch, row, arc, steps));
+      const spline = batch.curves?.get(row);
+      if (spline) curves.set(row, this.spline(spline, turns, row));
+      else if (steps > 1) curves.set(row, this.curve(batch, row, arc, steps));
       else if (arc >= 0) this.turnArc(arcs, arc, turns, from);
       points.set(this.place(pointOf(batch.points, from), turns, from), from);
       points.set(this.place(pointOf(batch.points, to), turns, to), to);
@@ -85,6 +87,20 @@ export class Kinematics {
       most = Math.max(most, Math.abs(turns[6 * row + 3 + index]! - turns[6 * row + index]!));
     });
     return Math.max(1, Math.min(MOST_PIECES, Math.ceil(most / STEP)));
+  }
+
+  /** The points of a spline, each as it lies on the part. */
+  private spline(points: Float32Array, turns: Float32Array, row: number): Float32Array {
+    const curve = new Float32Array(points.length);
+    for (let at = 0; at < points.length; at += 3) {
+      const share = at / (points.length - 3);
+      const turn = [0, 1, 2].map((axis) => {
+        const from = turns[6 * row + axis]!;
+        return from + (turns[6 * row + 3 + axis]! - from) * share;
+      });
+      curve.set(this.place(pointOf(points, at), turn), at);
+    }
+    return curve;
   }
 
   private curve(batch: Batch, row: number, arc: number, steps: number): Float32Array {

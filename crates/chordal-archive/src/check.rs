@@ -340,7 +340,7 @@ fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> Ran {
         end: end_word(report).into(),
         inch: summary.inch,
         blocks: report.outcomes.iter().map(|outcome| outcome.blocks).sum(),
-        cuts: summary.lines + summary.arcs + summary.helices + summary.spirals,
+        cuts: summary.lines + summary.arcs + summary.helices + summary.spirals + summary.splines,
         rapids: summary.rapids,
         tools: summary.tools.iter().map(|tool| tool.number).collect(),
         travel,

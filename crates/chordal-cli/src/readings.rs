@@ -87,6 +87,7 @@ fn reading(loaded: &Loaded, name: ControlName) -> Option<Reading> {
         (summary.arcs, "arc", "arcs"),
         (summary.helices, "helix", "helices"),
         (summary.spirals, "spiral", "spirals"),
+        (summary.splines, "spline", "splines"),
     ];
     let kinds = kinds.into_iter().filter(|(count, _, _)| *count > 0);
     let kinds: Vec<String> = kinds.map(|(n, one, more)| counted(n, one, more)).collect();

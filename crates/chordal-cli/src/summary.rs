@@ -331,6 +331,7 @@ fn moves(summary: &Summary, blocks: u64) -> String {
         (summary.arcs, "arc", "arcs"),
         (summary.helices, "helix", "helices"),
         (summary.spirals, "spiral", "spirals"),
+        (summary.splines, "spline", "splines"),
         (summary.rapids, "rapid", "rapids"),
         (summary.dwells, "dwell", "dwells"),
     ] {

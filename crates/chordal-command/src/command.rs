@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use chordal_diagnostics::TextRange;
-use chordal_geometry::Plane;
+use chordal_geometry::{Plane, Spline};
 
 use crate::axes::{AxisMask, Position};
 use crate::mode::{Coolant, Overrides, PathMode, Side, SpindleState};
@@ -44,6 +44,15 @@ pub enum CommandKind {
         motion: Move,
         /// Centre, direction and radii.
         shape: ArcShape,
+        /// At what feed.
+        feed: Feed,
+    },
+    /// A spline.
+    Spline {
+        /// From where to where: the ends of the curve.
+        motion: Move,
+        /// The curve of X, Y and Z in program coordinates, mm.
+        curve: Arc<Spline>,
         /// At what feed.
         feed: Feed,
     },
@@ -170,7 +179,8 @@ impl CommandKind {
             CommandKind::Rapid { motion, .. }
             | CommandKind::Line { motion, .. }
             | CommandKind::Arc { motion, .. }
-            | CommandKind::Spiral { motion, .. } => Some(motion),
+            | CommandKind::Spiral { motion, .. }
+            | CommandKind::Spline { motion, .. } => Some(motion),
             _ => None,
         }
     }
@@ -181,7 +191,8 @@ impl CommandKind {
         match self {
             CommandKind::Line { feed, .. }
             | CommandKind::Arc { feed, .. }
-            | CommandKind::Spiral { feed, .. } => Some(feed),
+            | CommandKind::Spiral { feed, .. }
+            | CommandKind::Spline { feed, .. } => Some(feed),
             _ => None,
         }
     }
@@ -190,6 +201,15 @@ impl CommandKind {
     #[inline]
     pub fn only_turns(&self) -> bool {
         self.motion().is_some_and(|motion| motion.only_turns(self.shape()))
+    }
+
+    /// The spline, where the command is one.
+    #[inline]
+    pub fn spline(&self) -> Option<&Spline> {
+        match self {
+            CommandKind::Spline { curve, .. } => Some(curve),
+            _ => None,
+        }
     }
 
     /// The arc, where the command is one.

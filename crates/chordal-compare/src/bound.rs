@@ -51,6 +51,9 @@ pub(crate) fn bound(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
     if let (Curve::Line(_), Curve::Line(_)) = (a.curve, b.curve) {
         return ends;
     }
+    if let Some(same) = of_splines(&a, &b).filter(|same| *same <= precision_mm) {
+        return ends.max(same);
+    }
     // The ends as given need not lie where the rest of the curve leads (radii that differ a
     // little): ends against ends, the curve proper against the other.
     let curves = (formal(a.curve), formal(b.curve));
@@ -63,10 +66,23 @@ pub(crate) fn bound(a: Stretch<'_>, b: Stretch<'_>, precision_mm: f64) -> f64 {
     }
 }
 
+/// Of two whole spans of splines with like weights: they are as far apart as their control points at most where
+/// both go by their parameter. Nothing for others.
+fn of_splines(a: &Stretch<'_>, b: &Stretch<'_>) -> Option<f64> {
+    let (Curve::Spline(one), Curve::Spline(two)) = (a.curve, b.curve) else { return None };
+    if one == two && (a.from, a.to) == (b.from, b.to) {
+        return Some(0.0);
+    }
+    let whole = |stretch: &Stretch<'_>| stretch.from == 0.0 && stretch.to == stretch.curve.length();
+    let alike = one.weights() == two.weights() && whole(a) && whole(b);
+    let pairs = one.points().iter().zip(two.points());
+    alike.then(|| pairs.fold(0.0, |far: f64, (p, q)| far.max((*p - *q).length())))
+}
+
 /// The curve with its ends where its numbers lead.
 fn formal(curve: &Curve) -> Curve {
     match curve {
-        Curve::Line(_) => *curve,
+        Curve::Line(_) | Curve::Spline(_) => *curve,
         Curve::Arc(arc) => {
             let frame = frame(arc.center, arc.u, arc.w);
             Arc::new(frame, arc.radius, arc.sweep, arc.rise).into()
@@ -138,7 +154,7 @@ struct Turning {
 impl Turning {
     fn of(stretch: &Stretch<'_>) -> Option<Turning> {
         let (center, u, w, radii, sweep, rise, angles) = match stretch.curve {
-            Curve::Line(_) => return None,
+            Curve::Line(_) | Curve::Spline(_) => return None,
             Curve::Arc(arc) => {
                 let angles = [stretch.from, stretch.to].map(|s| arc.angle_at(s));
                 (arc.center, arc.u, arc.w, [arc.radius; 2], arc.sweep, arc.rise, angles)

@@ -347,3 +347,23 @@ fn a_run_that_is_given_up_has_nothing_to_tell() {
     let found = compare(&a, &b, &Options::default());
     assert_eq!((found.max_distance_mm, found.differences.len()), (None, 0));
 }
+
+#[test]
+fn splines_as_far_apart_as_their_control_points_and_their_chords() {
+    let on = |a: &str, b: &str, options: &Options| {
+        compare(&job("a.nc", "linuxcnc-mill", a), &job("b.nc", "linuxcnc-mill", b), options)
+    };
+    let text = "G21 G90 G17 S900 M3 F600\nG0 X0 Y0 Z0\nG5 I0 J30 P0 Q-30 X10 Y10\nM2\n";
+    let plain = Options::default();
+    assert_eq!(on(text, text, &plain).verdict, Verdict::Same);
+    // The same curve as a NURBS of order 4.
+    let nurbs = text
+        .replace("G5 I0 J30 P0 Q-30 X10 Y10", "G5.2 X0 Y30 P1 L4\nX10 Y-20 P1\nX10 Y10 P1\nG5.3");
+    assert_eq!(on(text, &nurbs, &plain).verdict, Verdict::Same);
+    let moved = text.replace("J30", "J31");
+    let found = on(text, &moved, &plain);
+    assert_eq!(found.verdict, Verdict::Different);
+    // As far as the control points at most, and no nearer than the curves, 4/9 mm at t = 1/3.
+    let far = found.max_distance_mm.unwrap();
+    assert!(far > 0.3 && far <= 1.0, "{far}");
+}

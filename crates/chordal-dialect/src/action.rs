@@ -8,8 +8,8 @@
 
 use chordal_command::Units;
 use chordal_geometry::Direction;
-use chordal_kernel::MotionMode;
 use chordal_kernel::rules::{CycleKind, HolePattern};
+use chordal_kernel::{MotionMode, SplineForm};
 
 /// What a code does.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -182,6 +182,10 @@ pub enum MotionCode {
     Thread,
     /// The same, back again with the spindle reversed.
     RigidTap,
+    /// A spline, or a control point of one.
+    Spline(SplineForm),
+    /// A spline of the control points since G5.2 (G5.3).
+    SplineEnd,
 }
 
 /// What takes the axis words of its block for itself.
@@ -349,6 +353,7 @@ impl MotionCode {
             MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => true,
             MotionCode::Thread | MotionCode::RigidTap => false,
+            MotionCode::Spline(_) | MotionCode::SplineEnd => true,
         }
     }
 }
@@ -394,6 +399,7 @@ impl Action {
             MotionCode::Rapid | MotionCode::Linear | MotionCode::ArcCw | MotionCode::ArcCcw => true,
             MotionCode::SpiralCw | MotionCode::SpiralCcw => false,
             MotionCode::Thread | MotionCode::RigidTap => false,
+            MotionCode::Spline(_) | MotionCode::SplineEnd => false,
         }
     }
 }
@@ -410,6 +416,7 @@ impl From<MotionMode> for Action {
             MotionMode::Spiral(Direction::Ccw) => MotionCode::SpiralCcw,
             MotionMode::Thread => MotionCode::Thread,
             MotionMode::RigidTap => MotionCode::RigidTap,
+            MotionMode::Spline(form) => MotionCode::Spline(form),
             MotionMode::Cycle(kind) => return Action::Cycle(kind),
         };
         Action::Motion(code)

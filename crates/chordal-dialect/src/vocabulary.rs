@@ -17,6 +17,7 @@ pub(crate) use crate::table::*;
 
 /// The words that tables of codes are written in.
 pub(crate) mod codes {
+    pub(crate) use chordal_kernel::SplineForm;
     pub(crate) use chordal_kernel::rules::{CycleKind, HolePattern};
 
     pub(crate) use crate::action::Action::{self, *};

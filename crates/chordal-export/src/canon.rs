@@ -8,7 +8,7 @@ use chordal::control::{
     Units, WorkName,
 };
 use chordal::diagnostics::FileId;
-use chordal::geometry::Plane;
+use chordal::geometry::{Plane, Spline};
 use chordal::machine::PerAxis;
 use chordal::{Command, CommandKind, Job, SourceMap};
 
@@ -20,6 +20,7 @@ const SAME_RADIUS_MM: f64 = 1e-6;
 /// Writes commands in the canonical text of LinuxCNC (`rs274 -g`): one call a line, in mm,
 /// degrees and minutes, after the line of the program it comes from.
 ///
+/// A spline is `NURBS_FEED` with its order, then X, Y and weight of each control point.
 /// Arcs between different radii have no canonical form. They are written as `ARC_FEED` with
 /// both radii in a comment.
 #[derive(Debug)]
@@ -71,6 +72,10 @@ impl<'a, W: Write> Canon<'a, W> {
                 self.feed(line, feed);
                 self.select_plane(line, shape.plane);
                 self.arc(line, motion, shape);
+            }
+            CommandKind::Spline { curve, feed, .. } => {
+                self.feed(line, feed);
+                self.spline(line, curve);
             }
             CommandKind::Plane(plane) => self.select_plane(line, *plane),
             CommandKind::Spindle { state, rpm } => self.spindle(line, *state, *rpm),
@@ -155,6 +160,17 @@ impl<'a, W: Write> Canon<'a, W> {
             push_fixed(&mut self.line, shape.radius_to);
         }
         self.line.push(b'\n');
+    }
+
+    /// Order, then X, Y and weight of each control point.
+    fn spline(&mut self, line: u32, curve: &Spline) {
+        self.begin(line);
+        self.line.extend_from_slice(format!("NURBS_FEED({}", curve.order()).as_bytes());
+        for (point, weight) in curve.points().iter().zip(curve.weights()) {
+            self.line.extend_from_slice(b", ");
+            self.numbers(&[point.x, point.y, *weight]);
+        }
+        self.line.extend_from_slice(b")\n");
     }
 
     fn feed(&mut self, line: u32, feed: &Feed) {

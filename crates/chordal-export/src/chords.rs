@@ -136,5 +136,6 @@ pub(crate) const fn kind_word(kind: SegmentKind) -> &'static str {
         SegmentKind::Line => "line",
         SegmentKind::Arc => "arc",
         SegmentKind::Spiral => "spiral",
+        SegmentKind::Spline => "spline",
     }
 }

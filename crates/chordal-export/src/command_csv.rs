@@ -7,7 +7,10 @@ use chordal::geometry::ParamCurve;
 use chordal::path::curve_of;
 use chordal::{Command, CommandKind, Job, PathCommand};
 
-use crate::motion::{Written, direction_word, path_feed, plane_word, side_word, spindle_word};
+use crate::motion::{
+    Written, direction_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
+    spline_length,
+};
 use crate::number::number;
 
 const COLUMNS: [&str; 30] = [
@@ -123,6 +126,13 @@ impl<W: Write> CommandCsv<W> {
             CommandKind::Arc { motion, shape, feed } => self.cut("arc", motion, Some(shape), feed),
             CommandKind::Spiral { motion, shape, feed } => {
                 self.cut("spiral", motion, Some(shape), feed)
+            }
+            CommandKind::Spline { motion, curve, feed } => {
+                self.ends(motion);
+                let length = spline_length(curve);
+                self.row[LENGTH] = number(length);
+                self.row[FEED] = number(spline_feed(feed, length));
+                "spline"
             }
             CommandKind::Dwell { seconds, .. } => {
                 self.row[SECONDS] = number(*seconds);

@@ -7,13 +7,14 @@ use chordal::control::{
     Units, WorkName,
 };
 use chordal::diagnostics::FileId;
+use chordal::geometry::Spline;
 use chordal::machine::{AXES, AXIS_NAMES};
 use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 
 use crate::json::Object;
 use crate::motion::{
     Written, curve_and_length, direction_word, feed_mode_word, path_feed, plane_word, side_word,
-    spindle_word,
+    spindle_word, spline_feed, spline_length,
 };
 
 /// Writes commands as JSON lines, schema `chordal.commands/1`: a header object, then one
@@ -151,6 +152,9 @@ impl Context<'_> {
             CommandKind::Spiral { motion, shape, feed } => {
                 self.cut(object, "spiral", motion, Some(shape), feed);
             }
+            CommandKind::Spline { motion, curve, feed } => {
+                self.spline(object, motion, curve, feed);
+            }
             CommandKind::WorkOffset { name, offset, known, .. } => {
                 self.work_offset(object, *name, offset, *known);
             }
@@ -202,6 +206,26 @@ impl Context<'_> {
         }
         if feed.along == FeedAlong::Plane {
             object.word("feed_along", "plane");
+        }
+    }
+
+    /// The order and the control points with their weights, as places are written.
+    fn spline(&self, object: &mut Object, motion: &Move, curve: &Spline, feed: &Feed) {
+        object.word("kind", "spline");
+        self.ends(object, motion);
+        object.integer("order", curve.order() as u64);
+        for (letter, axis) in [("x", 0), ("y", 1), ("z", 2)] {
+            let values = curve.points().iter();
+            let places = values.map(|point| self.written.place(axis, point.component(axis)));
+            object.numbers(letter, places);
+        }
+        object.numbers("weights", curve.weights().iter().copied());
+        object.numbers("knots", curve.knots().iter().copied());
+        let length = spline_length(curve);
+        object.number("length", length);
+        object.number("feed", spline_feed(feed, length));
+        if feed.mode != FeedMode::PerTime {
+            object.word("feed_mode", feed_mode_word(feed.mode));
         }
     }
 

@@ -7,7 +7,7 @@ use chordal::{Segment, SegmentKind};
 
 use crate::number::push_finite;
 
-/// How far the polylines of helices and spirals leave the curve, mm.
+/// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;
 /// What counts as flat, as no length and as a whole turn, mm and rad.
 const NOTHING: f64 = 1e-9;
@@ -30,7 +30,7 @@ const HEAD: &str = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\
 const FOOT: &str = "0\nENDSEC\n0\nEOF\n";
 
 /// Writes the path as DXF Release 12 in mm: true lines, arcs and circles, in any of the three
-/// planes; helices and spirals as polylines within 0.001 mm.
+/// planes; helices, spirals and splines as polylines within 0.001 mm.
 ///
 /// Rapids are on the layer `RAPID`, cuts on `TOOL_1` and so on. Layers of tools are not
 /// declared ahead, because the file is written while the program runs; each entity carries

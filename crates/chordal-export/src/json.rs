@@ -42,6 +42,19 @@ impl<'o> Object<'o> {
     }
 
     /// A whole number.
+    /// Numbers in a list.
+    pub fn numbers(&mut self, name: &str, values: impl Iterator<Item = f64>) {
+        let out = self.name(name);
+        out.push(b'[');
+        for (index, value) in values.enumerate() {
+            if index > 0 {
+                out.push(b',');
+            }
+            push_number(out, value);
+        }
+        out.push(b']');
+    }
+
     pub fn integer(&mut self, name: &str, value: u64) {
         push_integer(self.name(name), value);
     }

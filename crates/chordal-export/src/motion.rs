@@ -2,7 +2,7 @@
 
 use chordal::Job;
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Side, SpindleState};
-use chordal::geometry::{Curve, ParamCurve, Plane, Spiral};
+use chordal::geometry::{Curve, ParamCurve, Plane, Spiral, Spline};
 use chordal::machine::{AXES, AXIS_LETTERS, PerAxis};
 use chordal::path::curve_of;
 
@@ -20,6 +20,23 @@ pub(crate) fn curve_and_length(motion: &Move, shape: Option<&ArcShape>) -> (Curv
     let curve = curve_of(motion, shape);
     let length = curve.length();
     (curve, length)
+}
+
+/// How exact the length of a spline is that has no closed form, mm: below what is written.
+const LENGTH_MM: f64 = 1e-9;
+
+/// The length that a spline is written with, mm.
+pub(crate) fn spline_length(curve: &Spline) -> f64 {
+    curve.length(LENGTH_MM)
+}
+
+/// The feed along the path of a spline, mm/min.
+pub(crate) fn spline_feed(feed: &Feed, length_mm: f64) -> f64 {
+    60.0 * match feed.mode {
+        FeedMode::PerTime => feed.value,
+        FeedMode::InverseTime => feed.value * length_mm,
+        FeedMode::PerRevolution => feed.value * feed.spindle_rev_per_s,
+    }
 }
 
 /// The feed along the path whatever F counts.

@@ -6,6 +6,7 @@
 //! | arc, helix, inscribed | even | 2·acos(1 − e/R) |
 //! | arc, helix, balanced | even but for the two ends | 2·acos((R − e)/(R + e)) |
 //! | spiral, cone | closer where the curvature is larger | √(8e/√(r² + 4b²)), b = dr/dφ |
+//! | span of a spline | even in its parameter | by its control points |
 //!
 //! *Balanced* corners lie `e` outside the circle and chord middles up to `e` inside. The two ends
 //! stay on the curve, for a full circle as well, and each end chord spans
@@ -24,6 +25,7 @@
 //! makes the spacing a closed form and every corner reachable without the ones before. Corners of
 //! spirals lie on the curve in either placement.
 
+use crate::bezier::Bezier;
 use crate::winding::Winding;
 use crate::{Vec3, math};
 
@@ -34,7 +36,7 @@ pub enum Placement {
     #[default]
     Inscribed,
     /// The tolerance outside the circle, the middles of the chords inside by the same; √2 fewer
-    /// chords. On spirals the same as inscribed.
+    /// chords. On spirals and splines the same as inscribed.
     Balanced,
 }
 
@@ -82,6 +84,7 @@ pub struct Chords {
 }
 
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one for each curve, never kept in numbers")]
 enum Spacing {
     Ends,
     Even(Winding),
@@ -96,6 +99,7 @@ enum Spacing {
         winding: Winding,
         grading: Grading,
     },
+    Parameter(Bezier),
 }
 
 impl Chords {
@@ -129,6 +133,7 @@ impl Chords {
                 winding.point_outside(t, *outward)
             }
             Spacing::Graded { winding, grading } => winding.point(grading.fraction(share)),
+            Spacing::Parameter(span) => span.jet(share)[0],
         }
     }
 
@@ -164,6 +169,21 @@ impl Chords {
             }
         };
         Ok(Self { spacing, count, ..straight })
+    }
+
+    /// Along a span of a spline, in so many steps of equal parameter.
+    pub(crate) fn along(
+        span: Bezier,
+        end: Vec3,
+        steps: f64,
+        tolerance: f64,
+    ) -> Result<Self, ChordError> {
+        let straight = Self::straight(span.start, end, tolerance)?;
+        let is_finite = span.points[..span.order].iter().all(|point| point.point.is_finite());
+        if !is_finite {
+            return Err(ChordError::NotFinite);
+        }
+        Ok(Self { spacing: Spacing::Parameter(span), count: whole(steps)?, ..straight })
     }
 }
 

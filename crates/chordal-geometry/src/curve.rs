@@ -1,7 +1,8 @@
 //! The one type that holds any of the curves.
 
 use crate::{
-    Aabb, Arc, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Spiral, Transform, Vec3,
+    Aabb, Arc, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Spiral, SplinePiece,
+    Transform, Vec3,
 };
 
 /// Any of the exact curves.
@@ -13,6 +14,14 @@ pub enum Curve {
     Arc(Arc),
     /// An Archimedean spiral or, when it rises, a curve on a cone.
     Spiral(Spiral),
+    /// One polynomial span of a spline.
+    Spline(SplinePiece),
+}
+
+impl From<SplinePiece> for Curve {
+    fn from(c: SplinePiece) -> Self {
+        Curve::Spline(c)
+    }
 }
 
 impl From<Line> for Curve {
@@ -39,6 +48,7 @@ macro_rules! each {
             Curve::Line($c) => $value,
             Curve::Arc($c) => $value,
             Curve::Spiral($c) => $value,
+            Curve::Spline($c) => $value,
         }
     };
 }

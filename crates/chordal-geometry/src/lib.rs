@@ -1,4 +1,4 @@
-//! The exact curves of machine motion: line, circular arc, helix, Archimedean spiral and cone.
+//! The exact curves of machine motion: line, circular arc, helix, Archimedean spiral, cone and spline.
 //!
 //! A curve stays exact until somebody asks for chords, and every tolerance is an argument. Lengths
 //! are in millimetres by convention (nothing here depends on it), angles in radians, all `f64`. The
@@ -23,6 +23,7 @@
 //! |---|---|
 //! | ask a curve for points, lengths, curvature, boxes, parts | [`ParamCurve`] |
 //! | ask it at many places | [`Tracer`] |
+//! | make a spline, divide it into its spans | [`Spline`], [`SplinePiece`] |
 //! | make a curve of an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
 //! | cut it into chords | [`ParamCurve::chords`], [`Chords`] |
 //! | lay lines and arcs through points, thin points out | [`fit_path`], [`simplify`] |
@@ -33,6 +34,8 @@
 mod aabb;
 mod arc;
 mod axes;
+mod bezier;
+mod bspline;
 mod chords;
 mod curve;
 mod fit;
@@ -45,8 +48,10 @@ mod math;
 mod offset;
 mod param_curve;
 mod plane;
+mod quadrature;
 mod solve;
 mod spiral;
+mod spline_piece;
 mod tracer;
 mod transform;
 mod vec2;
@@ -57,6 +62,7 @@ mod winding_search;
 pub use aabb::Aabb;
 pub use arc::Arc;
 pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
+pub use bspline::{Spline, SplineError};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
 pub use curve::Curve;
 pub use fit::{ArcFit, RadiusError, arc_from_center, center_from_radius, spiral_from_center};
@@ -67,6 +73,7 @@ pub use line::Line;
 pub use param_curve::{Nearest, ParamCurve};
 pub use plane::{Direction, Plane};
 pub use spiral::Spiral;
+pub use spline_piece::{EvenPart, SplinePiece};
 pub use tracer::Tracer;
 pub use transform::Transform;
 pub use vec2::Vec2;

@@ -1,6 +1,7 @@
 //! Curves made ready to be asked at many places.
 
 use crate::growth::Growth;
+use crate::spline_piece::Run;
 use crate::winding::Winding;
 use crate::{Curve, Line, ParamCurve, Vec3, math};
 
@@ -26,6 +27,7 @@ enum Kind {
     Straight { line: Line, tangent: Vec3 },
     Round(Round),
     Growing(Growth),
+    Bent(Run),
 }
 
 /// An arc or a helix: its radius as vectors, and everything for each mm of its length.
@@ -86,6 +88,7 @@ impl Tracer {
                 Kind::Round(Round::new(&spiral.winding(), length))
             }
             Curve::Spiral(spiral) => Kind::Growing(Growth::new(spiral.winding(), length)),
+            Curve::Spline(piece) => Kind::Bent(Run::new(piece)),
         };
         Tracer { start: curve.start(), end: curve.end(), length, kind }
     }
@@ -118,7 +121,7 @@ impl Tracer {
             // Each on its own, so that it stays in registers.
             Kind::Round(round) => take(round.motion_at(s, by_time)),
             Kind::Growing(growth) => take(growth.motion_at(s, by_time)),
-            Kind::Straight { .. } => take(self.inside(s, by_time)),
+            Kind::Straight { .. } | Kind::Bent(_) => take(self.inside(s, by_time)),
         }
     }
 
@@ -143,6 +146,7 @@ impl Tracer {
             }
             Kind::Round(round) => round.motion_at(s, by_time),
             Kind::Growing(growth) => growth.motion_at(s, by_time),
+            Kind::Bent(run) => run.motion_at(s, by_time),
         }
     }
 }

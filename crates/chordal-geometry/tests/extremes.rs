@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 fn samples(c: &Curve) -> u32 {
     match c {
-        Curve::Line(_) => 10,
+        Curve::Line(_) | Curve::Spline(_) => 10,
         Curve::Arc(a) => 400 + (a.sweep.abs() * 60.0) as u32,
         Curve::Spiral(s) => 400 + (s.sweep.abs() * 60.0) as u32,
     }
@@ -87,12 +87,12 @@ proptest! {
         }
         // Samples miss an extreme by at most h²/8 of the second derivative; generously.
         let step = match &c {
-            Curve::Line(_) => 0.0,
+            Curve::Line(_) | Curve::Spline(_) => 0.0,
             Curve::Arc(a) => a.sweep.abs() / f64::from(n),
             Curve::Spiral(s) => s.sweep.abs() / f64::from(n),
         };
         let second = match &c {
-            Curve::Line(_) => 0.0,
+            Curve::Line(_) | Curve::Spline(_) => 0.0,
             Curve::Arc(a) => a.radius,
             Curve::Spiral(s) => {
                 let b = (s.radius_end - s.radius_start).abs() / s.sweep.abs();

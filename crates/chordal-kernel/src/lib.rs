@@ -47,5 +47,5 @@ pub use offsets::{LengthOffset, Offsets};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
-pub use state::{CycleState, Motion, OverrideState, State};
+pub use state::{CycleState, Motion, OverrideState, SplineForm, State};
 pub use statement::{Statement, What};

@@ -7,7 +7,7 @@ use chordal_geometry::{Direction, Plane};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
-use crate::state::{Motion, State};
+use crate::state::{Motion, SplineForm, State};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -24,6 +24,8 @@ pub enum MotionMode {
     Thread,
     /// The same, back again with the spindle reversed.
     RigidTap,
+    /// A spline.
+    Spline(SplineForm),
     /// A canned cycle.
     Cycle(CycleKind),
 }
@@ -140,6 +142,7 @@ impl State {
             (None, Motion::Spiral(direction)) => Some(MotionMode::Spiral(direction)),
             (None, Motion::Thread) => Some(MotionMode::Thread),
             (None, Motion::RigidTap) => Some(MotionMode::RigidTap),
+            (None, Motion::Spline(form)) => Some(MotionMode::Spline(form)),
             (None, Motion::None) => None,
         }
     }

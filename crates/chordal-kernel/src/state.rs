@@ -27,8 +27,21 @@ pub enum Motion {
     Thread,
     /// G33.1.
     RigidTap,
+    /// G5, G5.1 and G5.2.
+    Spline(SplineForm),
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
+}
+
+/// How the words of a block give a spline.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SplineForm {
+    /// Two control points by their way from the start and from the end (G5).
+    Cubic,
+    /// One control point by its way from the start (G5.1).
+    Quadratic,
+    /// One control point a block, with its weight (G5.2).
+    Points,
 }
 
 /// A canned cycle in force: its kind and the words that stay.

@@ -26,6 +26,8 @@ fn point(curve: &Curve, s: f64) -> Vec3 {
             let radius = c.radius_start + (c.radius_end - c.radius_start) * share;
             about(c.center, c.u, c.w, radius, c.sweep * share) + c.w * (c.rise * share)
         }
+        // Splines have tests of their own (`splines.rs`).
+        Curve::Spline(piece) => piece.point_at(s),
     }
 }
 

@@ -6,7 +6,7 @@ use chordal_machine::{AXES, Machine};
 
 use crate::frame::Frame;
 use crate::rapid;
-use crate::segment::{Segment, SegmentKind, curve_of, is_known, point};
+use crate::segment::{Segment, SegmentKind, curve_of, curves_of, is_known, point};
 
 /// Turns commands into segments in one frame: the program coordinates of the first cut.
 /// What runs under another work offset is moved to where it lies relative to that.
@@ -47,6 +47,21 @@ impl<'a> PathBuilder<'a> {
                     push(&segment);
                     at = *corner;
                 });
+            }
+            CommandKind::Spline { motion, feed, .. } => {
+                let mut curves = Vec::new();
+                curves_of(&command.kind, |curve| curves.push(curve));
+                let whole: f64 = curves.iter().map(ParamCurve::length).sum();
+                for curve in curves {
+                    let share = if whole > 0.0 { curve.length() / whole } else { 0.0 };
+                    let time = match feed.mode {
+                        FeedMode::InverseTime => duration_s(feed, motion, &curve) * share,
+                        FeedMode::PerTime | FeedMode::PerRevolution => {
+                            duration_s(feed, motion, &curve)
+                        }
+                    };
+                    push(&self.segment(SegmentKind::Spline, curve, shift, command, motion, time));
+                }
             }
             kind => {
                 let curve = curve_of(motion, kind.shape());
@@ -115,6 +130,7 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
             flat.length()
         }
         (FeedAlong::Plane, Curve::Line(line)) => line.length(),
+        (FeedAlong::Plane, Curve::Spline(piece)) => piece.length(),
     };
     match feed.mode {
         FeedMode::InverseTime => 1.0 / feed.value,

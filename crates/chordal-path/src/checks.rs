@@ -193,6 +193,21 @@ impl<'a> Checks<'a> {
                 }
                 self.cut_at_depth(motion, &mut report);
             }
+            CommandKind::Spline { motion, curve, .. } => {
+                // Joints of splines are not judged: they pass from one to the next as the program says.
+                self.now.last = None;
+                let bounds = curve.bounds();
+                for corner in [bounds.min, bounds.max] {
+                    let mut place = motion.to;
+                    place[..3].copy_from_slice(&corner.to_array());
+                    self.extend(&place, motion.to_known);
+                    self.travel(&place, motion, command.origin, &mut report);
+                }
+                if is_known(motion) {
+                    self.seen.cut = self.seen.cut.union(bounds);
+                }
+                self.cut_at_depth(motion, &mut report);
+            }
             CommandKind::Units(units) => self.now.units = *units,
             _ => {
                 self.now.frame.follow(command);

@@ -49,5 +49,5 @@ pub use compensation::{
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::Frame;
-pub use segment::{Segment, SegmentKind, curve_of};
+pub use segment::{Segment, SegmentKind, curve_of, curves_of};
 pub use side_check::SideCheck;

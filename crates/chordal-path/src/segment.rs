@@ -1,7 +1,7 @@
 //! A segment of path: an exact curve of the tool tip with its block.
 
-use chordal_command::{ArcShape, AxisMask, Move, Origin, Position};
-use chordal_geometry::{Curve, Line, Vec3, spiral_from_center};
+use chordal_command::{ArcShape, AxisMask, CommandKind, Move, Origin, Position};
+use chordal_geometry::{Curve, Line, Spline, Vec3, spiral_from_center};
 
 /// What a piece of path is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -14,6 +14,8 @@ pub enum SegmentKind {
     Arc,
     /// A spiral or a cone.
     Spiral,
+    /// A polynomial span of a spline.
+    Spline,
 }
 
 /// A piece of path: an exact curve of the tool tip.
@@ -57,6 +59,17 @@ pub fn curve_of(motion: &Move, shape: Option<&ArcShape>) -> Curve {
             let center = (shape.center[0], shape.center[1]);
             spiral_from_center(shape.plane, from, to, center, shape.sweep, SAME_RADIUS_MM).curve
         }
+    }
+}
+
+/// The exact curves of a motion command in program coordinates, one after the other: one, but for a spline of
+/// several polynomial spans. A spline of a higher order than [`SplinePiece`](chordal_geometry::SplinePiece)
+/// takes is the line between its ends.
+pub fn curves_of(kind: &CommandKind, mut push: impl FnMut(Curve)) {
+    let Some(motion) = kind.motion() else { return };
+    match kind.spline().map(Spline::pieces) {
+        Some(Some(pieces)) => pieces.into_iter().for_each(|piece| push(Curve::Spline(piece))),
+        _ => push(curve_of(motion, kind.shape())),
     }
 }
 

@@ -123,13 +123,14 @@ fn finite(points: &[Point]) -> PyResult<()> {
 
 #[pymethods]
 impl Curve {
-    /// `line`, `arc` or `spiral`.
+    /// `line`, `arc`, `spiral` or `spline`.
     #[getter]
     fn kind(&self) -> &'static str {
         match self.0 {
             Exact::Line(_) => "line",
             Exact::Arc(_) => "arc",
             Exact::Spiral(_) => "spiral",
+            Exact::Spline(_) => "spline",
         }
     }
 
@@ -157,31 +158,31 @@ impl Curve {
         self.0.max_curvature()
     }
 
-    /// Its centre at the height of the start, mm; `None` for a line.
+    /// Its centre at the height of the start, mm; `None` for a line and a spline.
     #[getter]
     fn center(&self) -> Option<(f64, f64, f64)> {
         match self.0 {
-            Exact::Line(_) => None,
+            Exact::Line(_) | Exact::Spline(_) => None,
             Exact::Arc(arc) => Some(arc.center.to_array().into()),
             Exact::Spiral(spiral) => Some(spiral.center.to_array().into()),
         }
     }
 
-    /// Its radii at start and end, mm; `None` for a line.
+    /// Its radii at start and end, mm; `None` for a line and a spline.
     #[getter]
     fn radii(&self) -> Option<(f64, f64)> {
         match self.0 {
-            Exact::Line(_) => None,
+            Exact::Line(_) | Exact::Spline(_) => None,
             Exact::Arc(arc) => Some((arc.radius, arc.radius)),
             Exact::Spiral(spiral) => Some((spiral.radius_start, spiral.radius_end)),
         }
     }
 
-    /// The angle that it turns, rad, counter-clockwise above zero; 0 for a line.
+    /// The angle that it turns, rad, counter-clockwise above zero; 0 for a line and a spline.
     #[getter]
     fn sweep(&self) -> f64 {
         match self.0 {
-            Exact::Line(_) => 0.0,
+            Exact::Line(_) | Exact::Spline(_) => 0.0,
             Exact::Arc(arc) => arc.sweep,
             Exact::Spiral(spiral) => spiral.sweep,
         }

@@ -99,6 +99,8 @@ pub struct Moves {
     pub helices: u64,
     /// Spirals and cones.
     pub spirals: u64,
+    /// Splines.
+    pub splines: u64,
     /// Rapids.
     pub rapids: u64,
     /// Dwells.

@@ -310,3 +310,16 @@ proptest! {
         prop_assert!(done.certificate.holds() || is_deep, "{path:?} {all:?}: {:?}", done.certificate.comparison.differences.first());
     }
 }
+
+#[test]
+fn a_program_with_splines_is_refused_where_its_path_would_change() {
+    let text = "G21 G90 G17 S900 M3 F500\nG0 X0 Y0 Z0\nG5 I0 J3 P0 Q-3 X1 Y1\nM2\n";
+    let run = |step: Step| transform(&job(text.into(), "linuxcnc-mill"), &[step]);
+    for step in [Step::MirrorX, Step::Shift([1.0, 0.0, 0.0]), Step::Chords(0.01), Step::Scale(2.0)]
+    {
+        let refusal = run(step).unwrap_err();
+        assert_eq!(refusal.line, 3);
+        assert!(refusal.what.contains("splines"), "{}", refusal.what);
+    }
+    assert!(run(Step::NoNumbers).is_ok());
+}

@@ -3,9 +3,10 @@
 //! One row a piece of path, its two ends as single-precision offsets from a double-precision
 //! origin: that is what a graphics card takes, as it is. Arcs, helices, spirals and cones have
 //! their exact record beside, so that the page can draw them as fine as its zoom asks without
-//! asking again; it needs no rule of any control for that.
+//! asking again; it needs no rule of any control for that. Spans of splines have points along them,
+//! at even distances.
 
-use chordal::geometry::{Curve, ParamCurve, Vec3};
+use chordal::geometry::{Curve, ParamCurve, SplinePiece, Vec3};
 use chordal::{Segment, SegmentKind};
 use serde_json::{Value, json};
 
@@ -23,6 +24,12 @@ const CYCLE: u8 = 0x40;
 /// Numbers of an arc's record: centre, towards the start, axis, both radii, sweep (rad), rise (mm).
 const ARC: usize = 13;
 
+/// How far the straight pieces between the points of a spline are from it at most, mm: below what a screen
+/// shows of a part.
+const SPLINE_MM: f64 = 0.001;
+/// Most pieces of a span of a spline.
+const MOST_PIECES: f64 = 4096.0;
+
 /// Rows that are gathered.
 #[derive(Debug, Default)]
 pub struct Columns {
@@ -36,6 +43,10 @@ pub struct Columns {
     feed: Vec<f32>,
     arc_rows: Vec<u32>,
     arcs: Vec<f32>,
+    spline_rows: Vec<u32>,
+    /// How many points each of them has.
+    spline_counts: Vec<u32>,
+    spline_points: Vec<f32>,
     /// A, B and C at both ends of each row, rad; sent where one of them is not zero.
     turns: Vec<f32>,
 }
@@ -71,6 +82,12 @@ impl Columns {
             self.arc_rows.push(self.kind.len() as u32 - 1);
             self.arcs.extend(record);
         }
+        if let Curve::Spline(piece) = &segment.curve {
+            self.spline_rows.push(self.kind.len() as u32 - 1);
+            let before = self.spline_points.len();
+            along(piece, |point| self.spline_points.extend(near(point)));
+            self.spline_counts.push(((self.spline_points.len() - before) / 3) as u32);
+        }
     }
 
     /// The rows as a frame, and none are left.
@@ -83,6 +100,11 @@ impl Columns {
         frame.column("feed", &rows.feed);
         frame.column("arc_rows", &rows.arc_rows);
         frame.column("arcs", &rows.arcs);
+        if !rows.spline_rows.is_empty() {
+            frame.column("spline_rows", &rows.spline_rows);
+            frame.column("spline_counts", &rows.spline_counts);
+            frame.column("spline_points", &rows.spline_points);
+        }
         if rows.turns.iter().any(|angle| *angle != 0.0) {
             frame.column("turns", &rows.turns);
         }
@@ -102,6 +124,7 @@ fn kind_of(segment: &Segment, inserted: bool) -> u8 {
         SegmentKind::Line => 1,
         SegmentKind::Arc => 2,
         SegmentKind::Spiral => 3,
+        SegmentKind::Spline => 4,
     };
     let flag = |is, flag| if is { flag } else { 0 };
     kind | flag(segment.known, KNOWN) | flag(inserted, INSERTED) | flag(segment.origin.cycle, CYCLE)
@@ -113,9 +136,21 @@ fn feed_of(segment: &Segment) -> f32 {
     if known { (segment.length_mm / segment.duration_s * 60.0) as f32 } else { 0.0 }
 }
 
+/// Points of a span at even distances. A piece of the length d leaves the curve by d²/8 of its largest
+/// curvature at most.
+fn along(piece: &SplinePiece, mut push: impl FnMut(Vec3)) {
+    let length = piece.length();
+    let pieces = length * (piece.max_curvature() / (8.0 * SPLINE_MM)).sqrt();
+    // A NaN is one piece, too.
+    let pieces = pieces.ceil().max(1.0).min(MOST_PIECES);
+    for index in 0..=pieces as u32 {
+        push(piece.point_at(length * f64::from(index) / pieces));
+    }
+}
+
 fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC]> {
     let (center, u, w, radii, sweep, rise) = match curve {
-        Curve::Line(_) => return None,
+        Curve::Line(_) | Curve::Spline(_) => return None,
         Curve::Arc(arc) => {
             (arc.center, arc.u, arc.w, (arc.radius, arc.radius), arc.sweep, arc.rise)
         }

@@ -56,6 +56,8 @@ pub struct Summary {
     pub helices: u64,
     /// Spirals and cones.
     pub spirals: u64,
+    /// Splines.
+    pub splines: u64,
     /// Rapids.
     pub rapids: u64,
     /// Dwells.
@@ -150,6 +152,7 @@ impl SummaryBuilder {
                 }
             }
             CommandKind::Spiral { .. } => self.summary.spirals += 1,
+            CommandKind::Spline { .. } => self.summary.splines += 1,
             _ => {}
         }
         if !segments.is_empty() {

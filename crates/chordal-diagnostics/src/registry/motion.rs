@@ -119,4 +119,53 @@ depths before it were measured from another height, too.
     G91 G01 Z-0.5156          to -0.4156
     G03 I-0.5 Z0.125 L5       up to 0.2094
     G00 Z0.1                  up by 0.1 to 0.3094: G91 is still active"#;
+
+    SplineWords = 419, "spline-words", Error;
+    "a spline lacks a word that fixes its shape";
+    r#"A cubic spline (G5) needs P and Q, the way from its end to its second control point, and takes I and J,
+the way from its start to the first, both or neither: without them it goes on in the direction in
+which the last G5 ended. A quadratic spline (G5.1) needs I and J.
+
+    G5 X10 Y0 I0 J5 P0 Q5
+    G5 X20 Y0 P0 Q-5           I and J from the block before: I0 J-5"#;
+
+    SplinePoint = 420, "spline-point", Error;
+    "a control point lacks X or Y";
+    r#"Each line of a NURBS block (G5.2 to G5.3) gives one control point by X and Y together. Only the first line
+may give P alone: the weight of the point where the tool stands."#;
+
+    SplineWeight = 421, "spline-weight", Error;
+    "a control point has no weight above zero";
+    r#"Each control point of a NURBS block needs its weight P, and a weight is above zero. A larger weight pulls the
+curve nearer to its point; with equal weights it is a plain B-spline."#;
+
+    SplineOpen = 422, "spline-open", Error;
+    "a NURBS block lacks its beginning or its end";
+    r#"A NURBS is written from G5.2 to G5.3; the tool moves at G5.3. Without G5.3, another motion code or the end
+of the program throws the control points away. G5.3 without G5.2 has no points.
+
+    G5.2 X1 Y2 P1 L4
+    X3 Y3 P2
+    X5 Y0 P1
+    G5.3"#;
+
+    SplineTooFew = 423, "spline-too-few", Error;
+    "a NURBS has fewer control points than its order";
+    r#"A curve of order L (degree L − 1) needs L control points or more. The position of the tool at G5.2 is the
+first of them. Without L the order is 3."#;
+
+    SplinePlane = 424, "spline-plane", Error;
+    "a spline with another plane or another axis";
+    r#"Splines move X and Y in the plane G17. The control refuses them in G18 and G19, and with a word of
+another axis. Write such a curve as lines or arcs."#;
+
+    SplineInCompensation = 425, "spline-in-compensation", Error;
+    "a spline with cutter compensation on";
+    r#"The control does not offset splines. Cancel compensation with G40 first, or program the path of the tool
+centre."#;
+
+    SplineOrder = 426, "spline-order", Error;
+    "the order of a spline is higher than Chordal carries out";
+    r#"Chordal carries out splines up to order 6 (degree 5) exactly. The message gives the order that the program
+asks for. The path shows a straight line in its place."#;
 }

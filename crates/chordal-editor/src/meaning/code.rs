@@ -176,6 +176,7 @@ fn fields_of(action: Action) -> &'static [Field] {
                 F::Spiral,
             ],
             MotionCode::SpiralCw | MotionCode::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
+            MotionCode::Spline(_) | MotionCode::SplineEnd => &[],
         },
         Action::Reading(code) => match code {
             ReadingCode::Inch | ReadingCode::Millimetre => &[F::Units, F::UnitCodes],

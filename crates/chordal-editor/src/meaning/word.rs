@@ -5,7 +5,7 @@ use chordal::control::{
     Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
 };
 use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
-use chordal::control::{CycleKind, HolePattern};
+use chordal::control::{CycleKind, HolePattern, SplineForm};
 
 use chordal::machine::AXIS_LETTERS;
 
@@ -44,7 +44,23 @@ fn motion(code: MotionCode, letter: u8, view: &View) -> Option<String> {
             b'I' | b'J' | b'K' => center(letter, view),
             _ => None,
         },
+        MotionCode::Spline(form) => spline(form, letter).map(str::to_string),
+        MotionCode::SplineEnd => None,
     }
+}
+
+fn spline(form: SplineForm, letter: u8) -> Option<&'static str> {
+    Some(match (form, letter) {
+        (SplineForm::Cubic, b'I') => "X from the start to the first control point",
+        (SplineForm::Cubic, b'J') => "Y from the start to the first control point",
+        (SplineForm::Cubic, b'P') => "X from the end to the second control point",
+        (SplineForm::Cubic, b'Q') => "Y from the end to the second control point",
+        (SplineForm::Quadratic, b'I') => "X from the start to the control point",
+        (SplineForm::Quadratic, b'J') => "Y from the start to the control point",
+        (SplineForm::Points, b'P') => "weight of the control point, above zero",
+        (SplineForm::Points, b'L') => "order of the curve (degree + 1); 3 without it",
+        _ => return None,
+    })
 }
 
 fn once(code: OnceCode, letter: u8, view: &View) -> Option<String> {

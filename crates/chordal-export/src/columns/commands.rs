@@ -10,7 +10,10 @@ use chordal::{Command, CommandKind, Job, PathCommand, SourceMap};
 use super::cells::{Files, Flags, Integers, Numbers, Texts, Words};
 use super::field::{Cell, Column, axes_of, places, schema};
 use super::file::Rows;
-use crate::motion::{Written, feed_mode_word, path_feed, plane_word, side_word, spindle_word};
+use crate::motion::{
+    Written, feed_mode_word, path_feed, plane_word, side_word, spindle_word, spline_feed,
+    spline_length,
+};
 
 /// Name and version of the columns of commands as programmed.
 pub const COMMAND_COLUMNS: &str = "chordal.command-columns/1";
@@ -23,6 +26,7 @@ const KINDS: &[&str] = &[
     "line",
     "arc",
     "spiral",
+    "spline",
     "dwell",
     "tool",
     "tool_select",
@@ -202,6 +206,13 @@ impl<'a> CommandColumns<'a> {
             CommandKind::Arc { motion, shape, feed } => self.cut("arc", motion, Some(shape), feed),
             CommandKind::Spiral { motion, shape, feed } => {
                 self.cut("spiral", motion, Some(shape), feed)
+            }
+            CommandKind::Spline { motion, curve, feed } => {
+                self.ends(motion);
+                let length = spline_length(curve);
+                self.length.put(self.rows, length);
+                self.feed.put(self.rows, spline_feed(feed, length));
+                "spline"
             }
             CommandKind::Message(range) => {
                 let words = self.sources.words(range.in_file(command.origin.span.file));

@@ -13,7 +13,7 @@ use super::file::Rows;
 /// Name and version of the columns of the exact path.
 pub const PATH_COLUMNS: &str = "chordal.path-columns/1";
 
-pub(super) const KINDS: &[&str] = &["rapid", "line", "arc", "spiral"];
+pub(super) const KINDS: &[&str] = &["rapid", "line", "arc", "spiral", "spline"];
 
 pub(super) fn kind_key(kind: SegmentKind) -> usize {
     match kind {
@@ -21,6 +21,7 @@ pub(super) fn kind_key(kind: SegmentKind) -> usize {
         SegmentKind::Line => 1,
         SegmentKind::Arc => 2,
         SegmentKind::Spiral => 3,
+        SegmentKind::Spline => 4,
     }
 }
 
@@ -88,7 +89,7 @@ struct Turn {
 
 fn turn_of(curve: &Curve) -> Option<Turn> {
     match curve {
-        Curve::Line(_) => None,
+        Curve::Line(_) | Curve::Spline(_) => None,
         Curve::Arc(arc) => Some(Turn {
             center: arc.center,
             normal: arc.w,

@@ -167,3 +167,39 @@ fn a_full_disk_is_told() {
     let all = commands(&job);
     assert!(all.iter().any(|command| writer.command(command).is_err()));
 }
+
+const SPLINE: &[u8] = b"G21 G90 G17 S900 M3 F600
+G0 X0 Y0 Z0
+G5 I0 J3 P0 Q-3 X1 Y1
+G5.2 X2 Y2 P1
+X3 Y1 P2
+G5.3
+M2
+";
+
+#[test]
+fn splines_are_of_a_kind_of_their_own() {
+    let job = job("linuxcnc-mill", "spline.nc", SPLINE);
+    let commands = commands(&job);
+    let lines: Vec<serde_json::Value> = json_lines(&job, &commands)
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .filter(|object: &serde_json::Value| object["kind"] == "spline")
+        .collect();
+    assert_eq!(lines.len(), 2);
+    assert_eq!(lines[0]["order"], 4);
+    assert_eq!(lines[0]["y"], serde_json::json!([0.0, 3.0, -2.0, 1.0]));
+    assert_eq!(lines[1]["weights"], serde_json::json!([1.0, 1.0, 2.0]));
+    assert_eq!(lines[1]["feed"], 600.0);
+
+    let mut writer = CommandCsv::new(Vec::new(), &job).unwrap();
+    commands.iter().for_each(|command| writer.command(command).unwrap());
+    let csv = text(writer.finish().unwrap());
+    assert_eq!(csv.lines().filter(|line| line.contains(",spline,")).count(), 2);
+
+    let mut writer = Canon::new(Vec::new(), &job).unwrap();
+    commands.iter().for_each(|command| writer.command(command).unwrap());
+    let canon = text(writer.finish().unwrap());
+    let first = "N3 NURBS_FEED(4, 0.000000, 0.000000, 1.000000, 0.000000, 3.000000, 1.000000, ";
+    assert!(canon.contains(first), "{canon}");
+}

@@ -12,6 +12,7 @@ use chordal_syntax::{Decimal, Position as TextPosition};
 
 use super::context::KeptModes;
 use super::macros::MacroMemory;
+use super::spline::SplineMemory;
 use super::{Interpreter, Reported};
 
 /// With more chains of calls a checkpoint would cost more than it saves.
@@ -33,6 +34,7 @@ struct BlockMemory {
     kept_modes: Vec<KeptModes>,
     references: [PerAxis<Option<f64>>; 2],
     macros: MacroMemory,
+    spline: SplineMemory,
 }
 
 impl Memory for BlockMemory {
@@ -94,6 +96,7 @@ impl Interpreter<'_> {
             kept_modes: self.kept_modes.clone(),
             references: self.references,
             macros: self.macros.memory(),
+            spline: self.spline.clone(),
         };
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
     }
@@ -117,6 +120,7 @@ impl Interpreter<'_> {
         self.kept_modes = memory.kept_modes;
         self.references = memory.references;
         self.macros.recall(memory.macros);
+        self.spline = memory.spline;
     }
 
     /// Notes that a program was read, searched, or asked for a place in it.

@@ -140,6 +140,14 @@ impl Interpreter<'_> {
             Motion::Spiral(_) => 21,
             Motion::Thread => 330,
             Motion::RigidTap => 331,
+            Motion::Spline(form) => {
+                let code = Action::Motion(MotionCode::Spline(form));
+                let rows = self.control.table.g_codes.iter();
+                return rows
+                    .into_iter()
+                    .find(|row| row.action == code)
+                    .map(|row| self.words_of(row));
+            }
             _ if self.control.table.motion == MotionModality::Armed => 20,
             _ => return None,
         };

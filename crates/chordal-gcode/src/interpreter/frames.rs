@@ -77,7 +77,7 @@ impl Interpreter<'_> {
 
     /// The end point that the words give while they are a radius and an angle on the axes of the plane.
     #[cold]
-    pub(super) fn polar_target(&mut self, block: &Block) -> (Position, AxisMask) {
+    pub(super) fn target_by_angle(&mut self, block: &Block) -> (Position, AxisMask) {
         let state = &self.kernel.state;
         let (from, plane, incremental) = (state.position, state.plane, state.incremental);
         let (a, b, _) = plane.axes();

@@ -27,6 +27,7 @@ mod repeats;
 mod report;
 mod shop;
 mod spiral;
+mod spline;
 mod statement;
 mod thread;
 
@@ -158,6 +159,8 @@ struct Interpreter<'a> {
     /// The block before was a remark without its marks, or a comment left open.
     in_remark: bool,
     macros: macros::MacroState<'a>,
+    /// What G5 and G5.2 remember.
+    spline: spline::SplineMemory,
     /// Blocks of the main program before this place are repeats after a jump back; 0 when
     /// there are none.
     repeat_until: u32,
@@ -269,6 +272,7 @@ impl<'a> Interpreter<'a> {
             subroutines: BTreeMap::new(),
             labels: HashMap::new(),
             jumps: HashMap::new(),
+            spline: spline::SplineMemory::default(),
             missing: Vec::new(),
             blocks: 0,
             data_lines: false,

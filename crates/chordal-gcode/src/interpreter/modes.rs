@@ -333,6 +333,7 @@ impl Interpreter<'_> {
             AfterCode::ProgramStop => self.kernel.emit(CommandKind::Stop { optional: false }),
             AfterCode::OptionalStop => self.kernel.emit(CommandKind::Stop { optional: true }),
             AfterCode::ProgramEnd { .. } => {
+                self.drop_open_spline(block);
                 self.kernel.set_spindle(SpindleState::Off);
                 self.kernel.emit(CommandKind::End);
                 return Flow::End(EndReason::ProgramEnd);

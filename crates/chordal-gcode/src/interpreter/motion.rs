@@ -19,7 +19,7 @@ impl Interpreter<'_> {
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
         if self.kernel.state.polar.is_some() {
-            return self.polar_target(block);
+            return self.target_by_angle(block);
         }
         let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
         let mut target = from;
@@ -105,7 +105,14 @@ impl Interpreter<'_> {
     /// Takes the motion code, then moves as the words say.
     pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<MotionCode>) {
         if let Some(action) = explicit {
+            self.watch_open_spline(block, action);
+            if action == MotionCode::SplineEnd {
+                return self.end_spline(block);
+            }
             self.take_motion_code(action);
+        }
+        if let Motion::Spline(form) = self.kernel.state.motion {
+            return self.spline_block(block, form, explicit.is_some());
         }
         match self.control.table.motion {
             MotionModality::Exclusive => self.exclusive_motion(block, explicit.is_some()),
@@ -124,6 +131,8 @@ impl Interpreter<'_> {
             MotionCode::SpiralCcw => Motion::Spiral(Direction::Ccw),
             MotionCode::Thread => Motion::Thread,
             MotionCode::RigidTap => Motion::RigidTap,
+            MotionCode::Spline(form) => Motion::Spline(form),
+            MotionCode::SplineEnd => Motion::None,
         };
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
@@ -151,6 +160,8 @@ impl Interpreter<'_> {
             Motion::Spiral(direction) => self.spiral_block(block, direction, target, named),
             Motion::Thread => self.thread_block(block, target, named, false),
             Motion::RigidTap => self.thread_block(block, target, named, true),
+            // Carried out before: its words are others.
+            Motion::Spline(_) => {}
             Motion::None => self.report_no_motion(block, target, named),
         }
     }

@@ -101,6 +101,19 @@ impl Interpreter<'_> {
         );
     }
 
+    /// For an L where cycles count with another letter.
+    fn repeat_word_help(&self, letter: u8) -> Option<String> {
+        let own = self.control.parameters.rules.cycles.repeat_letter;
+        let field = Field::Cycle(CycleField::RepeatLetter);
+        let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
+        let (own, name) = (own as char, setting.name);
+        (letter == b'L' && own != 'L').then(|| {
+            format!(
+                "a cycle counts its holes with {own}, or with L where the setting `{name}` says so"
+            )
+        })
+    }
+
     #[cold]
     pub(super) fn report_long_line(&mut self, block: &Block, longest: u32) {
         let title = self.control.table.title;
@@ -133,19 +146,6 @@ impl Interpreter<'_> {
                     false => "remove it, or check for which code it was meant",
                 }),
         );
-    }
-
-    /// For an L where cycles count with another letter.
-    fn repeat_word_help(&self, letter: u8) -> Option<String> {
-        let own = self.control.parameters.rules.cycles.repeat_letter;
-        let field = Field::Cycle(CycleField::RepeatLetter);
-        let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
-        let (own, name) = (own as char, setting.name);
-        (letter == b'L' && own != 'L').then(|| {
-            format!(
-                "a cycle counts its holes with {own}, or with L where the setting `{name}` says so"
-            )
-        })
     }
 
     /// For a word that would make a spiral with another setting: how a spiral is written here.

@@ -93,6 +93,8 @@ pub fn at_fraction(c: &Curve, t: f64) -> Vec3 {
             let r = s.radius_start + (s.radius_end - s.radius_start) * t;
             turn(s.center, s.u, s.w, r, s.sweep, s.rise)
         }
+        // Splines have tests of their own (`splines.rs`).
+        Curve::Spline(piece) => piece.point_at(t * piece.length()),
     }
 }
 
@@ -100,7 +102,7 @@ pub fn at_fraction(c: &Curve, t: f64) -> Vec3 {
 /// sides (Romberg).
 pub fn length_by_polylines(c: &Curve, t0: f64, t1: f64) -> f64 {
     let turns = match c {
-        Curve::Line(_) => 0.0,
+        Curve::Line(_) | Curve::Spline(_) => 0.0,
         Curve::Arc(a) => a.sweep.abs() * (t1 - t0),
         Curve::Spiral(s) => s.sweep.abs() * (t1 - t0),
     };
@@ -144,7 +146,7 @@ fn romberg(c: &Curve, t0: f64, t1: f64) -> f64 {
 /// small step is small against.
 pub fn rate_of(c: &Curve) -> f64 {
     let rate = match c {
-        Curve::Line(_) => 0.0,
+        Curve::Line(_) | Curve::Spline(_) => 0.0,
         Curve::Arc(a) => a.sweep.abs() / a.length(),
         Curve::Spiral(s) => {
             let around = s.radius_start.min(s.radius_end) * s.sweep;

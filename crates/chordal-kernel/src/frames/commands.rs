@@ -1,6 +1,7 @@
 //! Commands of the kernel in the work coordinate system: moves, arcs and sides through the frames in force.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use chordal_command::{ArcShape, CommandKind, Move, Position, Side};
 use chordal_geometry::{Direction, Plane, arc_from_center};
@@ -26,6 +27,15 @@ impl Map {
             CommandKind::Spiral { motion, shape, feed } => {
                 let mapped = self.motion(&motion);
                 CommandKind::Spiral { motion: mapped, shape: self.shape(&shape, &mapped), feed }
+            }
+            CommandKind::Spline { motion, curve, feed } => {
+                let mapped = curve.mapped(|place| {
+                    let mut at = motion.from;
+                    (at[0], at[1], at[2]) = (place.x, place.y, place.z);
+                    point(&self.point(&at))
+                });
+                let curve = Arc::new(mapped);
+                CommandKind::Spline { motion: self.motion(&motion), curve, feed }
             }
             CommandKind::Compensation { side, number, radius_mm, toward } => {
                 let toward = toward.map(|way| self.way_in_plane(plane, way));

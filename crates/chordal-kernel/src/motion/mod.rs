@@ -3,6 +3,7 @@
 mod arc;
 mod reference;
 mod spiral;
+mod spline;
 mod thread;
 
 use chordal_command::{
@@ -71,7 +72,6 @@ impl Kernel<'_> {
         // An axis that was placed in program coordinates stands at a known machine place
         // only where the offset is known.
         let machine = self.state.machine_known;
-        self.state.believed = None;
         let (moved, placed) = match self.state.frames.is_plain() {
             true => (named, named),
             false => {
@@ -81,6 +81,7 @@ impl Kernel<'_> {
             }
         };
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
+        self.state.believed = None;
         let from = std::mem::replace(&mut self.state.position, target);
         Move { from, to: target, from_known, to_known: self.state.known }
     }

@@ -191,8 +191,9 @@ pub fn turning(curve: &Curve, from: f64, to: f64) -> (Turning, [f64; 3]) {
             let turning = Turning { share, curvature: arc.sweep.abs() / length, twist: 0.0 };
             (turning, axis.map(|w| along * w.abs()))
         }
-        Curve::Spiral(_) => {
-            // Both change evenly enough over a piece of a spiral to be met between its probes.
+        Curve::Spiral(_) | Curve::Spline(_) => {
+            // Both change evenly enough over a piece of a spiral, and over one of an even part of a
+            // spline, to be met between its probes.
             const MARGIN: f64 = 1.05;
             let (mut curvature, mut twist) = (0.0_f64, 0.0_f64);
             for probe in 0..=4 {
@@ -213,6 +214,8 @@ pub fn turning(curve: &Curve, from: f64, to: f64) -> (Turning, [f64; 3]) {
 pub fn cuts(curve: &Curve) -> usize {
     match curve {
         Curve::Spiral(spiral) => ((spiral.sweep.abs() / 0.2).ceil() as usize).clamp(1, 512),
-        _ => 1,
+        // Even parts of a spline turn by a quarter radian at most.
+        Curve::Spline(_) => 4,
+        Curve::Line(_) | Curve::Arc(_) => 1,
     }
 }

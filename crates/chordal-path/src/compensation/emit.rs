@@ -139,7 +139,9 @@ impl Compensator {
                 }
             }
             (
-                CommandKind::Arc { feed, .. } | CommandKind::Spiral { feed, .. },
+                CommandKind::Arc { feed, .. }
+                | CommandKind::Spiral { feed, .. }
+                | CommandKind::Spline { feed, .. },
                 PlaneCurve::Line { .. },
             ) => {
                 let feed = *feed;
@@ -376,7 +378,8 @@ fn motion_mut(kind: &mut CommandKind) -> Option<&mut Move> {
         CommandKind::Rapid { motion, .. }
         | CommandKind::Line { motion, .. }
         | CommandKind::Arc { motion, .. }
-        | CommandKind::Spiral { motion, .. } => Some(motion),
+        | CommandKind::Spiral { motion, .. }
+        | CommandKind::Spline { motion, .. } => Some(motion),
         _ => None,
     }
 }

@@ -468,7 +468,8 @@ fn aside_move(kind: &CommandKind) -> CommandKind {
         }
         CommandKind::Line { motion, feed }
         | CommandKind::Arc { motion, feed, .. }
-        | CommandKind::Spiral { motion, feed, .. } => {
+        | CommandKind::Spiral { motion, feed, .. }
+        | CommandKind::Spline { motion, feed, .. } => {
             CommandKind::Line { motion: still(motion), feed: *feed }
         }
         other => other.clone(),

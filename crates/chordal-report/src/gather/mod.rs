@@ -191,6 +191,7 @@ fn moves(report: &Report) -> Moves {
         arcs: summary.arcs,
         helices: summary.helices,
         spirals: summary.spirals,
+        splines: summary.splines,
         rapids: summary.rapids,
         dwells: summary.dwells,
         cut_mm: summary.feed_length_mm,

@@ -85,7 +85,10 @@ impl Travels {
         }
         let motion = command.kind.motion()?;
         let cuts = command.kind.feed().is_some();
-        let bounds = command.kind.shape().map(|shape| curve_of(motion, Some(shape)).bounds());
+        let bounds = match command.kind.spline() {
+            Some(curve) => Some(curve.bounds()),
+            None => command.kind.shape().map(|shape| curve_of(motion, Some(shape)).bounds()),
+        };
         self.motion(motion, bounds, cuts);
         let z_is_known = motion.from_known.has(2) && motion.to_known.has(2);
         let lowest = bounds.map_or(motion.from[2].min(motion.to[2]), |bounds| bounds.min.z);

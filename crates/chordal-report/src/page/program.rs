@@ -76,6 +76,7 @@ pub fn program(document: &Document, show: &Show) -> Markup {
         (moves.arcs, "arc", "arcs"),
         (moves.helices, "helix", "helices"),
         (moves.spirals, "spiral", "spirals"),
+        (moves.splines, "spline", "splines"),
         (moves.rapids, "rapid", "rapids"),
         (moves.dwells, "dwell", "dwells"),
     ];

@@ -175,6 +175,12 @@ impl<'a> Emitter<'a> {
             CommandKind::Line { motion, feed } => self.cut(motion, feed)?,
             CommandKind::Arc { motion, shape, feed }
             | CommandKind::Spiral { motion, shape, feed } => self.arc(motion, shape, feed)?,
+            CommandKind::Spline { .. } => {
+                return Err(format!(
+                    "{} has no splines: write the curve as lines or arcs before the conversion",
+                    self.to.table.title
+                ));
+            }
             CommandKind::Dwell { seconds, .. } => {
                 self.flush();
                 let word = numbers::dwell_word(*seconds, self.to.table);

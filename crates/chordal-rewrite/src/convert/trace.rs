@@ -206,6 +206,9 @@ impl Trace {
 pub(crate) fn moves(commands: &[Command]) -> impl Iterator<Item = &Command> {
     commands.iter().filter(|command| {
         command.kind.motion().is_some_and(|motion| motion.from != motion.to)
-            || matches!(command.kind, CommandKind::Arc { .. } | CommandKind::Spiral { .. })
+            || matches!(
+                command.kind,
+                CommandKind::Arc { .. } | CommandKind::Spiral { .. } | CommandKind::Spline { .. }
+            )
     })
 }

@@ -57,11 +57,11 @@ impl<'a> Context<'a> {
         if !self.keeps_macros() {
             self.macros.values(draft, at)?;
         }
+        self.frames(at)?;
         if !draft.block.polar.is_empty() && !self.to.table.lexicon.polar_words {
             let title = self.to.table.title;
             return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
         }
-        self.frames(at)?;
         codes::translate(draft, self.from, self.to, self.style())?;
         self.offsets(draft, at)?;
         cycles::translate(self, draft, at)?;

@@ -373,6 +373,8 @@ fn mirrored(action: Action) -> Option<Action> {
             MotionCode::Rapid | MotionCode::Linear => return None,
             // The thread stays as it is.
             MotionCode::Thread | MotionCode::RigidTap => return None,
+            // Programs with splines are not transformed.
+            MotionCode::Spline(_) | MotionCode::SplineEnd => return None,
         })),
         Action::Mode(code) => Some(Action::Mode(code.other_side()?)),
         Action::Reading(_)

@@ -20,8 +20,10 @@ mod units;
 mod writer;
 
 use chordal::Job;
-use chordal::control::Units;
+use chordal::control::{Action, MotionCode, Units};
+use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
+use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal_compare::{Category, Mapping, Options, Verdict};
 
 use crate::source::first_text;
@@ -125,7 +127,31 @@ impl Step {
         })
     }
 
+    /// It changes words of places and lengths, or what moves there are.
+    fn reads_the_path(&self) -> bool {
+        match self {
+            Step::Shift(_)
+            | Step::Rotate { .. }
+            | Step::MirrorX
+            | Step::MirrorY
+            | Step::Scale(_)
+            | Step::Units(_)
+            | Step::Arcs(_)
+            | Step::Chords(_)
+            | Step::Fit(_)
+            | Step::Simplify(_) => true,
+            Step::Renumber { .. }
+            | Step::NoNumbers
+            | Step::StripComments
+            | Step::Shrink(_)
+            | Step::Rates { .. } => false,
+        }
+    }
+
     fn run(&self, job: &Job) -> Result<Outcome, Refusal> {
+        if self.reads_the_path() {
+            refuse_splines(job)?;
+        }
         let xy = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
         match *self {
             Step::Shift(by) => map::map(job, &Transform::translation(Vec3::from_array(by))),
@@ -147,6 +173,31 @@ impl Step {
             Step::Rates { feed, speed } => rates::rates(job, feed, speed),
         }
     }
+}
+
+/// The words of splines are not transformed: P and Q are lengths in one code and a weight in another.
+fn refuse_splines(job: &Job) -> Result<(), Refusal> {
+    let writer = writer::Writer::new(job);
+    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
+    let mut block = Block::new();
+    while reader.read(&mut block) {
+        let is_spline = block.kind == BlockKind::Words
+            && roles::actions(&block, writer.control).any(|(_, action)| {
+                matches!(
+                    action,
+                    Action::Motion(MotionCode::Spline(_)) | Action::Motion(MotionCode::SplineEnd)
+                )
+            });
+        if is_spline {
+            return Err(Refusal::new(
+                writer.text,
+                &block,
+                "the words of splines are not transformed",
+                "write the splines as lines or arcs first, or move the work offset in place of the program",
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// What a step comes to.

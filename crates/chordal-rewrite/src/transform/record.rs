@@ -35,6 +35,7 @@ pub(super) enum Did {
     Line,
     Arc,
     Spiral,
+    Spline,
     /// The moves of a cycle or a pocket.
     Cycle,
 }
@@ -109,6 +110,7 @@ impl Sink for Record {
             CommandKind::Line { .. } => Did::Line,
             CommandKind::Arc { .. } => Did::Arc,
             CommandKind::Spiral { .. } => Did::Spiral,
+            CommandKind::Spline { .. } => Did::Spline,
             _ => return,
         };
         if command.origin.span.file != FileId(0) {

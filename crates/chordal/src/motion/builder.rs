@@ -2,7 +2,7 @@
 
 use chordal_command::{Command, CommandKind, Origin, Overrides, PathMode, SpindleState};
 use chordal_diagnostics::Diagnostic;
-use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
 use chordal_kernel::rules::PathRules;
 use chordal_machine::{AXES, FeedLimits, Machine, Times};
@@ -39,6 +39,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     /// Those that the program lets act.
     overrides: Overrides,
     dog_leg_shape: bool,
+    spline_tolerance_mm: f64,
     mode: PathMode,
     spindle_rpm: f64,
     tool: u32,
@@ -80,6 +81,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             forced_mode: options.path_mode,
             overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,
+            spline_tolerance_mm: options.spline_tolerance_mm,
             spindle_rpm: 0.0,
             tool: 0,
             at: None,
@@ -180,7 +182,37 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         tag
     }
 
-    /// A piece of path of a command; `bends`: the same rapid goes on after it.
+    /// The spans of a spline, each in its even parts.
+    fn spline(&mut self, spans: &[Segment], cycle: bool) {
+        let mut parts = Vec::new();
+        for span in spans {
+            let mut push = |curve: Curve| {
+                let length_mm = curve.length();
+                let share = length_mm / span.length_mm;
+                parts.push(Segment {
+                    curve,
+                    length_mm,
+                    duration_s: span.duration_s * share,
+                    ..*span
+                });
+            };
+            match &span.curve {
+                Curve::Spline(piece) => {
+                    piece.even_parts(self.spline_tolerance_mm, &mut |part| match part {
+                        EvenPart::Line(line) => push(line.into()),
+                        EvenPart::Bent(bent) => push(bent.into()),
+                    });
+                }
+                curve => push(*curve),
+            }
+        }
+        parts.retain(|part| part.length_mm > 0.0);
+        for (index, part) in parts.iter().enumerate() {
+            self.segment(part, cycle, index + 1 < parts.len());
+        }
+    }
+
+    /// A piece of path of a command; `bends`: the same command goes on after it.
     fn segment(&mut self, segment: &Segment, cycle: bool, bends: bool) {
         let kind = match segment.kind {
             SegmentKind::Rapid => MoveKind::Rapid,
@@ -332,6 +364,7 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
             Some((last, bends)) => {
                 let cycle = command.origin.cycle;
                 match bends.first() {
+                    _ if last.kind == SegmentKind::Spline => self.spline(&segments, cycle),
                     Some(first) if !self.dog_leg_shape => {
                         self.segment(&chord(first, bends, last), cycle, false);
                     }

@@ -5,6 +5,7 @@
 //! | bend of a dog-leg rapid, where its shape is kept | within the machine's `rapid_corner_tolerance`: no axis waits for another, and nothing is cut there |
 //! | rapid → rapid, rapid → cut, cut → rapid | at rest where the control checks the position, otherwise like a cut; between rapids within `rapid_corner_tolerance` |
 //! | cut → cut | by the path mode of the block that ends |
+//! | within one spline | by the path mode, and without a stop in exact stop mode |
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
 //! | before a wait | at rest |
 
@@ -22,7 +23,7 @@ pub(super) struct Ending {
     /// The path mode of its block.
     pub mode: PathMode,
     pub cycle: bool,
-    /// The next piece belongs to the same rapid.
+    /// The next piece belongs to the same command.
     pub bends: bool,
 }
 
@@ -49,7 +50,12 @@ pub(super) fn corner_of(
         (Cut, Rapid) => rules.stop_after_cut,
         (Cut, Cut) => ending.cycle && turns_round(&ending.motion, next),
     };
-    match ending.mode {
+    let mode = match ending.mode {
+        // Within one cut there is no end of a block.
+        PathMode::ExactStop if ending.bends => PathMode::ExactPath,
+        mode => mode,
+    };
+    match mode {
         _ if stops => Corner::Stop,
         PathMode::ExactStop => Corner::Stop,
         PathMode::ExactPath => {

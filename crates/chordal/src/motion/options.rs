@@ -23,6 +23,9 @@ pub struct MotionOptions {
     /// since every bend costs a little. Otherwise such a rapid is planned along its chord, which
     /// takes as long as its slowest axis does and is the time of the machine.
     pub dog_leg_shape: bool,
+    /// Splines are planned in even parts, exactly. Where none is even (at a cusp, at a start without speed)
+    /// they are lines within this distance of the curve, mm.
+    pub spline_tolerance_mm: f64,
     /// Where operations begin.
     pub operations: OperationStart,
 }
@@ -36,6 +39,7 @@ impl Default for MotionOptions {
             path_mode: None,
             corner_tolerance_mm: None,
             dog_leg_shape: false,
+            spline_tolerance_mm: 1e-6,
             operations: OperationStart::ToolChange,
         }
     }

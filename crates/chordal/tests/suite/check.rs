@@ -214,6 +214,7 @@ fn check_whole(program: &Program, ran: &Ran, wrong: &mut Wrong) {
             "arcs" => summary.arcs as f64,
             "helices" => summary.helices as f64,
             "spirals" => summary.spirals as f64,
+            "splines" => summary.splines as f64,
             "dwells" => summary.dwells as f64,
             "feed_length" => summary.feed_length_mm / ran.unit,
             _ => summary.rapid_length_mm / ran.unit,

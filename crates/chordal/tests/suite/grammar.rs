@@ -146,8 +146,17 @@ fn read_directive(comment: &str, program: &mut Program) -> Result<(), String> {
     Ok(())
 }
 
-const TOTALS: [&str; 8] =
-    ["rapids", "lines", "arcs", "helices", "spirals", "dwells", "feed_length", "rapid_length"];
+const TOTALS: [&str; 9] = [
+    "rapids",
+    "lines",
+    "arcs",
+    "helices",
+    "spirals",
+    "splines",
+    "dwells",
+    "feed_length",
+    "rapid_length",
+];
 
 fn one_of(value: &str, allowed: &[&str]) -> Result<String, String> {
     if allowed.contains(&value) {
@@ -206,7 +215,7 @@ fn read_motion(item: &str) -> Result<(Motion, usize), String> {
     let mut motion = Motion { text: item.to_string(), ..Motion::default() };
     let mut times = 1;
     let kind = tokens.next().unwrap_or("");
-    motion.kind = one_of(kind, &["rapid", "line", "arc", "helix", "spiral"])?;
+    motion.kind = one_of(kind, &["rapid", "line", "arc", "helix", "spiral", "spline"])?;
     while let Some(key) = tokens.next() {
         match key {
             "cw" => motion.ccw = Some(false),

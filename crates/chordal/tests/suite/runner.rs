@@ -189,6 +189,7 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
         CommandKind::Rapid { .. } => "rapid",
         CommandKind::Line { .. } => "line",
         CommandKind::Arc { .. } => "arc",
+        CommandKind::Spline { .. } => "spline",
         _ => "spiral",
     };
     let feed = command.kind.feed();
@@ -198,8 +199,14 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
         FeedMode::PerTime | FeedMode::InverseTime => feed.value * 60.0,
         FeedMode::PerRevolution => feed.value,
     });
-    let curve = curve_of(motion, shape.as_ref());
-    let length = curve.length();
+    let (length, tangents) = match command.kind.spline() {
+        Some(spline) => (spline.length(1e-9), (spline.start_tangent(), spline.end_tangent())),
+        None => {
+            let curve = curve_of(motion, shape.as_ref());
+            let length = curve.length();
+            (length, (curve.tangent_at(0.0), curve.tangent_at(length)))
+        }
+    };
     Some(Made {
         written: [1.0; AXES],
         line: command.origin.line,
@@ -211,7 +218,7 @@ fn made_by(command: &Command, mode: PathMode) -> Option<Made> {
         feed: value,
         feed_has_length: linear && feed.is_some_and(|feed| feed.mode != FeedMode::InverseTime),
         along: feed.map(|feed| if feed.along == FeedAlong::Path { "path" } else { "plane" }),
-        tangents: (curve.tangent_at(0.0), curve.tangent_at(length)),
+        tangents,
         mode,
     })
 }

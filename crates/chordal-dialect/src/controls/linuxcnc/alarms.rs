@@ -64,4 +64,21 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
         "Cannot restore context from invalid stack frame - missing M70/M73?",
     ),
     (Code::CycleSpindle, "Spindle not turning in cycle"),
+    (
+        Code::SplineWords,
+        "Must specify both P and Q with G5 / Must specify both I and J, or neither / Must specify both I and J \
+         with G5.1",
+    ),
+    (Code::SplinePoint, "You must specify both X and Y coordinates for Control Points"),
+    (Code::SplineWeight, "Must specify positive weight P for every Control Point"),
+    (Code::SplineOpen, "Cannot use G5.3 without G5.2 first"),
+    (
+        Code::SplineTooFew,
+        "You must specify a number of control points at least equal to the order L = {delta}",
+    ),
+    (
+        Code::SplinePlane,
+        "Splines must be in the XY plane / Splines may not have motion in Z, A, B, or C",
+    ),
+    (Code::SplineInCompensation, "Cannot convert spline with cutter radius compensation"),
 ];

@@ -148,6 +148,7 @@ impl Interpreter<'_> {
             Motion::Linear | Motion::Thread | Motion::RigidTap => 1.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
+            Motion::Spline(form) => self.spline_code(form) / 10.0,
         }
     }
 

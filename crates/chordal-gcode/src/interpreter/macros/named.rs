@@ -148,6 +148,7 @@ impl Interpreter<'_> {
             Motion::RigidTap => 331.0,
             Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 20.0,
             Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 30.0,
+            Motion::Spline(form) => self.spline_code(form),
         }
     }
 }

@@ -455,6 +455,7 @@ impl Interpreter<'_> {
                 Motion::Thread | Motion::RigidTap => 33.0,
                 Motion::Arc(Direction::Cw) | Motion::Spiral(Direction::Cw) => 2.0,
                 Motion::Arc(Direction::Ccw) | Motion::Spiral(Direction::Ccw) => 3.0,
+                Motion::Spline(form) => self.spline_code(form) / 10.0,
             },
             ModalGroup::Plane => match state.plane {
                 Plane::Xy => 17.0,

@@ -1,0 +1,199 @@
+//! One polynomial span of a spline: control points with weights, asked by a parameter from 0 to 1.
+//!
+//! The curve is A(t)/w(t), where A has the control points times their weights and w the weights. All is
+//! found by de Casteljau's steps, which take means only and so lose no digits.
+
+use crate::{Aabb, Vec3};
+
+/// A control point times its weight, and the weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Weighted {
+    pub point: Vec3,
+    pub weight: f64,
+}
+
+impl Weighted {
+    pub(crate) const ZERO: Weighted = Weighted { point: Vec3::ZERO, weight: 0.0 };
+
+    pub(crate) fn new(point: Vec3, weight: f64) -> Weighted {
+        Weighted { point: point * weight, weight }
+    }
+
+    pub(crate) fn lerp(self, other: Weighted, t: f64) -> Weighted {
+        Weighted {
+            point: self.point.lerp(other.point, t),
+            weight: self.weight * (1.0 - t) + other.weight * t,
+        }
+    }
+
+    pub(crate) fn minus(self, other: Weighted) -> Weighted {
+        Weighted { point: self.point - other.point, weight: self.weight - other.weight }
+    }
+
+    pub(crate) fn times(self, k: f64) -> Weighted {
+        Weighted { point: self.point * k, weight: self.weight * k }
+    }
+
+    pub(crate) fn place(self) -> Vec3 {
+        self.point / self.weight
+    }
+}
+
+/// The most control points of a span that is kept by itself.
+pub(crate) const MOST: usize = 6;
+
+/// A span that stands alone: its control points seen from the first, and that.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bezier {
+    pub points: [Weighted; MOST],
+    pub order: usize,
+    pub start: Vec3,
+}
+
+impl Bezier {
+    /// The point at `t` and its derivatives by it.
+    pub(crate) fn jet(&self, t: f64) -> [Vec3; 4] {
+        let mut points = self.points;
+        let mut jet = quotient(jet(&mut points[..self.order], t));
+        jet[0] += self.start;
+        jet
+    }
+}
+
+/// The point of a rational curve and its first three derivatives, from those of A and w.
+pub(crate) fn quotient(of: [Weighted; 4]) -> [Vec3; 4] {
+    let [a, a1, a2, a3] = of.map(|part| part.point);
+    let [w, w1, w2, w3] = of.map(|part| part.weight);
+    let c = a / w;
+    let c1 = (a1 - c * w1) / w;
+    let c2 = (a2 - c1 * (2.0 * w1) - c * w2) / w;
+    let c3 = (a3 - c2 * (3.0 * w1) - c1 * (3.0 * w2) - c * w3) / w;
+    [c, c1, c2, c3]
+}
+
+/// One round of de Casteljau's means: the first `count` points become `count - 1`.
+fn step(points: &mut [Weighted], count: usize, t: f64) {
+    for index in 0..count - 1 {
+        points[index] = points[index].lerp(points[index + 1], t);
+    }
+}
+
+/// A, w and their first three derivatives by t. The control points are used up.
+pub(crate) fn jet(points: &mut [Weighted], t: f64) -> [Weighted; 4] {
+    let degree = points.len() - 1;
+    let mut found = [Weighted::ZERO; 4];
+    let mut count = points.len();
+    loop {
+        if count <= 4 {
+            let order = count - 1;
+            let mut differences = [Weighted::ZERO; 4];
+            differences[..count].copy_from_slice(&points[..count]);
+            for round in 0..order {
+                for index in 0..order - round {
+                    differences[index] = differences[index + 1].minus(differences[index]);
+                }
+            }
+            let factor = (0..order).map(|k| (degree - k) as f64).product::<f64>();
+            found[order] = differences[0].times(factor);
+        }
+        if count == 1 {
+            return found;
+        }
+        step(points, count, t);
+        count -= 1;
+    }
+}
+
+/// A, w and their first derivative by t. The control points are used up.
+pub(crate) fn velocity(points: &mut [Weighted], t: f64) -> Vec3 {
+    let degree = points.len() - 1;
+    if degree == 0 {
+        return Vec3::ZERO;
+    }
+    for count in (3..=points.len()).rev() {
+        step(points, count, t);
+    }
+    let (first, last) = (points[0], points[1]);
+    // A'w − Aw' = degree·(A₁w₀ − A₀w₁), whatever t is.
+    let weight = first.lerp(last, t).weight;
+    (last.point * first.weight - first.point * last.weight) * (degree as f64 / (weight * weight))
+}
+
+/// Divides the control points at `t`: they become those before it, `after` those after it.
+pub(crate) fn split(points: &mut [Weighted], after: &mut [Weighted], t: f64) {
+    let count = points.len();
+    // Backwards, so that the points before `t` stay where each round leaves them.
+    for round in 0..count {
+        after[count - 1 - round] = points[count - 1];
+        for index in (round + 1..count).rev() {
+            points[index] = points[index - 1].lerp(points[index], t);
+        }
+    }
+}
+
+/// The box around a curve, with its ends `start` and `end`: parts of it are divided while their control points
+/// lie outside the box of the points that were found.
+pub(crate) fn bounds(points: &[Weighted], start: Vec3, end: Vec3) -> Aabb {
+    const DEEPEST: u32 = 48;
+    let mut found = Aabb::of_points(start, end);
+    let mut open = vec![(points.to_vec(), 0)];
+    while let Some((mut part, depth)) = open.pop() {
+        let hull = part.iter().fold(Aabb::EMPTY, |hull, point| hull.include(point.place()));
+        let (size, far) = (hull.size(), found.size());
+        let rounding = 4.0
+            * f64::EPSILON
+            * [size, far, found.min, found.max]
+                .iter()
+                .flat_map(|v| v.to_array())
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
+        let within = found.expand(rounding);
+        if depth >= DEEPEST || (within.contains(hull.min) && within.contains(hull.max)) {
+            continue;
+        }
+        if !(hull.min.is_finite() && hull.max.is_finite()) {
+            continue;
+        }
+        let mut after = part.clone();
+        split(&mut part, &mut after, 0.5);
+        found = found.include(after[0].place());
+        open.push((part, depth + 1));
+        open.push((after, depth + 1));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(of: &[(f64, f64, f64)]) -> Vec<Weighted> {
+        of.iter().map(|(x, y, w)| Weighted::new(Vec3::new(*x, *y, 0.0), *w)).collect()
+    }
+
+    #[test]
+    fn a_quarter_circle_is_a_rational_parabola() {
+        let quarter = points(&[(1.0, 0.0, 1.0), (1.0, 1.0, 0.5_f64.sqrt()), (0.0, 1.0, 1.0)]);
+        for k in 0..=10 {
+            let t = f64::from(k) / 10.0;
+            let [p, d1, d2, _] = quotient(jet(&mut quarter.clone(), t));
+            assert!((p.length() - 1.0).abs() < 1e-15);
+            assert!(velocity(&mut quarter.clone(), t).distance(d1) < 1e-14);
+            assert!((d1.cross(d2).z / d1.length().powi(3) - 1.0).abs() < 1e-13);
+        }
+        let found = bounds(&quarter, Vec3::X, Vec3::Y);
+        assert_eq!((found.min, found.max), (Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0)));
+    }
+
+    #[test]
+    fn parts_are_the_same_curve() {
+        let whole = points(&[(0.0, 0.0, 1.0), (1.0, 2.0, 2.0), (4.0, -1.0, 0.5), (5.0, 3.0, 1.5)]);
+        let (mut before, mut after) = (whole.clone(), whole.clone());
+        split(&mut before, &mut after, 0.3);
+        for k in 0..=10 {
+            let t = f64::from(k) / 10.0;
+            let at = |points: &[Weighted], t| quotient(jet(&mut points.to_vec(), t))[0];
+            assert!(at(&before, t).distance(at(&whole, 0.3 * t)) < 1e-14);
+            assert!(at(&after, t).distance(at(&whole, 0.3 + 0.7 * t)) < 1e-14);
+        }
+    }
+}
