@@ -125,7 +125,14 @@ fn a_dwell() {
     five(
         "",
         "G4 P1.5",
-        ["dwell 0.0015 s", "dwell 1.5 s", "dwell 0.0015 s", "dwell 0.0015 s", "dwell 1.5 s"],
+        [
+            "dwell 0.0015 s",
+            "dwell 1.5 s",
+            // Fanuc's P takes no point (PS0007).
+            "dwell 0.0015 s, CH101",
+            "dwell 0.0015 s",
+            "dwell 1.5 s",
+        ],
     );
 }
 
@@ -140,7 +147,7 @@ fn a_length_by_h_alone() {
     five(
         "",
         "G0 H5 Z10.",
-        ["length 5, rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10"],
+        ["length 5, rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10", "rapid Z10, CH304"],
     );
 }
 
