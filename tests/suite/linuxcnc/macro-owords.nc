@@ -33,11 +33,11 @@ o2 endwhile
 o4 do
 #7=[#7+1]
 o5 if [#7 EQ 1]
-o4 continue
+o4 continue (= ! CH712 "ends the loop")
 o5 elseif [#7 EQ 3]
 o4 break
 o5 else
-Z#7 (= line to Z2)
+Z#7
 o5 endif
 o4 while [1]
 Z0 (= line to Z0)

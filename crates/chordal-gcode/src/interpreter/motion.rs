@@ -37,7 +37,7 @@ impl Interpreter<'_> {
             }
         }
         if !block.polar.is_empty() {
-            self.polar_target(block, &mut target, &mut named);
+            self.radius_and_angle(block, &mut target, &mut named);
         }
         if !self.control.axes().covers(named) {
             self.missing_axes(block, &mut target, &mut named);
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::NoMotionInForce,
                 span,
-                "axis words, and no motion code is active after G80",
+                "axis words, and no motion code is active: none was written, or G80 has ended it",
             )
             .help("write G0 or G1 into this block"),
         );

@@ -11,7 +11,7 @@ use super::Interpreter;
 impl Interpreter<'_> {
     /// X and Y of a block that gives them by a radius and an angle. The one that is not written stays.
     #[cold]
-    pub(super) fn polar_target(
+    pub(super) fn radius_and_angle(
         &mut self,
         block: &Block,
         target: &mut Position,
