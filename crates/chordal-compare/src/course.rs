@@ -24,6 +24,7 @@ pub(crate) struct Course {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "most steps are moves")]
 pub(crate) enum Step {
     Move(Moved),
     Event { what: Event, origin: Origin },

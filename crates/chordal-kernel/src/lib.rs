@@ -20,6 +20,7 @@
 mod checkpoint;
 mod coordinates;
 mod cycles;
+mod frame_codes;
 pub mod frames;
 mod kernel;
 mod language;

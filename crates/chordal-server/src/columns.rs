@@ -142,7 +142,7 @@ fn along(piece: &SplinePiece, mut push: impl FnMut(Vec3)) {
     let length = piece.length();
     let pieces = length * (piece.max_curvature() / (8.0 * SPLINE_MM)).sqrt();
     // A NaN is one piece, too.
-    let pieces = pieces.ceil().max(1.0).min(MOST_PIECES);
+    let pieces = if pieces > 1.0 { pieces.ceil().min(MOST_PIECES) } else { 1.0 };
     for index in 0..=pieces as u32 {
         push(piece.point_at(length * f64::from(index) / pieces));
     }

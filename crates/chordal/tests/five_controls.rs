@@ -125,7 +125,14 @@ fn a_dwell() {
     five(
         "",
         "G4 P1.5",
-        ["dwell 0.0015 s", "dwell 1.5 s", "dwell 0.0015 s", "dwell 0.0015 s", "dwell 1.5 s"],
+        [
+            "dwell 0.0015 s",
+            "dwell 1.5 s",
+            // Fanuc's P takes no point (PS0007).
+            "dwell 0.0015 s, CH101",
+            "dwell 0.0015 s",
+            "dwell 1.5 s",
+        ],
     );
 }
 

@@ -162,9 +162,8 @@ impl Interpreter<'_> {
             true => self.count_of(block, b'L').unwrap_or(1),
             false => 1,
         };
-        let (number, repeats) = self.unpacked(written, times);
         if self.control.table.lexicon.o_words
-            && let Some(start) = self.label_ahead(number)
+            && let Some(start) = self.label_ahead(written)
         {
             let times = self.cut_to_limit(&word, times);
             if times > 0 {
@@ -172,6 +171,7 @@ impl Interpreter<'_> {
             }
             return;
         }
+        let (number, repeats) = self.unpacked(written, times);
         let Some(program) = self.library.find(number, self.file) else {
             let given = Given { block: Some(block), arguments: &[] };
             if self.shop_program(&word, number, repeats, given).is_none() {

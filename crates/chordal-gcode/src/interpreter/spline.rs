@@ -53,9 +53,7 @@ impl Interpreter<'_> {
         }
         let (mut target, named) = self.target(block);
         let fits = self.check_spline_axes(block, named);
-        for axis in 2..target.len() {
-            target[axis] = self.kernel.state.position[axis];
-        }
+        target[2..].copy_from_slice(&self.kernel.state.position[2..]);
         match form {
             SplineForm::Points => self.control_point(block, &target, named),
             SplineForm::Cubic | SplineForm::Quadratic => {
@@ -144,6 +142,8 @@ impl Interpreter<'_> {
         let first = self.spline.open.is_none();
         let has = [letters.has(b'X'), letters.has(b'Y')];
         let weight = self.weight(block);
+        let begins_alone = first && !letters.has(b'P') && !has[0];
+        let lacks_weight = !begins_alone && weight.is_none_or(|weight| weight <= 0.0);
         if has[0] != has[1] {
             let (has, lacks) = if has[0] { ("X", "Y") } else { ("Y", "X") };
             self.report_spline(
@@ -159,9 +159,7 @@ impl Interpreter<'_> {
                 "a weight P without X and Y".to_string(),
                 "only the first line of a NURBS may give P alone, for the point where the tool stands",
             );
-        } else if !(weight.is_some_and(|weight| weight > 0.0)
-            || first && !letters.has(b'P') && !has[0])
-        {
+        } else if lacks_weight {
             let message = match weight {
                 Some(weight) => format!("a control point of weight {weight}"),
                 None => "a control point without its weight P".to_string(),
@@ -334,9 +332,13 @@ impl Interpreter<'_> {
 
     #[cold]
     fn report_spline(&mut self, code: Code, span: Span, message: String, help: &str) {
-        self.kernel.report(
-            Diagnostic::new(code, span, message).label("shown as a straight line").help(help),
-        );
+        let diagnostic = Diagnostic::new(code, span, message).help(help);
+        // Those of a control point leave it as well as can be read.
+        let of_points = [Code::SplinePoint, Code::SplineWeight, Code::SplineOpen].contains(&code);
+        self.kernel.report(match of_points {
+            true => diagnostic,
+            false => diagnostic.label("shown as a straight line"),
+        });
     }
 
     /// Ten times the number of the code of a spline.

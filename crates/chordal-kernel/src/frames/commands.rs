@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use chordal_command::{ArcShape, CommandKind, Move, Position, Side};
-use chordal_geometry::{Direction, Plane, arc_from_center};
+use chordal_geometry::{Direction, Plane, Vec3, arc_from_center};
 use chordal_machine::AXES;
 
 use super::map::{InPlane, Map};
-use crate::motion::point;
 
 impl Map {
     /// A command as the work coordinate system has it; `plane` is that of compensation.
@@ -149,4 +148,9 @@ fn arc_between(
         radius_from: fit.radius_start,
         radius_to: fit.radius_end,
     }
+}
+
+/// The spatial part of a position.
+fn point(position: &Position) -> Vec3 {
+    Vec3::new(position[0], position[1], position[2])
 }

@@ -7,7 +7,6 @@
 //! are in force when it comes into force.
 
 mod commands;
-mod control;
 mod map;
 mod polar;
 
@@ -15,7 +14,6 @@ use chordal_command::{AxisMask, Position};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
-pub use control::Factors;
 pub(crate) use map::sin_cos_degrees;
 pub use map::{InPlane, Map};
 pub use polar::{Polar, PolarWords};
@@ -27,6 +25,17 @@ pub struct Scaling {
     pub center: Position,
     /// Of each axis; a negative one mirrors.
     pub factors: Position,
+}
+
+/// The factors of a scaling as the words give them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Factors {
+    /// One for all axes.
+    Common(f64),
+    /// Of X, Y and Z; an axis without one is not scaled.
+    Each([Option<f64>; 3]),
+    /// None is given.
+    Omitted,
 }
 
 /// A turn in a plane.
@@ -146,6 +155,21 @@ impl Frames {
         let mut axes = AxisMask::NONE;
         (0..AXES).filter(|axis| self.mirror[*axis].is_some()).for_each(|axis| axes.insert(axis));
         axes
+    }
+
+    /// What is in force, for people.
+    pub fn names(&self) -> String {
+        let mut names = Vec::new();
+        if self.mirrored() != AxisMask::NONE {
+            names.push("mirror image");
+        }
+        if self.scaling.is_some() {
+            names.push("scaling");
+        }
+        if self.rotation.is_some() {
+            names.push("rotation");
+        }
+        names.join(" and ")
     }
 
     /// Mirrors axes at a line each; `None` takes the mirror of an axis away.

@@ -14,7 +14,6 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
 
 pub use arc::ArcWords;
-pub(crate) use arc::point;
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;

@@ -5,22 +5,10 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
-use super::map::InPlane;
-use super::{Frames, Rotation, Scaling};
+use crate::frames::{Factors, Frames, InPlane, Rotation, Scaling};
 use crate::kernel::Kernel;
 use crate::rules::UnequalArcs;
 use crate::statement::Statement;
-
-/// The factors of a scaling as the words give them.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Factors {
-    /// One for all axes.
-    Common(f64),
-    /// Of X, Y and Z; an axis without one is not scaled.
-    Each([Option<f64>; 3]),
-    /// None is given.
-    Omitted,
-}
 
 impl Kernel<'_> {
     /// Rotation in the plane in force, about a centre that is absolute even in G91; without a
@@ -255,22 +243,5 @@ impl Kernel<'_> {
             true => mm,
             false => mm / self.state.frames.map().factor_along(axis),
         }
-    }
-}
-
-impl Frames {
-    /// What is in force, for people.
-    fn names(&self) -> String {
-        let mut names = Vec::new();
-        if self.mirrored() != AxisMask::NONE {
-            names.push("mirror image");
-        }
-        if self.scaling.is_some() {
-            names.push("scaling");
-        }
-        if self.rotation.is_some() {
-            names.push("rotation");
-        }
-        names.join(" and ")
     }
 }
