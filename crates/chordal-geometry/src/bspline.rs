@@ -2,7 +2,7 @@
 
 use crate::bezier::{self, Weighted, quotient};
 use crate::quadrature::integral;
-use crate::{Aabb, ParamCurve, SplinePiece, Vec3};
+use crate::{Aabb, ParamCurve, SplinePiece, Transform, Vec3, math};
 
 /// Why there is no such spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,6 +125,39 @@ impl Spline {
     pub fn bezier(points: Vec<Vec3>) -> Result<Spline, SplineError> {
         let (order, weights) = (points.len(), vec![1.0; points.len()]);
         Spline::uniform(order, points, weights)
+    }
+
+    /// A circular arc in any plane: from `start` about `center` by `sweep` radians, counter-clockwise seen
+    /// against `normal` (any length); it ends at `end`, which rounding alone may hold off the circle, mm.
+    ///
+    /// # Errors
+    /// As [`Spline::new`].
+    pub fn arc(
+        start: Vec3,
+        center: Vec3,
+        normal: Vec3,
+        sweep: f64,
+        end: Vec3,
+    ) -> Result<Spline, SplineError> {
+        let pieces = (sweep.abs() / math::FRAC_PI_2 - 1e-9).ceil().max(1.0);
+        let half = sweep / pieces / 2.0;
+        let (_, weight) = math::sin_cos(half);
+        let turned = |angle: f64| {
+            let turn = Transform::rotation_about(center, normal, angle);
+            turn.apply_point(start) - center
+        };
+        let (mut points, mut weights, mut knots) = (vec![start], vec![1.0], vec![0.0; 3]);
+        for piece in 1..=pieces as usize {
+            let after = 2.0 * piece as f64;
+            points.push(center + turned((after - 1.0) * half) * (1.0 / weight));
+            points.push(center + turned(after * half));
+            weights.extend([weight, 1.0]);
+            knots.extend([piece as f64; 2]);
+        }
+        knots.push(pieces);
+        points.pop();
+        points.push(end);
+        Spline::new(3, points, weights, knots)
     }
 
     /// Degree + 1.

@@ -179,6 +179,12 @@ impl Kernel<'_> {
         self.emit_work_offset();
     }
 
+    /// Turns a work coordinate system about its zero, degrees.
+    pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
+        self.state.shift_coordinates(|offsets| offsets.write_rotation(key, degrees));
+        self.emit_work_offset();
+    }
+
     /// G52.
     pub fn local_shift(&mut self, values: &PerAxis<Option<f64>>) {
         if self.rules.shift_is_preset {

@@ -163,6 +163,7 @@ impl Kernel<'_> {
                 }
                 judged
             }
+            InPlane::Tilted if self.rules.frames.work_rotation => true,
             InPlane::Tilted => {
                 self.report_tilted_arc(at.span(), "an arc");
                 false

@@ -70,7 +70,7 @@ impl Interpreter<'_> {
     }
 
     /// An angle in degrees.
-    fn angle_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
+    pub(super) fn angle_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
         let number = self.literal(block.last(letter)?)?;
         Some(self.scale.degrees(number))
     }

@@ -432,7 +432,25 @@ impl Interpreter<'_> {
         };
         let values = self.axis_words(block);
         self.take_written_offsets();
+        if self.control.parameters.rules.frames.work_rotation && block.letters().has(b'R') {
+            if from_position {
+                return self.report_rotation_from_position(block);
+            }
+            if let Some(degrees) = self.angle_of(block, b'R') {
+                self.kernel.write_work_rotation(&key, degrees);
+            }
+        }
         self.kernel.write_work_values(&key, &values, from_position);
+    }
+
+    fn report_rotation_from_position(&mut self, block: &Block) {
+        let span = self.words_span(block, Letters::of("R"));
+        let message = "R does not go with G10 L20: a rotation cannot be computed from the position";
+        self.kernel.report(
+            Diagnostic::new(Code::BadWordValue, span, message)
+                .label("nothing is written")
+                .help("write the rotation with G10 L2 P R"),
+        );
     }
 
     fn write_extended(&mut self, block: &Block) {

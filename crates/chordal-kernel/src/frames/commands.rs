@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use chordal_command::{ArcShape, CommandKind, Move, Position, Side};
-use chordal_geometry::{Direction, Plane, Vec3, arc_from_center};
+use chordal_command::{ArcShape, CommandKind, Feed, Move, Position, Side};
+use chordal_geometry::{Direction, Plane, Spline, Vec3, arc_from_center};
 use chordal_machine::AXES;
 
 use super::map::{InPlane, Map};
@@ -18,6 +18,11 @@ impl Map {
             }
             CommandKind::Line { motion, feed } => {
                 CommandKind::Line { motion: self.motion(&motion), feed }
+            }
+            CommandKind::Arc { motion, shape, feed }
+                if self.in_plane(shape.plane) == InPlane::Tilted =>
+            {
+                self.tilted_arc(&motion, &shape, feed)
             }
             CommandKind::Arc { motion, shape, feed } => {
                 let mapped = self.motion(&motion);
@@ -104,6 +109,23 @@ impl Map {
                 arc_between(shape.plane, &mapped.from, &mapped.to, center, direction, turns)
             }
             InPlane::Tilted => ArcShape { center, ..*shape },
+        }
+    }
+
+    /// A flat arc whose plane leaves the planes of the axes: the same curve as a spline.
+    fn tilted_arc(&self, motion: &Move, shape: &ArcShape, feed: Feed) -> CommandKind {
+        let (a, b, normal) = shape.plane.axes();
+        let mut center = motion.from;
+        (center[a], center[b]) = (shape.center[0], shape.center[1]);
+        let mut upright = [0.0; AXES];
+        upright[normal] = 1.0;
+        let mapped = self.motion(motion);
+        let axis = point(&self.vector(&upright));
+        let (start, end) = (point(&mapped.from), point(&mapped.to));
+        let curve = Spline::arc(start, point(&self.point(&center)), axis, shape.sweep, end);
+        match curve {
+            Ok(curve) => CommandKind::Spline { motion: mapped, curve: Arc::new(curve), feed },
+            Err(_) => CommandKind::Line { motion: mapped, feed },
         }
     }
 

@@ -105,7 +105,9 @@ impl Kernel<'_> {
                 let tolerance = tolerance / factor;
                 center_from_radius(plane, start, end, radius, arc.direction, tolerance)
             }
-            InPlane::Tilted => return,
+            InPlane::Tilted => {
+                center_from_radius(plane, start, end, radius, arc.direction, tolerance)
+            }
         };
         match found {
             Ok(center) => {
@@ -157,6 +159,9 @@ impl Kernel<'_> {
         (place[a], place[b]) = center;
         let place = map.point(&place);
         let (from, to) = (map.point(&self.state.position), map.point(target));
+        if self.state.frames.in_plane(plane) == InPlane::Tilted {
+            return *fit;
+        }
         let direction = arc.direction.mirrored_if(self.state.frames.in_plane(plane).is_mirrored());
         let center = (place[a], place[b]);
         arc_from_center(plane, point(&from), point(&to), center, direction, arc.turns, 0.0)
@@ -247,6 +252,19 @@ impl Kernel<'_> {
             shape.radius_to = fit.radius_start;
         }
         self.check_rotary_in_arc(at, &target);
+        let (_, _, normal) = plane.axes();
+        let tilted = self.state.frames.in_plane(plane) == InPlane::Tilted;
+        if tilted && arc_end[normal] != self.state.position[normal] {
+            self.report(
+                Diagnostic::new(
+                    Code::NotFollowed,
+                    at.span(),
+                    "a helix of another plane in a rotated work coordinate system is not followed",
+                )
+                .label("shown as a straight line"),
+            );
+            return self.straight_instead(at, target, named);
+        }
         let motion = self.moved_to(arc_end, named);
         let mut feed = self.feed_for(at, &motion, Some(&shape));
         feed.along = self.feed_along(&motion, plane);

@@ -27,6 +27,8 @@ pub struct FrameRules {
     pub plane_change: bool,
     /// Another work coordinate system leaves the centre of a rotation where it is on the machine.
     pub rotation_stays: bool,
+    /// G10 L2 R turns a work coordinate system, and arcs of the other planes turn with it.
+    pub work_rotation: bool,
     /// A frame may come into force while compensation is on.
     pub in_compensation: bool,
 }
@@ -55,6 +57,7 @@ impl FrameRules {
         unequal_arcs: UnequalArcs::Judged,
         plane_change: false,
         rotation_stays: false,
+        work_rotation: false,
         in_compensation: false,
     };
 }

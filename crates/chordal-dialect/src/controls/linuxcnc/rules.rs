@@ -15,6 +15,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     longest_line: 253,
     nesting: 9,
     rules: Rules {
+        frames: FRAMES,
         rapid: RapidPath::Straight,
         radius_offsets: OffsetKind::Diameter,
         starts_without_motion: true,
@@ -113,3 +114,7 @@ const COMPENSATION: CompensationRules = CompensationRules {
     offset_of_tool: true,
     ..CompensationRules::COMMON
 };
+
+/// No G68, G51 or G51.1: only a work coordinate system turns, by G10 L2 R.
+const FRAMES: FrameRules =
+    FrameRules { work_rotation: true, plane_change: true, ..FrameRules::COMMON };
