@@ -76,6 +76,7 @@ impl<'a> Source<'a> {
             heads: Vec::new(),
         };
         source.find_programs(job);
+        source.find_o_labels(control);
         source.find_sections(control);
         source.find_labels(control);
         source
@@ -95,6 +96,33 @@ impl<'a> Source<'a> {
                 _ if program.is_main => self.mains.push(from..to),
                 _ => {}
             }
+        }
+    }
+
+    /// Where `O5` is a label within the one program of a file: what stands after the end from one label to
+    /// the next is a subprogram.
+    fn find_o_labels(&mut self, control: &Control) {
+        let Some(main) = self.mains.first().cloned().filter(|_| control.table.lexicon.o_words)
+        else {
+            return;
+        };
+        let label = |at: usize| whole(self.blocks[at].word(b'O'));
+        let tape_end = self.blocks.iter().rposition(|block| block.kind != BlockKind::Percent);
+        let tape_end = tape_end.map_or(0, |at| at + 1).min(main.end);
+        let ends = |action| matches!(action, Action::After(AfterCode::ProgramEnd { .. }));
+        let end = main.clone().find(|at| self.has_action(*at, control, ends));
+        let end = end.unwrap_or(main.end);
+        let heads: Vec<(usize, u32)> =
+            (end..tape_end).filter_map(|at| Some((at, label(at)?))).collect();
+        let first = main.clone().find(|at| !self.blocks[*at].words.is_empty());
+        self.heads.extend(first.filter(|at| label(*at).is_some()));
+        for (index, (at, number)) in heads.iter().enumerate() {
+            let to = heads.get(index + 1).map_or(tape_end, |next| next.0);
+            self.heads.push(*at);
+            self.subs.push(Sub { form: Form::Program, number: *number, blocks: *at..to });
+        }
+        if let Some((at, _)) = heads.first() {
+            self.mains[0] = main.start..*at;
         }
     }
 

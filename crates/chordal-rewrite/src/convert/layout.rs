@@ -8,7 +8,7 @@ use chordal::syntax::{BlockKind, Semicolon};
 
 use super::codes;
 use super::structure::{Structure, program_name};
-use crate::source::{Form, Source, Sub};
+use crate::source::{Form, Source, Sub, whole};
 
 /// The new lines of each block; nothing for blocks that are left out.
 pub(crate) type Lines = Vec<Option<Vec<String>>>;
@@ -77,7 +77,9 @@ fn lay_out_all(
         .iter()
         .zip(&source.mains)
         .any(|(number, main)| number.is_some() && !source.heads.contains(&main.start));
-    if structure.stays(source) && !needs_head {
+    let has_programs = structure.targets.iter().any(|target| target.0 == Form::Program);
+    let looks_ahead = to.table.lexicon.o_words && !from.table.lexicon.o_words && has_programs;
+    if structure.stays(source) && !needs_head && !looks_ahead {
         writer.blocks(all, &mut layout);
         return layout;
     }
@@ -109,7 +111,12 @@ fn lay_out_all(
             layout.push(&program_name(number, to), "\n", None);
         }
         let place = |form: Form, layout: &mut Layout| {
-            for (sub, target) in source.subs.iter().zip(&structure.targets) {
+            let mut subs: Vec<_> = source.subs.iter().zip(&structure.targets).collect();
+            if looks_ahead {
+                // What is called stands before its callers in sections.
+                subs.reverse();
+            }
+            for (sub, target) in subs {
                 let moved = sub.form != Form::Program && target.0 == form;
                 if moved && main.contains(&sub.blocks.start) && is_there(sub) {
                     writer.blocks(sub.blocks.clone(), layout);
@@ -129,15 +136,20 @@ fn lay_out_all(
             );
             layout.push(&end.unwrap_or_default(), "\n", source.section_end);
         }
-        for at in body..main.end {
-            if !in_section(at) {
-                writer.blocks(at..at + 1, &mut layout);
-            }
+        let mut at = body;
+        while at < main.end {
+            let to = (at..main.end).find(|at| in_section(*at)).unwrap_or(main.end);
+            writer.blocks(at..to, &mut layout);
+            at = (to..main.end).find(|at| !in_section(*at)).unwrap_or(main.end);
         }
         place(Form::Label, &mut layout);
         place(Form::Program, &mut layout);
     }
-    for sub in source.subs.iter().filter(|sub| sub.form == Form::Program) {
+    let mut subs: Vec<&Sub> = source.subs.iter().filter(|sub| sub.form == Form::Program).collect();
+    if looks_ahead {
+        callers_first(&mut subs, source, from);
+    }
+    for sub in subs {
         writer.blocks(sub.blocks.start..sub.blocks.end.min(tape_end), &mut layout);
     }
     writer.blocks(tape_end..source.blocks.len(), &mut layout);
@@ -145,6 +157,26 @@ fn lay_out_all(
         layout.push("%", "\n", None);
     }
     layout
+}
+
+/// Where a call finds only what comes after it, a subprogram stands before those that it calls.
+fn callers_first(subs: &mut Vec<&Sub>, source: &Source, from: &Control) {
+    let is_call = |action: Action| action == Action::Call(CallCode::CallProgram);
+    let calls = |sub: &Sub, number: u32| {
+        sub.blocks.clone().any(|at| {
+            source.has_action(at, from, is_call)
+                && whole(source.blocks[at].last(b'P')) == Some(number)
+        })
+    };
+    let mut ordered: Vec<&Sub> = Vec::with_capacity(subs.len());
+    while !subs.is_empty() {
+        let next = subs.iter().position(|sub| {
+            !subs.iter().any(|other| !std::ptr::eq(*other, *sub) && calls(other, sub.number))
+        });
+        // Subprograms that call each other have no order.
+        ordered.push(subs.remove(next.unwrap_or(0)));
+    }
+    *subs = ordered;
 }
 
 struct Writer<'a> {

@@ -3,7 +3,7 @@
 use chordal::CommandKind;
 use chordal::control::table::{DataTarget, Group, LineRepeat, MotionModality, Subroutines};
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
-use chordal::control::{Control, FeedAlong, FeedMode, Units, WorkName, subroutine_head};
+use chordal::control::{Control, FeedAlong, FeedMode, Side, Units, WorkName, subroutine_head};
 use chordal::syntax::{BlockKind, Letters};
 
 use super::codes;
@@ -109,7 +109,26 @@ impl<'a> Context<'a> {
             self.length(draft, at);
         }
         self.radius_number(draft, at);
+        self.machine_move(draft, at);
         self.written_data(draft, at)
+    }
+
+    /// G53 in G91, where the new control does not move then.
+    fn machine_move(&self, draft: &mut Draft, at: usize) {
+        let needs = |control: &Control| control.parameters.rules.machine_move_needs_absolute;
+        let Some(run) = self.run(at).filter(|_| needs(self.to) && !needs(self.from)) else { return };
+        let machine = Action::Once(OnceCode::MachineCoordinates);
+        if !run.after.incremental || !self.source.has_action(at, self.from, |own| own == machine) {
+            return;
+        }
+        let style = self.style();
+        let code = |code: ReadingCode| codes::name(Action::Reading(code), self.to, style);
+        if let (Some(absolute), Some(incremental)) =
+            (code(ReadingCode::Absolute), code(ReadingCode::Incremental))
+        {
+            draft.lead(absolute, format!("{} does not move by G53 in G91", self.to.table.title));
+            draft.after.push(incremental);
+        }
     }
 
     /// What G10 writes: L and P by what they mean.
@@ -218,11 +237,20 @@ impl<'a> Context<'a> {
     fn radius_number(&self, draft: &mut Draft, at: usize) {
         let Some(run) = self.run(at) else { return };
         let has_d = draft.block.letters().has(b'D');
+        let is_off = run.before.side == Side::Off && run.after.side == Side::Off;
+        if is_off
+            && self.to.parameters.strict_words
+            && !self.same_control()
+            && let Some(d) = draft.place(b'D')
+        {
+            let title = self.to.table.title;
+            return draft.remove(d, format!("{title} takes D only in the block of G41 and G42"));
+        }
         for command in self.trace.commands_of(run) {
             let CommandKind::Compensation { number: Some(number), side, .. } = command.kind else {
                 continue;
             };
-            let is_on = side != chordal::control::Side::Off;
+            let is_on = side != Side::Off;
             let own = self.source.has_action(at, self.from, |action| {
                 matches!(
                     action,

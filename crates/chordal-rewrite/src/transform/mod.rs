@@ -292,5 +292,12 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
                 .into(),
         );
     }
+    if comparison.verdict == Verdict::NotVerified {
+        all.notes.push(
+            "the program does something that is not followed, so nothing can be proved: \
+             `chordal check` says from which line on"
+                .into(),
+        );
+    }
     Ok(Transformed { text, changes, notes: all.notes, certificate })
 }

@@ -74,7 +74,7 @@ fn nothing_is_written_of_a_program_with_errors() {
 #[test]
 fn what_has_no_form_is_said_with_its_line() {
     // Tilted plane: the source control carries it out and Chordal does not.
-    let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG10 L50\nG1 X1. F100.\nG11\nM30\n";
+    let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG68.2 X0 Y0 Z0 I0 J30. K0\nG1 X1. F100.\nM30\n";
     let found = converted(&job(text, machine("fanuc-30i")), "haas-vf2");
     assert!(!found.holds());
     let said = found.refusals.iter().any(|refusal| refusal.line == 3);
