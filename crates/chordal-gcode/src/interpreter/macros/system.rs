@@ -418,7 +418,7 @@ impl Interpreter<'_> {
             b'B' => state.position[4].to_degrees(),
             b'D' => f64::from(state.radius_offset.unwrap_or(0)),
             b'F' => self.feed_word(),
-            b'H' => f64::from(state.offsets.length().number.unwrap_or(0)),
+            b'H' => f64::from(state.named_length.or(state.offsets.length().number).unwrap_or(0)),
             b'N' => self.sequence.map_or(0.0, |number| number.to_f64()),
             b'O' => f64::from(self.program_at(self.program).head.number.unwrap_or(0)),
             b'S' => state.rpm,
