@@ -75,7 +75,7 @@ class Failed(Exception):
 
 
 def reference(program):
-    """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
+    """Motions of rs274 in mm and degrees: (kind, end, arc or None, scale of tolerance, start); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
         tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n")
@@ -89,6 +89,8 @@ def reference(program):
             printed.append(row)
             continue
         name, text = call.groups()
+        # A turned place is a sum of printed ones.
+        scale = unit * (2 if turn.degrees else 1)
         if name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
@@ -107,12 +109,12 @@ def reference(program):
             numbers = [float(part) for part in text.split(",")]
             end = [value * unit if axis < 3 else value for axis, value in enumerate(numbers)]
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
-            motions.append((kind, turn.place(end), None, unit, place and turn.place(place)))
+            motions.append((kind, turn.place(end), None, scale, place and turn.place(place)))
             place = end
         elif name == "RIGID_TAP":
             end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
             place = turn.place(place)
-            motions.append(("line", turn.place(end), None, unit, place))
+            motions.append(("line", turn.place(end), None, scale, place))
             turning = {"cw": "ccw", "ccw": "cw"}.get(spindle, spindle)
             motions.append((f"spindle {turning}", [0.0] * 6, None, 1.0, None))
             motions.append(("line", place, None, unit, end))
@@ -144,7 +146,7 @@ def reference(program):
                 center[a], center[b] = arc[1:3]
                 center = turn.place(center)
                 arc = (plane, center[a], center[b], -turns)
-            motions.append((kind, turn.place(end), arc, unit, place))
+            motions.append((kind, turn.place(end), arc, scale, place))
             place = end
     if done.returncode != 0 or not motions:
         raise Failed(done.stderr.strip(), changes(moving(motions)))

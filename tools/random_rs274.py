@@ -263,17 +263,17 @@ def splines(w):
         if kind == "cubic":
             yield f"G5 {end()} {pair('I', 'J')} {pair('P', 'Q')}"
             for _ in w.many(0, 2):
-                yield f"{w.maybe('G5')} {end()} {w.maybe(pair('I', 'J'), 0.3)} {pair('P', 'Q')}"
+                yield f"{w.maybe('G5', 0.97)} {end()} {w.maybe(pair('I', 'J'), 0.3)} {pair('P', 'Q')}"
         elif kind == "quadratic":
             yield f"G5.1 {end()} {pair('I', 'J')}"
-            yield w.maybe(f"{end()} {pair('I', 'J')}")
+            yield w.maybe(end())
         elif kind == "weights":
             yield w.pick(f"G5.2 P{w.number(0.5, 3)}", f"G5.2 {end()} P{w.number(0.5, 3)} {w.maybe('L' + w.pick('3', '4'))}")
             for _ in w.many(2, 5):
                 yield f"{end()} P{w.number(0.5, 3)}"
             yield "G5.3"
         elif kind == "wrong":
-            yield w.maybe(w.pick(f"G5 {end()}", f"G5.1 {end()}", f"G5 X1 P1 Q1", f"G5.1 {end()} I1", "G5.3", "G5.2 X1 P1", f"G5.2 {end()} P-1"), 0.3)
+            yield w.maybe(w.pick(f"G5 {end()}", f"G5.1 {end()}", f"G5 X1 P1 Q1", f"G5.1 {end()} I1", "G5.3", "G5.2 X1 P1", f"G5.2 {end()} P1\n{end()} P-1"), 0.1)
         yield w.maybe(w.pick("G91", "G90"), 0.3)
         yield f"G1 {w.axes()}"
         yield PRINT.format(PLACE)
