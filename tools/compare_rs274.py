@@ -8,6 +8,10 @@ the lines that the programs print. Between the motions the dwells and the change
 must agree, up to the last motion. The motions are the programmed ones; with `(tool path)` in the
 program those of the tool centre, after cutter compensation. They are compared up to the first probe.
 
+rs274 prints places before the turn of a work coordinate system (G10 L2 R), and Chordal after it:
+rs274's are turned first. Of a spline rs274 prints the count of its control points only; where it
+ends is seen from what follows.
+
     tools/compare_rs274.py [--chordal target/release/chordal] [PROGRAM...]
 """
 
@@ -35,6 +39,33 @@ TOOL_PATH = "(tool path)"
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
+class Turn:
+    """The turn of a work coordinate system about its zero, with the presets inside it, mm."""
+
+    def __init__(self):
+        self.preset, self.degrees = (0.0, 0.0), 0.0
+
+    def place(self, place):
+        """A place of the program in the work coordinate system."""
+        return self.about(place, math.radians(self.degrees))
+
+    def back(self, place):
+        """A place of the work coordinate system in the program."""
+        return self.about(place, -math.radians(self.degrees))
+
+    def about(self, place, angle):
+        if angle == 0:
+            return list(place)
+        (g, h), cos, sin = self.preset, math.cos(angle), math.sin(angle)
+        x, y = place[0] + g, place[1] + h
+        return [cos * x - sin * y - g, sin * x + cos * y - h, *place[2:]]
+
+    def copy(self):
+        other = Turn()
+        other.preset, other.degrees = self.preset, self.degrees
+        return other
+
+
 class Failed(Exception):
     """A program that one of the two refuses, and the motions before that."""
 
@@ -44,35 +75,46 @@ class Failed(Exception):
 
 
 def reference(program):
-    """Motions of rs274 in mm and degrees: (kind, end, arc or None, line unit); printed lines."""
+    """Motions of rs274 in mm and degrees: (kind, end, arc or None, scale of tolerance, start); printed lines."""
     with tempfile.TemporaryDirectory() as folder:
         tools = pathlib.Path(folder, "tool.tbl")
         tools.write_text("T1 P1 Z0 D0\nT2 P2 Z0 D0\nT3 P3 Z2 D4\n")
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
     unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
-    spindle = "off"
+    spindle, turn = "off", Turn()
     for row in done.stdout.splitlines():
         call = CALL.match(row)
         if not call:
             printed.append(row)
             continue
         name, text = call.groups()
+        # A turned place is a sum of printed ones.
+        scale = unit * (2 if turn.degrees else 1)
         if name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
             plane = text.strip().rsplit("_", 1)[1]
         elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET", "USE_TOOL_LENGTH_OFFSET"):
             place = None if motions else place
+            if name == "SET_G92_OFFSET":
+                turn.preset = tuple(float(part) * unit for part in text.split(",")[:2])
+        elif name == "SET_XY_ROTATION":
+            turn.degrees = float(text)
+        elif name == "NURBS_FEED":
+            points = text.split(",")[0]
+            motions.append((f"spline of {points}", None, None, unit, None))
+            place = None
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             numbers = [float(part) for part in text.split(",")]
             end = [value * unit if axis < 3 else value for axis, value in enumerate(numbers)]
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
-            motions.append((kind, end, None, unit, place))
+            motions.append((kind, turn.place(end), None, scale, place and turn.place(place)))
             place = end
         elif name == "RIGID_TAP":
             end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
-            motions.append(("line", end, None, unit, place))
+            place = turn.place(place)
+            motions.append(("line", turn.place(end), None, scale, place))
             turning = {"cw": "ccw", "ccw": "cw"}.get(spindle, spindle)
             motions.append((f"spindle {turning}", [0.0] * 6, None, 1.0, None))
             motions.append(("line", place, None, unit, end))
@@ -92,7 +134,19 @@ def reference(program):
             end = [0.0, 0.0, 0.0, *rotary]
             end[a], end[b], end[normal] = first * unit, second * unit, normal_end * unit
             arc = (plane, center_a * unit, center_b * unit, turns)
-            motions.append(("arc", end, arc, unit, place))
+            kind = "arc"
+            if turn.degrees and plane == "XY":
+                arc = (plane, *turn.place(arc[1:3]), turns)
+            elif turn.degrees % 180:
+                kind, arc = "turned arc", (*arc, turn.copy())
+            elif turn.degrees % 360:
+                # Upright again, and the other way round.
+                a, b, normal = PLANES[plane]
+                center = list(end)
+                center[a], center[b] = arc[1:3]
+                center = turn.place(center)
+                arc = (plane, center[a], center[b], -turns)
+            motions.append((kind, turn.place(end), arc, scale, place))
             place = end
     if done.returncode != 0 or not motions:
         raise Failed(done.stderr.strip(), changes(moving(motions)))
@@ -125,7 +179,7 @@ def ours(chordal, program, what="commands"):
         if kind == "probed":
             motions.pop()
             break
-        if kind not in ("rapid", "line", "arc", "spiral"):
+        if kind not in ("rapid", "line", "arc", "spiral", "spline"):
             continue
         end = [command["to"].get(axis, 0.0) for axis in AXES]
         start = [command["from"].get(axis, 0.0) for axis in AXES]
@@ -138,6 +192,8 @@ def ours(chordal, program, what="commands"):
             plane = {"xy": "XY", "zx": "XZ", "yz": "YZ"}[command["plane"]]
             arc = (plane, center[AXES[a]], center[AXES[b]], turns)
             kind = "arc"
+        if kind == "spline":
+            kind, arc = f"spline of {len(command['weights'])}", command
         if arc or far(end, start, 1e-9):
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
@@ -169,15 +225,58 @@ def differences(program, theirs, mine):
     for number, (their, my) in enumerate(zip(theirs, mine), 1):
         tolerance = TOLERANCE * their[3]
         where = f"step {number} (line {my[3]})"
-        if their[0] != my[0]:
+        if their[0] == "turned arc":
+            for problem in on_turned_arc(their, my, tolerance):
+                yield f"{where}: {problem}"
+        elif their[0] != my[0]:
             yield f"{where}: rs274 {their[0]}, Chordal {my[0]}"
-        elif far(their[1], my[1], tolerance):
+        elif their[1] and far(their[1], my[1], tolerance):
             yield f"{where}: rs274 ends at {their[1]}, Chordal at {my[1]}"
         elif their[2]:
             (plane, a, b, turns), (my_plane, my_a, my_b, my_turns) = their[2], my[2]
             near = abs(a - my_a) <= tolerance and abs(b - my_b) <= tolerance
             if plane != my_plane or turns != my_turns or not near:
                 yield f"{where}: rs274 arc {their[2]}, Chordal {my[2]}"
+
+
+def on_turned_arc(their, my, tolerance):
+    """How a spline of Chordal differs from the turned arc of another plane that rs274 has."""
+    if not my[0].startswith("spline"):
+        yield f"rs274 {their[0]}, Chordal {my[0]}"
+        return
+    plane, center_a, center_b, turns, turn = their[2]
+    a, b, normal = PLANES[plane]
+    places = [turn.back(place) for place in spline_places(my[2], 8 * (len(my[2]["weights"]) - 1))]
+    radius = math.hypot(places[0][a] - center_a, places[0][b] - center_b)
+    angles = [math.atan2(place[b] - center_b, place[a] - center_a) for place in places]
+    swept = sum(math.remainder(b - a, math.tau) for a, b in zip(angles, angles[1:]))
+    for place in places:
+        off = abs(math.hypot(place[a] - center_a, place[b] - center_b) - radius)
+        if off > 2 * tolerance or abs(place[normal] - places[0][normal]) > 2 * tolerance:
+            yield f"Chordal's spline leaves the arc {their[2][:4]} at {place}"
+            return
+    if far(their[1], my[1], 2 * tolerance):
+        yield f"rs274 ends at {their[1]}, Chordal at {my[1]}"
+    if (swept > 0) != (turns > 0) or math.ceil(abs(swept) / math.tau - 1e-6) != abs(turns):
+        yield f"rs274 turns {turns} times, Chordal {math.degrees(swept)} degrees"
+
+
+def spline_places(spline, count):
+    """Places of a rational B-spline, from its start to its end."""
+    order, knots = spline["order"], spline["knots"]
+    rows = list(zip(spline["x"], spline["y"], spline["z"], spline["weights"]))
+    points = [[x * w, y * w, z * w, w] for x, y, z, w in rows]
+    for step in range(count + 1):
+        u = knots[0] + (knots[-1] - knots[0]) * step / count
+        last = max(i for i in range(order - 1, len(points)) if i == order - 1 or knots[i] <= u)
+        row = points[last - order + 1 : last + 1]
+        for level in range(1, order):
+            for i in range(order - 1, level - 1, -1):
+                low = knots[last - order + 1 + i]
+                share = (u - low) / (knots[last + i + 1 - level] - low)
+                row[i] = [(1 - share) * p + share * q for p, q in zip(row[i - 1], row[i])]
+        x, y, z, w = row[-1]
+        yield [x / w, y / w, z / w]
 
 
 def main():

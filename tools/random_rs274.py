@@ -197,6 +197,7 @@ def compensation(w):
     """G41 and G42 by a diameter, around random corners; the path of the tool centre."""
     yield "G21"
     yield "F100 G0 X0 Y0 Z1"
+    yield w.maybe(f"G10 L2 P1 X{w.number(-9, 9)} Y{w.number(-9, 9)} R{w.number(-180, 180)}\nG0 X0 Y0", 0.3)
     side = w.pick("G41.1", "G42.1")
     yield f"{side} D{w.number(0.5, 4)} {w.pick('G1', 'G0')} X{w.number(8, 15)} Y{w.number(-5, 5)}"
     x, y = 20.0, 0.0
@@ -219,7 +220,66 @@ def dwell(w):
         yield f"G4 P{w.number(0.1, 2)} {w.maybe(w.pick('G0', 'G1', ''))} {w.maybe(w.axes())}"
 
 
-GROUPS = [polar, levels, taps, offsets, thread, modes, flow, numbers, compensation, dwell]
+def rotation(w):
+    """A work coordinate system turned by G10 L2 R, with what lies inside and outside of the turn."""
+    yield w.pick("G20", "G21")
+    yield f"G0 {w.axes()}"
+    turned = lambda: f"G10 L2 P{w.pick(1, 1, 2, 0)} {w.maybe(w.axes())} R{w.pick(30, 90, -45, 180, w.number(-200, 200))}"
+    yield turned()
+    for _ in w.many(4, 9):
+        yield w.pick(
+            f"G92.1\n{turned()}",
+            f"G92.1\n{w.pick('G54', 'G55')}",
+            f"G10 L20 P{w.pick(1, 2)} {w.axes()}",
+            f"G53 {w.pick('G0', 'G1')} {w.axes()}",
+            f"G28.1\nG0 {w.axes()}\nG90 G28 {w.maybe(w.axes())}",
+            f"G30.1\nG0 {w.axes()}\nG91 G30 {w.maybe(w.axes())}\nG90",
+            f"G92 {w.axes()}",
+            f"G52 {w.axes()}",
+            w.pick("G92.1", "G92.2", "G92.3"),
+            f"G43.1 {w.axes()}",
+            f"G91 G1 {w.axes()}\nX1\nG90",
+            f"{w.pick('G2', 'G3')} X#5420 Y#5421 I{w.number(-4, 4)} J{w.number(1, 4)} {w.maybe('Z3')}",
+            f"G91 {w.pick('G2', 'G3')} X{w.number(-3, 3)} Y{w.number(-3, 3)} R{w.pick('', '-')}5\nG90",
+            f"G18 G91 {w.pick('G2', 'G3')} X{w.number(-3, 3)} Z{w.number(-3, 3)} R{w.pick('', '-')}5\nG90 G17",
+            f"G19 G91 {w.pick('G2', 'G3')} Y{w.number(-3, 3)} Z{w.number(-3, 3)} R{w.pick('', '-')}5\nG90 G17",
+            f"G0 Z9\n{w.pick('G81', 'G82 P.1', 'G83 Q2', 'G85')} {w.axes('XY')} Z-2 R{w.number(1, 3)}\n{w.axes('XY')}\nG80",
+            f"G0 Z9\nG91 G81 {w.axes('XY')} Z-2 R-1 L2\nG80 G90",
+        )
+        yield f"{w.pick('G0', 'G1')} {w.axes()}"
+        yield PRINT.format(w.pick(PLACE, "#5161 #5162 #5182", "#5210 #5211 #5212", "#5221 #5222 #5230 #5250", "#5401 #5402"))
+
+
+def splines(w):
+    """G5, G5.1 and G5.2, one after the other and between straight moves."""
+    yield w.pick("G20", "G21")
+    yield w.maybe(f"G10 L2 P1 {w.axes()} R{w.number(-90, 90)}", 0.3)
+    yield f"G0 {w.axes()}"
+    yield f"G1 {w.axes()}"
+    end = lambda: f"X{w.number(-9, 9)} Y{w.number(-9, 9)}"
+    pair = lambda a, b: f"{a}{w.number(-5, 5)} {b}{w.number(-5, 5)}"
+    for _ in w.many(3, 7):
+        kind = w.pick("cubic", "cubic", "quadratic", "weights", "straight", "wrong")
+        if kind == "cubic":
+            yield f"G5 {end()} {pair('I', 'J')} {pair('P', 'Q')}"
+            for _ in w.many(0, 2):
+                yield f"{w.maybe('G5', 0.97)} {end()} {w.maybe(pair('I', 'J'), 0.3)} {pair('P', 'Q')}"
+        elif kind == "quadratic":
+            yield f"G5.1 {end()} {pair('I', 'J')}"
+            yield w.maybe(end())
+        elif kind == "weights":
+            yield w.pick(f"G5.2 P{w.number(0.5, 3)}", f"G5.2 {end()} P{w.number(0.5, 3)} {w.maybe('L' + w.pick('3', '4'))}")
+            for _ in w.many(2, 5):
+                yield f"{end()} P{w.number(0.5, 3)}"
+            yield "G5.3"
+        elif kind == "wrong":
+            yield w.maybe(w.pick(f"G5 {end()}", f"G5.1 {end()}", f"G5 X1 P1 Q1", f"G5.1 {end()} I1", "G5.3", "G5.2 X1 P1", f"G5.2 {end()} P1\n{end()} P-1"), 0.1)
+        yield w.maybe(w.pick("G91", "G90"), 0.3)
+        yield f"G1 {w.axes()}"
+        yield PRINT.format(PLACE)
+
+
+GROUPS = [polar, levels, taps, offsets, thread, modes, flow, numbers, compensation, dwell, rotation, splines]
 
 
 def compare(chordal, program, what):

@@ -364,9 +364,10 @@ impl Action {
         matches!(self, Action::NotSimulated | Action::NotFollowed)
     }
 
-    /// The code takes the axis words of its block for itself.
-    pub const fn takes_axes(self) -> bool {
-        matches!(self, Action::Once(_) | Action::Length(LengthCode::FromAxes)) || self.is_left_out()
+    /// The motion of its block still takes place after it.
+    pub const fn leaves_axes(self, dwell_with_motion: bool) -> bool {
+        matches!(self, Action::Once(OnceCode::ClearPreset { .. } | OnceCode::RestorePreset))
+            || dwell_with_motion && matches!(self, Action::Once(OnceCode::Dwell))
     }
 
     /// The motion, where the code is one.

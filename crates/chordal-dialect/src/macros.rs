@@ -121,6 +121,8 @@ pub struct SystemRow {
 
 /// Numbers from one work offset to the next, as rows of system variables are read.
 pub const OFFSET_STEP: u32 = 20;
+/// The place of its turn among the numbers of a work offset.
+pub const TURN_PLACE: u32 = 9;
 
 /// Writes a row of system variables.
 pub const fn system(first: u32, last: u32, what: System) -> SystemRow {

@@ -1,6 +1,6 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
-use crate::action::{Action, OnceCode};
+use crate::action::{Action, LengthCode, OnceCode};
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
@@ -59,6 +59,23 @@ pub struct CodeRow {
 }
 
 impl CodeRow {
+    /// It takes the axis words of its block for itself. A code without effect or that is not simulated does
+    /// so where its row names the axes; other axis words of its block move.
+    pub const fn takes_axes(&self) -> bool {
+        match self.action {
+            Action::NoEffect | Action::NotSimulated => self.words.has(b'X'),
+            Action::Once(_) | Action::NotFollowed => true,
+            Action::Length(code) => matches!(code, LengthCode::FromAxes),
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Mode(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::After(_)
+            | Action::Call(_) => false,
+        }
+    }
+
     /// Its name under its letter: `G54.1`.
     pub fn name(&self, letter: u8) -> String {
         code_name(letter, self.code)

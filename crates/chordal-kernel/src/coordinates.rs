@@ -161,28 +161,51 @@ impl Kernel<'_> {
         let add = self.rules.work_values_add && self.state.incremental && !from_position;
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let active = self.state.offsets.key(self.state.offsets.active());
-        let meant = self.in_work_coordinates(values);
+        let offsets = &self.state.offsets;
+        // What lies between machine coordinates and those of any system, and places of that one.
+        let own = |key: &str, axis: usize| offsets.work_value(key, axis).unwrap_or(0.0);
+        let total = offsets.total();
+        let beyond: Position = std::array::from_fn(|axis| total[axis] - own(&active, axis));
+        let map = match offsets.own_turn(key) {
+            Some(turn) => turn,
+            None => *self.state.frames.map(),
+        };
+        let mut named = AxisMask::NONE;
+        (0..AXES).filter(|axis| values[*axis].is_some()).for_each(|axis| named.insert(axis));
+        let meant = if from_position {
+            named = map.reached(named);
+            let work = std::array::from_fn(|axis| machine[axis] - beyond[axis] - own(key, axis));
+            let place = map.inverse().point(&work);
+            map.point(&std::array::from_fn(|axis| values[axis].unwrap_or(place[axis])))
+        } else {
+            values.map(|value| value.unwrap_or(0.0))
+        };
         self.state.shift_coordinates(|offsets| {
-            for (axis, value) in values.iter().enumerate() {
-                let Some(value) = *value else { continue };
+            for axis in named.iter().map(|axis| axis as usize) {
                 let stored = if from_position {
                     // So that the present place gets this coordinate.
-                    let own = offsets.work_value(&active, axis).unwrap_or(0.0);
-                    let beyond_work = offsets.total()[axis] - own;
-                    machine[axis] - meant[axis] - beyond_work
+                    machine[axis] - meant[axis] - beyond[axis]
                 } else {
-                    value
+                    meant[axis]
                 };
                 offsets.write_work(key, axis, stored, add);
             }
         });
-        self.emit_work_offset();
+        self.emit_written_offset(key);
     }
 
     /// Turns a work coordinate system about its zero, degrees.
     pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
         self.state.shift_coordinates(|offsets| offsets.write_rotation(key, degrees));
-        self.emit_work_offset();
+        self.emit_written_offset(key);
+    }
+
+    /// Pushes the work offset where a system was written that is in force, or that acts on all.
+    fn emit_written_offset(&mut self, key: &str) {
+        let offsets = &self.state.offsets;
+        if key == "EXT" || key == offsets.key(offsets.active()) {
+            self.emit_work_offset();
+        }
     }
 
     /// G52.

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use chordal_command::{AxisMask, Position, WorkName, WorkNaming};
+use chordal_geometry::Plane;
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
-use crate::frames::Frames;
+use crate::frames::{Frames, Map};
 
 /// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
 const Z: usize = Axis::Z as usize;
@@ -195,8 +196,18 @@ impl Offsets {
             return;
         }
         let degrees = self.rotation(&self.key(self.active));
-        let zero = |axis: usize| -(self.shift[axis] + self.preset[axis]);
-        frames.set_work_rotation(degrees, [zero(0), zero(1)]);
+        frames.set_work_rotation(degrees, self.zero());
+    }
+
+    /// The turn of a system about its zero, where systems are turned.
+    pub(crate) fn own_turn(&self, key: &str) -> Option<Map> {
+        let turned = !self.rotations.is_empty();
+        turned.then(|| Map::rotation(Plane::Xy, self.zero(), self.rotation(key)))
+    }
+
+    /// Where the zero of a system lies in its coordinates, without shift and preset.
+    fn zero(&self) -> [f64; 2] {
+        [0, 1].map(|axis| -(self.shift[axis] + self.preset[axis]))
     }
 
     /// One value of a work offset.

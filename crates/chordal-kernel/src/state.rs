@@ -184,6 +184,8 @@ pub struct State {
     pub side: Side,
     /// Number of its offset.
     pub radius_offset: Option<u32>,
+    /// Number of the length offset that a word named while no length was in force.
+    pub named_length: Option<u32>,
     /// A cycle ends at R, not at its initial level.
     pub return_to_r: bool,
     /// The cycle in force.
@@ -237,6 +239,7 @@ impl State {
             selected_tool: None,
             side: Side::Off,
             radius_offset: None,
+            named_length: None,
             return_to_r: rules.cycles.starts_at_r,
             cycle: None,
             cycle_dwell_s: None,

@@ -3,10 +3,12 @@
 (Splines, exact. Lengths by a second formula, sums of chords of the basis functions.)
 G21 G90 G17 F1000 S1000 M3
 G0 X0 Y0 Z0
-(cubic; the second block goes on in the direction in which the first ended)
+(cubic; the second block goes on in the direction in which the first ended. G5 and G5.1 hold for their block)
 G5 I0 J3 P0 Q-3 X1 Y1 (= spline from X0 Y0 to X1 Y1 length 3.33096)
-P0 Q-3 X2 Y2 (= spline from X1 Y1 to X2 Y2 length 3.33096)
-G1 X5 (= line from X2 Y2 to X5 Y2)
+G5 P0 Q-3 X2 Y2 (= spline from X1 Y1 to X2 Y2 length 3.33096)
+G1 X4 (= line from X2 Y2 to X4 Y2)
+G5.1 X4 Y2 I1 J1 (= spline)
+X5 (= line from X4 Y2 to X5 Y2)
 (whatever stood between; the words of another letter leave it as it was)
 G5 X6 Y3 P0 Q-3 (= spline to X6 Y3 length 3.33096)
 (quadratic, incremental)

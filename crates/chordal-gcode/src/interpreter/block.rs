@@ -175,11 +175,10 @@ impl Interpreter<'_> {
             return self.take_after_motion(block, codes);
         }
         let dwells = self.control.parameters.dwell_with_motion;
-        let is_dwell = |action: Action| dwells && action == Action::Once(OnceCode::Dwell);
-        let takes = |action: Action| action.takes_axes() && !is_dwell(action);
-        let one_shot = codes.iter().rev().find(|(row, _)| takes(row.action));
-        if let Some((_, at)) = codes.iter().find(|(row, _)| is_dwell(row.action)) {
-            self.one_shot(block, OnceCode::Dwell, *at);
+        let leaves = |row: &CodeRow| row.action.leaves_axes(dwells);
+        let one_shot = codes.iter().rev().find(|(row, _)| row.takes_axes() && !leaves(row));
+        if let Some((row, at)) = codes.iter().find(|(row, _)| leaves(row)) {
+            row.action.once().into_iter().for_each(|code| self.one_shot(block, code, *at));
             if !block.letters().meets(AXES) && block.polar.is_empty() {
                 let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
                 motion.into_iter().for_each(|code| self.take_motion_code(code));
@@ -189,9 +188,21 @@ impl Interpreter<'_> {
         match one_shot {
             Some((row, at)) => {
                 self.modes_beside_one_shot(block, codes, row);
-                // A code that is not simulated was reported with the modes; its axis words go with it.
-                if let Action::Once(code) = row.action {
-                    self.one_shot(block, code, *at);
+                // A code that is not carried out was reported with the modes; the axis words that it names
+                // go with it.
+                match row.action {
+                    Action::Once(code) => self.one_shot(block, code, *at),
+                    Action::NoEffect | Action::NotSimulated => {
+                        self.unused_axes(block, |_, letter| row.words.has(letter));
+                    }
+                    Action::Length(_) | Action::NotFollowed => {}
+                    Action::Reading(_)
+                    | Action::Before(_)
+                    | Action::Mode(_)
+                    | Action::Motion(_)
+                    | Action::Cycle(_)
+                    | Action::After(_)
+                    | Action::Call(_) => {}
                 }
             }
             None => {

@@ -127,6 +127,11 @@ impl Interpreter<'_> {
         // While a cycle is in force a block makes a hole, no arc.
         let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
         let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));
+        let takes = |row: &CodeRow| {
+            let leaves = row.action.leaves_axes(self.control.parameters.dwell_with_motion);
+            row.takes_axes() && !leaves || row.action.cycle().is_some()
+        };
+        let drills = drills || codes.iter().any(|(row, _)| takes(row));
         if !drills && let Some(words) = self.modal_arc_words() {
             claims = claims.union(words);
         }
@@ -202,7 +207,7 @@ impl Interpreter<'_> {
 fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
     match second.group {
         Group::Distance => !distance_left_to_right && first.code != second.code,
-        Group::OneShot => first.action.takes_axes() && second.action.takes_axes(),
+        Group::OneShot => first.takes_axes() && second.takes_axes(),
         Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
         _ => first.code != second.code,
     }

@@ -18,6 +18,7 @@ impl Interpreter<'_> {
         }
         let values = self.axis_words(block);
         let (a, b, _) = self.kernel.state.plane.axes();
+        self.unused_axes(block, |axis, _| axis == a || axis == b);
         let degrees = self.angle_of(block, b'R');
         self.kernel.rotate(&self.at(block), [values[a], values[b]], degrees);
     }
@@ -25,6 +26,8 @@ impl Interpreter<'_> {
     /// G51: a centre, and P for all axes or I, J and K for one each.
     pub(super) fn scaling(&mut self, block: &Block) {
         let center = self.axis_words(block);
+        let rotary = self.control.parameters.rules.frames.scales_rotary;
+        self.unused_axes(block, |axis, _| axis < 3 || rotary);
         let factors = if block.letters().has(b'P') {
             self.factor_of(block, b'P').map_or(Factors::Omitted, Factors::Common)
         } else if self.control.parameters.rules.frames.factors_by_vector

@@ -188,9 +188,12 @@ impl Interpreter<'_> {
             return;
         }
         if by_code == Some(Action::Length(LengthCode::Cancel)) {
-            return self
-                .kernel
-                .set_length(&self.at(block), LengthOffset { number: None, minus: false });
+            let none = LengthOffset { number: None, minus: false };
+            self.kernel.set_length(&self.at(block), none);
+            if block.letters().has(b'H') {
+                self.kernel.state.named_length = self.count_of(block, b'H');
+            }
+            return;
         }
         if by_code == Some(Action::Length(LengthCode::FromAxes)) {
             let values = self.axis_words(block);
@@ -210,12 +213,18 @@ impl Interpreter<'_> {
             || self.control.parameters.length_by_h_alone
             || in_force.number.is_some();
         if !applies {
+            // The next G43 without an H takes it.
+            self.kernel.state.named_length = self.count_of(block, b'H');
             return;
         }
         let number = match block.letters().has(b'H') {
             true => self.count_of(block, b'H'),
-            false => in_force.number.or(Some(self.kernel.state.tool)),
+            false => {
+                let named = self.kernel.state.named_length;
+                in_force.number.or(named).or(Some(self.kernel.state.tool))
+            }
         };
+        self.kernel.state.named_length = None;
         match number {
             Some(0) => {
                 self.kernel.set_length(&self.at(block), LengthOffset { number: None, minus: false })

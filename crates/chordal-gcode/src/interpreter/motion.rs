@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
-use chordal_kernel::Motion;
+use chordal_kernel::{Motion, SplineForm};
 use chordal_kernel::rules::CycleKind;
 use chordal_syntax::{Block, Letters};
 
@@ -104,6 +104,7 @@ impl Interpreter<'_> {
 
     /// Takes the motion code, then moves as the words say.
     pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<MotionCode>) {
+        let modal = self.kernel.state.motion;
         if let Some(action) = explicit {
             self.watch_open_spline(block, action);
             if action == MotionCode::SplineEnd {
@@ -112,7 +113,12 @@ impl Interpreter<'_> {
             self.take_motion_code(action);
         }
         if let Motion::Spline(form) = self.kernel.state.motion {
-            return self.spline_block(block, form, explicit.is_some());
+            self.spline_block(block, form, explicit.is_some());
+            // G5 and G5.1 hold for their block.
+            if form != SplineForm::Points {
+                self.kernel.state.motion = modal;
+            }
+            return;
         }
         match self.control.table.motion {
             MotionModality::Exclusive => self.exclusive_motion(block, explicit.is_some()),

@@ -233,10 +233,17 @@ impl Interpreter<'_> {
     /// G39: the direction of what follows, by I J K, or by the axes where they are not moved.
     pub(super) fn corner_arc(&mut self, block: &Block, own_block: bool) {
         if self.kernel.state.side == Side::Off {
+            if own_block {
+                self.unused_axes(block, |_, _| false);
+            }
             return;
         }
         let (first, second, _) = self.kernel.state.plane.axes();
         let letters = block.letters();
+        if own_block {
+            let by_vector = letters.meets(Letters::of("IJK"));
+            self.unused_axes(block, |axis, _| !by_vector && (axis == first || axis == second));
+        }
         let toward = if letters.meets(Letters::of("IJK")) && own_block {
             let along = |s: &mut Self, axis: usize| s.length_of(block, b"IJK"[axis]).unwrap_or(0.0);
             Some([along(self, first), along(self, second)])

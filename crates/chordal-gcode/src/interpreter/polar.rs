@@ -48,7 +48,7 @@ impl Interpreter<'_> {
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
     ) -> bool {
-        let taker = codes.iter().find(|(row, _)| row.action.takes_axes());
+        let taker = codes.iter().find(|(row, _)| row.takes_axes());
         let span = polar_span(&block.polar);
         let at_origin = self.kernel.state.position[..2] == [0.0; 2];
         let only = |letter: u8| block.polar.iter().all(|word| word.letter == letter);

@@ -103,6 +103,10 @@ impl Interpreter<'_> {
     fn dwell(&mut self, block: &Block, at: usize) {
         let words = self.control.table.dwell;
         let found = words.iter().find_map(|rule| block.last(rule.letter).map(|word| (rule, *word)));
+        if !self.control.parameters.dwell_with_motion {
+            let time = found.map(|(rule, _)| rule.letter);
+            self.unused_axes(block, |_, letter| Some(letter) == time);
+        }
         let Some((rule, word)) = found else {
             if self.control.table.dwell_alone_stops {
                 // An exact stop: the axes stand, for no time.
@@ -231,7 +235,9 @@ impl Interpreter<'_> {
                 named.insert(axis);
             }
         }
-        let named = named.and(self.control.axes());
+        let axes = self.control.axes();
+        self.unused_axes(block, |axis, _| axes.has(axis));
+        let named = named.and(axes);
         if named == AxisMask::NONE {
             return;
         }
@@ -256,6 +262,16 @@ impl Interpreter<'_> {
             .label("machine coordinates are absolute")
             .help(format!("write `G90 {name}`, and G91 again after it where it is needed")),
         );
+    }
+
+    /// Reports the axis words of a block, by axis and letter, that its code has no use for.
+    pub(super) fn unused_axes(&mut self, block: &Block, used: impl Fn(usize, u8) -> bool) {
+        for word in &block.words {
+            let axis = AXIS_OF[word.letter as usize] as usize;
+            if axis < AXES && !word.comma && !used(axis, word.letter) {
+                self.unused_word(word);
+            }
+        }
     }
 
     /// The axis words of a block as they stand, without regard to G90 and G91.

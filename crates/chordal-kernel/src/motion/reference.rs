@@ -24,7 +24,26 @@ impl Kernel<'_> {
     /// Straight to a reference point.
     pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
+        if self.rules.frames.work_rotation && !self.state.frames.is_plain() {
+            return self.rapid_to_turned_reference(named, &home);
+        }
         self.rapid_to_machine_point(home, named);
+    }
+
+    /// To the coordinates that the point has in the turned system: an axis that is not named keeps
+    /// its program coordinate.
+    fn rapid_to_turned_reference(&mut self, named: AxisMask, home: &Position) {
+        let state = &mut self.state;
+        let total = state.offsets.total();
+        let work: Position = std::array::from_fn(|axis| home[axis] - total[axis]);
+        let place = state.frames.inverse().point(&work);
+        let place_known = named.and(state.frames.inverse().known(state.offsets.known()));
+        let (from, from_known) = (state.position, state.known);
+        named.iter().for_each(|axis| state.position[axis as usize] = place[axis as usize]);
+        state.known = state.known.without(named).or(place_known);
+        state.machine_known = state.machine_known.or(named);
+        let motion = Move { from, to: state.position, from_known, to_known: state.known };
+        self.emit(CommandKind::Rapid { motion, path: self.rules.rapid });
     }
 
     /// G53: to a point of machine coordinates, by a rapid or at the feed in force.

@@ -480,10 +480,10 @@ impl<'a> Context<'a> {
         }
         let Some(run) = self.run(at) else { return };
         let own = draft.block.words.iter().any(|word| {
-            code_action(word, self.from).is_some_and(|action| {
+            self.from.row_of(word).is_some_and(|row| {
                 // A move of G53 goes by G0 or G1 like any other.
-                action.is_plain_motion()
-                    || action.takes_axes() && action != Action::Once(OnceCode::MachineCoordinates)
+                row.action.is_plain_motion()
+                    || row.takes_axes() && row.action != Action::Once(OnceCode::MachineCoordinates)
             })
         });
         let commands = self.trace.commands_of(run);

@@ -48,7 +48,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(490, Group::ToolLength, Length(Cancel), "", "tool length off"),
     row(501, Group::Mirror, Once(MirrorOff), "", "mirror off"),
     row(511, Group::Mirror, Once(Mirror { at_zero: false }), "", "mirror"),
-    row(512, Group::Auxiliary, NotSimulated, ANY_WORDS, "feed by tool load"),
+    row(512, Group::Auxiliary, NotSimulated, "PQRIJKLD", "feed by tool load"),
     row(513, Group::Auxiliary, NotFollowed, ANY_WORDS, "axis scaling"),
     row(520, Group::OneShot, Once(LocalShift), "", "shift of the work coordinates"),
     row(530, Group::OneShot, Once(MachineCoordinates), "", "this block in machine coordinates"),

@@ -27,7 +27,12 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::CompensationPlane, "Cutter radius compensation allowed only in XY, XZ planes"),
     (Code::ReferenceInCompensation, "Cannot use g28 or g30 with cutter radius comp"),
     (Code::ToolChangeInCompensation, "Cannot change tools with cutter radius compensation on"),
-    (Code::ShiftInCompensation, "Cannot change axis offsets with cutter radius comp"),
+    (
+        Code::ShiftInCompensation,
+        "Cannot change axis offsets with cutter radius comp / Cannot change the active coordinate system \
+         with cutter radius compensation on / Cannot change coordinate systems with cutter radius \
+         compensation on",
+    ),
     (Code::RadiusMismatch, "Radius to end of arc differs from radius to start"),
     (Code::RadiusTooShort, "Arc radius too small to reach end point"),
     (Code::FullCircleByRadius, "Current point same as end point of arc"),

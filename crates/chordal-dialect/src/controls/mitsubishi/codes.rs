@@ -147,7 +147,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     ),
     row(940, Group::FeedMode, Reading(FeedPerTime), "", "feed per minute"),
     row(950, Group::FeedMode, Reading(FeedPerRevolution), "", "feed per revolution"),
-    row(960, Group::Auxiliary, NotSimulated, ANY_WORDS, "constant surface speed"),
+    row(960, Group::Auxiliary, NotSimulated, "P", "constant surface speed"),
     row(970, Group::Auxiliary, NoEffect, "", "constant surface speed off"),
     row(980, Group::ReturnLevel, Mode(ReturnInitial), "", "cycles return to the initial level"),
     row(990, Group::ReturnLevel, Mode(ReturnToR), "", "cycles return to the R level"),

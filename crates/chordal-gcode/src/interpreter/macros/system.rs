@@ -3,7 +3,7 @@
 use chordal_command::{CommandKind, FeedMode, Side, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::Action;
-use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System};
+use chordal_dialect::macros::{ModalGroup, OFFSET_STEP, System, TURN_PLACE};
 use chordal_geometry::{Direction, Plane};
 use chordal_kernel::Motion;
 use chordal_kernel::ToolValue;
@@ -243,6 +243,10 @@ impl Interpreter<'_> {
         if written.is_empty() {
             return;
         }
+        let turns: Vec<(String, f64)> = written
+            .iter()
+            .filter_map(|(number, value)| Some((self.work_turn(is_work(*number)?)?, *value)))
+            .collect();
         let values: Vec<(String, usize, f64)> = written
             .into_iter()
             .filter_map(|(number, value)| {
@@ -255,15 +259,29 @@ impl Interpreter<'_> {
             for (key, axis, value) in &values {
                 offsets.write_work(key, *axis, *value, false);
             }
+            for (key, degrees) in &turns {
+                offsets.write_rotation(key, *degrees);
+            }
         });
         self.kernel.emit_work_offset();
     }
 
     /// Key and axis of a value of the table of work offsets.
     fn work_place(&self, at: u32) -> Option<(String, usize)> {
-        let (system, axis) = ((at / OFFSET_STEP) as u16, (at % OFFSET_STEP) as usize);
+        let axis = (at % OFFSET_STEP) as usize;
+        (axis < AXES).then(|| (self.key_of_work_table(at), axis))
+    }
+
+    /// Key of the work offset whose turn a variable holds.
+    fn work_turn(&self, at: u32) -> Option<String> {
+        let turned = self.control.parameters.rules.frames.work_rotation;
+        (turned && at % OFFSET_STEP == TURN_PLACE).then(|| self.key_of_work_table(at))
+    }
+
+    fn key_of_work_table(&self, at: u32) -> String {
+        let system = (at / OFFSET_STEP) as u16;
         let name = if system < 6 { WorkName::G(54 + system) } else { WorkName::G59(system - 5) };
-        (axis < AXES).then(|| (self.kernel.state.offsets.key(name), axis))
+        self.kernel.state.offsets.key(name)
     }
 
     /// A coordinate from the number that a variable got.
@@ -298,6 +316,9 @@ impl Interpreter<'_> {
 
     /// A value of the tables of the nine work offsets, in the units of the machine.
     fn work_table(&self, at: u32) -> f64 {
+        if let Some(key) = self.work_turn(at) {
+            return self.kernel.state.offsets.rotation(&key);
+        }
         let Some((key, axis)) = self.work_place(at) else { return 0.0 };
         let value = self.kernel.state.offsets.work_value(&key, axis).unwrap_or(0.0);
         self.stored_out(axis, value)
@@ -418,7 +439,7 @@ impl Interpreter<'_> {
             b'B' => state.position[4].to_degrees(),
             b'D' => f64::from(state.radius_offset.unwrap_or(0)),
             b'F' => self.feed_word(),
-            b'H' => f64::from(state.offsets.length().number.unwrap_or(0)),
+            b'H' => f64::from(state.named_length.or(state.offsets.length().number).unwrap_or(0)),
             b'N' => self.sequence.map_or(0.0, |number| number.to_f64()),
             b'O' => f64::from(self.program_at(self.program).head.number.unwrap_or(0)),
             b'S' => state.rpm,
