@@ -1,5 +1,7 @@
 //! The points of the tool centre at a corner of the contour.
 
+use std::f64::consts::TAU;
+
 use chordal_geometry::Vec2;
 
 use super::plane::{Edge, NOTHING_MM, PlaneCurve, meeting};
@@ -109,8 +111,9 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     {
         return Corner::at(at + middle * r);
     }
-    // An exact reversal is the sharpest outside corner.
-    let reversal = ahead < 0.0 && turn.abs() < 1e-9;
+    // An exact reversal is the sharpest outside corner; with cusps also one that turns a little further.
+    let largest = if rules.cusps_meet { rules.tangent_sine.max(1e-9) } else { 1e-9 };
+    let reversal = ahead < 0.0 && turn.abs() < largest;
     let cusp = rules.cusps_meet
         && ahead < 0.0
         && turn.abs() < rules.tangent_sine
@@ -126,7 +129,8 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     }
     if rules.round {
         let mut corner = Corner::of(&[at + n1 * r, at + n2 * r]);
-        let swept = super::plane::angle(n1, n2).abs() * -end.sign;
+        let least = super::plane::angle(n1, n2).abs();
+        let swept = if end.sign * turn > 1e-9 { TAU - least } else { least } * -end.sign;
         corner.arc = (corner.count > 1).then_some((at, swept));
         return corner;
     }
