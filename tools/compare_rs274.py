@@ -16,6 +16,7 @@ ends is seen from what follows.
 """
 
 import argparse
+import copy
 import json
 import math
 import pathlib
@@ -36,14 +37,19 @@ SPINDLE = {
 }
 # In a program whose tool path is compared, not its programmed one.
 TOOL_PATH = "(tool path)"
+CHANGES = {"SET_G5X_OFFSET": "work", "SET_G92_OFFSET": "preset", "USE_TOOL_LENGTH_OFFSET": "tool"}
 CALL = re.compile(r"^\s*\d+\s+N\S+\s+(\w+)\((.*)\)")
 
 
-class Turn:
-    """The turn of a work coordinate system about its zero, with the presets inside it, mm."""
+class Frame:
+    """What lies between a program and the machine, mm: presets, the turn about the zero of the work
+    coordinate system, its place, the tool's offsets."""
 
     def __init__(self):
-        self.preset, self.degrees = (0.0, 0.0), 0.0
+        self.preset, self.work, self.tool, self.degrees = [0.0] * 6, [0.0] * 6, [0.0] * 6, 0.0
+
+    def sum(self):
+        return [sum(axis) for axis in zip(self.preset, self.work, self.tool)]
 
     def place(self, place):
         """A place of the program in the work coordinate system."""
@@ -56,14 +62,19 @@ class Turn:
     def about(self, place, angle):
         if angle == 0:
             return list(place)
-        (g, h), cos, sin = self.preset, math.cos(angle), math.sin(angle)
+        (g, h), cos, sin = self.preset[:2], math.cos(angle), math.sin(angle)
         x, y = place[0] + g, place[1] + h
         return [cos * x - sin * y - g, sin * x + cos * y - h, *place[2:]]
 
-    def copy(self):
-        other = Turn()
-        other.preset, other.degrees = self.preset, self.degrees
-        return other
+    def changed(self, name, text, unit):
+        """The frame after a change that rs274 prints, and whether it is one."""
+        if name == "SET_XY_ROTATION":
+            self.degrees = float(text)
+        elif name in CHANGES:
+            numbers = [float(part) for part in re.findall(r"-?\d+\.\d+", text)][:6]
+            values = [value * unit if axis < 3 else value for axis, value in enumerate(numbers)]
+            setattr(self, CHANGES[name], values)
+        return name in CHANGES or name == "SET_XY_ROTATION"
 
 
 class Failed(Exception):
@@ -82,8 +93,11 @@ def reference(program):
         command = ["rs274", "-g", "-t", str(tools), "-v", str(pathlib.Path(folder, "rs274.var"))]
         done = subprocess.run([*command, str(program)], capture_output=True, text=True)
     unit, plane, place, motions, printed = 1.0, "XY", [0.0] * 6, [], []
-    spindle, turn = "off", Turn()
+    spindle, turn = "off", Frame()
+    machine, about = place, False
     for row in done.stdout.splitlines():
+        if place and not about:
+            machine = [w + s for w, s in zip(turn.place(place), turn.sum())]
         call = CALL.match(row)
         if not call:
             printed.append(row)
@@ -95,12 +109,11 @@ def reference(program):
             unit = 25.4 if "INCH" in text else 1.0
         elif name == "SELECT_PLANE":
             plane = text.strip().rsplit("_", 1)[1]
-        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET", "USE_TOOL_LENGTH_OFFSET"):
-            place = None if motions else place
-            if name == "SET_G92_OFFSET":
-                turn.preset = tuple(float(part) * unit for part in text.split(",")[:2])
-        elif name == "SET_XY_ROTATION":
-            turn.degrees = float(text)
+        elif turn.changed(name, text, unit):
+            if place:
+                # Where the machine stands is now another place of the program, but for the digits printed.
+                place = turn.back([m - s for m, s in zip(machine, turn.sum())])
+                about = True
         elif name == "NURBS_FEED":
             points = text.split(",")[0]
             motions.append((f"spline of {points}", None, None, unit, None))
@@ -109,15 +122,17 @@ def reference(program):
             numbers = [float(part) for part in text.split(",")]
             end = [value * unit if axis < 3 else value for axis, value in enumerate(numbers)]
             kind = "rapid" if name == "STRAIGHT_TRAVERSE" else "line"
+            if place and about and not far(end, place, 4 * TOLERANCE * unit):
+                place = end
             motions.append((kind, turn.place(end), None, scale, place and turn.place(place)))
-            place = end
+            place, about = end, False
         elif name == "RIGID_TAP":
             end = [float(part) * unit for part in text.split(",")[:3]] + place[3:]
             place = turn.place(place)
             motions.append(("line", turn.place(end), None, scale, place))
             turning = {"cw": "ccw", "ccw": "cw"}.get(spindle, spindle)
             motions.append((f"spindle {turning}", [0.0] * 6, None, 1.0, None))
-            motions.append(("line", place, None, unit, end))
+            motions.append(("line", place, None, scale, end))
             motions.append((f"spindle {spindle}", [0.0] * 6, None, 1.0, None))
         elif name == "STRAIGHT_PROBE":
             break
@@ -138,7 +153,7 @@ def reference(program):
             if turn.degrees and plane == "XY":
                 arc = (plane, *turn.place(arc[1:3]), turns)
             elif turn.degrees % 180:
-                kind, arc = "turned arc", (*arc, turn.copy())
+                kind, arc = "turned arc", (*arc, copy.copy(turn))
             elif turn.degrees % 360:
                 # Upright again, and the other way round.
                 a, b, normal = PLANES[plane]
@@ -147,7 +162,7 @@ def reference(program):
                 center = turn.place(center)
                 arc = (plane, center[a], center[b], -turns)
             motions.append((kind, turn.place(end), arc, scale, place))
-            place = end
+            place, about = end, False
     if done.returncode != 0 or not motions:
         raise Failed(done.stderr.strip(), changes(moving(motions)))
     printed = [row for row in printed if row != "executing" and "N....." not in row]

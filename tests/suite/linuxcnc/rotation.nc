@@ -1,5 +1,7 @@
 (machine: linuxcnc-mill)
 (units: mm)
+(expect: CH531)
+(set: tools.1.diameter="2 mm")
 (A work coordinate system turned by G10 L2 R. Places are those of the system before its turn.)
 G21 G17 G90 G94 S500 M3
 G0 X0 Y0 Z0
@@ -28,4 +30,50 @@ G55
 G0 X3 Y4 (= rapid to X3 Y4)
 G54
 G0 X3 Y4 (= rapid to X-4 Y3)
+(G92 lives inside of the turn; its numbers are those of turned coordinates. G53 is not moved by it.)
+G10 L2 P1 X100 Y50 R30
+G0 X10 Y0 (= rapid to X8.660254 Y5)
+G53 G0 X0 Y0
+(PRINT, #5420 #5421) ;(= > " -111.602540 6.698730")
+G0 X10 Y20
+G92 X0 Y0
+(PRINT, #5210 #5211 #5212 #5420 #5421) ;(= > " 1.000000 0.393701 0.787402 0.000000 0.000000")
+G53 G0 X100 Y50
+(PRINT, #5420 #5421) ;(= > " -10.000000 -20.000000")
+G92.1
+(G10 L20 counts in the turned system.)
+G0 X10 Y20
+G10 L20 P1 X0 Y0
+(PRINT, #5221 #5222 #5230) ;(= > " 3.884262 2.847264 30.000000")
+(The tool offset lies outside of the turn.)
+G10 L2 P1 X100 Y50
+G43.1 X7
+G53 G0 X100 Y50
+(PRINT, #5420 #5421) ;(= > " -6.062178 3.500000")
+G49
+(G28 takes the axes that it names to the coordinates of the point in the turned system.)
+G0 X1 Y2
+G28.1
+G0 X3 Y7
+G28 Y5
+(PRINT, #5420 #5421) ;(= > " 3.000000 2.000000")
+G28 X5
+(PRINT, #5420 #5421) ;(= > " 1.000000 2.000000")
+(G10 L20 with one axis leaves the turned coordinate of the other.)
+G10 L20 P1 X8
+(PRINT, #5420 #5421) ;(= > " 8.000000 2.000000")
+(of another system, by its own turn)
+G10 L2 P2 X0 Y0 R90
+G10 L20 P2 X1 Y2
+G55
+(PRINT, #5420 #5421 #5250) ;(= > " 1.000000 2.000000 90.000000")
+(With compensation on it may not change under the tool.)
+G54 G10 L2 P1 X0 Y0 R0
+G0 X0 Y0
+G41 D1 G1 X10 Y0
+X20
+G10 L2 P2 R5
+X30
+G10 L2 P1 R5 (= ! CH517 "Cannot change the active coordinate system with cutter radius compensation on")
+G40 G1 X40
 M2

@@ -151,7 +151,9 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn select_work(&mut self, name: WorkName) {
-        self.take_written_offsets();
+        if name != self.kernel.state.offsets.active() {
+            self.take_written_offsets();
+        }
         self.kernel.select_work(name);
     }
 
@@ -219,6 +221,8 @@ impl Interpreter<'_> {
         }
         let number = match block.letters().has(b'H') {
             true => self.count_of(block, b'H'),
+            // The values are copied, not those of a number that stays in force.
+            false if self.control.parameters.rules.length_is_copied => Some(self.kernel.state.tool),
             false => {
                 let named = self.kernel.state.named_length;
                 in_force.number.or(named).or(Some(self.kernel.state.tool))

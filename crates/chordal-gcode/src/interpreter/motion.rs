@@ -5,8 +5,8 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
-use chordal_kernel::{Motion, SplineForm};
 use chordal_kernel::rules::CycleKind;
+use chordal_kernel::{Motion, SplineForm};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;

@@ -438,7 +438,10 @@ impl Interpreter<'_> {
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
         };
         let values = self.axis_words(block);
-        self.take_written_offsets();
+        let offsets = &self.kernel.state.offsets;
+        if key == offsets.key(offsets.active()) {
+            self.take_written_offsets();
+        }
         if self.control.parameters.rules.frames.work_rotation && block.letters().has(b'R') {
             if from_position {
                 return self.report_rotation_from_position(block);

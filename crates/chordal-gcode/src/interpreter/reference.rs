@@ -58,7 +58,18 @@ impl Interpreter<'_> {
                 );
                 self.machine_coordinates(block, at);
             }
-            OnceCode::MachineCoordinates => self.machine_coordinates(block, at),
+            OnceCode::MachineCoordinates => {
+                if self.control.parameters.strict_words && self.kernel.state.incremental {
+                    let span = self.span(block.words[at].range);
+                    self.report_refused(
+                        Diagnostic::new(Code::BadWordValue, span, "G53 in G91")
+                            .label("shown as an absolute move")
+                            .help("write G90 before it: machine coordinates are absolute"),
+                        "Cannot use g53 incremental",
+                    );
+                }
+                self.machine_coordinates(block, at);
+            }
             OnceCode::LocalShift => {
                 let values = self.axis_words(block);
                 self.kernel.local_shift(&values);

@@ -143,8 +143,8 @@ pub struct CompensationRules {
     pub off_alone: AloneAction,
     /// G40 acts at once: the next move of any axis ends on its programmed point.
     pub off_at_once: bool,
-    /// A path that turns back by nearly 180 degrees into an arc, with the tool outside of it, is an inside
-    /// corner.
+    /// A path that turns back by 180 degrees, give or take the kink of a tangent, is an outside corner;
+    /// into an arc, or out of one into a line, with the tool outside of it an inside one.
     pub cusps_meet: bool,
     /// F of G93 is for the programmed length, and its speed holds for the path of the tool.
     pub inverse_time_as_speed: bool,

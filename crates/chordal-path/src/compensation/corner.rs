@@ -1,5 +1,7 @@
 //! The points of the tool centre at a corner of the contour.
 
+use std::f64::consts::TAU;
+
 use chordal_geometry::Vec2;
 
 use super::plane::{Edge, NOTHING_MM, PlaneCurve, meeting};
@@ -90,7 +92,7 @@ pub(super) struct CornerRules {
     /// Sine of the largest kink that is left as it is.
     pub tangent_sine: f64,
     pub round: bool,
-    /// A path that turns back into an arc, with the tool outside of it, is an inside corner.
+    /// A path that turns back into or out of an arc, with the tool outside of it, is an inside corner.
     pub cusps_meet: bool,
 }
 
@@ -109,12 +111,15 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     {
         return Corner::at(at + middle * r);
     }
-    // An exact reversal is the sharpest outside corner.
-    let reversal = ahead < 0.0 && turn.abs() < 1e-9;
+    // An exact reversal is the sharpest outside corner; with cusps also one that turns a little further.
+    let largest = if rules.cusps_meet { rules.tangent_sine.max(1e-9) } else { 1e-9 };
+    let reversal = ahead < 0.0 && turn.abs() < largest;
+    // The arc that follows decides, or before a line the arc that ends.
+    let decides = if start.curve.is_arc() { start } else { end };
     let cusp = rules.cusps_meet
         && ahead < 0.0
         && turn.abs() < rules.tangent_sine
-        && matches!(start.curve, PlaneCurve::Arc { sweep, .. } if start.sign * sweep < 0.0);
+        && matches!(decides.curve, PlaneCurve::Arc { sweep, .. } if decides.sign * sweep < 0.0);
     let inside = end.sign * turn > 0.0 && !reversal || cusp;
     if inside {
         let mut corner = match meeting(at, end, start, rules.tangent_mm) {
@@ -126,7 +131,8 @@ pub(super) fn corner(at: Vec2, end: &Edge, start: &Edge, rules: &CornerRules) ->
     }
     if rules.round {
         let mut corner = Corner::of(&[at + n1 * r, at + n2 * r]);
-        let swept = super::plane::angle(n1, n2).abs() * -end.sign;
+        let least = super::plane::angle(n1, n2).abs();
+        let swept = if end.sign * turn > 1e-9 { TAU - least } else { least } * -end.sign;
         corner.arc = (corner.count > 1).then_some((at, swept));
         return corner;
     }

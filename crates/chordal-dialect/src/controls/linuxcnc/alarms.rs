@@ -29,9 +29,9 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::ToolChangeInCompensation, "Cannot change tools with cutter radius compensation on"),
     (
         Code::ShiftInCompensation,
-        "Cannot change axis offsets with cutter radius comp / Cannot change the active coordinate system \
-         with cutter radius compensation on / Cannot change coordinate systems with cutter radius \
-         compensation on",
+        "Cannot change axis offsets with cutter radius comp; for G10, Cannot change the active coordinate \
+         system with cutter radius compensation on; for G54 to G59.3, Cannot change coordinate systems with \
+         cutter radius compensation on",
     ),
     (Code::RadiusMismatch, "Radius to end of arc differs from radius to start"),
     (Code::RadiusTooShort, "Arc radius too small to reach end point"),

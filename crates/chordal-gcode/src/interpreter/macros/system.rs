@@ -154,10 +154,9 @@ impl Interpreter<'_> {
                 self.macros.kept.insert(index, value);
             }
             System::WorkTable => {
-                self.macros.kept.insert(index, value);
-                let system = f64::from(at / OFFSET_STEP) + 1.0;
-                if system != self.work_system() {
-                    self.take_written_offsets();
+                let acts = f64::from(at / OFFSET_STEP) + 1.0 == self.work_system();
+                if acts || !self.write_work_table(at, value) {
+                    self.macros.kept.insert(index, value);
                 }
             }
             System::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
@@ -226,8 +225,26 @@ impl Interpreter<'_> {
         self.macros.kept.get(&index).copied().unwrap_or(value)
     }
 
-    /// Work offsets that the program has written as variables: they act when a system is selected
-    /// or written.
+    /// Writes the number of a work offset, if it is one that acts.
+    fn write_work_table(&mut self, at: u32, value: f64) -> bool {
+        let turn = self.work_turn(at);
+        let place = self.work_place(at).map(|(key, axis)| (key, axis, self.stored_in(axis, value)));
+        if turn.is_none() && place.is_none() {
+            return false;
+        }
+        self.kernel.state.shift_coordinates(|offsets| {
+            if let Some((key, axis, value)) = place {
+                offsets.write_work(&key, axis, value, false);
+            }
+            if let Some(key) = turn {
+                offsets.write_rotation(&key, value);
+            }
+        });
+        true
+    }
+
+    /// The numbers of the work offset in force that the program has written as variables: they act
+    /// when this system is written by a code, and else from when another one is selected.
     pub(in super::super) fn take_written_offsets(&mut self) {
         let rules = self.rules();
         let is_work = |number: u32| match rules.system_at(number) {
@@ -243,26 +260,13 @@ impl Interpreter<'_> {
         if written.is_empty() {
             return;
         }
-        let turns: Vec<(String, f64)> = written
-            .iter()
-            .filter_map(|(number, value)| Some((self.work_turn(is_work(*number)?)?, *value)))
-            .collect();
-        let values: Vec<(String, usize, f64)> = written
-            .into_iter()
-            .filter_map(|(number, value)| {
-                let at = is_work(number)?;
-                let (key, axis) = self.work_place(at)?;
-                Some((key, axis, self.stored_in(axis, value)))
-            })
-            .collect();
-        self.kernel.state.shift_coordinates(|offsets| {
-            for (key, axis, value) in &values {
-                offsets.write_work(key, *axis, *value, false);
+        for (number, value) in written {
+            if let Some(at) = is_work(number)
+                && !self.write_work_table(at, value)
+            {
+                self.macros.kept.insert(number, value);
             }
-            for (key, degrees) in &turns {
-                offsets.write_rotation(key, *degrees);
-            }
-        });
+        }
         self.kernel.emit_work_offset();
     }
 
