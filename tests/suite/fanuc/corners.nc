@@ -22,8 +22,9 @@ G91 Y10. ,R2. (= line to X50 Y38 | arc cw to X52 Y40)
 X10. ,C1. (= line to X59 Y40 | line to X60 Y39)
 Y-20. (= line from X60 Y39 to X60 Y20)
 (All of a move may go.)
-X-10. ,R10. (= arc cw from X60 Y20 to X50 Y30 | ! CH428 "coordinates")
-G90
+X-10. ,R10. (= arc cw from X60 Y20 to X50 Y30 radius 10.00)
+Y10. (= none)
+G90 X50. Y40. (= line from X50 Y30 to Y40)
 (In a rotation, mirrored and scaled.)
 G0 X0 Y0
 G68 X0 Y0 R90.

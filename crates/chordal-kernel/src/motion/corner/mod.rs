@@ -20,6 +20,9 @@ use crate::state::State;
 /// Ends that are the same place but for rounding, mm.
 const SAME_MM: f64 = 1e-9;
 
+/// A move that is shorter than this is gone, mm.
+const LEFT_MM: f64 = 1e-6;
+
 /// An arc whose radii differ by more is no circle, mm.
 const CIRCLE_MM: f64 = 0.05;
 
@@ -85,6 +88,13 @@ impl Corners {
     }
 }
 
+/// Two moves with what stands between them; a move may be gone whole.
+struct Joined {
+    first: Option<CommandKind>,
+    corner: CommandKind,
+    next: Option<CommandKind>,
+}
+
 /// Why nothing stands in a corner.
 struct Refusal {
     code: Code,
@@ -123,14 +133,20 @@ impl Kernel<'_> {
             Some(held) if held.is_open && self.corners.asked.is_none() => {
                 self.corners.asked = Some(held.corner);
                 self.pass_on(*held);
-                kind
+                Some(kind)
             }
             Some(held) => self.join(*held, kind),
-            None => kind,
+            None => Some(kind),
         };
-        match self.corners.asked.take() {
-            Some(corner) => self.hold(corner, kind),
-            None => self.push(kind),
+        match (self.corners.asked.take(), kind) {
+            (Some(corner), Some(kind)) => self.hold(corner, kind),
+            (None, Some(kind)) => self.push(kind),
+            (Some(corner), None) => {
+                let what = "the corner before it takes all of this move";
+                let refusal = refusal(Code::CornerTooLarge, what, "make one of the two smaller");
+                self.refuse(&corner, refusal, None);
+            }
+            (None, None) => {}
         }
     }
 
@@ -250,11 +266,11 @@ impl Kernel<'_> {
         Ok(leg)
     }
 
-    /// The move that was held, its corner, and what came after; gives the next move as it is now.
-    fn join(&mut self, held: Held, next: CommandKind) -> CommandKind {
+    /// The move that was held, its corner, and what came after; gives what is left of the next move.
+    fn join(&mut self, held: Held, next: CommandKind) -> Option<CommandKind> {
         match self.corner_between(&held, &next) {
-            Ok(Some((parts, next))) => {
-                for part in parts.into_iter().flatten() {
+            Ok(Some(Joined { first, corner, next })) => {
+                for part in first.into_iter().chain([corner]) {
                     let command = self.in_work(part, held.origin);
                     self.sink.command(&command);
                 }
@@ -263,22 +279,17 @@ impl Kernel<'_> {
             }
             Ok(None) => {
                 self.pass_on(held);
-                next
+                Some(next)
             }
             Err(refusal) => {
                 self.give_up(held, refusal);
-                next
+                Some(next)
             }
         }
     }
 
     /// The first move and the corner; the second move.
-    #[expect(clippy::type_complexity, reason = "two parts and the move after them")]
-    fn corner_between(
-        &self,
-        held: &Held,
-        next: &CommandKind,
-    ) -> Result<Option<([Option<CommandKind>; 2], CommandKind)>, Refusal> {
+    fn corner_between(&self, held: &Held, next: &CommandKind) -> Result<Option<Joined>, Refusal> {
         let codes = [Code::CornerNext, Code::CornerNextMotion];
         let help = "write a line or an arc in the same plane after it";
         if self.origin.cycle || self.state.overrides.in_tap {
@@ -323,8 +334,11 @@ impl Kernel<'_> {
         };
         let (start, end) = (place(fit.start), place(fit.end));
         let shortened = Move { to: start, to_known: known, ..*first };
-        let rest = one.length() - fit_length(&one, fit.lost[0]);
-        let shorter = (rest > SAME_MM).then(|| trimmed(&held.kind, shortened, fit.lost[0], true));
+        let rest = [&one, &two].map(Leg::length);
+        let rest =
+            [rest[0] - fit_length(&one, fit.lost[0]), rest[1] - fit_length(&two, fit.lost[1])];
+        let first_part =
+            (rest[0] > LEFT_MM).then(|| trimmed(&held.kind, shortened, fit.lost[0], true));
         let motion = Move { from: start, to: end, from_known: known, to_known: known };
         let mut feed = feed_of(&held.kind);
         feed.along = FeedAlong::Path;
@@ -342,9 +356,9 @@ impl Kernel<'_> {
                 CommandKind::Arc { motion, shape, feed }
             }
         };
-        let rest = Move { from: end, from_known: known, ..*after };
-        let next = trimmed(next, rest, fit.lost[1], false);
-        Ok(Some(([shorter, Some(corner)], next)))
+        let shortened = Move { from: end, from_known: known, ..*after };
+        let next = (rest[1] > LEFT_MM).then(|| trimmed(next, shortened, fit.lost[1], false));
+        Ok(Some(Joined { first: first_part, corner, next }))
     }
 
     fn too_large(&self, corner: &Corner, misfit: Misfit, legs: [&Leg; 2]) -> Refusal {
