@@ -2,7 +2,7 @@
 //! shortened moves and what stands between them are written out.
 
 use chordal::Command;
-use chordal::control::{Action, Control, CornerMoves, MotionCode};
+use chordal::control::{Action, Control, CornerMoves, MotionCode, Position};
 use chordal::syntax::{Block, Word};
 
 use super::context::Context;
@@ -24,15 +24,16 @@ fn asks(block: &Block, control: &Control) -> bool {
     block.commas && block.words.iter().any(|word| is_corner_word(word, control))
 }
 
-/// The move of a run begins at the end of a corner, not where the program says.
+/// The move of a run goes on from the move before it, and not from where the program has left the tool:
+/// there was a corner between.
 fn begins_after_corner(trace: &Trace, run: &Exec) -> bool {
-    let first = trace.commands_of(run).iter().find_map(|command: &Command| command.kind.motion());
-    first.is_some_and(|motion| {
-        let placed = run.before.work == run.after.work && run.before.frames == run.after.frames;
-        let apart =
-            motion.from.iter().zip(&run.before.position).any(|(a, b)| (a - b).abs() > SAME_MM);
-        placed && apart
-    })
+    let (before, own) = trace.commands.split_at(run.commands.start);
+    let motion = |command: &Command| command.kind.motion().copied();
+    let own = own[..run.commands.len()].iter().find_map(motion);
+    let before = before.iter().rev().find_map(motion);
+    let (Some(before), Some(own)) = (before, own) else { return false };
+    let is = |place: &Position| place.iter().zip(&own.from).all(|(a, b)| (a - b).abs() <= SAME_MM);
+    is(&before.to) && !is(&run.before.position)
 }
 
 /// True when the new control makes the same of every corner of the program.
@@ -51,7 +52,8 @@ pub(super) fn keeps_corners(source: &Source, trace: &Trace, from: &Control, to: 
         let arcs = new.moves == CornerMoves::LinesAndArcs || !(arc(run) || arc(next));
         arcs && (made || plain)
     };
-    new.moves != CornerMoves::None
+    let none = !source.blocks.iter().any(|block| asks(block, from));
+    none || new.moves != CornerMoves::None
         && trace.execs.iter().enumerate().all(|(at, run)| {
             let corner = run.block.is_some_and(|block| asks(&source.blocks[block], from));
             !corner || makes(run, trace.execs.get(at + 1))
