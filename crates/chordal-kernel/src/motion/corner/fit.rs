@@ -347,23 +347,20 @@ mod tests {
         assert!(sweep > 0.0 && sweep < FRAC_PI_2);
     }
 
-    /// Two half circles of radius 5 side by side, with the cusp between them.
+    /// Two quarters to the left about (25, 20) and (35, 30): the rounding is 11 from both centres.
     #[test]
     fn two_arcs() {
-        let half = -TAU / 2.0;
-        let first = Leg { from: [-10.0, 0.0], to: [0.0, 0.0], arc: Some(([-5.0, 0.0], half)) };
-        let turned = [5.0 * FRAC_1_SQRT_2, 5.0 * FRAC_1_SQRT_2];
-        let quarter = Leg { from: [-10.0, 0.0], to: [0.0, 0.0], arc: Some(([-5.0, 0.0], half)) };
-        // From (0, 0) over (5 − 5√½, …) about (√½·5, √½·5): it starts to the lower left.
+        let quarter = TAU / 4.0;
+        let first =
+            Leg { from: [25.0, 10.0], to: [35.0, 20.0], arc: Some(([25.0, 20.0], quarter)) };
         let second =
-            Leg { from: [0.0, 0.0], to: [10.0 * FRAC_1_SQRT_2; 2], arc: Some((turned, half)) };
-        let fit = rounding(&quarter, &second, 0.5, 0.0).unwrap().unwrap();
-        let (center, _) = fit.arc.unwrap();
-        assert!((norm(minus(center, [-5.0, 0.0])) - 5.5).abs() < 1e-9);
-        assert!((norm(minus(center, turned)) - 5.5).abs() < 1e-9);
-        assert!((norm(minus(fit.start, center)) - 0.5).abs() < 1e-9);
-        assert!((norm(minus(fit.end, center)) - 0.5).abs() < 1e-9);
-        assert!(fit.lost[0] > 0.0 && fit.lost[1] > 0.0);
-        assert!(first.length() > 15.0);
+            Leg { from: [35.0, 20.0], to: [45.0, 30.0], arc: Some(([35.0, 30.0], quarter)) };
+        let fit = rounding(&first, &second, 1.0, 0.0).unwrap().unwrap();
+        let (center, sweep) = fit.arc.unwrap();
+        let beside = 71f64.sqrt() * FRAC_1_SQRT_2;
+        near(center, [30.0 + beside, 25.0 - beside]);
+        near(fit.start, [25.0 + (5.0 + beside) / 1.1, 20.0 + (5.0 - beside) / 1.1]);
+        near(fit.end, [35.0 + (beside - 5.0) / 1.1, 30.0 - (5.0 + beside) / 1.1]);
+        assert!(sweep < 0.0 && fit.lost[0] > 0.0 && fit.lost[1] > 0.0);
     }
 }
