@@ -4,6 +4,7 @@ use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, 
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
+use crate::motion::Corners;
 use crate::rules::Rules;
 use crate::sink::RunSink;
 use crate::state::State;
@@ -88,6 +89,8 @@ pub struct Kernel<'a> {
     pub preset_acts: bool,
     /// What was reported once.
     pub reported: Reported,
+    /// Moves that wait for the corner at their end.
+    pub(crate) corners: Corners,
     /// Who takes what the run produces.
     pub sink: &'a mut (dyn RunSink + 'a),
 }
@@ -115,6 +118,7 @@ impl<'a> Kernel<'a> {
             preset_kept: [0.0; AXES],
             preset_acts: false,
             reported: Reported::default(),
+            corners: Corners::default(),
             sink,
         }
     }
@@ -122,6 +126,9 @@ impl<'a> Kernel<'a> {
     /// Pushes a command of the present block, as the work coordinate system has it.
     #[inline]
     pub fn emit(&mut self, kind: CommandKind) {
+        if self.corners.wait() {
+            return self.emit_at_corner(kind);
+        }
         let kind = match self.state.frames.is_plain() {
             true => kind,
             false => self.state.frames.map().command(kind, self.state.plane),

@@ -168,4 +168,35 @@ centre."#;
     "the order of a spline is higher than Chordal carries out";
     r#"Chordal carries out splines up to order 6 (degree 5) exactly. The message gives the order that the program
 asks for. The path shows a straight line in its place."#;
+
+    CornerBlock = 427, "corner-block", Error;
+    "`,R` or `,C` in a block that cannot end in a corner";
+    r#"`,R` rounds the corner between the end of its block and the next move, `,C` puts a chamfer there. Its block
+must cut a line (on some controls also an arc) in the active plane. It cannot be a rapid, a cycle, a
+thread, or a block that moves nothing; and a block takes one of the two. The path shows the corner as
+it is without the word.
+
+    G1 X20. ,R2. F300.
+    Y15."#;
+
+    CornerNext = 428, "corner-next", Error;
+    "no move follows a block with `,R` or `,C`";
+    r#"The control needs the next move to find the rounding or the chamfer, so the next block must move in the
+same plane and in the same coordinates. Some controls allow one dwell (G4) between. The path shows
+the corner as it is without the word.
+
+    G1 X20. ,R2. F300.
+    M8                         write it into a block before
+    Y15."#;
+
+    CornerNextMotion = 429, "corner-next-motion", Error;
+    "the move after `,R` or `,C` is of the wrong kind";
+    r#"A rounding or a chamfer stands between two cuts: lines, and on some controls arcs. A rapid, a thread, a
+spiral or a cycle cannot follow. Remove the word, or cut to a point after the corner first."#;
+
+    CornerTooLarge = 430, "corner-too-large", Error;
+    "a rounding or a chamfer does not fit between its two moves";
+    r#"The arc of `,R` must touch both moves within their lengths, and `,C` takes its length from both. What an
+earlier corner took from the same move is no longer there. The message says how much fits. The path
+shows the corner as it is without the word."#;
 }

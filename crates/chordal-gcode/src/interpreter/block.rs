@@ -129,6 +129,8 @@ impl Interpreter<'_> {
                 self.take_reading_mode(row.action);
             }
             self.take_letters(block, codes);
+            self.check_comma_words(block);
+            self.take_corner(block);
             let (target, named) = self.target(block);
             if named != AxisMask::NONE {
                 self.kernel.straight(&self.at(block), target, named);
@@ -208,6 +210,7 @@ impl Interpreter<'_> {
             None => {
                 let motion = codes.iter().rev().find_map(|(row, _)| row.action.motion());
                 let cycle = codes.iter().rev().find_map(|(row, _)| row.action.cycle());
+                self.take_corner(block);
                 self.motion_or_cycle(block, motion, cycle);
             }
         }

@@ -72,6 +72,7 @@ impl Interpreter<'_> {
             && self.kernel.state.side == Side::Off
             && self.stopped.is_none()
             && !self.in_remark
+            && !self.kernel.waits_at_corner()
             && self.kernel.calls.count() <= MOST_CALL_PATHS
             && self.options.shop_codes.is_none()
             && !self.machine.answers_with_blocks()

@@ -191,9 +191,13 @@ impl Interpreter<'_> {
         self.check_comma_words(block);
     }
 
-    fn check_comma_words(&mut self, block: &Block) {
+    pub(super) fn check_comma_words(&mut self, block: &Block) {
         for word in block.words.iter().filter(|word| word.comma) {
             if word.letter == b'R' && self.tap_stands_in(block) {
+                continue;
+            }
+            if self.is_corner_word(word) {
+                self.open_corner = true;
                 continue;
             }
             let letter = word.letter as char;

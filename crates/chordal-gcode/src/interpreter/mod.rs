@@ -11,6 +11,7 @@ mod calls;
 mod checkpoint;
 mod conflicts;
 mod context;
+mod corner;
 mod cycle;
 mod frames;
 mod in_force;
@@ -166,6 +167,8 @@ struct Interpreter<'a> {
     repeat_until: u32,
     /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
     message: Option<TextRange>,
+    /// The block has `,R` or `,C` that no move has taken.
+    open_corner: bool,
     /// A percent sign has ended it.
     ended_by_percent: bool,
     /// Set where a statement ends the run.
@@ -285,6 +288,7 @@ impl<'a> Interpreter<'a> {
             macros: macros::MacroState::new(control.table, machine),
             repeat_until: 0,
             message: None,
+            open_corner: false,
             ended_by_percent: false,
             stopped: None,
             shop: shop::ShopState::new(program),
@@ -340,10 +344,12 @@ impl<'a> Interpreter<'a> {
                 return Some(EndReason::Interrupted);
             }
             let flow = self.execute(&mut block);
+            if block.commas || self.kernel.waits_at_corner() {
+                self.end_corner_block(&block);
+            }
             if wants_blocks {
-                let Kernel { state, sink, origin, .. } = &mut self.kernel;
                 let control = self.control;
-                sink.block_done(origin, &|| Modal::of(state, codes_in_force(state, control)));
+                self.kernel.block_done(&|state| Modal::of(state, codes_in_force(state, control)));
             }
             match flow {
                 Flow::Next => {}
@@ -357,6 +363,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn finish(&mut self, end: EndReason) {
+        self.kernel.end_corners();
         self.print_held();
         if end == EndReason::EndOfText {
             self.report_missing_end();

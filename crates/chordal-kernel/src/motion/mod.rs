@@ -1,6 +1,7 @@
 //! Straight moves, and the feed of cuts.
 
 mod arc;
+mod corner;
 mod reference;
 mod spiral;
 mod spline;
@@ -14,6 +15,8 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
 
 pub use arc::ArcWords;
+pub(crate) use corner::Corners;
+pub use corner::{Corner, CornerForm};
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;

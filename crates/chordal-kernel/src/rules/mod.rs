@@ -5,6 +5,7 @@
 
 mod arc;
 mod compensation;
+mod corner;
 mod cycle;
 mod frame;
 mod path_mode;
@@ -13,6 +14,7 @@ use chordal_command::{RapidPath, Units};
 
 pub use arc::*;
 pub use compensation::*;
+pub use corner::*;
 pub use cycle::*;
 pub use frame::*;
 pub use path_mode::*;
@@ -70,6 +72,8 @@ pub struct Rules {
     pub path: PathRules,
     /// Arcs and spirals.
     pub arc: ArcRules,
+    /// Roundings and chamfers at the end of a block.
+    pub corner: CornerRules,
     /// Mirror, scaling and rotation.
     pub frames: FrameRules,
 }
@@ -116,6 +120,7 @@ impl Rules {
         cycles: CycleRules::COMMON,
         path: PathRules::COMMON,
         arc: ArcRules::COMMON,
+        corner: CornerRules::COMMON,
         frames: FrameRules::COMMON,
     };
 }

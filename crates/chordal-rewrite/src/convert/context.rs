@@ -17,6 +17,8 @@ pub(crate) struct Context<'a> {
     pub macros: &'a Macros<'a>,
     /// Every rotation of the program means the same on both controls.
     pub keeps_rotations: bool,
+    /// Every rounding and chamfer of the program is the same on both.
+    pub keeps_corners: bool,
 }
 
 impl<'a> Context<'a> {

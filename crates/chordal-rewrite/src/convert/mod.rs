@@ -9,6 +9,7 @@
 pub(crate) mod codes;
 mod comments;
 mod context;
+mod corners;
 mod cycles;
 mod draft;
 mod emit;
@@ -149,6 +150,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         to,
         macros: &macros,
         keeps_rotations: frames::keeps_rotations(&source, from, to),
+        keeps_corners: corners::keeps_corners(&source, &trace, from, to),
     };
     let compensates = trace.commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)

@@ -9,6 +9,7 @@ use chordal::syntax::{BlockKind, Letters};
 use super::codes;
 use super::comments;
 use super::context::Context;
+use super::corners;
 use super::cycles;
 use super::draft::{Draft, Expand};
 use super::numbers::{self, Kind};
@@ -58,6 +59,7 @@ impl<'a> Context<'a> {
             self.macros.values(draft, at)?;
         }
         self.frames(at)?;
+        self.corners(draft.block, at)?;
         if !draft.block.polar.is_empty() && !self.to.table.lexicon.polar_words {
             let title = self.to.table.title;
             return Err(Expand(format!("{title} has no radius and angle in place of X and Y")));
@@ -412,12 +414,13 @@ impl<'a> Context<'a> {
             let kind = match own.letter {
                 b'X' | b'Y' | b'Z' | b'I' | b'J' | b'K' | b'R' => Kind::Length,
                 b'Q' if self.run(at).is_some_and(|run| self.in_cycle(run)) => Kind::Length,
+                b'C' if own.comma => Kind::Length,
                 b'A' | b'B' | b'C' => Kind::Angle,
                 b'F' => Kind::Feed,
                 _ => continue,
             };
             // A word that was changed has its point, but for R.
-            if own.comma
+            if (own.comma && !corners::is_corner_word(&own, self.from))
                 || data
                 || draft.is_gone(word)
                 || (draft.is_changed(word) && own.letter != b'R')
@@ -426,7 +429,8 @@ impl<'a> Context<'a> {
             }
             if let Some(new) = numbers::carried_over(number, kind, units, self.controls()) {
                 let now = draft.now(word);
-                let head: String = now.chars().take_while(|c| c.is_ascii_alphabetic()).collect();
+                let head: String =
+                    now.chars().take_while(|c| c.is_ascii_alphabetic() || *c == ',').collect();
                 let reason = format!(
                     "a number without a point has another value on {}",
                     self.to.table.title

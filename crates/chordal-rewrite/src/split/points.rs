@@ -286,7 +286,9 @@ impl RunSink for Walk<'_, '_> {
                     action == Action::Once(OnceCode::SetData)
                 });
         }
-        self.settled = modal.side == Side::Off && modal.cycle.is_none();
+        // `,R` and `,C` need the next move.
+        let corner = block.is_some_and(|at| self.source.blocks[at].commas);
+        self.settled = modal.side == Side::Off && modal.cycle.is_none() && !corner;
         match block {
             Some(at) if is_main && self.main.contains(&at) => {
                 self.behind(at, &modal);

@@ -82,6 +82,8 @@ pub(super) struct Record {
     /// How many blocks ran.
     ran: u32,
     last: Option<(Position, AxisMask, bool)>,
+    /// Where the last move ended.
+    reached: Option<Position>,
     did: Doing,
 }
 
@@ -121,13 +123,24 @@ impl Sink for Record {
             Some(Did::Cycle) => Did::Cycle,
             // An arc whose end is a little off it goes on as a line.
             Some(Did::Arc) => Did::Arc,
+            // `,R` ends a line in an arc.
+            Some(Did::Line) => Did::Line,
             _ => kind,
         });
-        if let Some(shape) = command.kind.shape() {
+        if let Some(shape) = command.kind.shape()
+            && did.kind != Some(Did::Line)
+        {
             did.shape.get_or_insert(*shape);
         }
         if let Some(motion) = command.kind.motion() {
-            did.from.get_or_insert((motion.from, motion.from_known));
+            // After a corner the move begins at its end; the program counts from the corner itself.
+            let after_corner = self.reached == Some(motion.from);
+            let from = match self.last {
+                Some((place, ..)) if after_corner => place,
+                _ => motion.from,
+            };
+            did.from.get_or_insert((from, motion.from_known));
+            self.reached = Some(motion.to);
         }
         did.moves += 1;
     }

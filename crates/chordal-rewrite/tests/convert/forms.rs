@@ -205,3 +205,45 @@ fn a_program_that_is_written_out_begins_safely() {
         there.text
     );
 }
+
+/// `,R` and `,C` stay where the other control makes the same of them; else the shortened moves are written.
+#[test]
+fn corners_are_kept_or_written_out() {
+    let begin = "G21 G17 G90 S100 M3\nG0 X0 Y0 Z0\n";
+    let lines = format!("{begin}G1 X20. ,R5. F100.\nY20. ,C3.\nX0\nM30\n");
+    for to in ["haas-vf2", "mitsubishi-m700"] {
+        let text = on("fanuc-30i", &lines, to);
+        assert!(text.contains("G1 X20. ,R5. F100.\nY20. ,C3.\nX0\n"), "{to}: {text}");
+    }
+    for from in ["fanuc-30i", "haas-vf2", "mitsubishi-m700"] {
+        for to in ["linuxcnc-mill", "fadal-4020"] {
+            let text = on(from, &lines, to);
+            assert!(text.contains("X15.") && text.contains("X17."), "{to}: {text}");
+            assert!(
+                !text.lines().any(|line| line.starts_with(['G', 'X', 'Y']) && line.contains(',')),
+                "{to}: {text}"
+            );
+        }
+    }
+    // The arc begins where the rounding ends: I counts from there.
+    let arcs = format!(
+        "{begin}G0 Y10.\nG1 X5. ,R1. F100.\nG2 X15. I5. ,R2.\nG1 X25. ,R1.\nG91 Y5.\nG90 X0\nM30\n"
+    );
+    let text = on("fanuc-30i", &arcs, "mitsubishi-m700");
+    assert!(text.contains("G1 X5. ,R1. F100.\nG2 X15. I5. ,R2.\nG1 X25. ,R1.\n"), "{text}");
+    for to in ["haas-vf2", "linuxcnc-mill", "fadal-4020"] {
+        let text = on("fanuc-30i", &arcs, to);
+        assert!(
+            !text.lines().any(|line| line.starts_with(['G', 'X', 'Y']) && line.contains(','))
+                && text.contains("X16.708"),
+            "{to}: {text}"
+        );
+    }
+    // A dwell between, which only some allow.
+    let dwell = format!("{begin}G1 X20. ,R5. F100.\nG4 P100\nY20.\nM30\n");
+    assert!(on("fanuc-30i", &dwell, "haas-vf2").contains(",R5."));
+    assert!(on("fanuc-30i", &dwell, "mitsubishi-m700").contains("\nG1 X15."));
+    // Without a point.
+    let plain = format!("{begin}G1 X20. ,R500 F100.\nY20.\nM30\n");
+    assert!(on("fanuc-30i", &plain, "mitsubishi-m700").contains(",R"));
+}

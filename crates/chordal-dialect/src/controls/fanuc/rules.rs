@@ -16,6 +16,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         peck_clearance_mm: 1.0,
         cycles: CYCLES,
         compensation: COMPENSATION,
+        corner: CORNER,
         path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
         arc: ArcRules {
             full_circle_by_radius: FullCircleByRadius::NoMotion,
@@ -47,3 +48,8 @@ const COMPENSATION: CompensationRules = CompensationRules {
     spirals: SpiralCompensation::ByCircles,
     ..CompensationRules::COMMON
 };
+
+/// Operator's Manual of the 30i, optional chamfering and corner R: one block with G4 may stand between, and
+/// a corner within 1 degree of straight on gets nothing.
+const CORNER: CornerRules =
+    CornerRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };

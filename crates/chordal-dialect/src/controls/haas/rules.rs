@@ -19,6 +19,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         preset_clears_shift: true,
         cycles: CYCLES,
         compensation: COMPENSATION,
+        corner: CORNER,
         path: PATH,
         ..Rules::COMMON
     },
@@ -70,3 +71,7 @@ const FRAMES: FrameRules = FrameRules {
     unequal_arcs: UnequalArcs::Refused,
     ..FrameRules::COMMON
 };
+
+/// Haas Mill Operator's Manual, corner rounding and chamfering: between two straight cuts; a G4 may stand between.
+const CORNER: CornerRules =
+    CornerRules { moves: CornerMoves::Lines, dwells_between: 1, ..CornerRules::COMMON };

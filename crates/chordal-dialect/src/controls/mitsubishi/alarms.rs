@@ -9,6 +9,8 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::RadiusMismatch, "P70 Arc end point deviation large"),
     (Code::RadiusTooShort, "P71 Arc center error"),
     (Code::NoCenter, "P33 Format error"),
+    (Code::CornerNext, "P382 No corner movement"),
+    (Code::CornerNextMotion, "P382 No corner movement"),
     (Code::SpiralTurns, "P33 Format error"),
     (Code::CenterOutsidePlane, "P33 Format error"),
     (Code::CompensationOnArc, "P151 Radius compensation during arc mode"),

@@ -14,6 +14,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         peck_clearance_mm: 1.0,
         cycles: CYCLES,
         compensation: COMPENSATION,
+        corner: CornerRules { moves: CornerMoves::LinesAndArcs, ..CornerRules::COMMON },
         path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
         arc: ArcRules {
             helix_feed: FeedAlong::Path,

@@ -1,0 +1,70 @@
+//! `,R` and `,C`: a rounding or a chamfer between the end of this block and the next move.
+
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_kernel::rules::CornerMoves;
+use chordal_kernel::{Corner, CornerForm};
+use chordal_syntax::{Block, Word};
+
+use super::Interpreter;
+
+impl Interpreter<'_> {
+    /// True for `,R` and `,C` where the control has them.
+    pub(super) fn is_corner_word(&self, word: &Word) -> bool {
+        word.comma
+            && matches!(word.letter, b'R' | b'C')
+            && self.control.parameters.rules.corner.moves != CornerMoves::None
+    }
+
+    /// Before the motion of a block: the corner at its end.
+    pub(super) fn take_corner(&mut self, block: &Block) {
+        self.open_corner = false;
+        if !block.commas || self.tap_stands_in(block) {
+            return;
+        }
+        let mut words = block.words.iter().filter(|word| self.is_corner_word(word)).copied();
+        let Some(first) = words.next() else { return };
+        if let Some(second) = words.next() {
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::CornerBlock,
+                    self.span(second.range),
+                    "a block ends in one rounding or one chamfer",
+                )
+                .label("neither is made")
+                .also(self.span(first.range), "the first")
+                .help("keep one of them"),
+            );
+            return;
+        }
+        let (name, form) = match first.letter {
+            b'R' => (",R", CornerForm::Rounding),
+            _ => (",C", CornerForm::Chamfer),
+        };
+        let Some(size_mm) = self.length(&first) else { return };
+        let word = self.span(first.range);
+        if size_mm < 0.0 {
+            let message = format!("`{name}` is a length from the corner and cannot be negative");
+            self.kernel
+                .report(Diagnostic::new(Code::BadWordValue, word, message).help("remove the sign"));
+        } else if size_mm > 0.0 {
+            self.kernel.ask_corner(Corner { word, name, form, size_mm });
+        }
+    }
+
+    /// After a block with such words, or after one that stands between a corner and its next move.
+    pub(super) fn end_corner_block(&mut self, block: &Block) {
+        if std::mem::take(&mut self.open_corner) {
+            let word = block.words.iter().find(|word| self.is_corner_word(word));
+            let span = self.span(word.map_or(block.range, |word| word.range));
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::CornerBlock,
+                    span,
+                    "a rounding or a chamfer in a block that makes no move of its own",
+                )
+                .help("write it into a block that cuts a line or an arc in the active plane"),
+            );
+        }
+        self.kernel.corner_block_done();
+    }
+}

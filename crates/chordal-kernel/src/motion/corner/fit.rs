@@ -1,0 +1,366 @@
+//! The geometry of a corner between two moves of a plane: a tangent arc, or a straight line that
+//! cuts the corner off.
+
+use std::f64::consts::TAU;
+
+type Point = [f64; 2];
+
+/// A length that only rounding has made longer than its move, mm.
+const ROUNDING_MM: f64 = 1e-6;
+
+/// A turn that only rounding has made, rad.
+const ROUNDING_RAD: f64 = 1e-9;
+
+/// A move in its plane; with the centre and the directed angle where it is an arc.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    pub from: Point,
+    pub to: Point,
+    pub arc: Option<(Point, f64)>,
+}
+
+/// What stands in the corner, and what the moves lose.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fit {
+    pub start: Point,
+    pub end: Point,
+    /// Centre and directed angle of a rounding.
+    pub arc: Option<(Point, f64)>,
+    /// Lengths that the first and the second move lose; angles, on arcs.
+    pub lost: [f64; 2],
+}
+
+/// Nothing can stand there.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Misfit {
+    /// The second move goes back over the first.
+    Reversal,
+    /// It is too large; so much has room, mm.
+    TooLarge(f64),
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// From a point along a direction.
+fn along(a: Point, direction: Point, length: f64) -> Point {
+    [a[0] + direction[0] * length, a[1] + direction[1] * length]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn norm(a: Point) -> f64 {
+    libm::hypot(a[0], a[1])
+}
+
+fn left_of(direction: Point) -> Point {
+    [-direction[1], direction[0]]
+}
+
+/// The angle from one direction to another in a sense (1 to the left), from 0 to a turn.
+fn turn(from: Point, to: Point, sense: f64) -> f64 {
+    let angle = sense * libm::atan2(cross(from, to), dot(from, to));
+    let angle = if angle < 0.0 { angle + TAU } else { angle };
+    if angle > TAU - ROUNDING_RAD { 0.0 } else { angle }
+}
+
+impl Leg {
+    /// Its length, mm.
+    pub fn length(&self) -> f64 {
+        match self.arc {
+            None => norm(minus(self.to, self.from)),
+            Some((center, sweep)) => norm(minus(self.to, center)) * sweep.abs(),
+        }
+    }
+
+    /// Its direction at a point of it.
+    fn direction_at(&self, place: Point) -> Point {
+        match self.arc {
+            None => {
+                let way = minus(self.to, self.from);
+                let length = norm(way);
+                [way[0] / length, way[1] / length]
+            }
+            Some((center, sweep)) => {
+                let spoke = minus(place, center);
+                let radius = norm(spoke) * sweep.signum();
+                let left = left_of(spoke);
+                [left[0] / radius, left[1] / radius]
+            }
+        }
+    }
+
+    /// What lies at a distance to its left, seen from a point of it.
+    fn beside(&self, place: Point, distance: f64) -> Option<Offset> {
+        match self.arc {
+            None => {
+                let direction = self.direction_at(place);
+                let start = along(place, left_of(direction), distance);
+                Some(Offset::Line { start, direction })
+            }
+            Some((center, sweep)) => {
+                let radius = norm(minus(place, center)) - sweep.signum() * distance;
+                (radius > 0.0).then_some(Offset::Circle { center, radius })
+            }
+        }
+    }
+
+    /// Where a circle about `center` touches it, and how far that is from its corner: before it
+    /// on the first move, after it on the second. `corner` is a point of the move.
+    fn touch(&self, center: Point, distance: f64, corner: Point, is_first: bool) -> Touch {
+        let sign = if is_first { -1.0 } else { 1.0 };
+        match self.arc {
+            None => {
+                let direction = self.direction_at(corner);
+                let place = along(center, left_of(direction), -distance);
+                let lost = sign * dot(minus(place, corner), direction);
+                Touch { place, lost, length: lost }
+            }
+            Some((middle, sweep)) => {
+                let radius = norm(minus(corner, middle));
+                let spoke = minus(center, middle);
+                let place = along(middle, spoke, radius / norm(spoke));
+                let from = minus(corner, middle);
+                let lost = turn(from, spoke, sign * sweep.signum());
+                Touch { place, lost, length: lost * radius }
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Touch {
+    place: Point,
+    lost: f64,
+    length: f64,
+}
+
+#[derive(Clone, Copy)]
+enum Offset {
+    Line { start: Point, direction: Point },
+    Circle { center: Point, radius: f64 },
+}
+
+/// Where two of them meet.
+fn meetings(first: Offset, second: Offset) -> [Option<Point>; 2] {
+    match (first, second) {
+        (
+            Offset::Line { start, direction },
+            Offset::Line { start: other, direction: other_direction },
+        ) => {
+            let across = cross(direction, other_direction);
+            let length = cross(minus(other, start), other_direction) / across;
+            [length.is_finite().then(|| along(start, direction, length)), None]
+        }
+        (Offset::Line { start, direction }, Offset::Circle { center, radius })
+        | (Offset::Circle { center, radius }, Offset::Line { start, direction }) => {
+            let middle = dot(minus(center, start), direction);
+            let foot = along(start, direction, middle);
+            let half = radius * radius - dot(minus(foot, center), minus(foot, center));
+            if half < 0.0 {
+                return [None; 2];
+            }
+            let half = half.sqrt();
+            [Some(along(foot, direction, half)), Some(along(foot, direction, -half))]
+        }
+        (
+            Offset::Circle { center, radius },
+            Offset::Circle { center: other, radius: other_radius },
+        ) => {
+            let way = minus(other, center);
+            let apart = norm(way);
+            if apart == 0.0 {
+                return [None; 2];
+            }
+            let direction = [way[0] / apart, way[1] / apart];
+            let to_chord =
+                (apart * apart + radius * radius - other_radius * other_radius) / (2.0 * apart);
+            let half = radius * radius - to_chord * to_chord;
+            if half < 0.0 {
+                return [None; 2];
+            }
+            let foot = along(center, direction, to_chord);
+            let half = half.sqrt();
+            let left = left_of(direction);
+            [Some(along(foot, left, half)), Some(along(foot, left, -half))]
+        }
+    }
+}
+
+/// The directed angle between two moves, rad, and whether the second goes back over the first.
+fn angle_between(first: &Leg, second: &Leg) -> f64 {
+    let (into, out) = (first.direction_at(first.to), second.direction_at(second.from));
+    libm::atan2(cross(into, out), dot(into, out))
+}
+
+fn is_reversal(angle: f64) -> bool {
+    angle.abs() > TAU / 2.0 - ROUNDING_RAD
+}
+
+/// An arc of a radius that touches both; nothing where they go on straight.
+pub(super) fn rounding(
+    first: &Leg,
+    second: &Leg,
+    radius: f64,
+    straight: f64,
+) -> Result<Option<Fit>, Misfit> {
+    let angle = angle_between(first, second);
+    if angle.abs() <= straight.max(ROUNDING_RAD) {
+        return Ok(None);
+    }
+    if is_reversal(angle) {
+        return Err(Misfit::Reversal);
+    }
+    if let Some(fit) = tangent_arc(first, second, radius, angle.signum()) {
+        return Ok(Some(fit));
+    }
+    let (mut fits, mut large) = (0.0, radius);
+    for _ in 0..60 {
+        let middle = 0.5 * (fits + large);
+        match tangent_arc(first, second, middle, angle.signum()) {
+            Some(_) => fits = middle,
+            None => large = middle,
+        }
+    }
+    Err(Misfit::TooLarge(fits))
+}
+
+fn tangent_arc(first: &Leg, second: &Leg, radius: f64, sense: f64) -> Option<Fit> {
+    let distance = sense * radius;
+    let (into, out) = (first.beside(first.to, distance)?, second.beside(second.from, distance)?);
+    let mut best: Option<(f64, Fit)> = None;
+    for center in meetings(into, out).into_iter().flatten() {
+        let mut begin = first.touch(center, distance, first.to, true);
+        let mut end = second.touch(center, distance, second.from, false);
+        let mut fits = true;
+        for (touch, leg, far) in [(&mut begin, first, first.from), (&mut end, second, second.to)] {
+            let length = leg.length();
+            fits &= touch.length > 0.0 && touch.length <= length + ROUNDING_MM;
+            if touch.length > length - ROUNDING_MM {
+                touch.place = far;
+            }
+        }
+        let lost = begin.length + end.length;
+        if fits && best.is_none_or(|(least, _)| lost < least) {
+            let sweep = turn(minus(begin.place, center), minus(end.place, center), sense);
+            let fit = Fit {
+                start: begin.place,
+                end: end.place,
+                arc: Some((center, sense * sweep)),
+                lost: [begin.lost, end.lost],
+            };
+            best = Some((lost, fit));
+        }
+    }
+    best.map(|(_, fit)| fit)
+}
+
+/// A line from a distance before the corner of two lines to the same distance after it.
+pub(super) fn chamfer(
+    first: &Leg,
+    second: &Leg,
+    length: f64,
+    straight: f64,
+) -> Result<Option<Fit>, Misfit> {
+    let angle = angle_between(first, second);
+    if angle.abs() <= straight.max(ROUNDING_RAD) {
+        return Ok(None);
+    }
+    if is_reversal(angle) {
+        return Err(Misfit::Reversal);
+    }
+    let room = [first.length(), second.length()];
+    if length > room[0].min(room[1]) + ROUNDING_MM {
+        return Err(Misfit::TooLarge(room[0].min(room[1])));
+    }
+    let place = |leg: &Leg, corner: Point, far: Point, sign: f64, room: f64| {
+        if length > room - ROUNDING_MM {
+            return far;
+        }
+        along(corner, leg.direction_at(corner), sign * length)
+    };
+    let start = place(first, first.to, first.from, -1.0, room[0]);
+    let end = place(second, second.from, second.to, 1.0, room[1]);
+    Ok(Some(Fit { start, end, arc: None, lost: [length; 2] }))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
+    use super::*;
+
+    fn line(from: Point, to: Point) -> Leg {
+        Leg { from, to, arc: None }
+    }
+
+    fn near(a: Point, b: Point) {
+        assert!(norm(minus(a, b)) < 1e-9, "{a:?} {b:?}");
+    }
+
+    #[test]
+    fn a_square_corner() {
+        let legs = [line([0.0, 0.0], [10.0, 0.0]), line([10.0, 0.0], [10.0, 20.0])];
+        let fit = rounding(&legs[0], &legs[1], 2.0, 0.0).unwrap().unwrap();
+        near(fit.start, [8.0, 0.0]);
+        near(fit.end, [10.0, 2.0]);
+        let (center, sweep) = fit.arc.unwrap();
+        near(center, [8.0, 2.0]);
+        assert!((sweep - FRAC_PI_2).abs() < 1e-12);
+        let Err(Misfit::TooLarge(room)) = rounding(&legs[0], &legs[1], 11.0, 0.0) else { panic!() };
+        assert!((room - 10.0).abs() < 1e-5);
+        let fit = chamfer(&legs[0], &legs[1], 3.0, 0.0).unwrap().unwrap();
+        near(fit.start, [7.0, 0.0]);
+        near(fit.end, [10.0, 3.0]);
+        assert_eq!(chamfer(&legs[0], &legs[1], 12.0, 0.0).unwrap_err(), Misfit::TooLarge(10.0));
+    }
+
+    #[test]
+    fn back_and_straight_on() {
+        let legs = [line([0.0, 0.0], [10.0, 0.0]), line([10.0, 0.0], [0.0, 0.0])];
+        assert_eq!(rounding(&legs[0], &legs[1], 2.0, 0.0).unwrap_err(), Misfit::Reversal);
+        let on = line([10.0, 0.0], [20.0, 0.1]);
+        assert!(rounding(&legs[0], &on, 2.0, 1f64.to_radians()).unwrap().is_none());
+    }
+
+    /// A line along X meets the left half of a circle of radius 5 about (10, 5) from below.
+    #[test]
+    fn a_line_and_an_arc() {
+        let first = line([0.0, 5.0], [5.0, 5.0]);
+        // Clockwise from (5, 5) over the top to (15, 5).
+        let second =
+            Leg { from: [5.0, 5.0], to: [15.0, 5.0], arc: Some(([10.0, 5.0], -TAU / 2.0)) };
+        // The rounding lies to the left of the line and outside the circle: its centre is 1 above
+        // the line and 6 from (10, 5): x = 10 - √35.
+        let fit = rounding(&first, &second, 1.0, 0.0).unwrap().unwrap();
+        let (center, sweep) = fit.arc.unwrap();
+        near(center, [10.0 - 35f64.sqrt(), 6.0]);
+        near(fit.start, [10.0 - 35f64.sqrt(), 5.0]);
+        near(fit.end, [10.0 - 35f64.sqrt() * 5.0 / 6.0, 5.0 + 5.0 / 6.0]);
+        assert!(sweep > 0.0 && sweep < FRAC_PI_2);
+    }
+
+    /// Two quarters to the left about (25, 20) and (35, 30): the rounding is 11 from both centres.
+    #[test]
+    fn two_arcs() {
+        let quarter = TAU / 4.0;
+        let first =
+            Leg { from: [25.0, 10.0], to: [35.0, 20.0], arc: Some(([25.0, 20.0], quarter)) };
+        let second =
+            Leg { from: [35.0, 20.0], to: [45.0, 30.0], arc: Some(([35.0, 30.0], quarter)) };
+        let fit = rounding(&first, &second, 1.0, 0.0).unwrap().unwrap();
+        let (center, sweep) = fit.arc.unwrap();
+        let beside = 71f64.sqrt() * FRAC_1_SQRT_2;
+        near(center, [30.0 + beside, 25.0 - beside]);
+        near(fit.start, [25.0 + (5.0 + beside) / 1.1, 20.0 + (5.0 - beside) / 1.1]);
+        near(fit.end, [35.0 + (beside - 5.0) / 1.1, 30.0 - (5.0 + beside) / 1.1]);
+        assert!(sweep < 0.0 && fit.lost[0] > 0.0 && fit.lost[1] > 0.0);
+    }
+}

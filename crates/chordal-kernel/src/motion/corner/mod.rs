@@ -1,0 +1,544 @@
+//! Roundings and chamfers at the end of a block: its move is held until the next one is known, then both
+//! are shortened and what stands between them is put in. In program coordinates.
+
+mod fit;
+
+use chordal_command::{
+    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Origin,
+    telling_number,
+};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::Plane;
+
+use self::fit::{Leg, Misfit};
+use crate::frames::{Frames, InPlane};
+use crate::kernel::Kernel;
+use crate::modal::Modal;
+use crate::rules::CornerMoves;
+use crate::state::State;
+
+/// Ends that are the same place but for rounding, mm.
+const SAME_MM: f64 = 1e-9;
+
+/// A move that is shorter than this is gone, mm.
+const LEFT_MM: f64 = 1e-6;
+
+/// An arc whose radii differ by more is no circle, mm.
+const CIRCLE_MM: f64 = 0.05;
+
+/// What stands in a corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CornerForm {
+    /// An arc that touches both moves.
+    Rounding,
+    /// A straight line.
+    Chamfer,
+}
+
+/// What a block asks for at its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Corner {
+    /// The word.
+    pub word: Span,
+    /// How the language calls it: `,R`.
+    pub name: &'static str,
+    /// What it asks for.
+    pub form: CornerForm,
+    /// Its radius, or the distance from the corner, mm.
+    pub size_mm: f64,
+}
+
+/// What comes after the move that is held.
+#[derive(Debug)]
+enum Waiting {
+    Command(Command),
+    BlockDone(Origin, Box<Modal>),
+}
+
+/// A move that waits for the next one.
+#[derive(Debug)]
+struct Held {
+    corner: Corner,
+    kind: CommandKind,
+    origin: Origin,
+    call: CallPath,
+    block_number: Option<f64>,
+    plane: Plane,
+    frames: Frames,
+    /// Its own block is at work.
+    is_open: bool,
+    waiting: Vec<Waiting>,
+    /// So many of them have been looked at.
+    judged: usize,
+    dwells: u32,
+}
+
+/// The corners that wait.
+#[derive(Default, Debug)]
+pub(crate) struct Corners {
+    asked: Option<Corner>,
+    held: Option<Box<Held>>,
+}
+
+impl Corners {
+    /// Something waits.
+    #[inline]
+    pub fn wait(&self) -> bool {
+        self.held.is_some() || self.asked.is_some()
+    }
+}
+
+/// Two moves with what stands between them; a move may be gone whole.
+struct Joined {
+    first: Option<CommandKind>,
+    corner: CommandKind,
+    next: Option<CommandKind>,
+}
+
+/// Why nothing stands in a corner.
+struct Refusal {
+    code: Code,
+    what: String,
+    help: String,
+}
+
+fn refusal(code: Code, what: impl Into<String>, help: &str) -> Refusal {
+    Refusal { code, what: what.into(), help: help.into() }
+}
+
+impl Kernel<'_> {
+    /// The next move of this block ends in a corner.
+    pub fn ask_corner(&mut self, corner: Corner) {
+        self.corners.asked = Some(corner);
+    }
+
+    /// A move waits for the next one, so that what has come so far is not all.
+    pub fn waits_at_corner(&self) -> bool {
+        self.corners.wait()
+    }
+
+    /// Pushes a command, or keeps it until the corner before it is known.
+    #[cold]
+    pub(crate) fn emit_at_corner(&mut self, kind: CommandKind) {
+        if kind.motion().is_none() {
+            let command = self.in_work(kind, self.origin);
+            match &mut self.corners.held {
+                Some(held) => held.waiting.push(Waiting::Command(command)),
+                None => self.sink.command(&command),
+            }
+            return;
+        }
+        let kind = match self.corners.held.take() {
+            // Several moves of one block: the corner is at the end of the last.
+            Some(held) if held.is_open && self.corners.asked.is_none() => {
+                self.corners.asked = Some(held.corner);
+                self.pass_on(*held);
+                Some(kind)
+            }
+            Some(held) => self.join(*held, kind),
+            None => Some(kind),
+        };
+        match (self.corners.asked.take(), kind) {
+            (Some(corner), Some(kind)) => self.hold(corner, kind),
+            (None, Some(kind)) => self.push(kind),
+            (Some(corner), None) => {
+                let what = "the corner before it takes all of this move";
+                let refusal = refusal(Code::CornerTooLarge, what, "make one of the two smaller");
+                self.refuse(&corner, refusal, None);
+            }
+            (None, None) => {}
+        }
+    }
+
+    fn push(&mut self, kind: CommandKind) {
+        let command = self.in_work(kind, self.origin);
+        self.sink.command(&command);
+    }
+
+    fn in_work(&self, kind: CommandKind, origin: Origin) -> Command {
+        Command { kind: self.state.frames.map().command(kind, self.state.plane), origin }
+    }
+
+    /// Keeps a move until the next one is known, if it can end in a corner.
+    fn hold(&mut self, corner: Corner, kind: CommandKind) {
+        if let Err(refusal) = self.may_end_in_corner(&corner, &kind) {
+            self.refuse(&corner, refusal, None);
+            return self.push(kind);
+        }
+        self.corners.held = Some(Box::new(Held {
+            corner,
+            kind,
+            origin: self.origin,
+            call: self.call,
+            block_number: self.block_number,
+            plane: self.state.plane,
+            frames: self.state.frames.clone(),
+            is_open: true,
+            waiting: Vec::new(),
+            judged: 0,
+            dwells: 0,
+        }));
+    }
+
+    fn may_end_in_corner(&self, corner: &Corner, kind: &CommandKind) -> Result<(), Refusal> {
+        let help = "write it into a block that cuts a line or an arc in the active plane";
+        if self.origin.cycle || self.state.overrides.in_tap {
+            return Err(refusal(Code::CornerBlock, "this block makes a cycle or a thread", help));
+        }
+        let plane = self.state.plane;
+        if !matches!(self.state.frames.in_plane(plane), InPlane::Similar { .. }) {
+            return Err(refusal(
+                Code::NotFollowed,
+                "the plane is scaled unequally or tilted",
+                "write the corner as a block of its own",
+            ));
+        }
+        if let CommandKind::Rapid { .. } = kind {
+            return Err(refusal(Code::CornerBlock, "this block is a rapid", help));
+        }
+        self.leg(corner, kind, [Code::CornerBlock; 2]).map(drop)
+    }
+
+    /// A cut in the plane, or why it is none: the codes for no move and for another move.
+    fn leg(
+        &self,
+        corner: &Corner,
+        kind: &CommandKind,
+        [nothing, other]: [Code; 2],
+    ) -> Result<Leg, Refusal> {
+        let plane = self.state.plane;
+        let (a, b, _) = plane.axes();
+        let help = "write a line or an arc in the active plane";
+        let (motion, feed, shape) = match kind {
+            CommandKind::Line { motion, feed } => (motion, feed, None),
+            CommandKind::Arc { motion, shape, feed } => (motion, feed, Some(shape)),
+            CommandKind::Rapid { .. } => {
+                return Err(refusal(other, "the move is a rapid", help));
+            }
+            _ => return Err(refusal(other, "the move is a spiral or a spline", help)),
+        };
+        if feed.mode == FeedMode::InverseTime {
+            return Err(refusal(
+                Code::NotFollowed,
+                "in inverse time (G93) the feed of the parts is not known",
+                "write the corner as a block of its own",
+            ));
+        }
+        let leaves = (0..motion.from.len())
+            .any(|axis| axis != a && axis != b && motion.from[axis] != motion.to[axis]);
+        if leaves {
+            let [first, second] = [a, b].map(|axis| chordal_machine::Axis::ALL[axis].letter());
+            return Err(refusal(
+                nothing,
+                format!("the move is not in the plane of {first} and {second}"),
+                help,
+            ));
+        }
+        if let Some(shape) = shape {
+            if shape.plane != plane {
+                return Err(refusal(nothing, "the arc is not in the active plane", help));
+            }
+            if self.rules.corner.moves != CornerMoves::LinesAndArcs {
+                let title = self.alarms.title;
+                let what = format!("the move is an arc; {title} does this between straight moves");
+                return Err(refusal(other, what, "write the corner as a block of its own"));
+            }
+            if corner.form == CornerForm::Chamfer {
+                return Err(refusal(
+                    Code::NotFollowed,
+                    "the move is an arc; chamfers are carried out between straight moves only",
+                    "write the chamfer as a block of its own",
+                ));
+            }
+            if (shape.radius_from - shape.radius_to).abs() > CIRCLE_MM {
+                return Err(refusal(other, "the arc ends at another radius than it starts", help));
+            }
+        }
+        let pick = |place: &chordal_command::Position| [place[a], place[b]];
+        let leg = Leg {
+            from: pick(&motion.from),
+            to: pick(&motion.to),
+            arc: shape.map(|shape| (shape.center, shape.sweep)),
+        };
+        if leg.length() <= SAME_MM {
+            return Err(refusal(nothing, "the move has no length in the plane", help));
+        }
+        Ok(leg)
+    }
+
+    /// The move that was held, its corner, and what came after; gives what is left of the next move.
+    fn join(&mut self, held: Held, next: CommandKind) -> Option<CommandKind> {
+        match self.corner_between(&held, &next) {
+            Ok(Some(Joined { first, corner, next })) => {
+                for part in first.into_iter().chain([corner]) {
+                    let command = self.in_work(part, held.origin);
+                    self.sink.command(&command);
+                }
+                self.push_waiting(held.waiting);
+                next
+            }
+            Ok(None) => {
+                self.pass_on(held);
+                Some(next)
+            }
+            Err(refusal) => {
+                self.give_up(held, refusal);
+                Some(next)
+            }
+        }
+    }
+
+    /// The first move and the corner; the second move.
+    fn corner_between(&self, held: &Held, next: &CommandKind) -> Result<Option<Joined>, Refusal> {
+        let codes = [Code::CornerNext, Code::CornerNextMotion];
+        let help = "write a line or an arc in the same plane after it";
+        if self.origin.cycle || self.state.overrides.in_tap {
+            return Err(refusal(codes[1], "a cycle or a thread comes next", help));
+        }
+        if self.state.plane != held.plane {
+            return Err(refusal(codes[0], "the plane changes before the next move", help));
+        }
+        let (Some(first), Some(after)) = (held.kind.motion(), next.motion()) else {
+            return Ok(None);
+        };
+        let moved = first.to.iter().zip(&after.from).any(|(a, b)| (a - b).abs() > SAME_MM);
+        if moved || self.state.frames != held.frames {
+            return Err(refusal(codes[0], "the coordinates change before the next move", help));
+        }
+        let one = self.leg(&held.corner, &held.kind, codes)?;
+        let two = self.leg(&held.corner, next, codes).map_err(|refusal| Refusal {
+            what: format!("after this block {}", refusal.what),
+            ..refusal
+        })?;
+        let straight = self.rules.corner.straight_deg.to_radians();
+        let fit = match held.corner.form {
+            CornerForm::Rounding => fit::rounding(&one, &two, held.corner.size_mm, straight),
+            CornerForm::Chamfer => fit::chamfer(&one, &two, held.corner.size_mm, straight),
+        };
+        let fit = match fit {
+            Ok(Some(fit)) => fit,
+            Ok(None) => return Ok(None),
+            Err(misfit) => return Err(self.too_large(&held.corner, misfit, [&one, &two])),
+        };
+        let (a, b, _) = held.plane.axes();
+        let plane_axes = AxisMask(1 << a | 1 << b);
+        // Where the first move begins elsewhere than is known, so does the corner.
+        let known = match first.from_known.covers(plane_axes) {
+            true => first.to_known,
+            false => first.to_known.without(plane_axes),
+        };
+        let place = |point: [f64; 2]| {
+            let mut place = first.to;
+            (place[a], place[b]) = (point[0], point[1]);
+            place
+        };
+        let (start, end) = (place(fit.start), place(fit.end));
+        let shortened = Move { to: start, to_known: known, ..*first };
+        let rest = [&one, &two].map(Leg::length);
+        let rest =
+            [rest[0] - fit_length(&one, fit.lost[0]), rest[1] - fit_length(&two, fit.lost[1])];
+        let first_part =
+            (rest[0] > LEFT_MM).then(|| trimmed(&held.kind, shortened, fit.lost[0], true));
+        let motion = Move { from: start, to: end, from_known: known, to_known: known };
+        let mut feed = feed_of(&held.kind);
+        feed.along = FeedAlong::Path;
+        let corner = match fit.arc {
+            None => CommandKind::Line { motion, feed },
+            Some((center, sweep)) => {
+                let radius = |at: [f64; 2]| libm::hypot(at[0] - center[0], at[1] - center[1]);
+                let shape = ArcShape {
+                    plane: held.plane,
+                    center,
+                    sweep,
+                    radius_from: radius(fit.start),
+                    radius_to: radius(fit.end),
+                };
+                CommandKind::Arc { motion, shape, feed }
+            }
+        };
+        let shortened = Move { from: end, from_known: known, ..*after };
+        let next = (rest[1] > LEFT_MM).then(|| trimmed(next, shortened, fit.lost[1], false));
+        Ok(Some(Joined { first: first_part, corner, next }))
+    }
+
+    fn too_large(&self, corner: &Corner, misfit: Misfit, legs: [&Leg; 2]) -> Refusal {
+        let form = match corner.form {
+            CornerForm::Rounding => "a radius",
+            CornerForm::Chamfer => "a chamfer",
+        };
+        let room = match misfit {
+            Misfit::Reversal => {
+                return refusal(
+                    Code::CornerTooLarge,
+                    "the next move goes back over this one: there is no corner",
+                    "remove the word, or check the end points",
+                );
+            }
+            Misfit::TooLarge(room) => room,
+        };
+        // Rounded down, so that what is named has room; bisection ends a little below it.
+        let increment = self.rules.least_increment(self.state.units);
+        let room = ((room / increment + 1e-4).floor()) * increment;
+        let [first, second] = legs.map(|leg| self.length_text(leg.length()));
+        let size = self.length_text(corner.size_mm);
+        Refusal {
+            code: Code::CornerTooLarge,
+            what: format!(
+                "{form} of {size} does not fit between this move of {first} and the next of {second}"
+            ),
+            help: format!("at most {} fits here", self.length_text(room)),
+        }
+    }
+
+    /// A block has been carried out: whether the corner before it still may wait.
+    pub fn corner_block_done(&mut self) {
+        if let Some(corner) = self.corners.asked.take() {
+            let help = "write it into a block that cuts a line or an arc in the active plane";
+            let refusal = refusal(Code::CornerBlock, "this block makes no move", help);
+            self.refuse(&corner, refusal, None);
+        }
+        let Some(held) = &mut self.corners.held else { return };
+        let own = std::mem::take(&mut held.is_open);
+        let fresh = held.judged;
+        held.judged = held.waiting.len();
+        if own {
+            return;
+        }
+        let mut between = None;
+        for waiting in &held.waiting[fresh..] {
+            let Waiting::Command(command) = waiting else { continue };
+            match command.kind {
+                CommandKind::Idle => {}
+                CommandKind::Dwell { .. } => held.dwells += 1,
+                CommandKind::End => between = Some("the program ends before the next move"),
+                CommandKind::Plane(_) => between = Some("the plane changes before the next move"),
+                _ => {
+                    between = between.or(Some("a block without a move comes before the next move"))
+                }
+            }
+        }
+        if held.dwells > self.rules.corner.dwells_between {
+            between = between.or(Some("a dwell comes before the next move"));
+        }
+        if let Some(what) = between
+            && let Some(held) = self.corners.held.take()
+        {
+            let help = "write the next move into the block after it";
+            self.give_up(*held, refusal(Code::CornerNext, what, help));
+        }
+    }
+
+    /// Nothing more comes.
+    pub fn end_corners(&mut self) {
+        self.corner_block_done();
+        if let Some(held) = self.corners.held.take() {
+            let help = "write the next move after it, or remove the word";
+            let what = "the program ends before the next move";
+            self.give_up(*held, refusal(Code::CornerNext, what, help));
+        }
+    }
+
+    /// Says that a block has been carried out; after the move that is held.
+    pub fn block_done(&mut self, modal: &dyn Fn(&State) -> Modal) {
+        if self.corners.held.is_some() {
+            let modal = Box::new(modal(&self.state));
+            let origin = self.origin;
+            if let Some(held) = &mut self.corners.held {
+                held.waiting.push(Waiting::BlockDone(origin, modal));
+            }
+            return;
+        }
+        let Kernel { state, sink, origin, .. } = self;
+        sink.block_done(origin, &|| modal(state));
+    }
+
+    fn give_up(&mut self, held: Held, refusal: Refusal) {
+        let corner = held.corner;
+        let reached = (held.call, held.block_number);
+        self.pass_on(held);
+        self.refuse(&corner, refusal, Some(reached));
+    }
+
+    /// The move as it was written, and what came after.
+    fn pass_on(&mut self, held: Held) {
+        let kind = held.frames.map().command(held.kind, held.plane);
+        self.sink.command(&Command { kind, origin: held.origin });
+        self.push_waiting(held.waiting);
+    }
+
+    fn push_waiting(&mut self, waiting: Vec<Waiting>) {
+        for item in waiting {
+            match item {
+                Waiting::Command(command) => self.sink.command(&command),
+                Waiting::BlockDone(origin, modal) => {
+                    self.sink.block_done(&origin, &|| (*modal).clone())
+                }
+            }
+        }
+    }
+
+    fn refuse(
+        &mut self,
+        corner: &Corner,
+        refusal: Refusal,
+        reached: Option<(CallPath, Option<f64>)>,
+    ) {
+        let own = (self.call, self.block_number);
+        if let Some((call, block_number)) = reached {
+            (self.call, self.block_number) = (call, block_number);
+        }
+        let form = match corner.form {
+            CornerForm::Rounding => "rounding",
+            CornerForm::Chamfer => "chamfer",
+        };
+        let name = corner.name;
+        let diagnostic = Diagnostic::new(
+            refusal.code,
+            corner.word,
+            format!("no {form} for `{name}`: {}", refusal.what),
+        )
+        .label(format!("{} {}", form, telling_number(corner.size_mm, 4)))
+        .help(refusal.help);
+        self.report(diagnostic);
+        (self.call, self.block_number) = own;
+    }
+}
+
+fn feed_of(kind: &CommandKind) -> Feed {
+    match kind.feed() {
+        Some(feed) => *feed,
+        None => Feed {
+            value: f64::NAN,
+            mode: FeedMode::PerTime,
+            along: FeedAlong::Path,
+            spindle_rev_per_s: 0.0,
+        },
+    }
+}
+
+fn fit_length(leg: &Leg, lost: f64) -> f64 {
+    match leg.arc {
+        None => lost,
+        Some((_, sweep)) => leg.length() * lost / sweep.abs(),
+    }
+}
+
+/// A line or an arc that has lost a part at its end or at its beginning.
+fn trimmed(kind: &CommandKind, motion: Move, lost: f64, at_end: bool) -> CommandKind {
+    match kind {
+        CommandKind::Line { feed, .. } => CommandKind::Line { motion, feed: *feed },
+        CommandKind::Arc { shape, feed, .. } => {
+            let (a, b, _) = shape.plane.axes();
+            let place = if at_end { motion.to } else { motion.from };
+            let radius = libm::hypot(place[a] - shape.center[0], place[b] - shape.center[1]);
+            let mut shape = *shape;
+            shape.sweep -= shape.sweep.signum() * lost;
+            match at_end {
+                true => shape.radius_to = radius,
+                false => shape.radius_from = radius,
+            }
+            CommandKind::Arc { motion, shape, feed: *feed }
+        }
+        other => other.clone(),
+    }
+}
