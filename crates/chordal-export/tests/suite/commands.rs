@@ -188,8 +188,8 @@ fn splines_are_of_a_kind_of_their_own() {
         .collect();
     assert_eq!(lines.len(), 2);
     assert_eq!(lines[0]["order"], 4);
-    assert_eq!(lines[0]["y"], serde_json::json!([0.0, 3.0, -2.0, 1.0]));
-    assert_eq!(lines[1]["weights"], serde_json::json!([1.0, 1.0, 2.0]));
+    assert_eq!(lines[0]["y"], serde_json::json!([0, 3, -2, 1]));
+    assert_eq!(lines[1]["weights"], serde_json::json!([1, 1, 2]));
     assert_eq!(lines[1]["feed"], 600.0);
 
     let mut writer = CommandCsv::new(Vec::new(), &job).unwrap();
