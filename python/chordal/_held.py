@@ -15,8 +15,9 @@ __all__ = ["Comparison", "Conversion", "Refusal"]
 class Comparison:
     """Two programs compared with each other."""
 
-    #: The path and everything else are the same; the paths are within the tolerance; different.
-    verdict: Literal["same", "within", "different"]
+    #: The path and everything else are the same; the paths are within the tolerance; something is different;
+    #: no difference was found, and at least one program is not :attr:`~chordal.Program.verified`.
+    verdict: Literal["same", "within", "different", "not-verified"]
     #: The largest distance of the two paths; ``None`` if one of them has no moves.
     max_distance_mm: float | None
     #: Each with its ``category``, and the ``lines``, ``text`` and ``value`` of both (``a``, ``b``), as
@@ -24,8 +25,8 @@ class Comparison:
     differences: tuple[Mapping[str, Any], ...]
 
     def __bool__(self) -> bool:
-        """Whether the motion is the same, or within the tolerance."""
-        return self.verdict != "different"
+        """Whether the motion is known to be the same, or within the tolerance."""
+        return self.verdict in ("same", "within")
 
 
 @dataclass(frozen=True, slots=True)

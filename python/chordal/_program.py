@@ -195,6 +195,24 @@ class Program:
             raise ProgramError(self.name, self.diagnostics)
 
     @cached_property
+    def not_verified_from(self) -> tuple[str, int] | None:
+        """File and line from which on the path is not known, because the control does something there that
+        is not carried out; ``None`` if the whole run is verified.
+
+        >>> import chordal
+        >>> text = "G21 G90 S900 M3\\nG1 X9. F50.\\nG12.1\\nX5.\\nM30\\n"
+        >>> chordal.loads(text, control="fanuc", name="part.nc").not_verified_from
+        ('part.nc', 3)
+        """
+        return self._program.not_verified_from()
+
+    @property
+    def verified(self) -> bool:
+        """Whether the whole run was followed as the control would go it. Where it was not, no answer about
+        the path from :attr:`not_verified_from` on holds: not the time, not travel, not a comparison."""
+        return self.not_verified_from is None
+
+    @cached_property
     def summary(self) -> Summary:
         """The summary of the run."""
         return _summary.of_dict(self._program.summary())

@@ -117,3 +117,12 @@ def test_one_program_of_a_memory() -> None:
 def test_codes_are_explained() -> None:
     known = {each.code: each for each in chordal.codes()}
     assert known["CH401"].name == "radius-mismatch" and known["CH401"].explanation
+
+
+def test_from_where_on_the_path_is_not_known() -> None:
+    text = "G21 G90 S900 M3\nG1 X9. F50.\nG12.1\nX5.\nM30\n"
+    program = chordal.loads(text, control="fanuc", name="part.nc")
+    assert not program.verified and program.not_verified_from == ("part.nc", 3)
+    assert [error.code for error in program.errors] == ["CH312"]
+    whole = chordal.loads(text.replace("G12.1\n", ""), control="fanuc")
+    assert whole.verified and whole.not_verified_from is None

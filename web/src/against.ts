@@ -108,7 +108,7 @@ export function againstProgram(page: Page) {
     });
     legend.apart(apart.length > 0);
     const total = told.differences.length + told.dropped;
-    page.tell(total === 0 ? told.verdict : `${counted(total, "difference")} (N, P)`);
+    page.tell(total === 0 ? told.verdict.replace("-", " ") : `${counted(total, "difference")} (N, P)`);
   }
 
   function boxOfSides(sides: [Blocks | null, Blocks | null]): Bounds | undefined {

@@ -170,13 +170,16 @@ export function layout(root: HTMLElement) {
   const paths = element("div", "paths");
   const turns = element("div", "turns");
   turns.hidden = true;
+  const unverified = element("div", "unverified");
+  unverified.hidden = true;
+  unverified.setAttribute("role", "status");
   const empty = element("div", "empty");
   empty.hidden = true;
   const progress = element("progress", "progress");
   progress.max = 1;
   progress.hidden = true;
   progress.setAttribute("aria-label", "Running the program");
-  stage.append(canvas, axes, legend, paths, readout, measured, comparison, turns, empty, progress);
+  stage.append(canvas, axes, legend, paths, readout, measured, comparison, turns, unverified, empty, progress);
   const timeline = element("div", "timeline");
   right.append(bar, stage, timeline);
 
@@ -252,6 +255,11 @@ export function layout(root: HTMLElement) {
     turns(text: string): void {
       turns.textContent = text;
       turns.hidden = text === "";
+    },
+    /** From where on the path is not known. */
+    unverified(text: string): void {
+      unverified.textContent = text;
+      unverified.hidden = text === "";
     },
     empty(text: string): void {
       empty.textContent = text;

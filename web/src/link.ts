@@ -53,6 +53,8 @@ export interface Report {
   errors: number;
   warnings: number;
   notes: number;
+  /** Where the path is not known from; none where the whole run was followed. */
+  not_verified_from: { file: string; line: number; own: boolean } | null;
   inch: boolean;
   output: string[];
   cut_length_mm: number;
@@ -157,7 +159,7 @@ export interface Difference {
 export interface Comparison {
   run: number;
   version: number;
-  verdict: "same" | "within" | "different";
+  verdict: "same" | "within" | "different" | "not-verified";
   tolerance_mm: number;
   headline: string;
   max_distance_mm: number | null;

@@ -9,7 +9,7 @@ import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
-import { showOutline, showProblems, showState, showTimes } from "./panels";
+import { notVerified, showOutline, showProblems, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
 import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
@@ -235,6 +235,7 @@ function refuse(told: { run: number; message: string; help?: string | null }): v
   refused = told;
   ui.progress(1);
   startPath();
+  ui.unverified("");
   tellProblems();
   ui.show("problems");
 }
@@ -252,6 +253,7 @@ function finish(told: Report): void {
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
   ui.empty(path.bounds ? "" : emptyText(told));
   ui.turns(unknownTurns(told.axes, machine?.rotary ?? []));
+  ui.unverified(notVerified(told));
   editor.setProblems(told.diagnostics);
   tellProblems();
   tellTimes();

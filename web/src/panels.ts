@@ -15,6 +15,14 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** From where on the path is not known; empty where the whole run was followed. */
+export function notVerified(report: Pick<Report, "not_verified_from">): string {
+  const from = report.not_verified_from;
+  if (!from) return "";
+  const line = from.own ? `line ${from.line}` : `line ${from.line} of ${from.file}`;
+  return `Not verified from ${line} on: the path after it is not known.`;
+}
+
 export function showProblems(
   root: HTMLElement,
   report: Report | undefined,
@@ -29,6 +37,8 @@ export function showProblems(
     root.append(item);
   }
   if (!report) return;
+  const unknown = notVerified(report);
+  if (unknown) root.append(element("p", "refused", unknown));
   if (report.diagnostics.length === 0 && !refused) {
     root.append(element("p", "clean", "No problems: this machine would run the program."));
   }

@@ -141,3 +141,23 @@ fn wrong_use_ends_with_two() {
         folder.run(arguments).ends(2);
     }
 }
+
+#[test]
+fn a_run_that_is_not_verified_ends_with_one() {
+    let folder = Folder::new();
+    folder.write("polar.nc", "O1\nG21 G90 S900 M3\nG1 X9. F50.\nG12.1\nX5.\nM30\n");
+    let check = |severity: &str| {
+        folder.run(&["check", "polar.nc", "-m", "fanuc-30i", "--fail-on", severity])
+    };
+    for severity in ["error", "warning", "note"] {
+        check(severity).ends(1).says(&["error[CH312]", "polar.nc:4:"]);
+    }
+    check("never").ends(0).says(&["error[CH312]"]);
+    folder.run(&["check", "polar.nc", "-m", "fanuc-30i"]).ends(1).says(&["not verified", "line 4"]);
+    let done = folder.run(&["check", "polar.nc", "-m", "fanuc-30i", "--format", "json"]).ends(1);
+    let told: Value = serde_json::from_str(&done.out).expect("JSON");
+    let program = &told["files"][0];
+    let program = if program.is_null() { &told } else { program };
+    assert_eq!(program["verified"], false, "{told}");
+    assert_eq!(program["not_verified_from"]["line"], 4, "{told}");
+}

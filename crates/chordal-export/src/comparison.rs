@@ -69,6 +69,9 @@ pub(crate) fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64)
             "machine": jobs[side].machine().name,
             "moves": found.moves[side],
             "errors": found.reports[side].counts.errors,
+            "not_verified_from": found.reports[side]
+                .not_verified_line(jobs[side].sources())
+                .map(|(file, line)| json!({ "file": file, "line": line })),
         })),
         "differences": differences.collect::<Vec<Value>>(),
         "dropped": found.dropped,

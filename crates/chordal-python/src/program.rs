@@ -260,6 +260,14 @@ impl Program {
         self.ask(py, |job| Ok(self.told(job)?.output.clone()))
     }
 
+    /// File and line from which on the path is not known.
+    fn not_verified_from(&self, py: Python<'_>) -> PyResult<Option<(String, u32)>> {
+        self.ask(py, |job| {
+            let line = self.told(job)?.not_verified_line(job.sources());
+            Ok(line.map(|(file, line)| (file.to_string(), line)))
+        })
+    }
+
     /// What the run comes to.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.ask(py, |job| self.told(job).map(|_| ()))?;

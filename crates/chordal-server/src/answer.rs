@@ -24,7 +24,11 @@ pub fn report(report: &Report, job: &Job) -> Value {
         "errors": report.counts.errors,
         "warnings": report.counts.warnings,
         "notes": report.counts.notes,
-        "not_verified_from": report.not_verified_line(sources).map(|(file, line)| json!({ "file": file, "line": line })),
+        "not_verified_from": report.not_verified_line(sources).map(|(file, line)| json!({
+            "file": file,
+            "line": line,
+            "own": report.not_verified_from.is_some_and(|span| span.file == FileId(0)),
+        })),
         "inch": report.summary.inch,
         "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
         "cut_length_mm": report.summary.feed_length_mm,

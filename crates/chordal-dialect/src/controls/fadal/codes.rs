@@ -141,7 +141,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(430, Group::Auxiliary, NoEffect, "", "high gear"),
     row(450, Group::Calling, After(RunCycleHere), "", "run the cycle or routine here"),
     row(460, Group::Auxiliary, NoEffect, "", "positive approach off"),
-    row(470, Group::Auxiliary, NoEffect, "", "positive approach on"),
+    row(470, Group::Auxiliary, NotFollowed, "", "positive approach on"),
     row(480, Group::Auxiliary, Mode(Overrides { on: true, rapid: false }), "", "overrides on"),
     row(490, Group::Auxiliary, Mode(Overrides { on: false, rapid: false }), "", "overrides off"),
     row(500, Group::Auxiliary, NoEffect, "", "feed by potentiometer"),

@@ -146,7 +146,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(520, Group::Auxiliary, NoEffect, "PQEL", "adaptive feed"),
     row(530, Group::Auxiliary, NoEffect, "PQEL", "feed stop"),
     row(600, Group::Auxiliary, NoEffect, "PQEL", "pallet shuttle"),
-    row(610, Group::Auxiliary, NoEffect, "PQEL", "tool number set"),
+    row(610, Group::Auxiliary, NotFollowed, "Q", "tool number set"),
     row(620, Group::Auxiliary, NoEffect, "PQEL", "output on"),
     row(630, Group::Auxiliary, NoEffect, "PQEL", "output off"),
     row(640, Group::Auxiliary, NoEffect, "PQEL", "output on at once"),
