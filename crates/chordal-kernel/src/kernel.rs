@@ -4,7 +4,7 @@ use chordal_command::{CallPath, CallPaths, Command, CommandKind, Origin, Units, 
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
-use crate::motion::Corners;
+use crate::corner_queue::Corners;
 use crate::rules::Rules;
 use crate::sink::RunSink;
 use crate::state::State;

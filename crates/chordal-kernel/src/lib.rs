@@ -19,6 +19,7 @@
 
 mod checkpoint;
 mod coordinates;
+mod corner_queue;
 mod cycles;
 mod frame_codes;
 pub mod frames;
@@ -38,12 +39,13 @@ mod statement;
 
 pub use checkpoint::{Checkpoint, Memory};
 pub use coordinates::ToolValue;
+pub use corner_queue::{Corner, CornerForm};
 pub use cycles::Hole;
 pub use frames::{FrameKinds, Frames, Polar, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, Reported};
 pub use language::{Class, EndReason, Language, Outcome, ProgramPlace, Ran, Token};
 pub use modal::{Modal, MotionMode};
-pub use motion::{ArcWords, Corner, CornerForm, SpiralWords, is_over};
+pub use motion::{ArcWords, SpiralWords, is_over};
 pub use offsets::{LengthOffset, Offsets};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};

@@ -2,18 +2,18 @@
 (What a rounding or a chamfer cannot do: the corner stays as it is.)
 G21 G17 G90 G94 S1000 M3
 G0 X0 Y0 Z0
-G1 X10. ,R6. F300. (= line to X10 Y0 | ! CH430 "6 mm" "move of 10 mm" "next of 5 mm" "at most 5 mm" "PS0055")
-Y5. ,C7. (= line to X10 Y5 | ! CH430 "a chamfer of 7 mm" "at most 5 mm")
+G1 X10. ,R6. F300. (= line to X10 Y0 | ! CH437 "6 mm" "move of 10 mm" "next of 5 mm" "at most 5 mm" "PS0055")
+Y5. ,C7. (= line to X10 Y5 | ! CH437 "a chamfer of 7 mm" "at most 5 mm")
 X0. (= line to X0 Y5)
 (Both corners of a move of 10 take 6 from it.)
 X20. ,R6. (= line to X14 Y5 | arc ccw to X20 Y11)
-Y15. ,R6. (= line from X20 Y11 to Y15 | ! CH430 "at most 4 mm")
+Y15. ,R6. (= line from X20 Y11 to Y15 | ! CH437 "at most 4 mm")
 X0. (= line to X0 Y15)
-X10. ,R1. (= line to X10 Y15 | ! CH430 "goes back")
+X10. ,R1. (= line to X10 Y15 | ! CH437 "goes back")
 X5.
 G0 X0 Y0
 G1 X10. ,R10. (= arc ccw from X0 Y0 to X10 Y10)
-Y10. ,R1. (= none | ! CH430 "takes all of this move")
+Y10. ,R1. (= none | ! CH437 "takes all of this move")
 X5.
 (What comes next.)
 Y20. ,R1. (= line to X5 Y20 | ! CH428 "not in the plane of X and Y" "PS0051")

@@ -23,7 +23,7 @@ G17
 G1 X2. ,R.1 (= line to X2 Y1 | ! CH429 "the move is an arc" "between straight")
 G2 X3. I.5 (= arc cw to X3 Y1)
 G2 X4. I.5 ,R.1 (= arc cw to X4 Y1 | ! CH427 "the move is an arc")
-G1 Y1.5 ,R.6 (= line to X4 Y1.5 | ! CH430 "0.6 in" "at most 0.5 in")
+G1 Y1.5 ,R.6 (= line to X4 Y1.5 | ! CH437 "0.6 in" "at most 0.5 in")
 X6. ,C.1 (= line to X6 Y1.5 | ! CH428 "a block without a move")
 T2
 X6. Y3. (= line to X6 Y3)

@@ -23,7 +23,7 @@ G17
 (What cannot be.)
 G1 X20. ,R1. (= line to X20 Y10 | ! CH428 "a dwell" "P382")
 G4 P10
-Y20. ,R11. (= line to X20 Y20 | ! CH430 "11 mm" "at most 10 mm")
+Y20. ,R11. (= line to X20 Y20 | ! CH437 "11 mm" "at most 10 mm")
 X0 ,R1. (= line to X0 Y20 | ! CH429 "rapid" "P382")
 G0 Y0
 M30

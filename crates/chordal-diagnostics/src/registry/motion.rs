@@ -194,7 +194,7 @@ the corner as it is without the word.
     r#"A rounding or a chamfer stands between two cuts: lines, and on some controls arcs. A rapid, a thread, a
 spiral or a cycle cannot follow. Remove the word, or cut to a point after the corner first."#;
 
-    CornerTooLarge = 430, "corner-too-large", Error;
+    CornerTooLarge = 437, "corner-too-large", Error;
     "a rounding or a chamfer does not fit between its two moves";
     r#"The arc of `,R` must touch both moves within their lengths, and `,C` takes its length from both. What an
 earlier corner took from the same move is no longer there. The message says how much fits. The path

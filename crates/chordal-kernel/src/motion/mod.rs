@@ -15,8 +15,6 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Axis};
 
 pub use arc::ArcWords;
-pub(crate) use corner::Corners;
-pub use corner::{Corner, CornerForm};
 pub use spiral::SpiralWords;
 
 use crate::kernel::Kernel;

@@ -117,8 +117,13 @@ impl<'a> Context<'a> {
 
     /// G53 in G91, where the new control does not move then.
     fn machine_move(&self, draft: &mut Draft, at: usize) {
-        let needs = |control: &Control| control.parameters.rules.machine_move_needs_absolute;
-        let Some(run) = self.run(at).filter(|_| needs(self.to) && !needs(self.from)) else { return };
+        let needs = |control: &Control| {
+            let parameters = &control.parameters;
+            parameters.rules.machine_move_needs_absolute || parameters.strict_words
+        };
+        let Some(run) = self.run(at).filter(|_| needs(self.to) && !needs(self.from)) else {
+            return;
+        };
         let machine = Action::Once(OnceCode::MachineCoordinates);
         if !run.after.incremental || !self.source.has_action(at, self.from, |own| own == machine) {
             return;

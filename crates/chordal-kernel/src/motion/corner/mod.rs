@@ -7,11 +7,11 @@ use chordal_command::{
     ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Origin,
     telling_number,
 };
-use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_geometry::Plane;
+use chordal_diagnostics::{Code, Diagnostic};
 
 use self::fit::{Leg, Misfit};
-use crate::frames::{Frames, InPlane};
+use crate::corner_queue::{Corner, CornerForm, Held, Waiting};
+use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::modal::Modal;
 use crate::rules::CornerMoves;
@@ -25,68 +25,6 @@ const LEFT_MM: f64 = 1e-6;
 
 /// An arc whose radii differ by more is no circle, mm.
 const CIRCLE_MM: f64 = 0.05;
-
-/// What stands in a corner.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CornerForm {
-    /// An arc that touches both moves.
-    Rounding,
-    /// A straight line.
-    Chamfer,
-}
-
-/// What a block asks for at its end.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Corner {
-    /// The word.
-    pub word: Span,
-    /// How the language calls it: `,R`.
-    pub name: &'static str,
-    /// What it asks for.
-    pub form: CornerForm,
-    /// Its radius, or the distance from the corner, mm.
-    pub size_mm: f64,
-}
-
-/// What comes after the move that is held.
-#[derive(Debug)]
-enum Waiting {
-    Command(Command),
-    BlockDone(Origin, Box<Modal>),
-}
-
-/// A move that waits for the next one.
-#[derive(Debug)]
-struct Held {
-    corner: Corner,
-    kind: CommandKind,
-    origin: Origin,
-    call: CallPath,
-    block_number: Option<f64>,
-    plane: Plane,
-    frames: Frames,
-    /// Its own block is at work.
-    is_open: bool,
-    waiting: Vec<Waiting>,
-    /// So many of them have been looked at.
-    judged: usize,
-    dwells: u32,
-}
-
-/// The corners that wait.
-#[derive(Default, Debug)]
-pub(crate) struct Corners {
-    asked: Option<Corner>,
-    held: Option<Box<Held>>,
-}
-
-impl Corners {
-    /// Something waits.
-    #[inline]
-    pub fn wait(&self) -> bool {
-        self.held.is_some() || self.asked.is_some()
-    }
-}
 
 /// Two moves with what stands between them; a move may be gone whole.
 struct Joined {

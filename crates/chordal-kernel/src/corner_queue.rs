@@ -1,0 +1,70 @@
+//! A move that is held because its end is rounded or chamfered, and what has come after it.
+
+use chordal_command::{CallPath, Command, CommandKind, Origin};
+use chordal_diagnostics::Span;
+use chordal_geometry::Plane;
+
+use crate::frames::Frames;
+use crate::modal::Modal;
+
+/// What stands in a corner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CornerForm {
+    /// An arc that touches both moves.
+    Rounding,
+    /// A straight line.
+    Chamfer,
+}
+
+/// What a block asks for at its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Corner {
+    /// The word.
+    pub word: Span,
+    /// How the language calls it: `,R`.
+    pub name: &'static str,
+    /// What it asks for.
+    pub form: CornerForm,
+    /// Its radius, or the distance from the corner, mm.
+    pub size_mm: f64,
+}
+
+/// What comes after the move that is held.
+#[derive(Debug)]
+pub(crate) enum Waiting {
+    Command(Command),
+    BlockDone(Origin, Box<Modal>),
+}
+
+/// A move that waits for the next one.
+#[derive(Debug)]
+pub(crate) struct Held {
+    pub corner: Corner,
+    pub kind: CommandKind,
+    pub origin: Origin,
+    pub call: CallPath,
+    pub block_number: Option<f64>,
+    pub plane: Plane,
+    pub frames: Frames,
+    /// Its own block is at work.
+    pub is_open: bool,
+    pub waiting: Vec<Waiting>,
+    /// So many of them have been looked at.
+    pub judged: usize,
+    pub dwells: u32,
+}
+
+/// The corners that wait.
+#[derive(Default, Debug)]
+pub(crate) struct Corners {
+    pub asked: Option<Corner>,
+    pub held: Option<Box<Held>>,
+}
+
+impl Corners {
+    /// Something waits.
+    #[inline]
+    pub fn wait(&self) -> bool {
+        self.held.is_some() || self.asked.is_some()
+    }
+}
