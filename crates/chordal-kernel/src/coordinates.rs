@@ -40,7 +40,13 @@ impl Kernel<'_> {
         if self.state.offsets.active() == name {
             return;
         }
+        let before = self.state.offsets.work();
         self.state.shift_coordinates(|offsets| offsets.select(name));
+        if self.rules.frames.rotation_stays {
+            let after = self.state.offsets.work();
+            let by = std::array::from_fn(|axis| before[axis] - after[axis]);
+            self.state.change_frames(|frames| frames.move_rotation(&by));
+        }
         self.emit_work_offset();
     }
 

@@ -1,4 +1,8 @@
 (machine: mitsubishi-m700)
+(set: work_offsets.G54.X="0 mm")
+(set: work_offsets.G54.Y="0 mm")
+(set: work_offsets.G55.X="100 mm")
+(set: work_offsets.G55.Y="0 mm")
 (The angle in G91 adds; an axis without a centre is not scaled.)
 G21 G17 G90 G94 S500 M3
 G0 X0 Y0 Z0 (= rapid to X0 Y0 Z0)
@@ -11,5 +15,11 @@ G51 X0 P2.
 G0 X10. Y5. (= rapid to X20 Y5)
 G2 X20. Y-5. R10. F100. (= ! CH431 "P70")
 G50
+(Another work offset leaves the centre of a rotation where it is on the machine.)
+G90 G54 G68 X0 Y0 R90.
+G55
+G0 X0 Y0 (= rapid to X-100 Y100)
+G69
+G54
 G68.2 X0 Y0 Z0 I0 J30. K0 (= none | ! CH312 "tilted plane")
 M30

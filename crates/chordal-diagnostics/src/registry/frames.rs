@@ -38,18 +38,4 @@ Chordal carries the block out: the point of G28 goes through the frames, G53 doe
     "mirror, scaling or rotation starts while cutter compensation is on";
     r#"The contour jumps into other coordinates while the control is looking ahead along it, so the tool leaves the
 contour or cuts into it. Write the frame first, then G41 or G42; end in reverse order: G40, then G69, G50 or G50.1."#;
-
-    FrameOneAxis = 435, "frame-one-axis", Warning;
-    "the first absolute move after a rotation or a scaling names one axis of the plane only";
-    r#"When G68, G51, G69 or G50 takes effect, the coordinates of the present place change. A first absolute move of one
-axis leaves the other where it is, and controls do not agree on where that is: some keep the coordinate that
-was programmed last, some compute it anew. Chordal computes it anew, so that the axis stands still.
-
-    G68 X0 Y0 R90.
-    G1 X20.              where is Y? write G1 X20. Y0"#;
-
-    PolarWord = 436, "polar-word", Error;
-    "a polar end point that cannot be computed";
-    r#"A polar end point is a radius and an angle. The word that is missing is taken from where the tool stands, which
-is not possible at the pole itself, and a polar word cannot be mixed with the coordinate it replaces."#;
 }

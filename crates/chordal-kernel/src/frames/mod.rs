@@ -200,6 +200,15 @@ impl Frames {
         self.update();
     }
 
+    /// Moves the centre of the rotation in the work coordinate system.
+    pub fn move_rotation(&mut self, by: &Position) {
+        let Some(rotation) = &mut self.rotation else { return };
+        let (a, b, _) = rotation.plane.axes();
+        rotation.center[0] += by[a];
+        rotation.center[1] += by[b];
+        self.update();
+    }
+
     /// A turn as the program gives it: in a mirror it counts the other way.
     pub fn programmed_degrees(&self) -> Option<f64> {
         let rotation = self.rotation?;
