@@ -1,8 +1,8 @@
 (machine: mitsubishi-m700)
-(set: work_offsets.G54.X="0 mm")
-(set: work_offsets.G54.Y="0 mm")
-(set: work_offsets.G55.X="100 mm")
-(set: work_offsets.G55.Y="0 mm")
+(set: work_offsets.G54.X="-500 mm")
+(set: work_offsets.G54.Y="-250 mm")
+(set: work_offsets.G55.X="-400 mm")
+(set: work_offsets.G55.Y="-250 mm")
 (The angle in G91 adds; an axis without a centre is not scaled.)
 G21 G17 G90 G94 S500 M3
 G0 X0 Y0 Z0 (= rapid to X0 Y0 Z0)
