@@ -19,6 +19,17 @@ impl AxisMask {
     /// A, B and C.
     pub const ROTARY: AxisMask = AxisMask(0b11_1000);
 
+    /// The axes that have a value.
+    pub fn with_values<T>(values: &PerAxis<Option<T>>) -> AxisMask {
+        let mut axes = AxisMask::NONE;
+        for (axis, value) in values.iter().enumerate() {
+            if value.is_some() {
+                axes.insert(axis);
+            }
+        }
+        axes
+    }
+
     /// True when the axis is in the set.
     #[inline]
     pub const fn has(self, axis: usize) -> bool {

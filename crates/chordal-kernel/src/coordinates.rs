@@ -176,8 +176,7 @@ impl Kernel<'_> {
             Some(turn) => turn,
             None => *self.state.frames.map(),
         };
-        let mut named = AxisMask::NONE;
-        (0..AXES).filter(|axis| values[*axis].is_some()).for_each(|axis| named.insert(axis));
+        let mut named = AxisMask::with_values(values);
         let meant = if from_position {
             named = map.reached(named);
             let work = std::array::from_fn(|axis| machine[axis] - beyond[axis] - own(key, axis));
@@ -255,8 +254,7 @@ impl Kernel<'_> {
         };
         let machine_known = self.state.machine_known;
         let clears_shift = self.rules.preset_clears_shift;
-        let mut named = AxisMask::NONE;
-        (0..AXES).filter(|axis| values[*axis].is_some()).for_each(|axis| named.insert(axis));
+        let mut named = AxisMask::with_values(values);
         if inside {
             named = self.state.frames.map().reached(named);
         }

@@ -129,11 +129,18 @@ impl<'a> Kernel<'a> {
         if self.corners.wait() {
             return self.emit_at_corner(kind);
         }
+        let command = self.in_work(kind, self.origin);
+        self.sink.command(&command);
+    }
+
+    /// A command as the work coordinate system has it.
+    #[inline]
+    pub(crate) fn in_work(&self, kind: CommandKind, origin: Origin) -> Command {
         let kind = match self.state.frames.is_plain() {
             true => kind,
             false => self.state.frames.map().command(kind, self.state.plane),
         };
-        self.sink.command(&Command { kind, origin: self.origin });
+        Command { kind, origin }
     }
 
     /// Pushes a problem, with the calls it was reached through and what the control shows for it.

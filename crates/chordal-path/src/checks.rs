@@ -178,16 +178,7 @@ impl<'a> Checks<'a> {
             }
             CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
                 let curve = curve_of(motion, Some(shape));
-                let bounds = curve.bounds();
-                for corner in [bounds.min, bounds.max] {
-                    let mut place = motion.to;
-                    place[..3].copy_from_slice(&corner.to_array());
-                    self.extend(&place, motion.to_known);
-                    self.travel(&place, motion, command.origin, &mut report);
-                }
-                if is_known(motion) {
-                    self.seen.cut = self.seen.cut.union(bounds);
-                }
+                self.reach(curve.bounds(), motion, command.origin, &mut report);
                 if as_programmed {
                     self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
                 }
@@ -196,16 +187,7 @@ impl<'a> Checks<'a> {
             CommandKind::Spline { motion, curve, .. } => {
                 // Joints of splines are not judged: they pass from one to the next as the program says.
                 self.now.last = None;
-                let bounds = curve.bounds();
-                for corner in [bounds.min, bounds.max] {
-                    let mut place = motion.to;
-                    place[..3].copy_from_slice(&corner.to_array());
-                    self.extend(&place, motion.to_known);
-                    self.travel(&place, motion, command.origin, &mut report);
-                }
-                if is_known(motion) {
-                    self.seen.cut = self.seen.cut.union(bounds);
-                }
+                self.reach(curve.bounds(), motion, command.origin, &mut report);
                 self.cut_at_depth(motion, &mut report);
             }
             CommandKind::Units(units) => self.now.units = *units,
@@ -221,6 +203,25 @@ impl<'a> Checks<'a> {
             if known.has(axis) {
                 *extent = (extent.0.min(place[axis]), extent.1.max(place[axis]));
             }
+        }
+    }
+
+    /// A cut along a curve reaches as far as its bounds.
+    fn reach(
+        &mut self,
+        bounds: Aabb,
+        motion: &Move,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        for corner in [bounds.min, bounds.max] {
+            let mut place = motion.to;
+            place[..3].copy_from_slice(&corner.to_array());
+            self.extend(&place, motion.to_known);
+            self.travel(&place, motion, origin, report);
+        }
+        if is_known(motion) {
+            self.seen.cut = self.seen.cut.union(bounds);
         }
     }
 

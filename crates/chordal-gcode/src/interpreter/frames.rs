@@ -56,12 +56,7 @@ impl Interpreter<'_> {
 
     /// G50.1 and Haas G100: the named axes, or all.
     pub(super) fn mirror_off(&mut self, block: &Block) {
-        let mut named = AxisMask::NONE;
-        for (axis, value) in self.axis_words(block).iter().enumerate() {
-            if value.is_some() {
-                named.insert(axis);
-            }
-        }
+        let named = AxisMask::with_values(&self.axis_words(block));
         self.kernel.end_mirror(if named == AxisMask::NONE { AxisMask::ALL } else { named });
     }
 

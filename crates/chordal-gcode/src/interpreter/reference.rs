@@ -262,7 +262,7 @@ impl Interpreter<'_> {
 
     fn report_ignored_machine_move(&mut self, block: &Block, at: usize) {
         let word = block.words[at];
-        let name = self.control.row_of(&word).map_or_else(String::new, |row| row.name(word.letter));
+        let name = self.code_text(block, at);
         let title = self.control.table.title;
         self.kernel.report(
             Diagnostic::new(

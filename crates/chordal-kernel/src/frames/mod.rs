@@ -152,9 +152,7 @@ impl Frames {
 
     /// The axes that are mirrored.
     pub fn mirrored(&self) -> AxisMask {
-        let mut axes = AxisMask::NONE;
-        (0..AXES).filter(|axis| self.mirror[*axis].is_some()).for_each(|axis| axes.insert(axis));
-        axes
+        AxisMask::with_values(&self.mirror)
     }
 
     /// What is in force, for people.

@@ -200,8 +200,13 @@ fn angle_between(first: &Leg, second: &Leg) -> f64 {
     libm::atan2(cross(into, out), dot(into, out))
 }
 
-fn is_reversal(angle: f64) -> bool {
-    angle.abs() > TAU / 2.0 - ROUNDING_RAD
+/// The angle of a corner; nothing where the two go on straight.
+fn corner_angle(first: &Leg, second: &Leg, straight: f64) -> Result<Option<f64>, Misfit> {
+    let angle = angle_between(first, second);
+    if angle.abs() > TAU / 2.0 - ROUNDING_RAD {
+        return Err(Misfit::Reversal);
+    }
+    Ok((angle.abs() > straight.max(ROUNDING_RAD)).then_some(angle))
 }
 
 /// An arc of a radius that touches both; nothing where they go on straight.
@@ -211,13 +216,7 @@ pub(super) fn rounding(
     radius: f64,
     straight: f64,
 ) -> Result<Option<Fit>, Misfit> {
-    let angle = angle_between(first, second);
-    if angle.abs() <= straight.max(ROUNDING_RAD) {
-        return Ok(None);
-    }
-    if is_reversal(angle) {
-        return Err(Misfit::Reversal);
-    }
+    let Some(angle) = corner_angle(first, second, straight)? else { return Ok(None) };
     if let Some(fit) = tangent_arc(first, second, radius, angle.signum()) {
         return Ok(Some(fit));
     }
@@ -269,12 +268,8 @@ pub(super) fn chamfer(
     length: f64,
     straight: f64,
 ) -> Result<Option<Fit>, Misfit> {
-    let angle = angle_between(first, second);
-    if angle.abs() <= straight.max(ROUNDING_RAD) {
+    if corner_angle(first, second, straight)?.is_none() {
         return Ok(None);
-    }
-    if is_reversal(angle) {
-        return Err(Misfit::Reversal);
     }
     let room = [first.length(), second.length()];
     if length > room[0].min(room[1]) + ROUNDING_MM {

@@ -4,7 +4,7 @@
 mod fit;
 
 use chordal_command::{
-    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Origin,
+    ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move,
     telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic};
@@ -91,10 +91,6 @@ impl Kernel<'_> {
     fn push(&mut self, kind: CommandKind) {
         let command = self.in_work(kind, self.origin);
         self.sink.command(&command);
-    }
-
-    fn in_work(&self, kind: CommandKind, origin: Origin) -> Command {
-        Command { kind: self.state.frames.map().command(kind, self.state.plane), origin }
     }
 
     /// Keeps a move until the next one is known, if it can end in a corner.
