@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 /// Every this many lines the line index keeps one offset: a gigabyte of short lines
-/// then costs about half a megabyte of index, and a look-up counts at most this many.
-const LINES_PER_MARK: u32 = 512;
+/// then costs about six megabytes of index, and a look-up counts at most this many.
+const LINES_PER_MARK: u32 = 64;
 
 /// A text and its name. The bytes are kept as they came (`Cow`, so that a mapped file
 /// is not copied); the line index is made on the first question.

@@ -136,6 +136,7 @@ pub struct Aliases {
 
 impl Parameters {
     /// Decimals of a length that the control keeps; the rest is cut, rounded or not known to be either.
+    #[inline]
     pub fn kept_decimals(&self, units: Units) -> u8 {
         match (self.excess_decimals, units) {
             (ExcessDecimals::Exact, _) => u8::MAX,
@@ -145,6 +146,7 @@ impl Parameters {
     }
 
     /// The length that the control makes of a number with a decimal point.
+    #[inline]
     pub fn kept(&self, number: Decimal, units: Units) -> Decimal {
         if number.scale <= self.kept_decimals(units) {
             return number;

@@ -23,6 +23,41 @@ impl ArcFit {
     }
 }
 
+/// The radii of an arc command and its angle, without a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArcSweep {
+    /// Distance from the centre to the start in the plane, mm.
+    pub radius_start: f64,
+    /// Distance from the centre to the end in the plane, mm.
+    pub radius_end: f64,
+    /// Angle travelled, radians, positive counter-clockwise.
+    pub sweep: f64,
+}
+
+impl ArcSweep {
+    /// End radius minus start radius, mm.
+    #[must_use]
+    pub fn radius_error(&self) -> f64 {
+        self.radius_end - self.radius_start
+    }
+}
+
+/// The radii and the angle of [`arc_from_center`], for who needs no curve.
+#[inline]
+#[must_use]
+pub fn arc_sweep(
+    plane: Plane,
+    start: Vec3,
+    end: Vec3,
+    center: (f64, f64),
+    direction: Direction,
+    extra_turns: u32,
+) -> ArcSweep {
+    let ends = Ends::new(plane, start, end, center);
+    let sweep = ends.sweep(direction, extra_turns);
+    ArcSweep { radius_start: ends.radius_start, radius_end: ends.radius_end, sweep }
+}
+
 /// The curve from `start` to `end` (mm) about `center` (mm, in the plane's own two coordinates).
 ///
 /// The sweep lies in `(0, 2π]` in the sense of `direction`, plus `extra_turns` full turns. An end on
@@ -54,12 +89,7 @@ pub fn arc_from_center(
     radius_tolerance: f64,
 ) -> ArcFit {
     let ends = Ends::new(plane, start, end, center);
-    let sign = direction.sign();
-    // The multiplication by ±1 is exact. Both products in the cross product of coinciding ends are
-    // the same, so its zero is exact as well and needs no case of its own.
-    let angle = math::atan2(sign * ends.from.cross(ends.to), ends.from.dot(ends.to));
-    let directed = if angle <= 0.0 { angle + math::TAU } else { angle };
-    ends.fit(sign * (directed + f64::from(extra_turns) * math::TAU), radius_tolerance)
+    ends.fit(ends.sweep(direction, extra_turns), radius_tolerance)
 }
 
 impl Arc {
@@ -85,6 +115,7 @@ impl Arc {
 /// to `sweep` that leads from the start to the end, so the curve is continuous however roughly
 /// `sweep` was rounded; compare [`ArcFit::sweep`] with it to see by how much the two disagree.
 /// `radius_tolerance` (mm) is that of [`arc_from_center`].
+#[inline]
 #[must_use]
 pub fn spiral_from_center(
     plane: Plane,
@@ -118,6 +149,7 @@ struct Ends {
 }
 
 impl Ends {
+    #[inline]
     fn new(plane: Plane, start: Vec3, end: Vec3, center: (f64, f64)) -> Self {
         let center = Vec2::from(center);
         let from = plane.project(start) - center;
@@ -126,6 +158,18 @@ impl Ends {
         Self { plane, start, end, center, from, to, radius_start, radius_end }
     }
 
+    /// The angle from the start to the end in a direction, with full turns beside it.
+    #[inline]
+    fn sweep(&self, direction: Direction, extra_turns: u32) -> f64 {
+        let sign = direction.sign();
+        // The multiplication by ±1 is exact. Both products in the cross product of coinciding ends are
+        // the same, so its zero is exact as well and needs no case of its own.
+        let angle = math::atan2(sign * self.from.cross(self.to), self.from.dot(self.to));
+        let directed = if angle <= 0.0 { angle + math::TAU } else { angle };
+        sign * (directed + f64::from(extra_turns) * math::TAU)
+    }
+
+    #[inline]
     fn fit(&self, sweep: f64, radius_tolerance: f64) -> ArcFit {
         let &Self { plane, start, end, radius_start, radius_end, .. } = self;
         let height = plane.height(start);

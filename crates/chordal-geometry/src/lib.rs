@@ -65,7 +65,10 @@ pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 pub use bspline::{Spline, SplineError};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};
 pub use curve::Curve;
-pub use fit::{ArcFit, RadiusError, arc_from_center, center_from_radius, spiral_from_center};
+pub use fit::{
+    ArcFit, ArcSweep, RadiusError, arc_from_center, arc_sweep, center_from_radius,
+    spiral_from_center,
+};
 pub use fitting::{FitError, FitOptions, FitPiece, Measure, breaks, fit_path, simplify};
 pub use frame::Frame;
 pub use intersect::{Circle2, Line2, LineCrossing, Meeting, circle_circle, line_circle, line_line};

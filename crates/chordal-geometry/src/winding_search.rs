@@ -85,8 +85,11 @@ impl Winding {
             return;
         }
         let phi = self.projected_phase(axis);
-        let tilt = math::asin(ratio);
-        let cos = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
+        // Of a flat arc, which most are, the extremes lie on the axis through its centre.
+        let (tilt, cos) = match ratio == 0.0 {
+            true => (0.0, 1.0),
+            false => (math::asin(ratio), ((1.0 - ratio) * (1.0 + ratio)).sqrt()),
+        };
         let base = self.center.component(axis);
         for (chi, sign) in [(tilt, 1.0), (PI - tilt, -1.0)] {
             // From turn to turn these extremes move evenly, so the first and the last decide.

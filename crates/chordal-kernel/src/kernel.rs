@@ -124,12 +124,22 @@ impl<'a> Kernel<'a> {
     }
 
     /// Pushes a command of the present block, as the work coordinate system has it.
-    #[inline]
+    #[inline(always)]
     pub fn emit(&mut self, kind: CommandKind) {
-        if self.corners.wait() {
-            return self.emit_at_corner(kind);
+        let command = Command { kind, origin: self.origin };
+        if self.corners.wait() || !self.state.frames.is_plain() {
+            return self.emit_otherwise(command);
         }
-        let command = self.in_work(kind, self.origin);
+        self.sink.command(&command);
+    }
+
+    /// The same where a frame is in force or a corner waits.
+    #[cold]
+    fn emit_otherwise(&mut self, command: Command) {
+        if self.corners.wait() {
+            return self.emit_at_corner(command.kind);
+        }
+        let command = self.in_work(command.kind, command.origin);
         self.sink.command(&command);
     }
 

@@ -385,13 +385,18 @@ impl<'a> Checks<'a> {
         }
         let flat = |direction: Vec3| {
             let normal = plane.normal();
-            (direction - normal * direction.dot(normal)).normalized()
+            direction - normal * direction.dot(normal)
         };
-        let (Some(before), Some(after)) = (flat(before), flat(after)) else { return };
-        let sine = before.cross(after).length();
-        if before.dot(after) <= 0.0 || !(TANGENT_RAD..CORNER_RAD).contains(&sine) {
+        let (before, after) = (flat(before), flat(after));
+        // Squares of the sine and of what it is a share of: most joints need no root.
+        let across = before.cross(after).length_squared();
+        let whole = before.length_squared() * after.length_squared();
+        let turns =
+            (TANGENT_RAD * TANGENT_RAD * whole..CORNER_RAD * CORNER_RAD * whole).contains(&across);
+        if !turns || before.dot(after) <= 0.0 {
             return;
         }
+        let sine = (across / whole).sqrt();
         let degrees = sine.asin_degrees();
         report(
             Diagnostic::new(

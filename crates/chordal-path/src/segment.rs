@@ -51,6 +51,7 @@ pub(crate) fn point(position: &Position) -> Vec3 {
 const SAME_RADIUS_MM: f64 = 1e-9;
 
 /// The exact curve of a motion command in program coordinates.
+#[inline]
 pub fn curve_of(motion: &Move, shape: Option<&ArcShape>) -> Curve {
     let (from, to) = (point(&motion.from), point(&motion.to));
     match shape {

@@ -97,6 +97,7 @@ impl Decimal {
 
     /// The number with only so many decimals, cut and rounded (half away from zero); `None` where nothing
     /// but zeros stand after them.
+    #[inline]
     pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
         let power = *WHOLE_POWERS.get(usize::from(self.scale.checked_sub(decimals)?))?;
         let (whole, rest) = (self.mantissa / power, self.mantissa % power);

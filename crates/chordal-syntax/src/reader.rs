@@ -161,7 +161,12 @@ impl<'a> BlockReader<'a> {
     }
 
     fn skip_line_end(&mut self) {
-        self.at += line_end_length(&self.text[self.at..self.end]);
+        let rest = &self.text[self.at..self.end];
+        // Most lines end with one byte, and no test of more is needed.
+        self.at += match rest {
+            [b'\n', next, ..] if *next != b'\r' => 1,
+            _ => line_end_length(rest),
+        };
         self.line += 1;
     }
 

@@ -48,8 +48,8 @@ impl Interpreter<'_> {
         {
             return false;
         }
-        let (words, explicit) = match block.word(b'G') {
-            None => (self.modal_arc_words().unwrap_or(Letters::NONE), None),
+        let explicit = match block.word(b'G') {
+            None => None,
             Some(word) => {
                 let code = word.number().and_then(code_number);
                 let row = code.and_then(|code| self.control.g_code(code));
@@ -59,16 +59,22 @@ impl Interpreter<'_> {
                 if word.number().is_some_and(|number| number.scale > 0) {
                     return false;
                 }
-                (self.words_of(row), Some(motion))
+                Some((row, motion))
             }
         };
-        if !letters.within(ALWAYS.union(words)) {
-            return false;
+        if !letters.within(ALWAYS) {
+            let words = match explicit {
+                Some((row, _)) => self.words_of(row),
+                None => self.modal_arc_words().unwrap_or(Letters::NONE),
+            };
+            if !letters.within(ALWAYS.union(words)) {
+                return false;
+            }
         }
         if letters.has(b'F') {
             self.take_feed(block);
         }
-        self.motion_block(block, explicit);
+        self.motion_block(block, explicit.map(|(_, motion)| motion));
         true
     }
 

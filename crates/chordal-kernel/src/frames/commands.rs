@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use chordal_command::{ArcShape, CommandKind, Feed, Move, Position, Side};
-use chordal_geometry::{Direction, Plane, Spline, Vec3, arc_from_center};
+use chordal_geometry::{Direction, Plane, Spline, Vec3, arc_sweep};
 use chordal_machine::AXES;
 
 use super::map::{InPlane, Map};
@@ -162,7 +162,7 @@ fn arc_between(
     turns: u32,
 ) -> ArcShape {
     let (start, end) = (point(from), point(to));
-    let fit = arc_from_center(plane, start, end, (center[0], center[1]), direction, turns, 0.0);
+    let fit = arc_sweep(plane, start, end, (center[0], center[1]), direction, turns);
     ArcShape {
         plane,
         center,

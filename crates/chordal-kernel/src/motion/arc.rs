@@ -3,7 +3,7 @@
 use chordal_command::{ArcShape, AxisMask, CommandKind, FeedAlong, Move, Position, Side};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::{
-    ArcFit, Direction, Plane, RadiusError, Vec3, arc_from_center, center_from_radius,
+    ArcSweep, Direction, Plane, RadiusError, Vec3, arc_sweep, center_from_radius,
 };
 
 use crate::frames::InPlane;
@@ -68,7 +68,7 @@ impl Kernel<'_> {
         let from = self.state.position;
         let center = self.center(arc.center, self.state.arc_center);
         let (start, end) = (point(&from), point(&target));
-        let fit = arc_from_center(plane, start, end, center, arc.direction, arc.turns, 0.0);
+        let fit = arc_sweep(plane, start, end, center, arc.direction, arc.turns);
         if fit.radius_start <= self.rules.arc.coincidence_mm {
             self.report_zero_radius(at);
             return self.straight_instead(at, target, named);
@@ -111,7 +111,7 @@ impl Kernel<'_> {
         };
         match found {
             Ok(center) => {
-                let fit = arc_from_center(plane, start, end, center, arc.direction, arc.turns, 0.0);
+                let fit = arc_sweep(plane, start, end, center, arc.direction, arc.turns);
                 let judged = self.fit_in_work(&fit, center, arc, &target);
                 self.check_radius_limit(at, judged.radius_start);
                 self.emit_arc(at, center, &fit, target, named);
@@ -144,11 +144,11 @@ impl Kernel<'_> {
     /// The arc as the work coordinate system has it: what the control judges.
     fn fit_in_work(
         &self,
-        fit: &ArcFit,
+        fit: &ArcSweep,
         center: (f64, f64),
         arc: &ArcWords,
         target: &Position,
-    ) -> ArcFit {
+    ) -> ArcSweep {
         if self.state.frames.is_plain() {
             return *fit;
         }
@@ -164,7 +164,7 @@ impl Kernel<'_> {
         }
         let direction = arc.direction.mirrored_if(self.state.frames.in_plane(plane).is_mirrored());
         let center = (place[a], place[b]);
-        arc_from_center(plane, point(&from), point(&to), center, direction, arc.turns, 0.0)
+        arc_sweep(plane, point(&from), point(&to), center, direction, arc.turns)
     }
 
     /// The centre of an arc by its radius where the plane is scaled unequally: the ends go by their
@@ -223,7 +223,7 @@ impl Kernel<'_> {
         &mut self,
         at: &dyn Statement,
         center: (f64, f64),
-        fit: &ArcFit,
+        fit: &ArcSweep,
         target: Position,
         named: AxisMask,
     ) {
@@ -314,7 +314,7 @@ impl Kernel<'_> {
     fn check_mismatch(
         &mut self,
         at: &dyn Statement,
-        fit: &ArcFit,
+        fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
     ) {
@@ -337,7 +337,7 @@ impl Kernel<'_> {
     fn report_mismatch(
         &mut self,
         at: &dyn Statement,
-        fit: &ArcFit,
+        fit: &ArcSweep,
         arc: &ArcWords,
         target: &Position,
     ) {
@@ -367,7 +367,7 @@ impl Kernel<'_> {
     }
 
     /// Says when the same words make a true arc under another rule for the centre.
-    fn center_hint(&self, fit: &ArcFit, arc: &ArcWords, target: &Position) -> Option<String> {
+    fn center_hint(&self, fit: &ArcSweep, arc: &ArcWords, target: &Position) -> Option<String> {
         let (a, b, _) = self.state.plane.axes();
         let in_force = self.state.arc_center;
         let (start, end) =

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use chordal_command::{ArcShape, AxisMask, CommandKind, Position, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
-use chordal_geometry::{Direction, arc_from_center};
+use chordal_geometry::{Direction, arc_sweep};
 
 use super::arc::point;
 use crate::kernel::Kernel;
@@ -130,7 +130,7 @@ impl Kernel<'_> {
         let center = self.center(spiral.center, self.state.arc_center);
         let direction = spiral.direction;
         let from = point(&self.state.position);
-        let fit = arc_from_center(self.state.plane, from, point(target), center, direction, 0, 0.0);
+        let fit = arc_sweep(self.state.plane, from, point(target), center, direction, 0);
         // The fit calls an end on the start's ray a full turn; here it is none.
         let full = fit.sweep.abs();
         let radius = fit.radius_start.min(fit.radius_end);

@@ -228,7 +228,7 @@ impl Compensator {
 
     /// Follows a command.
     #[inline]
-    pub fn command(&mut self, command: &Command, out: &mut dyn PathSink) {
+    pub fn command(&mut self, command: &Command, out: &mut impl PathSink) {
         if self.phase == Phase::Off && !concerns(&command.kind) {
             return out.command(PathCommand {
                 command,
