@@ -9,7 +9,7 @@ use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::{counted, grouped};
-use crate::options::Common;
+use crate::options::{Common, EVERY_PLACE, Showing};
 use crate::programs::{Programs, recognized};
 use crate::readings;
 use crate::terminal::{BOLD, Terminal, style};
@@ -41,6 +41,9 @@ pub struct Args {
     /// The lowest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
     fail_on: FailOn,
+
+    #[command(flatten)]
+    showing: Showing,
 
     #[command(flatten)]
     common: Common,
@@ -79,7 +82,8 @@ impl FailOn {
 }
 
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
-    let Args { files, format, fail_on, common } = args;
+    let Args { files, format, fail_on, showing, common } = args;
+    let kept = if format == Format::Json { EVERY_PLACE } else { showing.kept() };
     let programs = Programs::new(&files, &common, terminal)?;
     let called = programs.called();
     let mut totals = Totals::default();
@@ -87,7 +91,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut sarif = Sarif::new();
     let mut handle = |programs: &Programs, loaded: &Loaded| {
         let job = loaded.job()?;
-        let report = job.check();
+        let report = job.check_keeping(kept);
         totals.add(&report);
         match format {
             Format::Text => {
@@ -101,7 +105,8 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                     None => {}
                 }
                 if problems {
-                    programs.say(&report::text(&report, job.sources(), terminal.out))?;
+                    let detail = showing.detail();
+                    programs.say(&report::text(&report, job.sources(), terminal.out, detail))?;
                 }
             }
             Format::Github => programs.say(&report::github(&report, job.sources()))?,

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
+use chordal::KEPT_PER_CODE;
 use chordal::machine::{Dimension, QuantityError, parse_quantity};
+use chordal_export::report::Detail;
 use chordal_load::{Given, Request};
 use clap::ValueEnum;
 
@@ -64,6 +66,43 @@ impl Common {
         }
     }
 }
+
+/// How much is shown of the problems.
+#[derive(clap::Args, Clone, Copy, Debug)]
+#[command(next_help_heading = "Problems")]
+pub struct Showing {
+    /// Shows so many places of each code in full; without it three of errors and one of the rest
+    #[arg(long, value_name = "N", conflicts_with_all = ["quiet", "verbose"])]
+    max: Option<usize>,
+
+    /// One line for each code
+    #[arg(long, short)]
+    quiet: bool,
+
+    /// Every place in full
+    #[arg(long, short, conflicts_with = "quiet")]
+    verbose: bool,
+}
+
+impl Showing {
+    /// For the text of a report.
+    pub fn detail(self) -> Detail {
+        match (self.quiet, self.verbose, self.max) {
+            (true, ..) => Detail::Lines,
+            (_, true, _) => Detail::All,
+            (.., Some(most)) => Detail::Places(most),
+            _ => Detail::default(),
+        }
+    }
+
+    /// How many problems of each code must be kept for it.
+    pub fn kept(self) -> usize {
+        if self.verbose { EVERY_PLACE } else { KEPT_PER_CODE.max(self.max.unwrap_or(0)) }
+    }
+}
+
+/// Kept of each code where every place is asked for: a program of a million lines has room in memory.
+pub const EVERY_PLACE: usize = 100_000;
 
 /// `1000`, `O1000`, `o1000`, `:1000`.
 fn program_number(text: &str) -> Result<u32, String> {

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use chordal::{Job, Report, Severity};
-use chordal_export::report;
+use chordal_export::report::{self, Detail};
 use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
@@ -54,6 +54,6 @@ impl<'p, F: Format> Output<'p, F> {
 /// What was recognized, and the problems, on standard error, where they are in nobody's way.
 pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: Terminal) -> Verdict {
     terminal.tell(&recognized(loaded));
-    terminal.tell(&report::text(report, job.sources(), terminal.err));
+    terminal.tell(&report::text(report, job.sources(), terminal.err, Detail::default()));
     if report.worst() == Some(Severity::Error) { Verdict::Problems } else { Verdict::Clean }
 }

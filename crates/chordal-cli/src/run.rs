@@ -8,7 +8,7 @@ use chordal_export::{PlotOptions, report};
 use chordal_load::Loaded;
 
 use crate::failure::{Failure, Verdict};
-use crate::options::Common;
+use crate::options::{Common, Showing};
 use crate::output::{self, Outputs};
 use crate::programs::Programs;
 use crate::readings;
@@ -53,6 +53,9 @@ pub struct Args {
     outputs: Vec<PathBuf>,
 
     #[command(flatten)]
+    showing: Showing,
+
+    #[command(flatten)]
     common: Common,
 }
 
@@ -61,7 +64,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let plan = output::plan(&args.outputs, programs.inputs())?;
     let mut first = true;
     programs.each(|programs, index, loaded| {
-        let (text, verdict) = one(loaded, &plan[index], terminal)?;
+        let (text, verdict) = one(loaded, &plan[index], args.showing, terminal)?;
         programs.say(if first { "" } else { "\n" })?;
         programs.say(&text)?;
         first = false;
@@ -72,6 +75,7 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
 fn one(
     loaded: &Loaded,
     targets: &[output::Target],
+    showing: Showing,
     terminal: Terminal,
 ) -> Result<(String, Verdict), Failure> {
     let job = loaded.job()?;
@@ -102,7 +106,8 @@ fn one(
     }
     if report.worst().is_some() {
         text.push('\n');
-        text.push_str(&report::text(&report, job.sources(), terminal.out));
+        let detail = showing.detail();
+        text.push_str(&report::text(&report, job.sources(), terminal.out, detail));
     }
     let failed = report.worst() == Some(Severity::Error);
     Ok((text, if failed { Verdict::Problems } else { Verdict::Clean }))

@@ -8,7 +8,8 @@ use chordal::motion::{
     Level, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step, StepSource,
 };
 use chordal::{Job, Report, Severity};
-use chordal_export::{SampleFormat, SampleHead, SampleWriter, report};
+use chordal_export::report::{self, Detail};
+use chordal_export::{SampleFormat, SampleHead, SampleWriter};
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
@@ -170,7 +171,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
 
     let report = job.report();
     terminal.tell(&recognized(&loaded));
-    terminal.tell(&report::text(&report, job.sources(), terminal.err));
+    terminal.tell(&report::text(&report, job.sources(), terminal.err, Detail::default()));
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
     let numbers = Numbers { count: rows.count, time_s, chord: rows.chord };
     terminal.tell(&summary(&numbers, args.period, &motion, units, terminal.err));

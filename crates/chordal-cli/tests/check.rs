@@ -161,3 +161,56 @@ fn a_run_that_is_not_verified_ends_with_one() {
     assert_eq!(program["verified"], false, "{told}");
     assert_eq!(program["not_verified_from"]["line"], 4, "{told}");
 }
+
+/// A program with an error behind thirty warnings.
+fn many() -> Folder {
+    let folder = Folder::new();
+    let twice = "G2 X1. Y0 I.5 J0 R.5\nG1 X0 Y0\n".repeat(30);
+    folder.write(
+        "many.nc",
+        &format!("O1\nG20 G90 G17 S900 M3\nF10.\n{twice}G2 X9. Y1. I1. J0\nM30\n"),
+    );
+    folder
+}
+
+#[test]
+fn problems_are_grouped_by_code_and_errors_come_first() {
+    let folder = many();
+    let done = folder.run(&["check", "many.nc", "-m", "fanuc-30i"]).ends(1);
+    let heads: Vec<&str> = done.out.lines().filter(|line| line.contains("[CH")).collect();
+    assert!(heads[0].starts_with("error["), "{heads:?}");
+    let mut codes: Vec<&str> =
+        heads.iter().filter(|head| head.starts_with("warning")).copied().collect();
+    codes.dedup_by_key(|head| head.split(']').next());
+    let warnings = heads.iter().filter(|head| head.starts_with("warning")).count();
+    assert_eq!(codes.len(), warnings, "one place of each code: {heads:?}");
+    assert!(
+        done.out.contains(" = also CH409: lines 6, 8, 10, 12, 14, 16, 18, 20 and 21 more places"),
+        "{}",
+        done.out
+    );
+}
+
+#[test]
+fn how_much_is_shown_can_be_chosen() {
+    let folder = many();
+    let lines = |more: &[&str]| {
+        let arguments = [&["check", "many.nc", "-m", "fanuc-30i"], more].concat();
+        folder.run(&arguments).ends(1).out.lines().count()
+    };
+    let (quiet, usual, two, all) =
+        (lines(&["--quiet"]), lines(&[]), lines(&["--max", "2"]), lines(&["--verbose"]));
+    assert!(quiet < usual && usual < all && two < all, "{quiet} {usual} {two} {all}");
+    assert!(quiet <= 8, "a line for each code, and the counts: {quiet}");
+}
+
+#[test]
+fn json_keeps_every_place() {
+    let folder = Folder::new();
+    let far: String = (0..500).map(|_| "G2 X90. Y1. I1. J0\nG1 X0 Y0\n".to_string()).collect();
+    folder.write("far.nc", &format!("O1\nG20 G90 G17 S900 M3\nG1 X0 Y0 F10.\n{far}M30\n"));
+    let done = folder.run(&["check", "far.nc", "-m", "fanuc-30i", "--format", "json"]).ends(1);
+    let value: Value = serde_json::from_str(&done.out).expect("JSON");
+    let found = value["files"][0]["diagnostics"].as_array().expect("a list");
+    assert_eq!(found.iter().filter(|one| one["code"] == "CH401").count(), 500);
+}

@@ -59,5 +59,5 @@ pub use chordal_path::{
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
 pub use recheck::CheckMemory;
-pub use report::{Report, Watch};
+pub use report::{KEPT_PER_CODE, Report, Watch};
 pub use summary::{AxisTravel, Summary, ToolUse};

@@ -9,8 +9,8 @@ use crate::compensated::Compensated;
 use crate::job::Job;
 use crate::summary::{Summary, SummaryBuilder};
 
-/// How many diagnostics of one code are kept.
-pub(crate) const KEPT_PER_CODE: usize = 200;
+/// How many diagnostics of one code are kept, where nothing else is said.
+pub const KEPT_PER_CODE: usize = 200;
 
 /// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
@@ -77,7 +77,12 @@ impl Job<'_> {
 
     /// Runs with the checks only: what `chordal check` asks.
     pub fn check(&self) -> Report {
-        let sink = CheckSink::new(self, Collector::new(KEPT_PER_CODE));
+        self.check_keeping(KEPT_PER_CODE)
+    }
+
+    /// The same, and keeps so many diagnostics of each code; the others are counted.
+    pub fn check_keeping(&self, most_per_code: usize) -> Report {
+        let sink = CheckSink::new(self, Collector::new(most_per_code));
         let (outcomes, sink) = Compensated::judge(self, sink);
         let CheckSink { mut checks, notes: mut collector, output } = sink;
         checks.finish(|diagnostic| collector.push(diagnostic));

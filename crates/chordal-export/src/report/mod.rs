@@ -2,6 +2,7 @@
 
 mod excerpt;
 mod github;
+mod groups;
 mod json;
 mod place;
 mod sarif;
@@ -11,7 +12,7 @@ pub use github::github;
 pub use json::json;
 pub use place::{Place, place};
 pub use sarif::Sarif;
-pub use text::{excerpt, one, text};
+pub use text::{Detail, excerpt, one, text};
 
 pub(crate) use excerpt::{Excerpts, Mark};
 pub(crate) use text::renderer;

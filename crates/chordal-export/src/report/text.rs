@@ -5,28 +5,92 @@ use chordal::diagnostics::{Applicability, Counts, Fix};
 use chordal::{Diagnostic, Report, Severity, SourceMap, Span};
 
 use super::excerpt::{Excerpts, Mark};
+use super::groups::{Problems, grouped, groups, lines_of};
 use super::place::{call_text, place};
 
 /// Calls shown of a deep nesting.
 const MOST_CALLS: usize = 6;
 
-/// All problems of a run as text for people, with the lines they are in, and how many there
-/// are. Empty when there are none.
-pub fn text(report: &Report, sources: &SourceMap, color: bool) -> String {
-    let mut out = String::new();
-    for diagnostic in &report.diagnostics {
-        out.push_str(&one(diagnostic, sources, color));
-        out.push('\n');
+/// How much is shown of the problems.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Detail {
+    /// One line for each code, without the words of the program.
+    Lines,
+    /// The first places of each code in full, of the others the lines: of errors three, of the rest one.
+    #[default]
+    First,
+    /// So many places of each code in full.
+    Places(usize),
+    /// Every place that was kept.
+    All,
+}
+
+impl Detail {
+    fn places(self, severity: Severity) -> usize {
+        match (self, severity) {
+            (Detail::Lines, _) => 0,
+            (Detail::First, Severity::Error) => 3,
+            (Detail::First, Severity::Warning | Severity::Note) => 1,
+            (Detail::Places(most), _) => most.max(1),
+            (Detail::All, _) => usize::MAX,
+        }
     }
-    for (code, count) in &report.dropped {
-        let info = code.info();
-        out.push_str(&format!("and {} more of {} {}\n", grouped(*count), info.id, info.name));
+}
+
+/// The problems of a run as text for people: by code, errors first, with the lines they are in, and how many
+/// there are. Empty when there are none.
+pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -> String {
+    let mut out = String::new();
+    for group in groups(report) {
+        match detail {
+            Detail::Lines => out.push_str(&line(&group, sources)),
+            _ => out.push_str(&group_text(&group, sources, color, detail.places(group.severity))),
+        }
     }
     out.push_str(&closing(&report.counts));
     if let Some((file, line)) = report.not_verified_line(sources) {
         out.push_str(&not_verified(file, line));
     }
     out
+}
+
+/// The first places of a code in full, and where the others are.
+fn group_text(group: &Problems<'_>, sources: &SourceMap, color: bool, most: usize) -> String {
+    let (shown, hidden) = group.kept.split_at(most.min(group.kept.len()));
+    let mut out = String::new();
+    for (index, diagnostic) in shown.iter().enumerate() {
+        let mut text = one(diagnostic, sources, color);
+        if index + 1 == shown.len() && group.count() > shown.len() as u64 {
+            let id = group.code.id();
+            let lines = lines_of(hidden, group.dropped, sources);
+            text.push_str(&format!("{} = also {id}: {lines}\n", gutter(&text)));
+        }
+        out.push_str(&text);
+        out.push('\n');
+    }
+    out
+}
+
+/// The blanks before the signs of the margin, as the lines of a problem have them.
+fn gutter(text: &str) -> String {
+    let is_margin = |line: &&str| line.trim_start().starts_with(['=', '|']);
+    let line = text.lines().rev().find(is_margin).unwrap_or("   =");
+    " ".repeat((line.len() - line.trim_start().len()).saturating_sub(1))
+}
+
+/// `part.nc:33: warning[CH414]: the path turns by … (796 places)`.
+fn line(group: &Problems<'_>, sources: &SourceMap) -> String {
+    let Some(first) = group.kept.first() else { return String::new() };
+    let at = match place(first.primary.span, sources) {
+        Some(place) => format!("{}:{}: ", clean(place.file), place.start.line),
+        None => String::new(),
+    };
+    let places = match group.count() {
+        1 => String::new(),
+        count => format!(" ({} places)", grouped(count)),
+    };
+    let severity = group.severity.word();
+    format!("{at}{severity}[{}]: {}{places}\n", group.code.id(), clean(&first.message))
 }
 
 /// One problem as text for people, with a line end.
@@ -163,19 +227,6 @@ fn closing(counts: &Counts) -> String {
             })
             .collect();
     if parts.is_empty() { String::new() } else { parts.join(", ") + "\n" }
-}
-
-/// Digits in threes: `9,912`.
-fn grouped(count: u64) -> String {
-    let digits = count.to_string();
-    let mut out = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            out.push(',');
-        }
-        out.push(digit);
-    }
-    out
 }
 
 /// Text without what would steer a terminal: words of a program may hold anything.

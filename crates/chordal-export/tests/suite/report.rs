@@ -7,7 +7,7 @@ use crate::common::{WRONG, job};
 #[test]
 fn text_of_wrong_blocks() {
     let job = job("haas-vf2", "wrong.nc", WRONG);
-    insta::assert_snapshot!(report::text(&job.report(), job.sources(), false));
+    insta::assert_snapshot!(report::text(&job.report(), job.sources(), false, report::Detail::All));
 }
 
 #[test]
@@ -109,9 +109,9 @@ fn what_was_dropped_is_counted() {
         diagnostics: collector.into_sorted(),
         outcomes: Vec::new(),
     };
-    let text = report::text(&report, &sources, false);
-    let tail: Vec<&str> = text.lines().rev().take(2).collect();
-    assert_eq!(tail, ["9,990 warnings", "and 9,989 more of CH305 missing-decimal-point"]);
+    let text = report::text(&report, &sources, false, report::Detail::First);
+    let tail: Vec<&str> = text.lines().rev().take(3).collect();
+    assert_eq!(tail, ["9,990 warnings", "", "  = also CH305: 9,989 more places"]);
 }
 
 #[test]
