@@ -9,8 +9,9 @@ import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
-import { notVerified, showOutline, showProblems, showState, showTimes } from "./panels";
+import { notVerified, showOutline, showState, showTimes } from "./panels";
 import { type Bounds, Path, type Vec3, batchOf, kindOf } from "./path";
+import { Problems } from "./problems";
 import { Kinematics, unknownTurns } from "./turn";
 import { type Setpoints, momentAt, stepRow, timeOfRow } from "./playback";
 import type { ViewName } from "./eye";
@@ -60,6 +61,12 @@ const editor = new Editor(ui.code, {
 const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
 const link = new Link(take, takeFrame, () => {
   ui.tell("error", "Chordal has ended, or the connection was lost. Start chordal view again; the text typed since the last save is still here to copy.");
+});
+
+const problems = new Problems(ui.panels.problems, ({ place }) => {
+  if (!place?.own) return;
+  editor.goTo(place.line, place.column, true);
+  cursorAt(place.line);
 });
 
 const against = againstProgram({
@@ -289,12 +296,7 @@ function travelBox(at: (number | null)[] | null): Bounds | undefined {
 
 function tellProblems(): void {
   ui.counts(report, refused !== undefined);
-  showProblems(ui.panels.problems, report, refused, (problem) => {
-    const { place } = problem;
-    if (!place?.own) return;
-    editor.goTo(place.line, place.column, true);
-    cursorAt(place.line);
-  });
+  problems.show(report, refused);
 }
 
 /** The outline, where it is looked at. */

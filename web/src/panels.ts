@@ -1,6 +1,6 @@
-// The panels beside the path: problems, what is in force, times.
+// The panels beside the path: outline, what is in force, times; problems stand in problems.ts.
 
-import type { Entry, MachineInfo, Modal, Problem, Report, Times } from "./link";
+import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
 import { type Units, angles, coordinate, count, counted, duration, length, speed } from "./units";
 
@@ -21,47 +21,6 @@ export function notVerified(report: Pick<Report, "not_verified_from">): string {
   if (!from) return "";
   const line = from.own ? `line ${from.line}` : `line ${from.line} of ${from.file}`;
   return `Not verified from ${line} on: the path after it is not known.`;
-}
-
-export function showProblems(
-  root: HTMLElement,
-  report: Report | undefined,
-  refused: { message: string; help?: string | null } | undefined,
-  go: (problem: Problem) => void,
-): void {
-  root.replaceChildren();
-  if (refused) {
-    const item = element("p", "refused");
-    item.append(element("strong", "", refused.message));
-    if (refused.help) item.append(element("span", "help", ` ${refused.help}`));
-    root.append(item);
-  }
-  if (!report) return;
-  const unknown = notVerified(report);
-  if (unknown) root.append(element("p", "refused", unknown));
-  if (report.diagnostics.length === 0 && !refused) {
-    root.append(element("p", "clean", "No problems: this machine would run the program."));
-  }
-  const list = element("ul", "problems");
-  for (const problem of report.diagnostics.slice(0, 300)) {
-    const item = element("li");
-    const button = element("button", `problem ${problem.severity}`);
-    button.type = "button";
-    const place = problem.place
-      ? `line ${problem.place.line}${problem.place.own ? "" : ` of ${problem.place.file}`}`
-      : "program";
-    button.append(element("span", "severity", problem.severity), element("span", "where", place));
-    button.append(element("span", "message", problem.message));
-    if (problem.alarm) button.append(element("span", "alarm", `The control: ${problem.alarm}`));
-    if (problem.help) button.append(element("span", "help", problem.help));
-    button.addEventListener("click", () => go(problem));
-    item.append(button);
-    list.append(item);
-  }
-  root.append(list);
-  const more = report.left_out + Math.max(0, report.diagnostics.length - 300);
-  if (more > 0) root.append(element("p", "more", `${counted(more, "more problem")} like these`));
-  for (const line of report.output.slice(0, 50)) root.append(element("p", "output", line));
 }
 
 /** Entries that are shown; a text with more is one of numbers. */
