@@ -9,6 +9,7 @@ use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::compensation::PathCommand;
 use crate::frame::Frame;
+use crate::rapid_check::{LowRapid, RapidLog, Way};
 use crate::segment::{curve_of, is_known, point};
 
 /// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
@@ -17,8 +18,8 @@ const TANGENT_RAD: f64 = 0.001_745;
 /// Joints that turn by more are corners on purpose, rad (2°).
 const CORNER_RAD: f64 = 0.034_9;
 
-/// Rapid plunges remembered until the region that is cut is known.
-const PLUNGES_KEPT: usize = 1000;
+/// Rapids one after the other at depth that are remembered until a cut follows.
+const LEGS_KEPT: usize = 16;
 
 /// Below the clearance plane by less is on it, mm.
 const ON_PLANE_MM: f64 = 1e-6;
@@ -40,19 +41,18 @@ pub struct ChecksMemory {
     compensated: bool,
     /// Direction and place of the end of the last cut, and the plane where it was an arc.
     last: Option<(Vec3, Vec3, Option<Plane>)>,
-    /// The last motion cut below the clearance plane, or went on from there in rapid:
-    /// `Some(rapid)` holds that rapid until the next motion shows where it led.
-    at_depth: Option<Option<(f64, Origin)>>,
+    /// The last cut was below the clearance plane, and only the rapids of `legs` came after it.
+    at_depth: bool,
+    /// Rapids sideways at depth, until the next motion shows where they led.
+    legs: Vec<LowRapid>,
     told_axes: AxisMask,
 }
 
 /// What a stretch of a run has touched, for what can be judged only at its end.
 #[derive(Clone, Debug)]
 pub struct Seen {
-    /// What is cut, in program coordinates.
-    cut: Aabb,
-    /// Rapid plunges: where to, how deep, and by which block.
-    plunges: Vec<(Vec3, f64, Origin)>,
+    /// What is cut, in program coordinates, and the rapids below the clearance plane.
+    rapids: RapidLog,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
 }
@@ -60,16 +60,14 @@ pub struct Seen {
 impl Default for Seen {
     fn default() -> Seen {
         let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
-        Seen { cut: Aabb::EMPTY, plunges: Vec::new(), extent }
+        Seen { rapids: RapidLog::default(), extent }
     }
 }
 
 impl Seen {
     /// With what the stretch after has touched.
     pub fn and(&mut self, next: &Seen) {
-        self.cut = self.cut.union(next.cut);
-        let room = PLUNGES_KEPT.saturating_sub(self.plunges.len());
-        self.plunges.extend(next.plunges.iter().take(room));
+        self.rapids.and(&next.rapids);
         for (extent, other) in self.extent.iter_mut().zip(next.extent) {
             *extent = (extent.0.min(other.0), extent.1.max(other.1));
         }
@@ -77,18 +75,15 @@ impl Seen {
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
     pub fn shift(&mut self, shift: &Shift) -> Option<()> {
-        for (_, _, origin) in &mut self.plunges {
-            *origin = origin.shifted(shift)?;
-        }
-        Some(())
+        self.rapids.shift(shift)
     }
 }
 
 impl ChecksMemory {
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
     pub fn shift(&mut self, shift: &Shift) -> Option<()> {
-        if let Some(Some((_, origin))) = &mut self.at_depth {
-            *origin = origin.shifted(shift)?;
+        for leg in &mut self.legs {
+            leg.origin = leg.origin.shifted(shift)?;
         }
         Some(())
     }
@@ -107,7 +102,8 @@ impl<'a> Checks<'a> {
             units,
             compensated: false,
             last: None,
-            at_depth: None,
+            at_depth: false,
+            legs: Vec::new(),
             told_axes: AxisMask::NONE,
         };
         Checks { machine, now, seen: Seen::default() }
@@ -162,19 +158,20 @@ impl<'a> Checks<'a> {
                 self.now.last = None;
                 self.extend(&motion.to, motion.to_known);
                 self.travel(&motion.to, motion, command.origin, &mut report);
-                self.rapid(motion, command.origin, &mut report);
+                self.rapid(motion, command.origin);
             }
             CommandKind::Line { motion, .. } => {
                 self.extend(&motion.to, motion.to_known);
                 self.travel(&motion.to, motion, command.origin, &mut report);
+                self.end_legs();
                 if is_known(motion) {
-                    self.seen.cut =
-                        self.seen.cut.include(point(&motion.from)).include(point(&motion.to));
+                    let (from, to) = (point(&motion.from), point(&motion.to));
+                    self.seen.rapids.cut(|cut| cut.include(from).include(to));
                 }
                 if as_programmed {
                     self.joint_of_line(motion, command.origin, &mut report);
                 }
-                self.cut_at_depth(motion, &mut report);
+                self.cut_at_depth(motion);
             }
             CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
                 let curve = curve_of(motion, Some(shape));
@@ -182,13 +179,13 @@ impl<'a> Checks<'a> {
                 if as_programmed {
                     self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
                 }
-                self.cut_at_depth(motion, &mut report);
+                self.cut_at_depth(motion);
             }
             CommandKind::Spline { motion, curve, .. } => {
                 // Joints of splines are not judged: they pass from one to the next as the program says.
                 self.now.last = None;
                 self.reach(curve.bounds(), motion, command.origin, &mut report);
-                self.cut_at_depth(motion, &mut report);
+                self.cut_at_depth(motion);
             }
             CommandKind::Units(units) => self.now.units = *units,
             _ => {
@@ -220,8 +217,9 @@ impl<'a> Checks<'a> {
             self.extend(&place, motion.to_known);
             self.travel(&place, motion, origin, report);
         }
+        self.end_legs();
         if is_known(motion) {
-            self.seen.cut = self.seen.cut.union(bounds);
+            self.seen.rapids.cut(|cut| cut.union(bounds));
         }
     }
 
@@ -278,33 +276,32 @@ impl<'a> Checks<'a> {
         self.now.units.length_text(value * self.machine.written_factor(axis as usize))
     }
 
-    /// A rapid that ends below the clearance plane. Without a model of the stock, three
-    /// things speak for a slip: it comes down at a slant, it joins two cuts at depth, or
-    /// (judged at the end) it plunges inside the region that the program cuts. Leaving a bore or a post sideways
-    /// and then lifting is common and right.
-    fn rapid(&mut self, motion: &Move, origin: Origin, report: &mut impl FnMut(Diagnostic)) {
-        let at_depth = self.now.at_depth.take();
+    /// A rapid that ends below the clearance plane is remembered until the run has shown what is cut. Leaving a
+    /// bore or a post sideways and then lifting is common and right.
+    fn rapid(&mut self, motion: &Move, origin: Origin) {
+        self.seen.rapids.end_cut();
+        let at_depth = std::mem::take(&mut self.now.at_depth);
+        let mut legs = std::mem::take(&mut self.now.legs);
         // The R level of a cycle is a clearance plane of its own.
         if origin.cycle || !is_known(motion) {
             return;
         }
-        let plane = self.clearance_mm();
+        let (plane, units) = (self.clearance_mm(), self.now.units);
         let (from, to) = (point(&motion.from), point(&motion.to));
         if to.z >= plane - ON_PLANE_MM {
             return;
         }
-        let depth = plane - to.z;
+        let rapid = |way| LowRapid { way, from, to, plane, units, origin };
         let sideways = (from.x, from.y) != (to.x, to.y);
         if sideways && to.z < from.z {
-            let depth = self.axis_text(Axis::Z, depth);
-            report(self.rapid_into_part(
-                origin,
-                format!("a rapid moves down at an angle to {depth} below the clearance plane"),
-            ));
-        } else if sideways {
-            self.now.at_depth = at_depth.map(|rapid| rapid.or(Some((depth, origin))));
-        } else if to.z < from.z && self.seen.plunges.len() < PLUNGES_KEPT {
-            self.seen.plunges.push((to, depth, origin));
+            self.seen.rapids.rapid(rapid(Way::Slanting));
+        } else if sideways && at_depth {
+            if legs.len() < LEGS_KEPT {
+                legs.push(rapid(Way::Sideways));
+            }
+            (self.now.at_depth, self.now.legs) = (true, legs);
+        } else if !sideways && to.z < from.z {
+            self.seen.rapids.rapid(rapid(Way::Down));
         }
     }
 
@@ -312,26 +309,36 @@ impl<'a> Checks<'a> {
         self.machine.clearance_mm.unwrap_or(0.0)
     }
 
-    /// A cut: a rapid that led here at depth from another cut is reported now.
+    /// A cut: the rapids that led here at depth from another cut count.
     #[inline]
-    fn cut_at_depth(&mut self, motion: &Move, report: &mut impl FnMut(Diagnostic)) {
-        if let Some(Some((depth, origin))) = self.now.at_depth {
-            let depth = self.axis_text(Axis::Z, depth);
-            report(self.rapid_into_part(
-                origin,
-                format!(
-                    "between two cuts a rapid moves sideways {depth} below the clearance plane"
-                ),
-            ));
+    fn end_legs(&mut self) {
+        if !self.now.legs.is_empty() {
+            self.now.legs.drain(..).for_each(|leg| self.seen.rapids.rapid(leg));
         }
-        let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
-        self.now.at_depth = (below && is_known(motion)).then_some(None);
     }
 
-    fn rapid_into_part(&self, origin: Origin, message: String) -> Diagnostic {
+    #[inline]
+    fn cut_at_depth(&mut self, motion: &Move) {
+        let below = motion.to[2] < self.clearance_mm() - ON_PLANE_MM;
+        self.now.at_depth = below && is_known(motion);
+    }
+
+    fn rapid_into_part(&self, rapid: &LowRapid) -> Diagnostic {
+        let depth = rapid.units.length_text(rapid.depth());
+        let message = match rapid.way {
+            Way::Sideways => format!(
+                "between two cuts a rapid moves sideways {depth} below the clearance plane, where nothing was cut before"
+            ),
+            Way::Slanting => format!(
+                "a rapid moves down at an angle to {depth} below the clearance plane, where nothing was cut before"
+            ),
+            Way::Down => format!(
+                "a rapid plunges {depth} below the clearance plane, inside the region that is cut next"
+            ),
+        };
         let given =
             if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
-        Diagnostic::new(Code::RapidIntoPart, origin.span, message)
+        Diagnostic::new(Code::RapidIntoPart, rapid.origin.span, message)
             .label(format!("below {given} clearance plane"))
             .help("use G1 if this is a cut, or lift the tool first")
     }
@@ -414,19 +421,8 @@ impl<'a> Checks<'a> {
 
     /// What can be judged only at the end of the run.
     pub fn finish(&mut self, mut report: impl FnMut(Diagnostic)) {
-        for (place, depth, origin) in std::mem::take(&mut self.seen.plunges) {
-            let inside = place.x > self.seen.cut.min.x
-                && place.x < self.seen.cut.max.x
-                && place.y > self.seen.cut.min.y
-                && place.y < self.seen.cut.max.y;
-            if inside {
-                let depth = self.axis_text(Axis::Z, depth);
-                report(self.rapid_into_part(
-                    origin,
-                    format!("a rapid plunges {depth} below the clearance plane, inside the region that the program cuts"),
-                ));
-            }
-        }
+        let rapids = std::mem::take(&mut self.seen.rapids);
+        rapids.judge(|rapid| report(self.rapid_into_part(&rapid)));
         for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {
             let (low, high) = self.seen.extent[axis as usize];
             let limits = self.machine.axes[axis as usize].as_ref();

@@ -38,6 +38,7 @@ mod contour_level;
 mod frame;
 pub mod gouge;
 mod rapid;
+mod rapid_check;
 mod segment;
 mod side_check;
 

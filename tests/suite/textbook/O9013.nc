@@ -110,7 +110,7 @@ N96 G02 X-1.1818 Y1.2243 I.519 J.2417 (= arc cw center X-1.1320 Y0.6540 radius 0
 N97 G01 X-.1151 Y1.3175 (= line tangent .01)
 N98 Y1.4175
 (FINISH)
-N99 G00 X-1.6945 Y1.2699 (= rapid to X-1.6945 Y1.2699 | ! CH602 "between two cuts")
+N99 G00 X-1.6945 Y1.2699 (= rapid to X-1.6945 Y1.2699)
 N100 G01 Y1.1695
 N101 X-.1142 Y1.3075
 N102 G02X.1142Y1.3075 I.1142 J-1.3075 (= arc cw center X0.0000 Y0.0000 radius 1.31248..1.31248 sweep 9.98 to X0.1142 Y1.3075 tangent .01)

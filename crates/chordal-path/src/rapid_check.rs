@@ -1,0 +1,291 @@
+//! Rapids below the clearance plane, held against what was cut before them.
+//!
+//! Without a stock the region of a cut is the box of all moves from one rapid to the next, cleared down to its
+//! lowest point. A rapid through such a region is safe at that depth; one through a part of the program's
+//! region that no cut before it has cleared goes into the part. Outside that region there is nothing to hit that
+//! the program speaks of. It is judged at the end of the run, when the whole region is known.
+
+use chordal_command::{Origin, Units};
+use chordal_diagnostics::Shift;
+use chordal_geometry::{Aabb, Vec3};
+
+/// Rapids remembered of a run.
+const MOST_RAPIDS: usize = 1000;
+
+/// Regions remembered of a run; the last one takes in what comes after.
+const MOST_CUTS: usize = 4096;
+
+/// Places of a rapid that are looked at.
+const PLACES: u32 = 16;
+
+/// Less than this is no depth and no distance, mm.
+const NEAR_MM: f64 = 1e-6;
+
+/// How a rapid goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Way {
+    /// Sideways, from one cut to another.
+    Sideways,
+    /// Down at an angle.
+    Slanting,
+    /// Straight down.
+    Down,
+}
+
+/// A rapid that ends below the clearance plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LowRapid {
+    pub way: Way,
+    pub from: Vec3,
+    pub to: Vec3,
+    /// The clearance plane, mm.
+    pub plane: f64,
+    pub units: Units,
+    pub origin: Origin,
+}
+
+#[derive(Clone, Debug)]
+enum Event {
+    /// The box of the moves from one rapid to the next.
+    Cut(Aabb),
+    Rapid(LowRapid),
+}
+
+/// What a run, or a stretch of it, has cut, and the rapids between.
+#[derive(Clone, Debug)]
+pub(crate) struct RapidLog {
+    events: Vec<Event>,
+    rapids: usize,
+    /// The cut that goes on.
+    open: Aabb,
+    /// The first motion of the stretch was a rapid: what was open before it ends there.
+    begins: Option<bool>,
+}
+
+impl Default for RapidLog {
+    fn default() -> RapidLog {
+        RapidLog { events: Vec::new(), rapids: 0, open: Aabb::EMPTY, begins: None }
+    }
+}
+
+impl RapidLog {
+    /// A cut between known places.
+    #[inline]
+    pub fn cut(&mut self, region: impl FnOnce(Aabb) -> Aabb) {
+        self.open = region(self.open);
+        if self.begins.is_none() {
+            self.begins = Some(false);
+        }
+    }
+
+    /// A rapid ends the cut before it.
+    #[inline]
+    pub fn end_cut(&mut self) {
+        if self.begins.is_none() {
+            self.begins = Some(true);
+        }
+        if self.open != Aabb::EMPTY {
+            let region = std::mem::replace(&mut self.open, Aabb::EMPTY);
+            self.push_cut(region);
+        }
+    }
+
+    /// A rapid below the clearance plane.
+    pub fn rapid(&mut self, rapid: LowRapid) {
+        if self.rapids < MOST_RAPIDS {
+            self.rapids += 1;
+            self.events.push(Event::Rapid(rapid));
+        }
+    }
+
+    fn push_cut(&mut self, region: Aabb) {
+        if self.events.len() - self.rapids < MOST_CUTS {
+            return self.events.push(Event::Cut(region));
+        }
+        let last = self.events.iter_mut().rev().find_map(|event| match event {
+            Event::Cut(last) => Some(last),
+            Event::Rapid(_) => None,
+        });
+        if let Some(last) = last {
+            *last = last.union(region);
+        }
+    }
+
+    /// With the stretch after.
+    pub fn and(&mut self, next: &RapidLog) {
+        match next.begins {
+            None => return,
+            Some(true) => self.end_cut(),
+            Some(false) => {}
+        }
+        if self.begins.is_none() {
+            self.begins = next.begins;
+        }
+        for event in &next.events {
+            match event {
+                Event::Cut(region) => {
+                    let region = self.open.union(*region);
+                    self.open = Aabb::EMPTY;
+                    self.push_cut(region);
+                }
+                Event::Rapid(rapid) => self.rapid(*rapid),
+            }
+        }
+        self.open = self.open.union(next.open);
+    }
+
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        for event in &mut self.events {
+            if let Event::Rapid(rapid) = event {
+                rapid.origin = rapid.origin.shifted(shift)?;
+            }
+        }
+        Some(())
+    }
+
+    /// The rapids that go into the part.
+    pub fn judge(mut self, mut report: impl FnMut(LowRapid)) {
+        self.end_cut();
+        let whole = self.cuts(&self.events).fold(Aabb::EMPTY, Aabb::union);
+        for (index, event) in self.events.iter().enumerate() {
+            let Event::Rapid(rapid) = event else { continue };
+            let (before, after) = self.events.split_at(index);
+            // Where it plunges beside a contour the cut that follows begins: on the edge of its region.
+            let region = match rapid.way {
+                Way::Down => self.cuts(after).next().unwrap_or(whole),
+                Way::Sideways | Way::Slanting => whole,
+            };
+            let cleared = |place: Vec3| self.cuts(before).any(|cut| clears(&cut, place));
+            if rapid.places().any(|place| is_inside(&region, place) && !cleared(place)) {
+                report(*rapid);
+            }
+        }
+    }
+
+    fn cuts<'e>(&self, events: &'e [Event]) -> impl Iterator<Item = Aabb> + use<'e> {
+        events.iter().filter_map(|event| match event {
+            Event::Cut(region) => Some(*region),
+            Event::Rapid(_) => None,
+        })
+    }
+}
+
+impl LowRapid {
+    /// How far below the clearance plane it goes, mm.
+    pub fn depth(&self) -> f64 {
+        self.plane - self.to.z
+    }
+
+    /// Places along it that lie below the clearance plane, its end with them.
+    fn places(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let along =
+            |step: u32| self.from + (self.to - self.from) * (f64::from(step) / f64::from(PLACES));
+        let first = if self.way == Way::Down { PLACES } else { 1 };
+        (first..=PLACES)
+            .map(move |step| if step == PLACES { self.to } else { along(step) })
+            .filter(|place| place.z < self.plane - NEAR_MM)
+    }
+}
+
+/// Strictly inside, as seen from above; along an axis in which the region has no width, on it.
+fn is_inside(region: &Aabb, place: Vec3) -> bool {
+    let within = |place: f64, low: f64, high: f64| match high - low > NEAR_MM {
+        true => place > low + NEAR_MM && place < high - NEAR_MM,
+        false => (place - low).abs() <= NEAR_MM,
+    };
+    within(place.x, region.min.x, region.max.x) && within(place.y, region.min.y, region.max.y)
+}
+
+/// The cut went over the place, as deep or deeper.
+fn clears(cut: &Aabb, place: Vec3) -> bool {
+    let near = NEAR_MM;
+    cut.min.z <= place.z + near
+        && (cut.min.x - near..=cut.max.x + near).contains(&place.x)
+        && (cut.min.y - near..=cut.max.y + near).contains(&place.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn v(x: f64, y: f64, z: f64) -> Vec3 {
+        Vec3::new(x, y, z)
+    }
+
+    fn rapid(way: Way, from: Vec3, to: Vec3) -> LowRapid {
+        LowRapid { way, from, to, plane: 0.0, units: Units::Millimetre, origin: Origin::default() }
+    }
+
+    /// A pocket from 0,0 to 10,10 cut to 5 deep, then a rapid, then a cut far away.
+    fn log(then: LowRapid) -> RapidLog {
+        let mut log = RapidLog::default();
+        log.cut(|open| open.include(v(0.0, 0.0, 0.0)).include(v(10.0, 10.0, -5.0)));
+        log.end_cut();
+        log.rapid(then);
+        log.cut(|open| open.include(v(40.0, 0.0, -5.0)).include(v(50.0, 10.0, -5.0)));
+        log
+    }
+
+    fn found(log: RapidLog) -> usize {
+        let mut count = 0;
+        log.judge(|_| count += 1);
+        count
+    }
+
+    #[test]
+    fn a_rapid_within_what_is_cut_is_safe() {
+        assert_eq!(found(log(rapid(Way::Sideways, v(1.0, 1.0, -5.0), v(9.0, 9.0, -5.0)))), 0);
+        // Deeper than the cut.
+        assert_eq!(found(log(rapid(Way::Sideways, v(1.0, 1.0, -6.0), v(9.0, 9.0, -6.0)))), 1);
+    }
+
+    #[test]
+    fn a_rapid_along_a_slot_is_found() {
+        let mut log = RapidLog::default();
+        log.cut(|open| open.include(v(0.0, 0.0, 0.0)).include(v(0.0, 0.0, -1.0)));
+        log.end_cut();
+        log.rapid(rapid(Way::Sideways, v(0.0, 0.0, -1.0), v(1.0, 0.0, -1.0)));
+        log.cut(|open| open.include(v(1.0, 0.0, -1.0)).include(v(2.0, 0.0, -1.0)));
+        assert_eq!(found(log), 1);
+    }
+
+    #[test]
+    fn a_rapid_beside_the_faces_is_safe() {
+        let mut log = RapidLog::default();
+        log.cut(|open| open.include(v(-10.0, 0.0, -1.0)).include(v(110.0, 0.0, -1.0)));
+        log.end_cut();
+        log.rapid(rapid(Way::Sideways, v(110.0, 0.0, -1.0), v(110.0, 10.0, -1.0)));
+        log.cut(|open| open.include(v(110.0, 10.0, -1.0)).include(v(-10.0, 10.0, -1.0)));
+        assert_eq!(found(log), 0);
+    }
+
+    #[test]
+    fn a_rapid_from_pocket_to_pocket_is_found() {
+        assert_eq!(found(log(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)))), 1);
+    }
+
+    #[test]
+    fn a_plunge_is_found_inside_what_is_cut_next_and_not_on_its_edge() {
+        let down = |x: f64, y: f64| rapid(Way::Down, v(x, y, 5.0), v(x, y, -5.0));
+        assert_eq!(found(log(down(45.0, 5.0))), 1);
+        assert_eq!(found(log(down(40.0, 5.0))), 0, "where the contour begins");
+        assert_eq!(found(log(down(5.0, 5.0))), 0, "cut before");
+    }
+
+    #[test]
+    fn stretches_make_the_same_as_the_whole() {
+        let mut first = RapidLog::default();
+        first.cut(|open| open.include(v(0.0, 0.0, 0.0)));
+        let mut second = RapidLog::default();
+        second.cut(|open| open.include(v(10.0, 10.0, -5.0)));
+        second.end_cut();
+        second.rapid(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
+        let mut third = RapidLog::default();
+        third.cut(|open| open.include(v(40.0, 0.0, -5.0)).include(v(50.0, 10.0, -5.0)));
+        first.and(&second);
+        first.and(&third);
+        let whole = log(rapid(Way::Sideways, v(9.0, 5.0, -5.0), v(45.0, 5.0, -5.0)));
+        assert_eq!(format!("{first:?}"), format!("{whole:?}"));
+    }
+}
