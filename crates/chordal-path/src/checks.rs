@@ -1,12 +1,14 @@
 //! Checks that need the path: travel, rapids into the part, nearly tangent joints.
 
 use chordal_command::{
-    AxisMask, Command, CommandKind, Move, Origin, Position, Side, Units, number_text,
+    AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
+    number_text,
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
+use crate::builder::duration_s;
 use crate::compensation::PathCommand;
 use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
@@ -20,6 +22,12 @@ const CORNER_RAD: f64 = 0.034_9;
 
 /// Rapids one after the other at depth that are remembered until a cut follows.
 const LEGS_KEPT: usize = 16;
+
+/// Feeds from here on are not judged as too slow, mm/s (20 mm/min).
+const SLOW_MM_PER_S: f64 = 20.0 / 60.0;
+
+/// A block that takes longer at such a feed was hardly meant, s.
+const LONG_CUT_S: f64 = 600.0;
 
 /// Below the clearance plane by less is on it, mm.
 const ON_PLANE_MM: f64 = 1e-6;
@@ -160,7 +168,10 @@ impl<'a> Checks<'a> {
                 self.travel(&motion.to, motion, command.origin, &mut report);
                 self.rapid(motion, command.origin);
             }
-            CommandKind::Line { motion, .. } => {
+            CommandKind::Line { motion, feed } => {
+                if feed.value < SLOW_MM_PER_S {
+                    self.slow(feed, motion, &curve_of(motion, None), command.origin, &mut report);
+                }
                 self.extend(&motion.to, motion.to_known);
                 self.travel(&motion.to, motion, command.origin, &mut report);
                 self.end_legs();
@@ -173,8 +184,12 @@ impl<'a> Checks<'a> {
                 }
                 self.cut_at_depth(motion);
             }
-            CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
+            CommandKind::Arc { motion, shape, feed }
+            | CommandKind::Spiral { motion, shape, feed } => {
                 let curve = curve_of(motion, Some(shape));
+                if feed.value < SLOW_MM_PER_S {
+                    self.slow(feed, motion, &curve, command.origin, &mut report);
+                }
                 self.reach(curve.bounds(), motion, command.origin, &mut report);
                 if as_programmed {
                     self.joint_of_arc(&curve, shape.plane, command.origin, &mut report);
@@ -192,6 +207,41 @@ impl<'a> Checks<'a> {
                 self.now.frame.follow(command);
             }
         }
+    }
+
+    /// A cut at a feed that nobody means.
+    #[cold]
+    fn slow(
+        &self,
+        feed: &Feed,
+        motion: &Move,
+        curve: &Curve,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        let (length, time) = (curve.length(), duration_s(feed, motion, curve));
+        if feed.mode != FeedMode::PerTime
+            || length == 0.0
+            || !is_known(motion)
+            || time <= LONG_CUT_S
+        {
+            return;
+        }
+        let minutes = (time / 60.0).round() as u64;
+        let time = match minutes / 60 {
+            0 => format!("{minutes} minutes"),
+            hours => format!("{hours} h {} min", minutes % 60),
+        };
+        let length = self.now.units.length_text(length);
+        let feed = self.now.units.length_text(feed.value * 60.0);
+        report(
+            Diagnostic::new(
+                Code::SlowCut,
+                origin.span,
+                format!("this cut takes {time}: {length} at {feed} a minute"),
+            )
+            .help("check F, and that G20 or G21 is the one that F was written for"),
+        );
     }
 
     #[inline]

@@ -37,6 +37,11 @@ sources."#;
     "the spindle speed is above the machine's maximum";
     r#"S is larger than `[spindle] max` of the machine file."#;
 
+    SlowCut = 607, "slow-cut", Warning;
+    "a cut takes very long at its feed";
+    r#"One block moves at a feed so low that it takes longer than ten minutes. Often F was meant in other units: F1.
+is one inch a minute in G20 and one millimetre a minute in G21. Feeds above 20 mm/min (0.8 in/min) are not judged."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;
