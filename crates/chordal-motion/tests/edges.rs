@@ -373,3 +373,35 @@ fn circle_after_circle_in_bounded_memory() {
         planner.finish(|_| {});
     }
 }
+
+/// A line eased at length into a wide helix: on the long piece between them Z rises, and turns back where none of
+/// the places looked at lies.
+#[test]
+fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
+    let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
+    let limits = Limits::new([
+        axis(125.0, 20_000.0, 1e6),
+        axis(2000.0, 20_000.0, 1e6),
+        axis(1.35, 280.0, 8.7e5),
+        axis(140.0, 13.0, 2.8e5),
+        axis(700.0, 7000.0, 2.8e5),
+        axis(700.0, 7000.0, 2.8e5),
+    ])
+    .unwrap();
+    let (radius, wide) = (797.922_633_6, Corner::Within { linear_mm: 0.8, rotary_rad: 0.008 });
+    let out = vec([0.0, 0.314_119_53, 0.949_383_44]);
+    let axis = vec([-0.050_329_193, 0.948_180_272, -0.313_721_444]);
+    let start = vec([14.040_311_5, 0.0, 0.0]);
+    let frame = Frame::from_normal(start - out * radius, axis, out).unwrap();
+    let helix = Arc::new(frame, radius, 0.017_596_081, -4.405_164_88);
+    let fast = |curve: Curve, corner| cut(curve, f64::INFINITY, corner);
+    let moves = [
+        fast(support::line([0.0; 3], helix.start().to_array()), wide),
+        fast(helix.into(), Corner::Stop),
+    ];
+    let used = plan(&moves, limits, Level::Fast)
+        .iter()
+        .map(|stretch| largest_use(stretch, &limits, 40))
+        .fold(Use::default(), Use::or);
+    assert!(used.velocity.max(used.acceleration).max(used.jerk) <= ABOVE, "{used:?}");
+}

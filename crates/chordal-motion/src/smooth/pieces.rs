@@ -238,6 +238,10 @@ fn near_bounds(
     let between = 1.1 * (curvature * step / 2.0).powi(2) / 2.0;
     let mut even = [[0.0_f64; AXES]; 3];
     let mut rate = 0.0_f64;
+    // What the correction's parabola exceeds two probes by, where it turns back between them.
+    let bulge = correction[3].map(|third| third.abs() * step * step / 8.0);
+    let mut bends = [0.0_f64; AXES];
+    let mut turned = [0.0_f64; AXES];
     for probe in 0..=PROBES {
         let way = step * f64::from(probe);
         let bent = curve.jet_at(at + way);
@@ -257,11 +261,19 @@ fn near_bounds(
                 if order == 0 && axis < 3 {
                     first[axis] = value;
                 }
+                if order == 1 {
+                    if probe > 0 && value * bends[axis] <= 0.0 {
+                        turned[axis] = bulge[axis];
+                    }
+                    bends[axis] = value;
+                }
             }
         }
         rate = rate.max(first.iter().map(|value| value * value).sum::<f64>().sqrt());
     }
-    Some(Bounds { even, turning: None, rate: rate + between })
+    even[0].iter_mut().zip(&turned).for_each(|(first, bulge)| *first += bulge);
+    let bulge = turned[..3].iter().map(|bulge| bulge * bulge).sum::<f64>().sqrt();
+    Some(Bounds { even, turning: None, rate: rate + between + bulge })
 }
 
 /// Adds a cell to a row, or its length to the last one where the limits are the same.
