@@ -397,6 +397,16 @@ impl Interpreter<'_> {
         self.reader.seek(target);
     }
 
+    /// Goes on at a label of the caller. A call and its return may stand in one block, which then is all that is
+    /// met again.
+    fn return_to(&mut self, target: TextPosition) {
+        let resumed = self.reader.position().offset;
+        if target.offset < resumed && self.frames.is_empty() {
+            self.repeat_until = self.repeat_until.max(resumed);
+        }
+        self.reader.seek(target);
+    }
+
     /// Back to the caller, or once more through the called text.
     pub(super) fn leave(&mut self, label: Option<(&Block, i64)>) {
         let Some(frame) = self.frames.last_mut() else { return };
@@ -427,7 +437,7 @@ impl Interpreter<'_> {
         self.file = self.program_at(self.program).file;
         if let Some((block, label)) = label {
             match self.label(self.program, label) {
-                Some(position) => self.reader.seek(position),
+                Some(position) => self.return_to(position),
                 None => {
                     let here = std::mem::replace(&mut self.file, callee_file);
                     self.report_missing_label(block, b'P', &label.to_string());
