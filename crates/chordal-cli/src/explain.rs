@@ -1,11 +1,11 @@
-//! What a diagnostic, a code, a letter or a setting means: from the registry and the tables,
+//! What a diagnostic, a code, a letter, a setting or an alarm means: from the registry and the tables,
 //! so that it is what the program itself goes by.
 
 use chordal::Code;
 use chordal::control::{COMMON_SETTINGS, Control};
 use chordal_editor::meaning::{
-    View, code_name, code_of, code_text, codes, diagnostic_text, letter_text, one_letter,
-    setting_text,
+    View, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
+    one_letter, setting_text,
 };
 use chordal_load::machine;
 
@@ -19,13 +19,15 @@ Examples:
   chordal explain G154                        a code, on every control that has it
   chordal explain M17 --machine fadal-4020    a code on one control
   chordal explain R                           a letter
-  chordal explain \"Setting 40\"                a setting";
+  chordal explain \"Setting 40\"                a setting
+  chordal explain PS0010                      an alarm of a control, by its number
+  chordal explain alarm 304                   or as the control shows it";
 
-/// Explains a message, a code, a letter or a setting
+/// Explains a message, a code, a letter, a setting or an alarm
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `"Setting 40"`
+    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `"Setting 40"`, `alarm 304`
     #[arg(value_name = "CODE|WORD", required = true)]
     words: Vec<String>,
 
@@ -47,7 +49,8 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
         .map(diagnostic_text)
         .or_else(|| code_of(&word).and_then(|(letter, code)| code_text(letter, code, &views)))
         .or_else(|| one_letter(&word).and_then(|letter| letter_text(letter, &views)))
-        .or_else(|| setting_text(&word, &views));
+        .or_else(|| setting_text(&word, &views))
+        .or_else(|| alarm_text(&word, &views));
     match text {
         Some(text) => say(&text).map(|()| Verdict::Clean),
         None => Err(unknown(&word, &views)),
@@ -89,12 +92,12 @@ fn unknown(word: &str, views: &[View]) -> Failure {
         .map(|name| (likeness(name), name))
         .filter(|(likeness, _)| *likeness > 0.8)
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    let message = format!("`{word}` is not a message, code, letter or setting");
+    let message = format!("`{word}` is not a message, code, letter, setting or known alarm");
     match near {
         Some((_, near)) => Failure::wrong(message, format!("did you mean `{near}`?")),
         None => Failure::wrong(
             message,
-            "write a message (CH401), a code (G154), a letter (R) or a setting",
+            "write a message (CH401), a code (G154), a letter (R), a setting or an alarm (PS0010)",
         ),
     }
 }

@@ -1,6 +1,7 @@
 //! What a diagnostic, a code, a letter or a setting means: from the registry and the tables, so
 //! that it is what the interpreter itself goes by.
 
+mod alarm;
 mod code;
 mod letter;
 mod word;
@@ -11,6 +12,7 @@ use chordal::control::{
     COMMON_SETTINGS, CONTROLS, Control, Field, Parameters, Setting, telling_number, value_text,
 };
 
+pub use alarm::alarm_text;
 pub use chordal::control::table::code_name;
 pub(crate) use code::target_name;
 pub use code::{code_brief, code_text, codes, group_name};
