@@ -405,3 +405,29 @@ fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
         .fold(Use::default(), Use::or);
     assert!(used.velocity.max(used.acceleration).max(used.jerk) <= ABOVE, "{used:?}");
 }
+
+/// So slow that what eases the end of a spiral is narrower than rounding: it must leave nothing on the lines.
+#[test]
+fn a_spiral_into_a_line_at_a_crawl_ends_where_the_line_does() {
+    let spiral = Spiral::new(
+        Frame::from_normal(
+            vec([0.0, -34.770_575_8, 8812.409_270_6]),
+            vec([0.0, -0.999_992_216, -0.003_945_607_2]),
+            vec([0.0, 0.003_945_607_2, -0.999_992_216]),
+        )
+        .unwrap(),
+        (8812.477_866_4, 8674.513_964_2),
+        0.034_042_638_7,
+        0.009_155_27,
+    );
+    let (from, way) = (spiral.end(), spiral.tangent_at(spiral.length()));
+    let (middle, end) = (from + way * 0.0525, from + way * 300.0);
+    let slow = |curve: Curve, corner| cut(curve, 0.001, corner);
+    let tight = Corner::Within { linear_mm: 8e-6, rotary_rad: 1.0 };
+    let moves = [
+        slow(spiral.into(), Corner::Within { linear_mm: 10.0, rotary_rad: 0.08 }),
+        slow(support::line(from.to_array(), middle.to_array()), tight),
+        cut(support::line(middle.to_array(), end.to_array()), f64::INFINITY, Corner::Stop),
+    ];
+    ends(&moves, &plan(&moves, machine(), Level::Fast), 1e-8);
+}

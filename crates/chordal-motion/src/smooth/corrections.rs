@@ -102,7 +102,11 @@ impl Corrections {
             self.pass();
         }
         self.legs += 1;
-        if self.legs >= FRESH_FOR && self.active > 0 {
+        // A correction that is narrower than rounding ends where it begins, and leaves nothing.
+        let over = own.is_some_and(|node| is_over(node, until));
+        if self.active == 0 {
+            self.jet = Jet::default();
+        } else if over || self.legs >= FRESH_FOR {
             self.legs = 0;
             self.jet = sum(from, until, nodes);
         }
@@ -156,6 +160,11 @@ impl Corrections {
             self.jet = ahead(&self.jet, way, count);
         }
     }
+}
+
+/// A correction of the node has ended at a place.
+fn is_over(node: &Node, place: f64) -> bool {
+    [node.kink_half, node.bend_half].iter().any(|half| *half > 0.0 && node.at + half <= place)
 }
 
 /// The sum at the start of a leg, node by node. Breaks up to `until` are passed.
