@@ -57,7 +57,9 @@ impl Interpreter<'_> {
     pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
         match self.count_of(block, b'P') {
             Some(number) if (1..=300).contains(&number) => {
-                self.kernel.select_work(WorkName::Extended(number as u16));
+                let name = WorkName::Extended(number as u16);
+                self.warn_of_work_change(block, at, name);
+                self.kernel.select_work(name);
             }
             Some(number) => {
                 let span = self.words_span(block, Letters::of("P"));
@@ -350,6 +352,12 @@ impl Interpreter<'_> {
                 span,
                 format!("G10 L{} is not simulated", l.unwrap_or(0)),
             )),
+            Some(DataTarget::IntoRegister) => {
+                let l = l.unwrap_or(0);
+                let message =
+                    format!("G10 L{l} reads a value of the control into R, which is not followed");
+                self.lose_path(block.words[at].range, message);
+            }
             Some(DataTarget::Lines) => self.begin_data_lines(span, l.unwrap_or(0)),
             None => {
                 let known: Vec<String> = self
@@ -456,10 +464,11 @@ impl Interpreter<'_> {
     fn report_rotation_from_position(&mut self, block: &Block) {
         let span = self.words_span(block, Letters::of("R"));
         let message = "R does not go with G10 L20: a rotation cannot be computed from the position";
-        self.kernel.report(
+        self.report_refused(
             Diagnostic::new(Code::BadWordValue, span, message)
                 .label("nothing is written")
                 .help("write the rotation with G10 L2 P R"),
+            "R not allowed in G10 L20",
         );
     }
 

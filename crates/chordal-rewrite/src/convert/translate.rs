@@ -133,7 +133,11 @@ impl<'a> Context<'a> {
         if let (Some(absolute), Some(incremental)) =
             (code(ReadingCode::Absolute), code(ReadingCode::Incremental))
         {
-            draft.lead(absolute, format!("{} does not move by G53 in G91", self.to.table.title));
+            let does = match self.to.parameters.rules.machine_move_needs_absolute {
+                true => "ignores",
+                false => "refuses",
+            };
+            draft.lead(absolute, format!("{} {does} G53 in G91", self.to.table.title));
             draft.after.push(incremental);
         }
     }
