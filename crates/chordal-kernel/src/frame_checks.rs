@@ -1,6 +1,6 @@
 //! What is looked at while a frame is in force, and right after one has changed.
 
-use chordal_command::{AxisMask, Command, CommandKind, Position, Units, telling_number};
+use chordal_command::{AxisMask, Command, CommandKind, Position, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_machine::{AXES, Axis};
 
