@@ -138,15 +138,11 @@ impl Interpreter<'_> {
     /// G41.1 and G42.1: D is the tool's diameter; below zero the tool goes on the other side.
     pub(super) fn compensation_by_diameter(&mut self, block: &Block, at: usize, side: Side) {
         let span = self.span(block.words[at].range);
+        let name = if side == Side::Left { "G41.1" } else { "G42.1" };
         let Some(diameter) = self.length_of(block, b'D') else {
-            let title = self.control.table.title;
-            let name = if side == Side::Left { "G41.1" } else { "G42.1" };
-            self.kernel.report(
-                Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
-                    .alarm(format!("{title}: G41.1/G42.1 without D word"))
-                    .help("give the diameter of the tool with D"),
-            );
-            return;
+            let diagnostic = Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
+                .help("give the diameter of the tool with D");
+            return self.report_refused(diagnostic, &format!("{name} with no D word"));
         };
         if block.letters().has(b'L') && self.kernel.state.plane != chordal_geometry::Plane::Zx {
             let span = self.words_span(block, Letters::of("L"));
@@ -157,7 +153,7 @@ impl Interpreter<'_> {
                     "L, the tip of a turning tool, needs G18",
                 )
                 .help("remove L, or write G18 before"),
-                "G41.1/G42.1 with L word, but plane is not G18",
+                &format!("{name} with L word, but plane is not G18"),
             );
         }
         let side = match side {
@@ -178,8 +174,10 @@ impl Interpreter<'_> {
     pub(super) fn add_tool_offsets(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'H') else {
             let span = self.span(block.range);
-            let message = "G43.2 without H".to_string();
-            return self.kernel.missing_word(span, message, "give the number of the tool with H");
+            let diagnostic = Diagnostic::new(Code::MissingWord, span, "G43.2 without H")
+                .help("give the number of the tool with H");
+            let alarm = "G43.2: No axes specified and H word missing";
+            return self.report_refused(diagnostic, alarm);
         };
         let offsets = &self.kernel.state.offsets;
         let tool = offsets.tool(number);

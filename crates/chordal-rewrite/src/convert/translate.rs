@@ -188,7 +188,8 @@ impl<'a> Context<'a> {
             draft.replace(p, format!("P{}", number - 6), "the same work offset");
         } else if of(self.to, code) != Some(target) {
             let new = there(target);
-            let has_form = !matches!(target, DataTarget::Other | DataTarget::Lines);
+            let has_form =
+                !matches!(target, DataTarget::Other | DataTarget::IntoRegister | DataTarget::Lines);
             let Some(new) = new.filter(|_| has_form) else {
                 return Err(Expand(format!("{title} has no G10 L{code}")));
             };
