@@ -68,6 +68,11 @@ pub enum CommandKind {
         /// Its number.
         number: u32,
     },
+    /// The tool in the spindle has this number from here on; nothing is changed at the machine.
+    ToolNumber {
+        /// Its number.
+        number: u32,
+    },
     /// A tool is made ready.
     ToolSelect {
         /// Its number.

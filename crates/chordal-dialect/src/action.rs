@@ -60,6 +60,8 @@ pub enum ReadingCode {
 #[allow(missing_docs, reason = "the names are the field's own")]
 pub enum BeforeCode {
     ToolChange,
+    /// The tool in the spindle has the number Q (LinuxCNC M61).
+    SetToolNumber,
     SpindleCw,
     SpindleCcw,
     SpindleOrient,

@@ -26,8 +26,10 @@ mod parameters;
 mod post;
 mod scale;
 mod settings;
+mod spatial;
 pub mod table;
 mod vocabulary;
+mod word_rules;
 
 pub use action::{
     Action, AfterCode, BeforeCode, CallCode, Called, LengthCode, ModeCode, MotionCode, OnceCode,
@@ -42,4 +44,6 @@ pub use settings::{
     COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, Field, PathField, Setting,
     SettingError, value_text,
 };
+pub use spatial::SpatialRules;
 pub use table::{CodeRow, ControlTable, Group, code_name, code_number};
+pub use word_rules::{WordRule, WordTest};

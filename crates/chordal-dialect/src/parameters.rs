@@ -95,6 +95,8 @@ pub struct Parameters {
     pub m_groups: &'static [&'static [u16]],
     /// Most characters of a line; 0 for any.
     pub longest_line: u32,
+    /// Block delete is a slash at the begin of the line, without a number.
+    pub plain_block_delete: bool,
     /// How deep calls may be nested.
     pub nesting: u32,
     /// Largest count of a repeat or a call.
@@ -174,6 +176,7 @@ impl Parameters {
         words_of_codes: Letters::NONE,
         m_groups: &[],
         longest_line: 0,
+        plain_block_delete: false,
         nesting: 4,
         max_repeats: 9999,
         packed_calls: false,

@@ -5,6 +5,8 @@ use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
 use crate::settings::Setting;
+use crate::spatial::SpatialRules;
+use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
 use chordal_geometry::Direction;
@@ -191,8 +193,10 @@ pub enum DataTarget {
     Reload,
     /// A register R0 … R9 (Fadal L100–L109).
     Register,
-    /// Something that is not simulated.
+    /// Something that is not simulated, and changes neither path nor position.
     Other,
+    /// A value of the control is read into a register that words may name (Fadal L13 to L15).
+    IntoRegister,
     /// The lines up to the code that ends it are data for the control: parameters and the like.
     Lines,
 }
@@ -302,6 +306,10 @@ pub struct ControlTable {
     pub last_of_group_counts: bool,
     /// Codes that must be the only G code of their block.
     pub alone: &'static [u16],
+    /// What it asks of the words of a code.
+    pub word_rules: &'static [WordRule],
+    /// What it refuses of a rotation about an axis in space; nothing where it has none.
+    pub spatial: Option<&'static SpatialRules>,
     /// M6 stops the spindle by itself.
     pub spindle_stops_at_tool_change: bool,
     /// How its work offsets are named; with `by_e` a word E chooses one.

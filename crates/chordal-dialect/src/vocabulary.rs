@@ -13,7 +13,9 @@ pub(crate) use crate::settings::{
     CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
     Setting, setting,
 };
+pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::table::*;
+pub(crate) use crate::word_rules::{WordRule, WordTest};
 
 /// The words that tables of codes are written in.
 pub(crate) mod codes {

@@ -287,6 +287,7 @@ fn simple(kind: &CommandKind) -> Option<String> {
     Some(match kind {
         CommandKind::Dwell { seconds, .. } => format!("DWELL({seconds:.6})"),
         CommandKind::Tool { number } => format!("CHANGE_TOOL({number})"),
+        CommandKind::ToolNumber { number } => format!("CHANGE_TOOL_NUMBER({number})"),
         CommandKind::ToolSelect { number } => format!("SELECT_TOOL({number})"),
         CommandKind::ToolLength { offset: [x, y, z, ..], .. } => {
             format!("USE_TOOL_LENGTH_OFFSET({x:.6}, {y:.6}, {z:.6})")

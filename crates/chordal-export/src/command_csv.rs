@@ -142,6 +142,10 @@ impl<W: Write> CommandCsv<W> {
                 self.row[NUMBER] = number.to_string();
                 "tool"
             }
+            CommandKind::ToolNumber { number } => {
+                self.row[NUMBER] = number.to_string();
+                "tool_number"
+            }
             CommandKind::Spindle { state, rpm } => {
                 self.row[STATE] = spindle_word(*state).into();
                 self.row[RPM] = number(*rpm);

@@ -294,6 +294,10 @@ fn state(object: &mut Object, kind: &CommandKind) {
             object.word("kind", "tool");
             object.integer("number", (*number).into());
         }
+        CommandKind::ToolNumber { number } => {
+            object.word("kind", "tool_number");
+            object.integer("number", (*number).into());
+        }
         CommandKind::ToolSelect { number } => {
             object.word("kind", "tool_select");
             object.integer("number", (*number).into());

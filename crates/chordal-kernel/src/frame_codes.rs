@@ -8,7 +8,7 @@ use chordal_machine::{AXES, PerAxis};
 use crate::frames::{Factors, Frames, InPlane, Rotation, Scaling};
 use crate::kernel::Kernel;
 use crate::rules::UnequalArcs;
-use crate::statement::Statement;
+use crate::statement::{Statement, What};
 
 impl Kernel<'_> {
     /// Rotation in the plane in force, about a centre that is absolute even in G91; without a
@@ -16,6 +16,19 @@ impl Kernel<'_> {
     pub fn rotate(&mut self, at: &dyn Statement, center: [Option<f64>; 2], degrees: Option<f64>) {
         self.check_start_in_compensation(at);
         let rules = &self.rules.frames;
+        let most = rules.largest_angle_deg;
+        if let Some(degrees) = degrees.filter(|degrees| degrees.abs() > most) {
+            return self.report(
+                Diagnostic::new(
+                    Code::FrameValue,
+                    at.words(What::Angle),
+                    format!("a rotation by {degrees}°, and this control takes {most}° at most"),
+                )
+                .label("the coordinates are not rotated")
+                .help(format!("write {}°, which is the same direction", degrees % 360.0)),
+            );
+        }
+        let place = self.state.position;
         let before = self.state.frames.programmed_degrees();
         let kept = self.state.last_rotation_deg;
         let degrees = match (degrees, before) {
@@ -36,6 +49,7 @@ impl Kernel<'_> {
         self.change_frames(|frames| {
             frames.set_rotation(Some(Rotation { plane, center, degrees }));
         });
+        self.note_jump(&place);
     }
 
     /// Scaling about a centre; `word` gives the factors.
@@ -75,6 +89,7 @@ impl Kernel<'_> {
                 ),
             );
         }
+        let place = self.state.position;
         self.change_frames(|frames| frames.set_scaling(None));
         let here = self.state.position;
         let by_mode = rules.center_by_mode && self.state.incremental;
@@ -86,6 +101,7 @@ impl Kernel<'_> {
         self.change_frames(|frames| {
             frames.set_scaling(Some(Scaling { center, factors: of_axes }));
         });
+        self.note_jump(&place);
     }
 
     /// Mirrors the named axes, each at its line.
@@ -101,7 +117,11 @@ impl Kernel<'_> {
     }
 
     /// Ends the mirror of these axes.
-    pub fn end_mirror(&mut self, axes: AxisMask) {
+    pub fn end_mirror(&mut self, at: &dyn Statement, axes: AxisMask) {
+        let ends = self.state.frames.kinds().mirror;
+        if ends && !self.rules.frames.mirror_ends_in_compensation {
+            self.check_end_in_compensation(at, "mirror image");
+        }
         self.change_frames(|frames| {
             for axis in axes.iter() {
                 frames.set_mirror(axis as usize, None);
@@ -110,13 +130,38 @@ impl Kernel<'_> {
     }
 
     /// Ends the rotation.
-    pub fn end_rotation(&mut self) {
+    pub fn end_rotation(&mut self, at: &dyn Statement) {
+        let ends = self.state.frames.rotation().is_some();
+        if ends && !self.rules.frames.rotation_ends_in_compensation {
+            self.check_end_in_compensation(at, "rotation");
+        }
+        let place = self.state.position;
         self.change_frames(|frames| frames.set_rotation(None));
+        self.note_jump(&place);
     }
 
     /// Ends the scaling.
     pub fn end_scaling(&mut self) {
+        let place = self.state.position;
         self.change_frames(|frames| frames.set_scaling(None));
+        self.note_jump(&place);
+    }
+
+    /// A frame that ends while the tool is offset, where the control wants compensation off before.
+    fn check_end_in_compensation(&mut self, at: &dyn Statement, what: &str) {
+        if self.state.side == Side::Off {
+            return;
+        }
+        let span = at.span();
+        self.report(
+            Diagnostic::new(
+                Code::FrameInCompensation,
+                span,
+                format!("{what} ends while cutter compensation is on"),
+            )
+            .label("the offset contour breaks here")
+            .help("cancel compensation with G40 before this block"),
+        );
     }
 
     /// The machine stands still. A mirror that comes or goes changes the side of the tool.

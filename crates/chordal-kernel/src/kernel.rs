@@ -140,6 +140,7 @@ impl<'a> Kernel<'a> {
             return self.emit_at_corner(command.kind);
         }
         let command = self.in_work(command.kind, command.origin);
+        self.check_scaled_size(&command);
         self.sink.command(&command);
     }
 

@@ -114,6 +114,12 @@ impl Kernel<'_> {
         self.emit(CommandKind::Tool { number });
     }
 
+    /// The tool in the spindle has a number; neither tool nor length change.
+    pub fn set_tool_number(&mut self, number: u32) {
+        self.state.tool = number;
+        self.emit(CommandKind::ToolNumber { number });
+    }
+
     /// A path mode comes into force, or its distance changes.
     pub fn change_path_mode(&mut self, change: impl FnOnce(&mut PathState)) {
         change(&mut self.state.path);

@@ -142,6 +142,9 @@ pub struct State {
     pub offsets: Offsets,
     /// Mirror, scaling and rotation.
     pub frames: Frames,
+    /// By how much rotation and scaling have changed the coordinates of the position since the program
+    /// named both axes of the plane.
+    pub frame_jump: Option<Position>,
     /// The angle that the last rotation was given, degrees.
     pub last_rotation_deg: Option<f64>,
     /// End points are a radius and an angle.
@@ -214,6 +217,7 @@ impl State {
             machine_known: AxisMask::ALL,
             offsets,
             frames: Frames::default(),
+            frame_jump: None,
             last_rotation_deg: None,
             polar: None,
             units: rules.units,

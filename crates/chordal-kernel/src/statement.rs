@@ -21,6 +21,8 @@ pub enum What {
     Increment,
     /// How many turns, holes or passes.
     Count,
+    /// The angle of a rotation.
+    Angle,
     /// Further turns of a spiral.
     Pitches,
     /// Number of the tool length offset.

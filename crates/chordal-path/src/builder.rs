@@ -27,7 +27,7 @@ impl<'a> PathBuilder<'a> {
 
     /// Follows a command and hands its segments on.
     pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
-        if let CommandKind::Tool { number } = command.kind {
+        if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
             self.tool = number;
         }
         if self.frame.follow(command) {

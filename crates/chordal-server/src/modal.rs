@@ -139,6 +139,7 @@ impl ModalTrack {
         }
         match command.kind {
             CommandKind::Tool { number } => (now.tool, now.selected) = (number, None),
+            CommandKind::ToolNumber { number } => now.tool = number,
             CommandKind::ToolSelect { number } => now.selected = Some(number),
             CommandKind::ToolLength { number, length_mm, .. } => {
                 now.length = number.map(|number| (number, length_mm));

@@ -133,6 +133,10 @@ pub enum BlockKind {
 pub struct BlockDelete {
     /// The switch, 1 when none is written.
     pub switch: u8,
+    /// The number of the switch is written.
+    pub numbered: bool,
+    /// It is the first of its line.
+    pub first: bool,
     /// Words from this one on are deleted.
     pub from_word: usize,
 }

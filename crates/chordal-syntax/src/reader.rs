@@ -315,18 +315,19 @@ impl<'a> BlockReader<'a> {
 
     fn block_delete(&mut self, block: &mut Block) {
         self.at += 1;
-        let switch = match self.peek() {
+        let (switch, numbered) = match self.peek() {
             digit @ b'1'..=b'9' => {
                 self.at += 1;
-                digit - b'0'
+                (digit - b'0', true)
             }
-            _ => 1,
+            _ => (1, false),
         };
         if block.delete.is_none() {
             // An N number does not count: `/N10 …` and `N10 / …` delete the same.
             let only_number = block.words.iter().all(|word| word.letter == b'N');
             let from_word = if only_number { 0 } else { block.words.len() };
-            block.delete = Some(BlockDelete { switch, from_word });
+            let first = block.words.is_empty() && block.comments.is_empty();
+            block.delete = Some(BlockDelete { switch, numbered, first, from_word });
         }
     }
 

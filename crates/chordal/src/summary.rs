@@ -130,7 +130,9 @@ impl SummaryBuilder {
         let line = self.main_line(command);
         match &command.kind {
             CommandKind::Units(units) => self.summary.inch = *units == Units::Inch,
-            CommandKind::Tool { number } => self.tool = *number,
+            CommandKind::Tool { number } | CommandKind::ToolNumber { number } => {
+                self.tool = *number;
+            }
             CommandKind::Dwell { seconds, .. } => {
                 self.summary.dwells += 1;
                 self.summary.dwell_time_s += seconds;

@@ -75,7 +75,7 @@ G81 X10. Y0 Z-5. R2. F100. (= rapid to X0 Y10 | rapid to Z2 | line to Z-5 | rapi
 G80
 G69
 G51 X0 Y0 Z0 P2.
-G83 X20. Y0 Z-4. R1. Q4. (= rapid to X40 Y0 | rapid to Z2 | line to Z-2 | rapid to Z2 | rapid to Z-1 | line to Z-6 | rapid to Z2 | rapid to Z-5 | line to Z-8 | rapid to Z10)
+G83 X20. Y0 Z-4. R1. Q4. (= rapid to X40 Y0 | rapid to Z2 | line to Z-2 | rapid to Z2 | rapid to Z-1 | line to Z-6 | rapid to Z2 | rapid to Z-5 | line to Z-8 | rapid to Z10 | ! CH441 "scaled by 2")
 G80
 G50
 (What does not go together.)

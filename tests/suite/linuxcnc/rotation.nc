@@ -17,7 +17,7 @@ G90
 G0 X5 Y6 (= rapid to X1.330127 Y7.696152)
 G10 L20 P1 X1 Y2
 G0 X2 Y2 (= rapid to X.732051 Y2.732051)
-G10 L20 P1 X0 R10 (= none | ! CH303)
+G10 L20 P1 X0 R10 (= none | ! CH303 "R not allowed in G10 L20")
 (Arcs turn with the system, in all planes.)
 G10 L2 P1 X0 Y0 R90
 G0 X0 Y0 Z0 (= rapid to X0 Y0 Z0)

@@ -35,7 +35,59 @@ what becomes of the centre of a rotation or a scaling differs from one to the ne
 Chordal carries the block out: the point of G28 goes through the frames, G53 does not."#;
 
     FrameInCompensation = 434, "frame-in-compensation", Error;
-    "mirror, scaling or rotation starts while cutter compensation is on";
+    "mirror, scaling or rotation starts or ends while cutter compensation is on";
     r#"The contour jumps into other coordinates while the control is looking ahead along it, so the tool leaves the
 contour or cuts into it. Write the frame first, then G41 or G42; end in reverse order: G40, then G69, G50 or G50.1."#;
+
+    ScalingOption = 435, "scaling-option", Error;
+    "scaling on a control without this option";
+    r#"Scaling (G51) is an option of this control, and its setting says that the machine does not have it. The control
+stops at this block.
+
+Write the scaled coordinates into the program, or correct the setting if the machine has the option."#;
+
+    RotationOption = 436, "rotation-option", Error;
+    "rotation on a control without this option";
+    r#"Rotation of coordinates (G68) is an option of this control, and its setting says that the machine does not have
+it. The control stops at this block.
+
+Write the rotated coordinates into the program, or correct the setting if the machine has the option."#;
+
+    SpatialRotation = 438, "spatial-rotation", Error;
+    "a rotation about an axis in space that the control refuses";
+    r#"G68 with I, J and K rotates the coordinates about an axis in space. It needs I, J, K and R in its block, and I, J
+and K may not all be 0. Cutter compensation must be off. A length offset either starts before it and ends after it, or starts and
+ends inside it. Some codes may not be used while it is active.
+
+    G68 X0 Y0 Z0 I1. J0 K0 R30.      about the X axis
+    G43 H1
+    G69                              the length offset started inside: G49 must be before G69
+
+Chordal does not carry out the rotation itself (CH312)."#;
+
+    OneAxisAfterFrame = 439, "one-axis-after-frame", Warning;
+    "the first absolute block after a rotation or scaling names one axis only";
+    r#"G68, G69, G51 and G50 move nothing, but they change the coordinates of the position where the tool stands. A block
+that names one axis of the plane keeps the coordinate of the other axis. This coordinate is now another number than before, so
+the tool goes to a place that the program does not show, and controls differ in what they do. Mitsubishi asks for both axes.
+
+    G0 X10. Y0
+    G68 X0 Y0 R90.      the tool stands at X0 Y-10 of the rotated coordinates
+    X20.                goes to X20 Y-10, not to X20 Y0
+
+Write both axes of the plane in the first block after each of these codes."#;
+
+    ScaledOverflow = 440, "scaled-overflow", Error;
+    "a scaled coordinate or radius is larger than the control can hold";
+    r#"A control holds coordinates with a fixed number of digits. Scaling by a large factor gives numbers beyond them, and
+the control stops.
+
+Check the factor: a number without a decimal point counts in units of 0.001 on many controls, with a point in whole ones."#;
+
+    FrameInCycle = 441, "frame-in-cycle", Warning;
+    "a canned cycle along an axis that is mirrored or scaled";
+    r#"Manuals ask not to mirror or scale the drilling axis in a canned cycle. Its levels are then mirrored or scaled, and
+the peck depth and the clearances are not.
+
+Chordal carries the cycle out with these levels. Cancel the mirror or the scaling of this axis before the cycle."#;
 }

@@ -85,4 +85,12 @@ the program, and most of them have no meaning. Chordal reports all lines of the 
     "a line is longer than the control reads";
     r#"LinuxCNC reads lines of at most 253 characters, comments and blanks included. A longer one stops
 the program. Write it on several lines; a long comment may stand on a line of its own."#;
+
+    BlockDeleteForm = 141, "block-delete-form", Error;
+    "block delete in a form that the control does not read";
+    r#"On LinuxCNC block delete is a slash as the first character of the line, without a number, and it deletes the whole
+line. A number after it, or a slash later in the line, stops the program.
+
+    /2 G0 X1         write / G0 X1
+    G0 X1 /Y2        write two lines"#;
 }

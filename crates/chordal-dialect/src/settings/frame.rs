@@ -17,12 +17,19 @@ pub enum FrameField {
     FactorsByVector,
     UnequalArcs,
     InCompensation,
+    HasScaling,
+    HasRotation,
+    CyclesAlongScaled,
 }
 
 const ANGLES: Choices<bool> = &[("absolute", false), ("adds", true)];
 
 const ARCS: Choices<UnequalArcs> =
     &[("judged", UnequalArcs::Judged), ("refused", UnequalArcs::Refused)];
+
+const OPTIONS: Choices<bool> = &[("present", true), ("absent", false)];
+
+const CYCLES: Choices<bool> = &[("allowed", true), ("warned", false)];
 
 const FACTORS: Choices<bool> = &[("one", false), ("each", true)];
 
@@ -55,6 +62,9 @@ pub(crate) fn set(
         FrameField::FactorsByVector => rules.factors_by_vector = choose(word, FACTORS)?,
         FrameField::UnequalArcs => rules.unequal_arcs = choose(word, ARCS)?,
         FrameField::InCompensation => rules.in_compensation = choose(word, SWITCH)?,
+        FrameField::HasScaling => rules.has_scaling = choose(word, OPTIONS)?,
+        FrameField::HasRotation => rules.has_rotation = choose(word, OPTIONS)?,
+        FrameField::CyclesAlongScaled => rules.cycles_along_scaled = choose(word, CYCLES)?,
     }
     Ok(())
 }
@@ -71,5 +81,8 @@ pub(crate) fn value_text(p: &Parameters, field: FrameField) -> String {
         FrameField::FactorsByVector => name_of(rules.factors_by_vector, FACTORS),
         FrameField::UnequalArcs => name_of(rules.unequal_arcs, ARCS),
         FrameField::InCompensation => name_of(rules.in_compensation, SWITCH),
+        FrameField::HasScaling => name_of(rules.has_scaling, OPTIONS),
+        FrameField::HasRotation => name_of(rules.has_rotation, OPTIONS),
+        FrameField::CyclesAlongScaled => name_of(rules.cycles_along_scaled, CYCLES),
     }
 }

@@ -153,6 +153,7 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
         DataTarget::Reload => "nothing: the tool table is read again",
         DataTarget::Register => "a register R",
         DataTarget::Other => "not carried out",
+        DataTarget::IntoRegister => "a register R, with a value of the control: not followed",
         DataTarget::Lines => "parameters of the control, by the lines up to G11: not carried out",
     }
 }

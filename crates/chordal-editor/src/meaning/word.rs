@@ -218,6 +218,9 @@ fn before(code: BeforeCode, letter: u8) -> Option<&'static str> {
     match code {
         BeforeCode::SpindleOrient => matches!(letter, b'R' | b'P')
             .then_some("angle, in degrees; it does not change the path"),
+        BeforeCode::SetToolNumber => {
+            (letter == b'Q').then_some("number of the tool in the spindle")
+        }
         BeforeCode::ToolChange
         | BeforeCode::SpindleCw
         | BeforeCode::SpindleCcw

@@ -94,7 +94,9 @@ fn data(table: &ControlTable) -> String {
     let known: Vec<_> = table
         .set_data
         .iter()
-        .filter(|(_, target)| !matches!(target, DataTarget::Other | DataTarget::Lines))
+        .filter(|(_, target)| {
+            !matches!(target, DataTarget::Other | DataTarget::IntoRegister | DataTarget::Lines)
+        })
         .collect();
     if known.is_empty() {
         return String::new();

@@ -17,7 +17,9 @@ pub(super) fn of(table: &ControlTable) -> Vec<(String, &'static str)> {
 
 /// Numbers of G10 that write what Chordal does not keep.
 pub(super) fn data_of(table: &ControlTable) -> Vec<String> {
-    let is_other = |target: DataTarget| matches!(target, DataTarget::Other | DataTarget::Lines);
+    let is_other = |target: DataTarget| {
+        matches!(target, DataTarget::Other | DataTarget::IntoRegister | DataTarget::Lines)
+    };
     let other = table.set_data.iter().filter(move |(_, target)| is_other(*target));
     other.map(|(number, _)| format!("G10 L{number}")).collect()
 }

@@ -29,6 +29,7 @@ const KINDS: &[&str] = &[
     "spline",
     "dwell",
     "tool",
+    "tool_number",
     "tool_select",
     "tool_length",
     "compensation",
@@ -277,6 +278,10 @@ impl<'a> CommandColumns<'a> {
             CommandKind::Tool { number } => {
                 self.number.put(row, *number);
                 "tool"
+            }
+            CommandKind::ToolNumber { number } => {
+                self.number.put(row, *number);
+                "tool_number"
             }
             CommandKind::ToolSelect { number } => {
                 self.number.put(row, *number);

@@ -165,6 +165,8 @@ impl Interpreter<'_> {
         for (row, _) in codes {
             self.take_reading_mode(row.action);
         }
+        self.watch_spatial(block, codes);
+        self.check_word_rules(block, codes);
         self.take_registers(block);
         self.take_letters(block, codes);
         // G41 beside a pocket names its side; the cycle offsets by itself.

@@ -12,6 +12,7 @@ use chordal_syntax::{Decimal, Position as TextPosition};
 
 use super::context::KeptModes;
 use super::macros::MacroMemory;
+use super::spatial::SpatialState;
 use super::spline::SplineMemory;
 use super::{Interpreter, Reported};
 
@@ -34,6 +35,7 @@ struct BlockMemory {
     kept_modes: Vec<KeptModes>,
     references: [PerAxis<Option<f64>>; 2],
     macros: MacroMemory,
+    spatial: SpatialState,
     spline: SplineMemory,
 }
 
@@ -97,6 +99,7 @@ impl Interpreter<'_> {
             kept_modes: self.kept_modes.clone(),
             references: self.references,
             macros: self.macros.memory(),
+            spatial: self.spatial,
             spline: self.spline.clone(),
         };
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
@@ -121,6 +124,7 @@ impl Interpreter<'_> {
         self.kept_modes = memory.kept_modes;
         self.references = memory.references;
         self.macros.recall(memory.macros);
+        self.spatial = memory.spatial;
         self.spline = memory.spline;
     }
 

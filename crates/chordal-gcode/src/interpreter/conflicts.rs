@@ -26,6 +26,9 @@ impl Interpreter<'_> {
             });
             if let Some(first) = clash {
                 self.same_group(block, *first, *second);
+            } else if let Some(first) = codes[..index].iter().find(|(row, _)| share(row, second.0))
+            {
+                self.report_shared_words(block, *first, *second);
             }
         }
         self.check_m_groups(block, codes);
@@ -45,6 +48,25 @@ impl Interpreter<'_> {
                 );
             }
         }
+    }
+
+    /// Two frames in one block, or a frame with another code that takes its axis words.
+    fn report_shared_words(
+        &mut self,
+        block: &Block,
+        first: (&CodeRow, usize),
+        second: (&CodeRow, usize),
+    ) {
+        let names = [first.0.name(b'G'), second.0.name(b'G')];
+        let message = format!(
+            "{} and {} in one block: both use its axis words, and only {} is carried out",
+            names[0], names[1], names[1]
+        );
+        self.kernel.report(
+            Diagnostic::new(Code::SameGroup, self.span(block.words[second.1].range), message)
+                .also(self.span(block.words[first.1].range), "not carried out")
+                .help("write them in two blocks"),
+        );
     }
 
     /// Two M codes of one group, where the control has such groups.
@@ -215,4 +237,12 @@ fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> 
         Group::Auxiliary | Group::Calling | Group::Coolant | Group::Spindle => false,
         _ => first.code != second.code,
     }
+}
+
+/// Two codes that take the axis words of a block for themselves, one of them a frame.
+fn share(first: &CodeRow, second: &CodeRow) -> bool {
+    let frame =
+        |row: &CodeRow| matches!(row.group, Group::Scaling | Group::Rotation | Group::Mirror);
+    let takes = |row: &CodeRow| row.action.once().is_some() && row.takes_axes();
+    takes(first) && takes(second) && (frame(first) || frame(second)) && first.group != second.group
 }

@@ -66,6 +66,7 @@ impl Interpreter<'_> {
             }
             BeforeCode::RestoreModes
             | BeforeCode::ToolChange
+            | BeforeCode::SetToolNumber
             | BeforeCode::SpindleCw
             | BeforeCode::SpindleCcw
             | BeforeCode::SpindleOrient

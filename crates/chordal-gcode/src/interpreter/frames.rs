@@ -1,6 +1,8 @@
 //! Words of mirror, scaling, rotation and polar coordinates.
 
 use chordal_command::{AxisMask, Position};
+use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::code_number;
 use chordal_kernel::PolarWords;
 use chordal_kernel::frames::Factors;
 use chordal_machine::AXES;
@@ -12,7 +14,13 @@ use super::literals::AXIS_OF;
 impl Interpreter<'_> {
     /// G68: a centre on the axes of the plane, and R, the angle.
     pub(super) fn rotation(&mut self, block: &Block, at: usize) {
-        if block.letters().meets(Letters::of("IJK")) {
+        if !self.control.parameters.rules.frames.has_rotation {
+            let code = Code::RotationOption;
+            return self.lacks_option(block, at, code, "rotation of coordinates");
+        }
+        let row = block.words[at].number().and_then(code_number);
+        let row = row.and_then(|code| self.control.g_code(code));
+        if row.is_some_and(|row| self.is_spatial(block, row)) {
             // Three words of direction: a rotation about any axis.
             return self.not_followed(&block.words[at], "a rotation about an axis by I, J and K");
         }
@@ -24,7 +32,10 @@ impl Interpreter<'_> {
     }
 
     /// G51: a centre, and P for all axes or I, J and K for one each.
-    pub(super) fn scaling(&mut self, block: &Block) {
+    pub(super) fn scaling(&mut self, block: &Block, at: usize) {
+        if !self.control.parameters.rules.frames.has_scaling {
+            return self.lacks_option(block, at, Code::ScalingOption, "scaling");
+        }
         let center = self.axis_words(block);
         let rotary = self.control.parameters.rules.frames.scales_rotary;
         self.unused_axes(block, |axis, _| axis < 3 || rotary);
@@ -57,7 +68,19 @@ impl Interpreter<'_> {
     /// G50.1 and Haas G100: the named axes, or all.
     pub(super) fn mirror_off(&mut self, block: &Block) {
         let named = AxisMask::with_values(&self.axis_words(block));
-        self.kernel.end_mirror(if named == AxisMask::NONE { AxisMask::ALL } else { named });
+        let axes = if named == AxisMask::NONE { AxisMask::ALL } else { named };
+        self.kernel.end_mirror(&self.at(block), axes);
+    }
+
+    /// A frame that the machine does not have.
+    fn lacks_option(&mut self, block: &Block, at: usize, code: Code, what: &str) {
+        let name = self.code_text(block, at);
+        let span = self.span(block.words[at].range);
+        self.kernel.report(
+            Diagnostic::new(code, span, format!("{name}: this machine has no option of {what}"))
+                .label("the coordinates stay as they are")
+                .help("write the coordinates themselves, or correct the setting of the option"),
+        );
     }
 
     /// A scale factor: a number without a point counts in the control's unit.

@@ -27,6 +27,7 @@ mod reference;
 mod repeats;
 mod report;
 mod shop;
+mod spatial;
 mod spiral;
 mod spline;
 mod statement;
@@ -160,6 +161,8 @@ struct Interpreter<'a> {
     /// The block before was a remark without its marks, or a comment left open.
     in_remark: bool,
     macros: macros::MacroState<'a>,
+    /// Rotation and offset in space.
+    spatial: spatial::SpatialState,
     /// What G5 and G5.2 remember.
     spline: spline::SplineMemory,
     /// Blocks of the main program before this place are repeats after a jump back; 0 when
@@ -275,6 +278,7 @@ impl<'a> Interpreter<'a> {
             subroutines: BTreeMap::new(),
             labels: HashMap::new(),
             jumps: HashMap::new(),
+            spatial: spatial::SpatialState::default(),
             spline: spline::SplineMemory::default(),
             missing: Vec::new(),
             blocks: 0,
@@ -421,6 +425,8 @@ impl<'a> Interpreter<'a> {
             && self.machine.switches.block_delete[delete.switch.min(9) as usize]
         {
             block.truncate(delete.from_word);
+        } else if block.delete.is_some() && self.control.parameters.plain_block_delete {
+            self.check_block_delete(block);
         }
         if block.is_idle() {
             return Flow::Next;

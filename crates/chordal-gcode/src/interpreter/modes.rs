@@ -6,7 +6,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{
     Action, AfterCode, BeforeCode, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
-use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale};
+use chordal_dialect::{CodeRow, Group, PlaneCodes, Scale, code_number};
 use chordal_geometry::Plane;
 use chordal_kernel::LengthOffset;
 use chordal_kernel::rules::ArcCenter;
@@ -86,6 +86,17 @@ impl Interpreter<'_> {
     fn take_before_motion(&mut self, block: &Block, code: BeforeCode, at: usize) {
         match code {
             BeforeCode::ToolChange => self.tool_change(block, at),
+            BeforeCode::SetToolNumber => {
+                // One below zero was reported with the words of the code.
+                let below_zero = block.last(b'Q').and_then(|word| self.literal(word));
+                let below_zero = below_zero.is_some_and(|number| number.mantissa < 0);
+                if block.letters().has(b'Q')
+                    && !below_zero
+                    && let Some(number) = self.count_of(block, b'Q')
+                {
+                    self.kernel.set_tool_number(number);
+                }
+            }
             BeforeCode::SpindleCw => self.kernel.set_spindle(SpindleState::Cw),
             BeforeCode::SpindleCcw => self.kernel.set_spindle(SpindleState::Ccw),
             BeforeCode::SpindleOrient => self.kernel.set_spindle(SpindleState::Oriented),
@@ -127,9 +138,12 @@ impl Interpreter<'_> {
             }
             ModeCode::StoreReference { second } => self.store_reference(second),
             ModeCode::CornerArc => self.corner_arc(block, false),
-            ModeCode::WorkOffset(number) => self.select_work(WorkName::G(number)),
-            ModeCode::WorkOffsetPoint(number) => self.select_work(WorkName::G59(number)),
+            ModeCode::WorkOffset(number) => self.change_work(block, at, WorkName::G(number)),
+            ModeCode::WorkOffsetPoint(number) => {
+                self.change_work(block, at, WorkName::G59(number));
+            }
             ModeCode::WorkOffsetNumbered(number) => {
+                self.warn_of_work_change(block, at, WorkName::Extended(number));
                 self.kernel.select_work(WorkName::Extended(number));
             }
             ModeCode::WorkOffsetExtended => self.select_extended_work(block, at),
@@ -140,13 +154,36 @@ impl Interpreter<'_> {
             ModeCode::OverridesByP => self.take_overrides_by_p(block),
             ModeCode::ReturnInitial => self.kernel.state.return_to_r = false,
             ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
-            ModeCode::RotationOff => self.kernel.end_rotation(),
+            ModeCode::RotationOff => self.kernel.end_rotation(&self.at(block)),
             ModeCode::ScalingOff => self.kernel.end_scaling(),
             ModeCode::Polar { on } => self.kernel.state.polar = on.then(Default::default),
             ModeCode::CancelCycle => self.kernel.cancel_cycle(),
             ModeCode::ModalSubroutine => self.begin_modal_subroutine(block, at),
             ModeCode::ModalCallOff => self.end_modal_call(),
             ModeCode::DataLinesOff => self.data_lines = false,
+        }
+    }
+
+    fn change_work(&mut self, block: &Block, at: usize, name: WorkName) {
+        self.warn_of_work_change(block, at, name);
+        self.select_work(name);
+    }
+
+    /// Another work coordinate system while a frame is active.
+    pub(super) fn warn_of_work_change(&mut self, block: &Block, at: usize, name: WorkName) {
+        let other = name != self.kernel.state.offsets.active();
+        // A code in the same block may end the frame.
+        let ends = block.all(b'G').any(|word| {
+            let row =
+                word.number().and_then(code_number).and_then(|code| self.control.g_code(code));
+            row.is_some_and(|row| {
+                row.action == Action::Mode(ModeCode::RotationOff)
+                    || row.action == Action::Mode(ModeCode::ScalingOff)
+            })
+        });
+        if other && !ends && !self.control.parameters.rules.frames.work_change {
+            let code = self.code_text(block, at);
+            self.kernel.warn_of_frames(self.span(block.words[at].range), &code);
         }
     }
 

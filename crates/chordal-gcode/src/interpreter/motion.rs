@@ -156,6 +156,9 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE && !arc_words {
             return;
         }
+        if self.kernel.state.frame_jump.is_some() {
+            self.kernel.check_first_after_frame(&self.at(block), &target, named);
+        }
         match self.kernel.state.motion {
             Motion::Rapid | Motion::Linear => {
                 if named != AxisMask::NONE {
@@ -193,6 +196,9 @@ impl Interpreter<'_> {
     fn armed_motion(&mut self, block: &Block, explicit: Option<MotionCode>) {
         let arc_words = self.has_arc_words(block);
         let (target, named) = self.target(block);
+        if self.kernel.state.frame_jump.is_some() {
+            self.kernel.check_first_after_frame(&self.at(block), &target, named);
+        }
         let arc_code = matches!(explicit, Some(MotionCode::ArcCw | MotionCode::ArcCcw));
         // R0 in a block of its own only stores the register.
         let moves = named != AxisMask::NONE || arc_code || block.letters().meets(CENTER);

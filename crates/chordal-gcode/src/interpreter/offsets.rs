@@ -57,7 +57,9 @@ impl Interpreter<'_> {
     pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
         match self.count_of(block, b'P') {
             Some(number) if (1..=300).contains(&number) => {
-                self.kernel.select_work(WorkName::Extended(number as u16));
+                let name = WorkName::Extended(number as u16);
+                self.warn_of_work_change(block, at, name);
+                self.kernel.select_work(name);
             }
             Some(number) => {
                 let span = self.words_span(block, Letters::of("P"));
@@ -136,15 +138,11 @@ impl Interpreter<'_> {
     /// G41.1 and G42.1: D is the tool's diameter; below zero the tool goes on the other side.
     pub(super) fn compensation_by_diameter(&mut self, block: &Block, at: usize, side: Side) {
         let span = self.span(block.words[at].range);
+        let name = if side == Side::Left { "G41.1" } else { "G42.1" };
         let Some(diameter) = self.length_of(block, b'D') else {
-            let title = self.control.table.title;
-            let name = if side == Side::Left { "G41.1" } else { "G42.1" };
-            self.kernel.report(
-                Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
-                    .alarm(format!("{title}: G41.1/G42.1 without D word"))
-                    .help("give the diameter of the tool with D"),
-            );
-            return;
+            let diagnostic = Diagnostic::new(Code::MissingWord, span, format!("{name} without D"))
+                .help("give the diameter of the tool with D");
+            return self.report_refused(diagnostic, &format!("{name} with no D word"));
         };
         if block.letters().has(b'L') && self.kernel.state.plane != chordal_geometry::Plane::Zx {
             let span = self.words_span(block, Letters::of("L"));
@@ -155,7 +153,7 @@ impl Interpreter<'_> {
                     "L, the tip of a turning tool, needs G18",
                 )
                 .help("remove L, or write G18 before"),
-                "G41.1/G42.1 with L word, but plane is not G18",
+                &format!("{name} with L word, but plane is not G18"),
             );
         }
         let side = match side {
@@ -176,8 +174,10 @@ impl Interpreter<'_> {
     pub(super) fn add_tool_offsets(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'H') else {
             let span = self.span(block.range);
-            let message = "G43.2 without H".to_string();
-            return self.kernel.missing_word(span, message, "give the number of the tool with H");
+            let diagnostic = Diagnostic::new(Code::MissingWord, span, "G43.2 without H")
+                .help("give the number of the tool with H");
+            let alarm = "G43.2: No axes specified and H word missing";
+            return self.report_refused(diagnostic, alarm);
         };
         let offsets = &self.kernel.state.offsets;
         let tool = offsets.tool(number);
@@ -350,6 +350,12 @@ impl Interpreter<'_> {
                 span,
                 format!("G10 L{} is not simulated", l.unwrap_or(0)),
             )),
+            Some(DataTarget::IntoRegister) => {
+                let l = l.unwrap_or(0);
+                let message =
+                    format!("G10 L{l} reads a value of the control into R, which is not followed");
+                self.lose_path(block.words[at].range, message);
+            }
             Some(DataTarget::Lines) => self.begin_data_lines(span, l.unwrap_or(0)),
             None => {
                 let known: Vec<String> = self
@@ -456,10 +462,11 @@ impl Interpreter<'_> {
     fn report_rotation_from_position(&mut self, block: &Block) {
         let span = self.words_span(block, Letters::of("R"));
         let message = "R does not go with G10 L20: a rotation cannot be computed from the position";
-        self.kernel.report(
+        self.report_refused(
             Diagnostic::new(Code::BadWordValue, span, message)
                 .label("nothing is written")
                 .help("write the rotation with G10 L2 P R"),
+            "R not allowed in G10 L20",
         );
     }
 

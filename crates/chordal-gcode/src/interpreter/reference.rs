@@ -27,6 +27,7 @@ impl Interpreter<'_> {
         if code.works_with_places() {
             let name = self.code_text(block, at);
             self.kernel.warn_of_frames(self.span(block.words[at].range), &name);
+            self.kernel.forget_jump();
         }
         match code {
             OnceCode::Dwell => self.dwell(block, at),
@@ -83,7 +84,7 @@ impl Interpreter<'_> {
                 self.kernel.restore_preset();
             }
             OnceCode::Rotation => self.rotation(block, at),
-            OnceCode::Scaling => self.scaling(block),
+            OnceCode::Scaling => self.scaling(block, at),
             OnceCode::Mirror { at_zero } => self.mirror(block, at, at_zero),
             OnceCode::MirrorOff => self.mirror_off(block),
             OnceCode::CircularPocketCw => self.circular_pocket(block, at, Direction::Cw),

@@ -126,6 +126,58 @@ impl Interpreter<'_> {
         );
     }
 
+    /// A slash that the control does not read as block delete.
+    pub(super) fn check_block_delete(&mut self, block: &Block) {
+        let Some(delete) = block.delete.filter(|delete| delete.numbered || !delete.first) else {
+            return;
+        };
+        let span = self.span(block.range);
+        let (message, help, bad) = match delete.first {
+            true => (
+                format!("block delete has no number on this control: `/{}`", delete.switch),
+                "write the slash alone",
+                char::from(b'0' + delete.switch),
+            ),
+            false => (
+                "a slash for block delete is not at the begin of its line".to_string(),
+                "write the words after it on a line of their own, which begins with the slash",
+                '/',
+            ),
+        };
+        self.report_refused(
+            Diagnostic::new(Code::BlockDeleteForm, span, message).help(help),
+            &format!("Bad character '{bad}' used"),
+        );
+    }
+
+    /// What the control asks of the words of its codes.
+    #[inline]
+    pub(super) fn check_word_rules(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        if !self.control.table.word_rules.is_empty() {
+            self.check_words_of_codes(block, codes);
+        }
+    }
+
+    fn check_words_of_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        for (row, at) in codes {
+            let code = (block.words[*at].letter, row.code);
+            let rules = self.control.table.word_rules.iter().filter(|rule| rule.code == code);
+            let value =
+                |letter: u8| block.last(letter).and_then(|w| self.literal(w)).map(|n| n.to_f64());
+            // The control stops at the first.
+            let Some(broken) = rules.into_iter().find(|rule| !rule.test.holds(value)) else {
+                continue;
+            };
+            let span = self.span(block.range);
+            let message = format!("{} {}", row.name(code.0), broken.message);
+            let diagnostic = Diagnostic::new(Code::BadWordValue, span, message).help(broken.help);
+            match broken.alarm {
+                Some(alarm) => self.report_refused(diagnostic, alarm),
+                None => self.kernel.report(diagnostic.severity(Severity::Warning)),
+            }
+        }
+    }
+
     /// A word that nothing uses, where that stops the program.
     fn refused_word(&mut self, word: &Word) {
         let letter = word.letter as char;

@@ -36,6 +36,7 @@ fn letters(what: What) -> Vec<u8> {
         What::Height(plane) => vec![b"IJK"[plane.axes().2]],
         What::Increment => vec![b'Q'],
         What::Count => vec![b'L'],
+        What::Angle => vec![b'R'],
         What::Pitches => vec![b'P'],
         What::LengthOffset => vec![b'H'],
         What::FirstCircle => vec![b'I'],

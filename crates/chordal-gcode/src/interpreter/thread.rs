@@ -17,6 +17,15 @@ impl Interpreter<'_> {
         back: bool,
     ) {
         if named == AxisMask::NONE {
+            if block.letters().has(b'K') {
+                let name = if back { "G33.1" } else { "G33" };
+                let span = self.span(block.range);
+                let message = format!("{name} without an end point");
+                self.report_refused(
+                    Diagnostic::new(Code::MissingWord, span, message).help("name an axis"),
+                    "All axes missing with motion code",
+                );
+            }
             return;
         }
         let title = self.control.table.title;

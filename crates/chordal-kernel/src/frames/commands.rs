@@ -59,6 +59,7 @@ impl Map {
             // Nothing of the others lies anywhere.
             other @ (CommandKind::Dwell { .. }
             | CommandKind::Tool { .. }
+            | CommandKind::ToolNumber { .. }
             | CommandKind::ToolSelect { .. }
             | CommandKind::ToolLength { .. }
             | CommandKind::Idle

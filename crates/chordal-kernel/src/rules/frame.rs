@@ -31,6 +31,22 @@ pub struct FrameRules {
     pub work_rotation: bool,
     /// A frame may come into force while compensation is on.
     pub in_compensation: bool,
+    /// A rotation may end while compensation is on.
+    pub rotation_ends_in_compensation: bool,
+    /// A mirror may end while compensation is on.
+    pub mirror_ends_in_compensation: bool,
+    /// The control has the option of scaling.
+    pub has_scaling: bool,
+    /// The control has the option of rotation.
+    pub has_rotation: bool,
+    /// The largest angle of a rotation, without sign, degrees.
+    pub largest_angle_deg: f64,
+    /// The largest coordinate that a scaling may give, in least increments; 0 for no limit.
+    pub largest_scaled_increments: f64,
+    /// Cycles may drill along an axis that is mirrored or scaled.
+    pub cycles_along_scaled: bool,
+    /// Another work coordinate system may be chosen while a frame is active.
+    pub work_change: bool,
 }
 
 /// What becomes of an arc whose plane is scaled unequally.
@@ -59,5 +75,13 @@ impl FrameRules {
         rotation_stays: false,
         work_rotation: false,
         in_compensation: false,
+        rotation_ends_in_compensation: true,
+        mirror_ends_in_compensation: true,
+        has_scaling: true,
+        has_rotation: true,
+        largest_angle_deg: f64::INFINITY,
+        largest_scaled_increments: 0.0,
+        cycles_along_scaled: true,
+        work_change: false,
     };
 }

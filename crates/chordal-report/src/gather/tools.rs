@@ -87,7 +87,9 @@ impl Tools {
     /// Follows a command as programmed.
     pub fn programmed(&mut self, command: &Command) {
         match &command.kind {
-            CommandKind::Tool { number } => self.change(*number, &command.origin),
+            CommandKind::Tool { number } | CommandKind::ToolNumber { number } => {
+                self.change(*number, &command.origin);
+            }
             CommandKind::Spindle { state, rpm } => self.spindle = (*state, *rpm),
             CommandKind::Coolant(coolant) => self.coolant = *coolant,
             CommandKind::ToolLength { number, length_mm, .. } => {
@@ -181,7 +183,7 @@ impl Tools {
 
     /// Follows a command of the tool centre; `lowest_z` is that of its cut, program coordinates.
     pub fn path(&mut self, command: &Command, lowest_z: Option<f64>) {
-        if let CommandKind::Tool { number } = command.kind {
+        if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
             self.path_at = self.seen.iter().rposition(|tool| tool.number == number);
         }
         let tool = self.path_at.and_then(|at| self.seen.get_mut(at));

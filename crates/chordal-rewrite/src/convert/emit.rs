@@ -192,6 +192,11 @@ impl<'a> Emitter<'a> {
                 let code = self.due(Action::Before(BeforeCode::ToolChange))?;
                 self.line(&[format!("T{number}"), code]);
             }
+            CommandKind::ToolNumber { number } => {
+                self.flush();
+                let code = self.due(Action::Before(BeforeCode::SetToolNumber))?;
+                self.line(&[code, format!("Q{number}")]);
+            }
             CommandKind::ToolSelect { .. } | CommandKind::Idle | CommandKind::Message(_) => {}
             CommandKind::ToolLength { number: None, .. } => {
                 let code = self.due(Action::Length(LengthCode::Cancel))?;

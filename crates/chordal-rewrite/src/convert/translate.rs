@@ -133,7 +133,11 @@ impl<'a> Context<'a> {
         if let (Some(absolute), Some(incremental)) =
             (code(ReadingCode::Absolute), code(ReadingCode::Incremental))
         {
-            draft.lead(absolute, format!("{} does not move by G53 in G91", self.to.table.title));
+            let does = match self.to.parameters.rules.machine_move_needs_absolute {
+                true => "ignores",
+                false => "refuses",
+            };
+            draft.lead(absolute, format!("{} {does} G53 in G91", self.to.table.title));
             draft.after.push(incremental);
         }
     }
@@ -184,7 +188,8 @@ impl<'a> Context<'a> {
             draft.replace(p, format!("P{}", number - 6), "the same work offset");
         } else if of(self.to, code) != Some(target) {
             let new = there(target);
-            let has_form = !matches!(target, DataTarget::Other | DataTarget::Lines);
+            let has_form =
+                !matches!(target, DataTarget::Other | DataTarget::IntoRegister | DataTarget::Lines);
             let Some(new) = new.filter(|_| has_form) else {
                 return Err(Expand(format!("{title} has no G10 L{code}")));
             };

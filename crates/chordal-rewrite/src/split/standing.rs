@@ -148,6 +148,7 @@ impl Said {
                 self.coolant.push(text);
             }
             BeforeCode::ToolChange
+            | BeforeCode::SetToolNumber
             | BeforeCode::SpindleOrient
             | BeforeCode::SaveModes { .. }
             | BeforeCode::ForgetModes

@@ -118,6 +118,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                     self.wait(WaitKind::ToolChange, seconds, origin);
                 }
             }
+            CommandKind::ToolNumber { number } => self.tool = number,
             CommandKind::Spindle { state, rpm } => self.spindle(state, rpm, origin),
             CommandKind::Coolant(_) => {
                 self.wait(WaitKind::Coolant, self.times.m_code_s.unwrap_or(0.0), origin);

@@ -19,6 +19,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         compensation: COMPENSATION,
         path: PathRules { start: StartMode::ExactStop, ..PathRules::COMMON },
         outside_corner: OutsideCorner::Arc,
+        // Section 10: G40 before a change of mirror.
+        frames: FrameRules { mirror_ends_in_compensation: false, ..FrameRules::COMMON },
         arc: ArcRules {
             helix_feed: FeedAlong::Path,
             // Section 13: the largest programmable radius is 399.9999 in, with CRC 99.9999 in.

@@ -41,6 +41,7 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::BadArgument, "PS0129 USE G AS ARGUMENT"),
     (Code::MixedBlock, "PS0127 DUPLICATE NC,MACRO STATEMENT"),
     (Code::FrameValue, "PS0142 ILLEGAL SCALE RATE"),
+    (Code::ScaledOverflow, "PS0143 COMMAND DATA OVERFLOW"),
     (Code::UnequalScaleArc, "PS0020 OVER TOLERANCE OF RADIUS"),
     (Code::FramePlane, "PS0144 ILLEGAL PLANE SELECTED"),
 ];

@@ -9,6 +9,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     packed_calls: true,
     macro_angles_full_circle: true,
     rules: Rules {
+        frames: FRAMES,
         machine_move_is_rapid: true,
         machine_move_needs_absolute: true,
         radius_offsets: OffsetKind::Radius,
@@ -53,3 +54,24 @@ const COMPENSATION: CompensationRules = CompensationRules {
 /// a corner within 1 degree of straight on gets nothing.
 const CORNER: CornerRules =
     CornerRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
+
+/// Coordinates of eight digits, and what is known in the trade: no cycle along a mirrored or scaled axis.
+const FRAMES: FrameRules = FrameRules {
+    largest_scaled_increments: 99_999_999.0,
+    cycles_along_scaled: false,
+    ..FrameRules::COMMON
+};
+
+/// Alarm list of the 30i: three-dimensional coordinate conversion.
+pub(super) const SPATIAL: SpatialRules = SpatialRules {
+    begins: &[680],
+    most: Some((2, "PS5043 TOO MANY G68 NESTING")),
+    format: Some("PS5044 G68 FORMAT ERROR"),
+    parallel_axes: Some("PS0047 ILLEGAL AXIS SELECT"),
+    in_compensation: Some("PS0049 ILLEGAL COMMAND(G68,G69)"),
+    length_not_nested: Some("PS0049 ILLEGAL COMMAND(G68,G69)"),
+    beside: None,
+    inside: &[],
+    before: &[],
+    scaling_in_offset: Some("PS0141 CAN NOT COMMAND G51 IN 3-D OFFSET"),
+};

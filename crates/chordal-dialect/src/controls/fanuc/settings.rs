@@ -4,6 +4,14 @@ use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
+        "cycles in a mirror image",
+        Field::Frame(FrameField::CyclesAlongScaled),
+        &[],
+        "canned cycles along an axis that is mirrored or scaled: `warned` or `allowed`",
+        Certainty::Trade,
+        "",
+    ),
+    setting(
         "look-ahead tolerance",
         Field::Path(PathField::LookAhead),
         &[],

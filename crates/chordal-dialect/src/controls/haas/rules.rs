@@ -69,6 +69,8 @@ const FRAMES: FrameRules = FrameRules {
     factors_by_vector: false,
     factor_range: [0.000_999, 999.001],
     unequal_arcs: UnequalArcs::Refused,
+    rotation_ends_in_compensation: false,
+    largest_angle_deg: 360.0,
     ..FrameRules::COMMON
 };
 

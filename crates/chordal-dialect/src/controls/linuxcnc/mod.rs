@@ -7,6 +7,7 @@ mod post;
 mod recognition;
 mod rules;
 mod settings;
+mod words;
 
 use crate::vocabulary::*;
 use chordal_machine::AXIS_LETTERS;
@@ -37,6 +38,8 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: false,
     last_of_group_counts: false,
     alone: &[],
+    word_rules: words::WORD_RULES,
+    spatial: None,
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G59", by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },

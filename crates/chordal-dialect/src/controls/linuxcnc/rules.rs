@@ -13,6 +13,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     words_of_codes: Letters::of("DH"),
     m_groups: M_GROUPS,
     longest_line: 253,
+    plain_block_delete: true,
     nesting: 9,
     rules: Rules {
         frames: FRAMES,

@@ -23,5 +23,7 @@ pub(super) const ALARMS: &[(Code, &str)] = &[
     (Code::DivisionByZero, "P283 DIVIDE BY ZERO"),
     (Code::BadVariable, "P241 NO VARI NUMBER"),
     (Code::FrameValue, "P35 Cmd-value over"),
+    (Code::ScalingOption, "P350"),
+    (Code::RotationOption, "P260"),
     (Code::UnequalScaleArc, "P70 Arc end point deviation large"),
 ];

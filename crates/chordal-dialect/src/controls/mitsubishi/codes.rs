@@ -59,6 +59,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(410, Group::Compensation, Mode(CompensationLeft), "DIJK", "cutter left of the contour"),
     row(420, Group::Compensation, Mode(CompensationRight), "DIJK", "cutter right of the contour"),
     row(430, Group::ToolLength, Length(Plus), "H", "tool length added"),
+    row(431, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool length along the tool axis"),
     row(434, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool centre point control"),
     row(435, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool centre point control by direction"),
     row(440, Group::ToolLength, Length(Minus), "H", "tool length subtracted"),

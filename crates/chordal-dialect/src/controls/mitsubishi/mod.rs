@@ -37,6 +37,8 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: true,
     last_of_group_counts: true,
     alone: &[],
+    word_rules: &[],
+    spatial: Some(&rules::SPATIAL),
     spindle_stops_at_tool_change: true,
     work_names: WorkNaming { extended: "G54.1", by_e: false },
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },

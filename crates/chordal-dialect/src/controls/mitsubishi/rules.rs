@@ -58,5 +58,23 @@ const FRAMES: FrameRules = FrameRules {
     factor_range: [0.0, 100.0],
     unequal_arcs: UnequalArcs::Refused,
     rotation_stays: true,
+    work_change: true,
     ..FrameRules::COMMON
 };
+
+/// M700V manual p. 463 to 469: three-dimensional coordinate conversion.
+pub(super) const SPATIAL: SpatialRules = SpatialRules {
+    begins: &[680, 681],
+    most: None,
+    format: None,
+    parallel_axes: None,
+    in_compensation: Some("P922"),
+    length_not_nested: None,
+    beside: Some((NOT_INSIDE, "P923")),
+    inside: &[(NOT_INSIDE, "P921"), (&[431], "P927"), (&[434, 435], "P941")],
+    before: &[(431, "P931"), (434, "P922"), (435, "P922")],
+    scaling_in_offset: None,
+};
+
+/// G41.1, G51, G52 and G54 to G59.
+const NOT_INSIDE: &[u16] = &[411, 421, 510, 520, 540, 541, 550, 560, 570, 580, 590];

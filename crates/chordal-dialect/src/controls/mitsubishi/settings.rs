@@ -122,6 +122,22 @@ pub(super) const SETTINGS: &[Setting] = &[
         "M700V manual, G51",
     ),
     setting(
+        "scaling option",
+        Field::Frame(FrameField::HasScaling),
+        &[],
+        "the option of scaling (G51) is `present` or `absent` (P350)",
+        Certainty::Unknown,
+        "M700V manual, G51",
+    ),
+    setting(
+        "rotation option",
+        Field::Frame(FrameField::HasRotation),
+        &[],
+        "the option of coordinate rotation (G68) is `present` or `absent` (P260)",
+        Certainty::Unknown,
+        "M700V manual, G68",
+    ),
+    setting(
         "unequal scale arcs",
         Field::Frame(FrameField::UnequalArcs),
         &[],

@@ -38,6 +38,9 @@ impl Interpreter<'_> {
         cycle.fired = false;
         self.kernel.state.cycle = Some(cycle);
         let (target, named) = self.target(block);
+        if self.kernel.state.frame_jump.is_some() {
+            self.kernel.check_first_after_frame(&self.at(block), &target, named);
+        }
         let Some(repeats) = self.cycle_repeats(block) else { return };
         let place = named.without(AxisMask(1 << cycle.axis));
         let rules = self.control.parameters.rules.cycles;
@@ -61,6 +64,9 @@ impl Interpreter<'_> {
         }
         self.warn_of_doubtful_cycle(block, definition, hole.words.kind);
         self.check_unused_peck(block, &hole.words);
+        if definition {
+            self.kernel.check_cycle_in_frame(&self.at(block), cycle.axis);
+        }
         self.kernel.drill(&self.at(block), &hole, target, place);
         for _ in 1..repeats {
             if !self.kernel.count_repeated() {
