@@ -193,7 +193,7 @@ pub fn check_against(
     let mut clusters: Vec<Cluster> = Vec::new();
     let mut aim = Aim::Deepest;
     while let Some(hit) = search.nearest(limit, &clusters, aim) {
-        if report.gouges.len() == options.most {
+        if report.gouges.len() >= options.most {
             report.more = true;
             break;
         }
@@ -203,8 +203,16 @@ pub fn check_against(
             _ => Some(hit),
         };
         let hit = deepest.unwrap_or(hit);
+        let told = gouge(&hit, material, contour, path);
+        // The lead at the mouth of a slot may hide that the slot itself is too narrow.
+        if told.kind == GougeKind::AtLead
+            && let Some(hit) = search.nearest(limit, &clusters, Aim::DeepestOfPart(around(&hit)))
+        {
+            report.gouges.push(gouge(&hit, material, contour, path));
+            clusters.push(around(&hit));
+        }
         clusters.push(around(&hit));
-        report.gouges.push(gouge(&hit, material, contour, path));
+        report.gouges.push(told);
         aim = Aim::Any;
     }
     report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));
