@@ -58,7 +58,7 @@ impl Closing<'_> {
     /// On which side of a curve of the contour a block comes that sets out along it.
     fn beside(&self, lead: &PlaneCurve, curve: &PlaneCurve) -> Lies {
         let way = reach(lead).min(reach(curve));
-        let left = curve.to_left(lead.at((way / lead.length()).min(1.0))) * self.side;
+        let left = curve.left_of(lead.at((way / lead.length()).min(1.0))) * self.side;
         if left > self.grain {
             Lies::ToolSide
         } else if left < -self.grain {

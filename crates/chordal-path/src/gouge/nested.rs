@@ -100,7 +100,7 @@ fn seen_from(p: Vec2, curve: &PlaneCurve) -> f64 {
                     let (from, to) = (piece.from(), piece.to());
                     let way = sweep.signum();
                     let beyond_chord = (to - from).cross(p - from) * way < 0.0;
-                    let within_circle = piece.to_left(p) * way > 0.0;
+                    let within_circle = piece.left_of(p) * way > 0.0;
                     let seen = chord(from, to);
                     if beyond_chord && within_circle { seen + way * 2.0 * PI } else { seen }
                 })

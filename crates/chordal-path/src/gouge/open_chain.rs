@@ -89,12 +89,7 @@ fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool
 /// Takes a first and last arc off an open chain that are tangent to their neighbour, have the tool inside
 /// and sweep no more than half a turn: they only lead to the wall and away.
 fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, tangent: f64) -> Vec<Block> {
-    let leads = |block: &Block| match block.curve {
-        PlaneCurve::Arc { sweep, .. } => {
-            sweep * contour.side.sign() > 0.0 && sweep.abs() <= PI + 1e-6
-        }
-        PlaneCurve::Line { .. } => false,
-    };
+    let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign());
     let smooth = |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= tangent;
     let [before, after] = passing(contour);
     let mut lead_arcs = Vec::new();
@@ -113,6 +108,14 @@ fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, tangent: f64) -> V
         chain.pop();
     }
     lead_arcs
+}
+
+/// An arc with the tool inside that makes no more than half a turn.
+pub(super) fn is_lead_arc(curve: &PlaneCurve, side: f64) -> bool {
+    match *curve {
+        PlaneCurve::Arc { sweep, .. } => sweep * side > 0.0 && sweep.abs() <= PI + 1e-6,
+        PlaneCurve::Line { .. } => false,
+    }
 }
 
 /// The blocks at another height that come right before and after the chain.

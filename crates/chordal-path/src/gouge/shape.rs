@@ -157,7 +157,7 @@ impl PlaneCurve {
 
     /// How far a point lies to the left of the curve, which is thought of as going on at both ends
     /// along its line or circle, mm.
-    pub(super) fn to_left(&self, p: Vec2) -> f64 {
+    pub(super) fn left_of(&self, p: Vec2) -> f64 {
         match *self {
             PlaneCurve::Line { from, to } => {
                 let along = to - from;

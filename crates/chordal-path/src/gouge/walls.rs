@@ -60,6 +60,8 @@ struct Loops {
     side: f64,
     grain: f64,
     tangent: f64,
+    /// Of the whole chain, mm.
+    length: f64,
     /// Blocks that lead to a wall or away.
     lead: Vec<bool>,
     /// The walls, each with its blocks.
@@ -73,6 +75,7 @@ impl Loops {
         let mut loops = Loops {
             places: places(&chain, options.vertex),
             lead: vec![false; chain.len()],
+            length: chain.iter().map(|block| block.curve.length()).sum(),
             chain,
             side,
             grain: options.vertex,
@@ -150,13 +153,22 @@ impl Loops {
     }
 
     /// Whether a loop goes straight on beyond an outside corner and comes back straight into the
-    /// next wall.
+    /// next wall. A pocket that is entered and left through its corner looks the same, but is more of the
+    /// chain than its leads, and these may be arcs with the tool inside.
     fn is_excursion(&self, before: usize, body: &[usize], after: usize) -> bool {
         let curve = |at: usize| &self.chain[at].curve;
         let (first, last) = (curve(body[0]), curve(body[body.len() - 1]));
-        turn(curve(before), curve(after)) * self.side < -self.tangent
+        let straight_on = turn(curve(before), curve(after)) * self.side < -self.tangent
             && turn(curve(before), first).abs() <= self.tangent
-            && turn(last, curve(after)).abs() <= self.tangent
+            && turn(last, curve(after)).abs() <= self.tangent;
+        let is_lead = |at: usize| open_chain::is_lead_arc(curve(at), self.side);
+        straight_on
+            && !(is_lead(before) && is_lead(after))
+            && 2.0 * self.length_of(body) <= self.length
+    }
+
+    fn length_of(&self, body: &[usize]) -> f64 {
+        body.iter().map(|at| self.chain[*at].curve.length()).sum()
     }
 
     fn mark_leads(&mut self, stack: &[usize], body: &[usize], next: usize) {
@@ -205,7 +217,7 @@ pub(super) fn same_course(first: &PlaneCurve, second: &PlaneCurve, grain: f64) -
     match (first, second) {
         (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
             let same_way = (*to - *from).dot(*end - *start) > 0.0;
-            let off = |p: Vec2| first.to_left(p).abs();
+            let off = |p: Vec2| first.left_of(p).abs();
             same_way && off(*start) <= grain && off(*end) <= grain
         }
         (

@@ -102,7 +102,7 @@ impl Maker<'_> {
     }
 
     /// A half circle from the centre of a round wall.
-    fn from_centre(&mut self, curve: &PlaneCurve) -> Option<Lead> {
+    fn rolled_from_centre(&mut self, curve: &PlaneCurve) -> Option<Lead> {
         let PlaneCurve::Arc { radius, center, sweep, .. } = *curve else { return None };
         if sweep * self.side < 0.0 || radius < 2.2 * self.radius {
             return None;
@@ -141,7 +141,7 @@ impl Maker<'_> {
         }
         if kind < 0.88 {
             let line = self.rolled(curve);
-            return self.from_centre(curve).unwrap_or(line);
+            return self.rolled_from_centre(curve).unwrap_or(line);
         }
         let start = self.anywhere();
         if kind < 0.94 {
