@@ -15,7 +15,7 @@ pub(super) fn walls(contour: &Contour, mut chain: Vec<Block>, options: &Options)
     if cut_at_overlap(&mut chain, side, options) {
         return Walls { blocks: chain, closed: true, lead_arcs: Vec::new() };
     }
-    let lead_arcs = strip_lead_arcs(&mut chain, contour, options.tangent);
+    let lead_arcs = strip_lead_arcs(&mut chain, contour, options);
     let closed = cut_at_crossing(&mut chain, side, options) || {
         strip_run_off(&mut chain, contour.radius);
         closes(&chain, options.vertex)
@@ -32,7 +32,7 @@ fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
 
 /// Keeps a chain from the start of a block to where a later one passes that start along the same
 /// line or circle: the contour is run a little past its start.
-fn cut_at_overlap(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool {
+pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
         let (head, tail) = (&chain[first].curve, &chain[last].curve);
@@ -88,9 +88,15 @@ fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool
 
 /// Takes a first and last arc off an open chain that are tangent to their neighbour, have the tool inside
 /// and sweep no more than half a turn: they only lead to the wall and away.
-fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, tangent: f64) -> Vec<Block> {
-    let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign());
-    let smooth = |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= tangent;
+fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, options: &Options) -> Vec<Block> {
+    // An arc smaller than the tool inside it leads nowhere: what it cuts is to be found.
+    let holds_tool = |block: &Block| match block.curve {
+        PlaneCurve::Arc { radius, .. } => radius >= contour.radius - options.epsilon,
+        PlaneCurve::Line { .. } => false,
+    };
+    let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
+    let smooth =
+        |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= options.tangent;
     let [before, after] = passing(contour);
     let mut lead_arcs = Vec::new();
     if let Some(first) = chain.first().copied()

@@ -34,6 +34,13 @@ pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Wal
         let rest = loops.rest.iter().map(|at| loops.chain[*at]).collect();
         return open_chain::walls(contour, rest, options);
     }
+    if let ([only], true) = (&loops.closed[..], loops.rest.is_empty()) {
+        // Leads that meet, say in the centre of a bore, close even what is run past its own start.
+        let mut blocks: Vec<Block> = only.iter().map(|at| loops.chain[*at]).collect();
+        if open_chain::cut_at_overlap(&mut blocks, contour.side.sign(), options) {
+            return Walls { blocks, closed: true, lead_arcs: Vec::new() };
+        }
+    }
     nested::drop_rough_passes(&mut loops.closed, &loops.chain, contour.side.sign());
     let mut indices: Vec<usize> = loops.closed.into_iter().flatten().collect();
     indices.sort_unstable();
