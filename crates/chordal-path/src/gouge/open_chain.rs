@@ -12,7 +12,7 @@ use super::{Block, Contour, Options, Role, distance};
 /// The wall of a chain without a closed stretch.
 pub(super) fn walls(contour: &Contour, mut chain: Vec<Block>, options: &Options) -> Walls {
     let side = contour.side.sign();
-    if cut_at_overlap(&mut chain, side, options) {
+    if cut_at_overlap(&mut chain, options) {
         return Walls { blocks: chain, closed: true, lead_arcs: Vec::new() };
     }
     let lead_arcs = strip_lead_arcs(&mut chain, contour, options);
@@ -32,7 +32,7 @@ fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
 
 /// Keeps a chain from the start of a block to where a later one passes that start along the same
 /// line or circle: the contour is run a little past its start.
-pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool {
+pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, options: &Options) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
         let (head, tail) = (&chain[first].curve, &chain[last].curve);
@@ -41,10 +41,7 @@ pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, side: f64, options: &Option
             && tail.from().distance(start) > grain
             && same_course(head, tail, grain);
         let end = tail.piece(0.0, tail.fraction(start));
-        let closing = Closing { first: head, last: &end, side, grain };
-        let before = first.checked_sub(1).map(|at| chain[at].curve.reversed());
-        let led = before.is_none_or(|lead| closing.lies(&lead) != Lies::FarSide);
-        (meets && led).then_some((first, last, end))
+        meets.then_some((first, last, end))
     });
     let Some((first, last, end)) = found else { return false };
     chain[last].curve = end;

@@ -37,7 +37,7 @@ pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Wal
     if let ([only], true) = (&loops.closed[..], loops.rest.is_empty()) {
         // Leads that meet, say in the centre of a bore, close even what is run past its own start.
         let mut blocks: Vec<Block> = only.iter().map(|at| loops.chain[*at]).collect();
-        if open_chain::cut_at_overlap(&mut blocks, contour.side.sign(), options) {
+        if open_chain::cut_at_overlap(&mut blocks, options) {
             return Walls { blocks, closed: true, lead_arcs: Vec::new() };
         }
     }
@@ -155,8 +155,16 @@ impl Loops {
             return Verdict::Nothing;
         }
         // Leads of few blocks are leads even where they cross the wall; that is reported then.
-        let short = stack.len() <= LONGEST_LEAD && self.chain.len() - next <= LONGEST_LEAD;
+        let again = self.run_again(body, next);
+        let after = self.chain.len() - next - again;
+        let short = stack.len() <= LONGEST_LEAD && after <= LONGEST_LEAD + again.min(1);
         if short { Verdict::Wall } else { Verdict::Stretch }
+    }
+
+    /// So many of the next blocks are those of a closed stretch once more.
+    fn run_again(&self, body: &[usize], next: usize) -> usize {
+        let same = |(at, first): &(usize, &usize)| self.places[*at] == self.places[**first];
+        (next..self.chain.len()).zip(body).take_while(same).count()
     }
 
     /// Whether a loop goes straight on beyond an outside corner and comes back straight into the
