@@ -67,8 +67,9 @@ impl ContourCheck {
             return;
         }
         if !self.level.goes_on_with(piece) {
+            let next = self.level.next(piece);
             self.end_level(report);
-            self.level = ContourLevel::of(piece);
+            self.level = next;
         }
         if self.level.origins.len() >= KEPT_BLOCKS {
             self.beyond.get_or_insert(piece.origin);

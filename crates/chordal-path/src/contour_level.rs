@@ -43,6 +43,23 @@ impl ContourLevel {
         }
     }
 
+    /// The level that follows this one and begins with this piece, which is still to be taken. What each
+    /// level runs into at the other's height shows whether its first and last block are leads.
+    pub fn next(&mut self, piece: &ContourPiece) -> ContourLevel {
+        let mut next = ContourLevel::of(piece);
+        let Some(last) = self.blocks.last() else { return next };
+        next.blocks.push(passing(last.curve));
+        if let Some(programmed) = &piece.programmed {
+            let mut first = true;
+            plain(programmed, |curve| {
+                if std::mem::take(&mut first) {
+                    self.blocks.push(passing(curve));
+                }
+            });
+        }
+        next
+    }
+
     /// Another side, another offset, or a step of the third axis between two blocks begin a
     /// level of their own: what lies at another height is not cut by this one.
     pub fn goes_on_with(&self, piece: &ContourPiece) -> bool {
@@ -58,6 +75,7 @@ impl ContourLevel {
         self.height = piece.height.1;
         let role = match piece.role {
             Role::StartUp => gouge::Role::LeadIn,
+            Role::Contour if piece.rapid => gouge::Role::Passing,
             Role::Contour => gouge::Role::Offset,
             Role::Cancel => gouge::Role::LeadOut,
         };
@@ -78,6 +96,11 @@ impl ContourLevel {
         let side = if self.sign > 0.0 { Side::Left } else { Side::Right };
         Some(Contour { blocks: std::mem::take(&mut self.blocks), side, radius: self.radius })
     }
+}
+
+/// A block that bounds nothing at this height.
+fn passing(curve: gouge::PlaneCurve) -> Block {
+    Block { curve, tag: u32::MAX, role: gouge::Role::Passing }
 }
 
 /// How much the radii of an arc differ by rounding, mm; nothing for a spiral.

@@ -1,54 +1,100 @@
 //! From where the tool comes to a compensated contour, and where it goes: the side that G41 or G42 puts
 //! it on. It needs no diameter.
 
+use core::f64::consts::PI;
+
 use chordal_command::Origin;
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::Vec2;
 
-use crate::compensation::{ContourPiece, Role};
+use crate::compensation::{ContourPiece, PlaneCurve, Role};
 
 /// A lead that lies on the far side of a wall by less is in line with it, mm.
 const ACROSS_MM: f64 = 0.01;
 
+/// Turns smaller than this are tangent joints, rad.
+const TANGENT_RAD: f64 = 0.02;
+
 /// Follows the leads of one contour after the other.
 #[derive(Debug, Default)]
 pub struct SideCheck {
-    /// From the start of the contour back along the lead-in, until the first block is known.
-    back: Option<(Vec2, Origin)>,
+    /// Where the lead-in begins, until the first wall is known.
+    begun: Option<(Vec2, Origin)>,
     /// The lead-in, where it came from the far side.
     across: Option<Origin>,
-    /// Direction at the end of the last block.
-    last: Option<Vec2>,
+    /// The last block and, where that is an arc that may lead out, the one before.
+    last: Option<PlaneCurve>,
+    before: Option<PlaneCurve>,
 }
 
 impl SideCheck {
     /// Takes the next block of a contour; what is found is reported with its lead-out.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         let Some(programmed) = &piece.programmed else { return };
-        let Some((first, last)) = programmed.tangents() else { return };
         match piece.role {
             Role::StartUp => {
-                let back = programmed.from() - programmed.to();
-                *self = SideCheck { back: Some((back, piece.origin)), ..SideCheck::default() };
+                let begun = Some((programmed.from(), piece.origin));
+                *self = SideCheck { begun, ..SideCheck::default() };
             }
-            Role::Contour => {
-                if let Some((back, origin)) = self.back.take()
-                    && across(first, back, piece.sign)
-                {
-                    self.across = Some(origin);
-                }
-                self.last = Some(last);
-            }
+            Role::Contour => self.contour_block(programmed, piece.sign),
             Role::Cancel => {
+                self.first_wall(piece.sign, None);
                 let ended = std::mem::take(self);
-                let off = programmed.to() - programmed.from();
-                if let (Some(origin), Some(last)) = (ended.across, ended.last)
-                    && across(last, off, piece.sign)
+                if let (Some(origin), Some(wall)) = (ended.across, ended.last_wall(piece.sign))
+                    && let Some((_, tangent)) = wall.tangents()
+                    && across(tangent, programmed.to() - wall.to(), piece.sign)
                 {
                     report(wrong_side(piece, &origin), &origin);
                 }
             }
         }
+    }
+
+    fn contour_block(&mut self, block: &PlaneCurve, sign: f64) {
+        self.first_wall(sign, Some(block));
+        self.before = self.last.replace(*block);
+    }
+
+    /// Looks from where the tool came to the first wall: the first block, or the one after an arc
+    /// that leads to it.
+    fn first_wall(&mut self, sign: f64, next: Option<&PlaneCurve>) {
+        let (Some((begun, origin)), Some(first)) = (self.begun, self.last) else { return };
+        let wall = match next {
+            Some(next) if leads(&first, sign) && are_tangent(&first, next) => *next,
+            _ => first,
+        };
+        self.begun = None;
+        if let Some((tangent, _)) = wall.tangents()
+            && across(tangent, begun - wall.from(), sign)
+        {
+            self.across = Some(origin);
+        }
+    }
+
+    /// The last block, or the one before an arc that leads away.
+    fn last_wall(&self, sign: f64) -> Option<PlaneCurve> {
+        let last = self.last?;
+        match self.before {
+            Some(before) if leads(&last, sign) && are_tangent(&before, &last) => Some(before),
+            _ => Some(last),
+        }
+    }
+}
+
+/// An arc of no more than half a turn with the tool inside it.
+fn leads(curve: &PlaneCurve, sign: f64) -> bool {
+    match *curve {
+        PlaneCurve::Arc { sweep, .. } => sweep * sign > 0.0 && sweep.abs() <= PI + 1e-6,
+        PlaneCurve::Line { .. } => false,
+    }
+}
+
+fn are_tangent(before: &PlaneCurve, after: &PlaneCurve) -> bool {
+    match (before.tangents(), after.tangents()) {
+        (Some((_, end)), Some((start, _))) => {
+            end.dot(start) > 0.0 && end.cross(start).abs() <= TANGENT_RAD
+        }
+        _ => false,
     }
 }
 

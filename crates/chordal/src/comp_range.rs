@@ -227,9 +227,13 @@ impl PathSink for Tried {
         if !self.keep {
             return;
         }
-        let goes_on = self.levels.last().is_some_and(|level| level.goes_on_with(piece));
-        if !goes_on {
-            self.levels.push(ContourLevel::of(piece));
+        match self.levels.last_mut() {
+            Some(level) if level.goes_on_with(piece) => {}
+            Some(level) => {
+                let next = level.next(piece);
+                self.levels.push(next);
+            }
+            None => self.levels.push(ContourLevel::of(piece)),
         }
         if let Some(level) = self.levels.last_mut() {
             level.take(piece);

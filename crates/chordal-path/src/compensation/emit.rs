@@ -305,6 +305,7 @@ impl Compensator {
             sign: self.sign,
             radius_mm: self.radius,
             negative: is_negative(self.side, self.sign),
+            rapid: is_rapid(command),
             height: self.height(command),
             units: self.units,
             origin: command.origin,
@@ -321,6 +322,7 @@ impl Compensator {
             sign: block.sign,
             radius_mm: block.radii.1,
             negative: is_negative(block.side, block.sign),
+            rapid: is_rapid(&block.command),
             height: self.height(&block.command),
             units: self.units,
             origin: block.command.origin,
@@ -331,6 +333,10 @@ impl Compensator {
         let (_, _, normal) = self.plane.axes();
         command.kind.motion().map_or((0.0, 0.0), |m| (m.from[normal], m.to[normal]))
     }
+}
+
+fn is_rapid(command: &Command) -> bool {
+    matches!(command.kind, CommandKind::Rapid { .. })
 }
 
 /// True where the tool is on the other side than the code says.

@@ -73,6 +73,8 @@ pub struct ContourPiece {
     /// The offset of the table is negative: the wear of a program for the tool centre, or the
     /// other side on purpose.
     pub negative: bool,
+    /// A rapid, which cuts no wall of its own.
+    pub rapid: bool,
     /// The third axis at start and end, mm.
     pub height: (f64, f64),
     /// Units of the program at this block.

@@ -1,15 +1,11 @@
 //! Which of the programmed blocks are the contour of the part.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
 use super::shape::{PlaneCurve, wrapped};
-use super::{Block, Contour, Options, Role, distance};
-
-/// So many blocks at either end may be the run up to the contour or away from it. A vertex that a
-/// longer tail leaves is a loop of the contour, not its closing point.
-const LONGEST_TAIL: usize = 3;
+use super::{Block, Contour, Options, Role, closing, walls};
 
 /// The contour of the part, and what was taken away to find it.
 #[derive(Clone, Debug, Default)]
@@ -36,63 +32,62 @@ pub struct Material {
 const NOWHERE: u32 = u32::MAX;
 
 impl Material {
-    /// Takes the contour of the part out of the programmed blocks.
+    /// Takes the contour of the part out of the programmed blocks: see [`walls`].
     ///
-    /// Blocks marked [`Role::Part`] are the part and nothing else is. Without marks: a chain that
-    /// comes back to a vertex is the part from the first to the last visit; from an open chain go
-    /// a first and last arc that is tangent to its neighbour, has the tool inside and sweeps no more
-    /// than half a turn, and what runs off beyond the chain's crossing with itself.
+    /// Blocks marked [`Role::Part`] are the part and nothing else is.
     #[must_use]
     pub fn of(contour: &Contour, options: &Options) -> Material {
-        let usable = |b: &&Block| b.curve.is_finite() && b.curve.length() > 0.0;
-        let marked = contour.blocks.iter().any(|b| b.role == Role::Part);
-        let wanted = if marked { Role::Part } else { Role::Offset };
-        let mut chain: Vec<Block> =
-            contour.blocks.iter().filter(usable).filter(|b| b.role == wanted).copied().collect();
-        let mut material = Material::default();
-        if !marked {
-            keep_between_visits(&mut chain, options.vertex);
-            if !closes(&chain, options.vertex) {
-                material.strip_lead_arcs(&mut chain, contour, options.tangent);
-                strip_run_off(&mut chain, contour.radius);
-            }
+        if let Some(marked) = Material::marked(contour, options) {
+            return marked;
         }
+        let chain = chain(contour, Role::Offset);
+        let walls = walls::of(contour, chain.clone(), options);
+        let mut material = Material { lead_arcs: walls.lead_arcs, ..Material::default() };
+        if let (false, Some(first), Some(last)) =
+            (walls.closed, walls.blocks.first(), walls.blocks.last())
+        {
+            material.open_ends = vec![first.curve.from(), last.curve.to()];
+        }
+        material.enter(&walls.blocks, &chain, options.vertex);
+        material
+    }
+
+    /// All that could be the contour, found from the ends of the chain alone: what is taken away is
+    /// a lead beyond doubt. Where nothing cuts into this, nothing cuts into the part.
+    #[must_use]
+    pub fn at_most(contour: &Contour, options: &Options) -> Material {
+        if let Some(marked) = Material::marked(contour, options) {
+            return marked;
+        }
+        let mut chain = chain(contour, Role::Offset);
+        if let Some((first, end)) = closing::at_ends(&chain, contour.side.sign(), options) {
+            chain.truncate(end);
+            chain.drain(..first);
+        }
+        let mut material = Material::default();
         if let (false, Some(first), Some(last)) =
             (closes(&chain, options.vertex), chain.first(), chain.last())
         {
             material.open_ends = vec![first.curve.from(), last.curve.to()];
         }
-        material.enter(&chain, options.vertex);
+        material.enter(&chain, &[], options.vertex);
         material
     }
 
-    fn strip_lead_arcs(&mut self, chain: &mut Vec<Block>, contour: &Contour, tangent: f64) {
-        let leads = |block: &Block| match block.curve {
-            PlaneCurve::Arc { sweep, .. } => {
-                sweep * contour.side.sign() > 0.0 && sweep.abs() <= PI + 1e-6
-            }
-            PlaneCurve::Line { .. } => false,
-        };
-        let smooth =
-            |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= tangent;
-        if let [first, second, ..] = chain[..]
-            && leads(&first)
-            && smooth(&first, &second)
-        {
-            self.lead_arcs.push(first);
-            chain.remove(0);
+    /// The part by the user's own marks, if there are any.
+    fn marked(contour: &Contour, options: &Options) -> Option<Material> {
+        let chain = chain(contour, Role::Part);
+        let mut material = Material::default();
+        if !closes(&chain, options.vertex) {
+            material.open_ends = vec![chain.first()?.curve.from(), chain.last()?.curve.to()];
         }
-        if let [.., second, last] = chain[..]
-            && leads(&last)
-            && smooth(&second, &last)
-        {
-            self.lead_arcs.push(last);
-            chain.pop();
-        }
+        material.enter(&chain, &[], options.vertex);
+        (!chain.is_empty()).then_some(material)
     }
 
-    /// Enters the curves once each, and notes those that are run both ways.
-    fn enter(&mut self, chain: &[Block], grain: f64) {
+    /// Enters the curves once each, and notes those that are run both ways. Blocks of `again` that
+    /// are not in the chain but run along one of its curves stand for that curve.
+    fn enter(&mut self, chain: &[Block], again: &[Block], grain: f64) {
         let mut seen = Seen::with_room(chain.len());
         let mut places = Vec::with_capacity(chain.len());
         let mut last: Option<Vec2> = None;
@@ -118,6 +113,16 @@ impl Material {
                     }
                     places.push((block.tag, before));
                 }
+            }
+        }
+        for block in again {
+            let key = Key::of(&block.curve, block.curve.from(), block.curve.to(), grain);
+            let key_at = |at: u32| {
+                let curve = &self.curves[at as usize];
+                Key::of(curve, curve.from(), curve.to(), grain)
+            };
+            if let Some((before, true)) = seen.find(key, key_at) {
+                places.push((block.tag, before));
             }
         }
         places.sort_unstable();
@@ -171,66 +176,17 @@ pub(super) fn turn(before: &PlaneCurve, after: &PlaneCurve) -> f64 {
     wrapped(after.tangent_angles().0 - before.tangent_angles().1)
 }
 
-fn closes(chain: &[Block], vertex: f64) -> bool {
+/// The blocks of a role that have a length, in their order.
+fn chain(contour: &Contour, role: Role) -> Vec<Block> {
+    let usable = |b: &&Block| b.curve.is_finite() && b.curve.length() > 0.0;
+    contour.blocks.iter().filter(usable).filter(|b| b.role == role).copied().collect()
+}
+
+/// Whether a chain ends where it begins; an empty one does.
+pub(super) fn closes(chain: &[Block], vertex: f64) -> bool {
     match (chain.first(), chain.last()) {
         (Some(first), Some(last)) => first.curve.from().distance(last.curve.to()) <= vertex,
         _ => true,
-    }
-}
-
-/// Of a chain that comes back to a vertex, keeps the longest stretch between two visits.
-fn keep_between_visits(chain: &mut Vec<Block>, vertex: f64) {
-    let count = chain.len();
-    let mut best: Option<(usize, usize)> = None;
-    for first in 0..count.min(LONGEST_TAIL + 1) {
-        let from = chain[first].curve.from();
-        for dropped in 0..=LONGEST_TAIL.min(count - 1 - first) {
-            let end = count - dropped;
-            if end <= first || chain[end - 1].curve.to().distance(from) > vertex {
-                continue;
-            }
-            if best.is_none_or(|(f, e)| end - first > e - f) {
-                best = Some((first, end));
-            }
-        }
-    }
-    if let Some((first, end)) = best {
-        chain.truncate(end);
-        chain.drain(..first);
-    }
-}
-
-/// Cuts an open chain where its first and last line cross, each prolonged by the tool radius: what
-/// lies beyond only takes the tool off the part.
-fn strip_run_off(chain: &mut [Block], radius: f64) {
-    let count = chain.len();
-    if count < 3 {
-        return;
-    }
-    let (first, last) = (chain[0].curve, chain[count - 1].curve);
-    let (PlaneCurve::Line { from: a, to: b }, PlaneCurve::Line { from: c, to: d }) = (first, last)
-    else {
-        return;
-    };
-    let (Some(t), Some(u)) = ((b - a).normalized(), (d - c).normalized()) else { return };
-    let before = PlaneCurve::line(a - t * radius, b);
-    let beyond = PlaneCurve::line(c, d + u * radius);
-    let near = distance::nearest(&before, &beyond);
-    if near.square > 0.0 || near.first == b || near.first == c {
-        return;
-    }
-    let cross = near.first;
-    let runs_on = (d - cross).dot(u);
-    let begins_before = (cross - a).dot(t);
-    // One of the two must really pass the crossing; two walls that stop short have no run-off.
-    if runs_on <= 0.0 && begins_before <= 0.0 {
-        return;
-    }
-    if begins_before > 0.0 {
-        chain[0].curve = PlaneCurve::line(cross, b);
-    }
-    if runs_on > 0.0 {
-        chain[count - 1].curve = PlaneCurve::line(c, cross);
     }
 }
 
@@ -298,6 +254,21 @@ impl Seen {
         place: u32,
         key_at: impl Fn(u32) -> Key,
     ) -> Option<(u32, bool)> {
+        let found = self.slot_of(key, key_at);
+        if let Err(slot) = found {
+            self.slots[slot] = key.hash() >> 32 << 32 | u64::from(place);
+        }
+        found.ok()
+    }
+
+    /// The place of an equal curve and whether it runs the same way.
+    fn find(&self, key: Key, key_at: impl Fn(u32) -> Key) -> Option<(u32, bool)> {
+        self.slot_of(key, key_at).ok()
+    }
+
+    /// The equal curve, or the free slot where it would stand.
+    #[inline]
+    fn slot_of(&self, key: Key, key_at: impl Fn(u32) -> Key) -> Result<(u32, bool), usize> {
         let mask = self.slots.len() - 1;
         let hash = key.hash();
         let mut slot = hash as usize & mask;
@@ -306,12 +277,11 @@ impl Seen {
             if mark == hash >> 32 {
                 let other = key_at(at);
                 if (other.low, other.high, other.center) == (key.low, key.high, key.center) {
-                    return Some((at, other.forward == key.forward));
+                    return Ok((at, other.forward == key.forward));
                 }
             }
             slot = (slot + 1) & mask;
         }
-        self.slots[slot] = hash >> 32 << 32 | u64::from(place);
-        None
+        Err(slot)
     }
 }

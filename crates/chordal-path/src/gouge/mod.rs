@@ -5,13 +5,17 @@
 //! lines and arcs of the compensation plane; the tool centre gouges where it comes nearer to the
 //! contour of the part than its radius, anywhere on the whole path, links and leads included.
 
+mod closing;
 mod distance;
 mod material;
+mod nested;
+mod open_chain;
 mod range;
 mod search;
 mod shape;
 mod throat;
 mod tree;
+mod walls;
 
 use chordal_geometry::Vec2;
 
@@ -50,6 +54,8 @@ pub enum Role {
     Offset,
     /// Bounds the part because the user says so; with one such mark nothing else does.
     Part,
+    /// Bounds nothing here: a rapid, or the neighbour of this chain at another height.
+    Passing,
     /// Turns compensation off: takes the tool away.
     LeadOut,
 }
@@ -149,10 +155,22 @@ pub struct GougeReport {
 }
 
 /// Checks the path of the tool centre against the contour of the part.
+///
+/// First against all that could be the part, which costs little to know. Only what is found there makes it
+/// worth while to tell leads from walls block by block.
 #[must_use]
 pub fn check(contour: &Contour, path: &[Move], options: &Options) -> GougeReport {
+    let most = Material::at_most(contour, options);
+    let report = check_against(&most, contour, path, options);
+    if report.gouges.is_empty() && report.ambiguous.is_empty() {
+        return report;
+    }
     let material = Material::of(contour, options);
-    check_against(&material, contour, path, options)
+    if material.curves == most.curves {
+        report
+    } else {
+        check_against(&material, contour, path, options)
+    }
 }
 
 /// As [`check`], with the contour of the part already found.
@@ -175,7 +193,7 @@ pub fn check_against(
     let mut clusters: Vec<Cluster> = Vec::new();
     let mut aim = Aim::Deepest;
     while let Some(hit) = search.nearest(limit, &clusters, aim) {
-        if report.gouges.len() == options.most {
+        if report.gouges.len() >= options.most {
             report.more = true;
             break;
         }
@@ -185,8 +203,16 @@ pub fn check_against(
             _ => Some(hit),
         };
         let hit = deepest.unwrap_or(hit);
+        let told = gouge(&hit, material, contour, path);
+        // The lead at the mouth of a slot may hide that the slot itself is too narrow.
+        if told.kind == GougeKind::AtLead
+            && let Some(hit) = search.nearest(limit, &clusters, Aim::DeepestOfPart(around(&hit)))
+        {
+            report.gouges.push(gouge(&hit, material, contour, path));
+            clusters.push(around(&hit));
+        }
         clusters.push(around(&hit));
-        report.gouges.push(gouge(&hit, material, contour, path));
+        report.gouges.push(told);
         aim = Aim::Any;
     }
     report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));

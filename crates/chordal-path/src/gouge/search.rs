@@ -81,6 +81,8 @@ pub(super) enum Aim {
     Any,
     /// The deepest gouge of a stretch.
     DeepestIn(Cluster),
+    /// The deepest gouge of a stretch that a block of the part makes, not a lead.
+    DeepestOfPart(Cluster),
 }
 
 /// The trees over a contour and a path.
@@ -134,7 +136,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             if self.path_boxes.is_leaf(of_path) && self.boxes.is_leaf(of_contour) {
-                self.try_leaves(of_path, of_contour, clusters, &mut limit, &mut best);
+                self.try_leaves((of_path, of_contour), clusters, aim, &mut limit, &mut best);
                 if best.is_some() && matches!(aim, Aim::Any) {
                     break;
                 }
@@ -164,7 +166,7 @@ impl<'a> Search<'a> {
             return true;
         }
         let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
-        if let Aim::DeepestIn(stretch) = aim
+        if let Aim::DeepestIn(stretch) | Aim::DeepestOfPart(stretch) = aim
             && !stretch.meets(path_span, span)
         {
             return true;
@@ -214,9 +216,9 @@ impl<'a> Search<'a> {
 
     fn try_leaves(
         &mut self,
-        of_path: usize,
-        of_contour: usize,
+        (of_path, of_contour): (usize, usize),
         clusters: &[Cluster],
+        aim: Aim,
         limit: &mut f64,
         best: &mut Option<Hit>,
     ) {
@@ -227,6 +229,9 @@ impl<'a> Search<'a> {
             let bounds = self.path_boxes.elements[p];
             let curve = &self.path[p].curve;
             if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
+                continue;
+            }
+            if matches!(aim, Aim::DeepestOfPart(_)) && !self.material.has(self.path[p].tag) {
                 continue;
             }
             for c in first..end {

@@ -125,6 +125,50 @@ impl PlaneCurve {
         }
     }
 
+    /// The piece between two fractions of the way, 0..=1.
+    #[must_use]
+    pub(super) fn piece(&self, first: f64, last: f64) -> PlaneCurve {
+        match *self {
+            PlaneCurve::Line { .. } => PlaneCurve::line(self.at(first), self.at(last)),
+            PlaneCurve::Arc { center, radius, start, sweep } => PlaneCurve::Arc {
+                center,
+                radius,
+                start: start + first * sweep,
+                sweep: (last - first) * sweep,
+            },
+        }
+    }
+
+    /// How far along the curve a point lies that is on it, as a fraction of the way, 0..=1.
+    pub(super) fn fraction(&self, p: Vec2) -> f64 {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                let along = to - from;
+                ((p - from).dot(along) / along.dot(along)).clamp(0.0, 1.0)
+            }
+            PlaneCurve::Arc { center, start, sweep, .. } => {
+                let turned = (angle_of(p - center) - start) * sweep.signum();
+                let turned = turned - TAU * libm::floor(turned / TAU);
+                // Rounding may put the first point a full turn ahead of itself.
+                if TAU - turned < 1e-9 { 0.0 } else { (turned / sweep.abs()).min(1.0) }
+            }
+        }
+    }
+
+    /// How far a point lies to the left of the curve, which is thought of as going on at both ends
+    /// along its line or circle, mm.
+    pub(super) fn left_of(&self, p: Vec2) -> f64 {
+        match *self {
+            PlaneCurve::Line { from, to } => {
+                let along = to - from;
+                along.cross(p - from) / along.length()
+            }
+            PlaneCurve::Arc { center, radius, sweep, .. } => {
+                (radius - p.distance(center)) * sweep.signum()
+            }
+        }
+    }
+
     /// Whether every number of it is finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {

@@ -1,0 +1,110 @@
+//! Closed walls inside one another: the rough pass beside the finished contour.
+
+use core::f64::consts::PI;
+
+use chordal_geometry::Vec2;
+
+use super::Block;
+use super::shape::{PlaneCurve, angle_of, wrapped};
+
+/// With more closed walls than this none is compared with the others.
+const MOST_WALLS: usize = 2000;
+
+/// Areas that differ by less, in parts of the larger, are those of one contour run again.
+const SAME_AREA: f64 = 1e-6;
+
+/// Leaves out the walls beyond which the tool of another wall cuts. With the tool inside both, the larger of
+/// two nested contours is what remains; with the tool outside both, the smaller. An island in a pocket
+/// has the tool on the other side, and stays.
+pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[Block], side: f64) {
+    if walls.len() < 2 || walls.len() > MOST_WALLS {
+        return;
+    }
+    let areas: Vec<f64> = walls.iter().map(|wall| area(curves(wall, chain))).collect();
+    let rough: Vec<bool> = (0..walls.len())
+        .map(|rough| {
+            (0..walls.len()).any(|kept| {
+                let (inner, outer) = match areas[rough] * side > 0.0 {
+                    true => (rough, kept),
+                    false => (kept, rough),
+                };
+                areas[rough] * areas[kept] > 0.0
+                    && areas[inner].abs() < areas[outer].abs() * (1.0 - SAME_AREA)
+                    && holds(&walls[outer], &walls[inner], chain)
+            })
+        })
+        .collect();
+    let mut rough = rough.into_iter();
+    walls.retain(|_| !rough.next().unwrap_or(false));
+}
+
+fn curves<'a>(
+    wall: &'a [usize],
+    chain: &'a [Block],
+) -> impl Iterator<Item = &'a PlaneCurve> + Clone {
+    wall.iter().map(|at| &chain[*at].curve)
+}
+
+/// Whether one closed contour lies within another, judged by the middles of its blocks.
+fn holds(outer: &[usize], inner: &[usize], chain: &[Block]) -> bool {
+    let (low, high) = corners(curves(outer, chain));
+    let middles = || curves(inner, chain).map(|curve| curve.at(0.5));
+    let in_box = |p: Vec2| p.a >= low.a && p.b >= low.b && p.a <= high.a && p.b <= high.b;
+    middles().all(in_box) && middles().take(3).all(|p| is_inside(p, curves(outer, chain)))
+}
+
+fn corners<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> (Vec2, Vec2) {
+    let mut low = Vec2::new(f64::INFINITY, f64::INFINITY);
+    let mut high = -low;
+    for bounds in curves.map(super::tree::Bounds::of) {
+        low = Vec2::new(low.a.min(bounds.min.a), low.b.min(bounds.min.b));
+        high = Vec2::new(high.a.max(bounds.max.a), high.b.max(bounds.max.b));
+    }
+    (low, high)
+}
+
+/// The area of a closed contour, mm², positive when it is run counter-clockwise.
+fn area<'a>(curves: impl Iterator<Item = &'a PlaneCurve>) -> f64 {
+    let twice: f64 = curves
+        .map(|curve| {
+            let chord = curve.from().cross(curve.to());
+            match *curve {
+                PlaneCurve::Line { .. } => chord,
+                PlaneCurve::Arc { radius, sweep, .. } => {
+                    chord + radius * radius * (sweep - libm::sin(sweep))
+                }
+            }
+        })
+        .sum();
+    0.5 * twice
+}
+
+/// Whether a closed contour runs round a point: the angles under which the point sees its curves make a
+/// full turn.
+fn is_inside<'a>(p: Vec2, curves: impl Iterator<Item = &'a PlaneCurve>) -> bool {
+    let seen: f64 = curves.map(|curve| seen_from(p, curve)).sum();
+    seen.abs() > PI
+}
+
+fn seen_from(p: Vec2, curve: &PlaneCurve) -> f64 {
+    let chord = |from: Vec2, to: Vec2| wrapped(angle_of(to - p) - angle_of(from - p));
+    match *curve {
+        PlaneCurve::Line { from, to } => chord(from, to),
+        PlaneCurve::Arc { sweep, .. } => {
+            // In pieces of less than a right angle: a point between chord and arc sees the piece the
+            // long way round.
+            let pieces = libm::ceil(sweep.abs() / 1.5).max(1.0);
+            (0..pieces as u32)
+                .map(|k| {
+                    let piece = curve.piece(f64::from(k) / pieces, f64::from(k + 1) / pieces);
+                    let (from, to) = (piece.from(), piece.to());
+                    let way = sweep.signum();
+                    let beyond_chord = (to - from).cross(p - from) * way < 0.0;
+                    let within_circle = piece.left_of(p) * way > 0.0;
+                    let seen = chord(from, to);
+                    if beyond_chord && within_circle { seen + way * 2.0 * PI } else { seen }
+                })
+                .sum()
+        }
+    }
+}

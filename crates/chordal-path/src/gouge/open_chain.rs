@@ -1,0 +1,162 @@
+//! The wall of a chain that comes back to no place of its own: cut where it overlaps or crosses
+//! itself, or open.
+
+use core::f64::consts::PI;
+
+use super::closing::{Closing, LONGEST_LEAD, Lies};
+use super::material::{closes, turn};
+use super::shape::PlaneCurve;
+use super::walls::{Walls, same_course};
+use super::{Block, Contour, Options, Role, distance};
+
+/// The wall of a chain without a closed stretch.
+pub(super) fn walls(contour: &Contour, mut chain: Vec<Block>, options: &Options) -> Walls {
+    let side = contour.side.sign();
+    if cut_at_overlap(&mut chain, options) {
+        return Walls { blocks: chain, closed: true, lead_arcs: Vec::new() };
+    }
+    let lead_arcs = strip_lead_arcs(&mut chain, contour, options);
+    let closed = cut_at_crossing(&mut chain, side, options) || {
+        strip_run_off(&mut chain, contour.radius);
+        closes(&chain, options.vertex)
+    };
+    Walls { blocks: chain, closed, lead_arcs }
+}
+
+/// The pairs of a block near the start and one near the end, the longest stretch first.
+fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
+    let least = count.saturating_sub(LONGEST_LEAD + 1);
+    (0..count.min(LONGEST_LEAD + 1))
+        .flat_map(move |first| (least.max(first + 1)..count).rev().map(move |last| (first, last)))
+}
+
+/// Keeps a chain from the start of a block to where a later one passes that start along the same
+/// line or circle: the contour is run a little past its start.
+pub(super) fn cut_at_overlap(chain: &mut Vec<Block>, options: &Options) -> bool {
+    let grain = options.vertex;
+    let found = ends(chain.len()).find_map(|(first, last)| {
+        let (head, tail) = (&chain[first].curve, &chain[last].curve);
+        let start = head.from();
+        let meets = tail.nearest(start).distance(start) <= grain
+            && tail.from().distance(start) > grain
+            && same_course(head, tail, grain);
+        let end = tail.piece(0.0, tail.fraction(start));
+        meets.then_some((first, last, end))
+    });
+    let Some((first, last, end)) = found else { return false };
+    chain[last].curve = end;
+    chain.truncate(last + 1);
+    chain.drain(..first);
+    true
+}
+
+/// Keeps a chain from where it crosses itself to where it crosses itself, if what lies beyond on both
+/// ends is where the tool is: a run up to the first wall and off the last.
+fn cut_at_crossing(chain: &mut Vec<Block>, side: f64, options: &Options) -> bool {
+    let grain = options.vertex;
+    let found = ends(chain.len()).find_map(|(first, last)| {
+        let (head, tail) = (chain[first].curve, chain[last].curve);
+        let near = distance::nearest(&head, &tail);
+        let at = near.first;
+        // Neighbours meet at their joint, which is no crossing.
+        let joint = last == first + 1 && at.distance(head.to()) <= grain;
+        if near.square > grain * grain || joint {
+            return None;
+        }
+        let (cut, ended) = (head.fraction(at), tail.fraction(at));
+        let (begins, ends) = (head.piece(cut, 1.0), tail.piece(0.0, ended));
+        if begins.length() <= grain || ends.length() <= grain {
+            return None;
+        }
+        let closing = Closing { first: &begins, last: &ends, side, grain };
+        let before = head.piece(0.0, cut).reversed();
+        let after = tail.piece(ended, 1.0);
+        let on_tool_side =
+            |lead: &PlaneCurve| lead.length() <= grain || closing.lies(lead) == Lies::ToolSide;
+        (on_tool_side(&before) && on_tool_side(&after)).then_some((first, last, begins, ends))
+    });
+    let Some((first, last, begins, ends)) = found else { return false };
+    chain[first].curve = begins;
+    chain[last].curve = ends;
+    chain.truncate(last + 1);
+    chain.drain(..first);
+    true
+}
+
+/// Takes a first and last arc off an open chain that are tangent to their neighbour, have the tool inside
+/// and sweep no more than half a turn: they only lead to the wall and away.
+fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, options: &Options) -> Vec<Block> {
+    // An arc smaller than the tool inside it leads nowhere: what it cuts is to be found.
+    let holds_tool = |block: &Block| match block.curve {
+        PlaneCurve::Arc { radius, .. } => radius >= contour.radius - options.epsilon,
+        PlaneCurve::Line { .. } => false,
+    };
+    let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
+    let smooth =
+        |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= options.tangent;
+    let [before, after] = passing(contour);
+    let mut lead_arcs = Vec::new();
+    if let Some(first) = chain.first().copied()
+        && leads(&first)
+        && chain.get(1).or(after.as_ref()).is_some_and(|second| smooth(&first, second))
+    {
+        lead_arcs.push(first);
+        chain.remove(0);
+    }
+    if let Some(last) = chain.last().copied()
+        && leads(&last)
+        && chain.iter().rev().nth(1).or(before.as_ref()).is_some_and(|second| smooth(second, &last))
+    {
+        lead_arcs.push(last);
+        chain.pop();
+    }
+    lead_arcs
+}
+
+/// An arc with the tool inside that makes no more than half a turn.
+pub(super) fn is_lead_arc(curve: &PlaneCurve, side: f64) -> bool {
+    match *curve {
+        PlaneCurve::Arc { sweep, .. } => sweep * side > 0.0 && sweep.abs() <= PI + 1e-6,
+        PlaneCurve::Line { .. } => false,
+    }
+}
+
+/// The blocks at another height that come right before and after the chain.
+fn passing(contour: &Contour) -> [Option<Block>; 2] {
+    let passes = |block: Option<&Block>| block.filter(|b| b.role == Role::Passing).copied();
+    [passes(contour.blocks.first()), passes(contour.blocks.last())]
+}
+
+/// Cuts an open chain where its first and last line cross, each prolonged by the tool radius: what
+/// lies beyond only takes the tool off the part.
+fn strip_run_off(chain: &mut [Block], radius: f64) {
+    let count = chain.len();
+    if count < 3 {
+        return;
+    }
+    let (first, last) = (chain[0].curve, chain[count - 1].curve);
+    let (PlaneCurve::Line { from: a, to: b }, PlaneCurve::Line { from: c, to: d }) = (first, last)
+    else {
+        return;
+    };
+    let (Some(t), Some(u)) = ((b - a).normalized(), (d - c).normalized()) else { return };
+    let before = PlaneCurve::line(a - t * radius, b);
+    let beyond = PlaneCurve::line(c, d + u * radius);
+    let near = distance::nearest(&before, &beyond);
+    if near.square > 0.0 || near.first == b || near.first == c {
+        return;
+    }
+    let cross = near.first;
+    let runs_on = (d - cross).dot(u);
+    let begins_before = (cross - a).dot(t);
+    // One of the two must really pass the crossing; two walls that stop short have no run-off.
+    if runs_on <= 0.0 && begins_before <= 0.0 {
+        return;
+    }
+    if begins_before > 0.0 {
+        chain[0].curve = PlaneCurve::line(cross, b);
+    }
+    if runs_on > 0.0 {
+        chain[count - 1].curve = PlaneCurve::line(c, cross);
+    }
+}

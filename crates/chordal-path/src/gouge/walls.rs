@@ -1,0 +1,248 @@
+//! What of a programmed chain is wall, and what only leads the tool to it and away.
+//!
+//! 1. Where the chain comes back to a point, the stretch between is closed. It is a wall if the blocks
+//!    before and after it lie on the tool's side there: these are leads, and what closes through
+//!    a lead is none. A loop that goes straight on beyond an outside corner and comes back for
+//!    the next wall is an excursion.
+//! 2. A closed wall beyond which another wall of the same kind is cut is a rough pass.
+//! 3. A chain that closes nowhere is the wall, less its lead arcs: see [`open_chain`].
+
+use std::collections::BTreeMap;
+
+use chordal_geometry::Vec2;
+
+use super::closing::{Closing, LONGEST_LEAD, Lies};
+use super::material::turn;
+use super::shape::PlaneCurve;
+use super::{Block, Contour, Options, nested, open_chain};
+
+/// The walls of a chain.
+#[derive(Debug, Default)]
+pub(super) struct Walls {
+    /// Their blocks, in the order of the chain.
+    pub(super) blocks: Vec<Block>,
+    /// They close on themselves.
+    pub(super) closed: bool,
+    /// Arcs that lead to an open wall and away.
+    pub(super) lead_arcs: Vec<Block>,
+}
+
+/// Finds the walls.
+pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Walls {
+    let mut loops = Loops::of(chain, contour.side.sign(), options);
+    if loops.closed.is_empty() {
+        let rest = loops.rest.iter().map(|at| loops.chain[*at]).collect();
+        return open_chain::walls(contour, rest, options);
+    }
+    if let ([only], true) = (&loops.closed[..], loops.rest.is_empty()) {
+        // Leads that meet, say in the centre of a bore, close even what is run past its own start.
+        let mut blocks: Vec<Block> = only.iter().map(|at| loops.chain[*at]).collect();
+        if open_chain::cut_at_overlap(&mut blocks, options) {
+            return Walls { blocks, closed: true, lead_arcs: Vec::new() };
+        }
+    }
+    nested::drop_rough_passes(&mut loops.closed, &loops.chain, contour.side.sign());
+    let mut indices: Vec<usize> = loops.closed.into_iter().flatten().collect();
+    indices.sort_unstable();
+    let blocks = indices.into_iter().map(|at| loops.chain[at]).collect();
+    Walls { blocks, closed: true, lead_arcs: Vec::new() }
+}
+
+/// What a closed stretch is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    /// A wall, with leads at its closing point.
+    Wall,
+    /// Neither a wall nor a part of one.
+    Nothing,
+    /// A stretch of something larger that touches itself here.
+    Stretch,
+}
+
+/// The closed stretches of a chain.
+struct Loops {
+    chain: Vec<Block>,
+    /// The number of the place where each block begins and where it ends: equal places, equal numbers.
+    places: Vec<(usize, usize)>,
+    side: f64,
+    grain: f64,
+    tangent: f64,
+    /// Of the whole chain, mm.
+    length: f64,
+    /// Blocks that lead to a wall or away.
+    lead: Vec<bool>,
+    /// The walls, each with its blocks.
+    closed: Vec<Vec<usize>>,
+    /// What belongs to no closed stretch.
+    rest: Vec<usize>,
+}
+
+impl Loops {
+    fn of(chain: Vec<Block>, side: f64, options: &Options) -> Loops {
+        let mut loops = Loops {
+            places: places(&chain, options.vertex),
+            lead: vec![false; chain.len()],
+            length: chain.iter().map(|block| block.curve.length()).sum(),
+            chain,
+            side,
+            grain: options.vertex,
+            tangent: options.tangent,
+            closed: Vec::new(),
+            rest: Vec::new(),
+        };
+        loops.unwind();
+        loops
+    }
+
+    /// Follows the chain. Whenever it comes back to a place, what lies between is taken off.
+    fn unwind(&mut self) {
+        let mut stack: Vec<usize> = Vec::new();
+        let mut depth: Vec<usize> = vec![usize::MAX; 2 * self.chain.len()];
+        for at in 0..self.chain.len() {
+            let (from, to) = self.places[at];
+            depth[from] = stack.len();
+            stack.push(at);
+            // Of a place that was taken off since, the depth is that of another.
+            let Some(&below) = stack.get(depth[to]) else { continue };
+            if self.places[below].0 != to {
+                continue;
+            }
+            let body = stack.split_off(depth[to]);
+            match self.verdict(&stack, &body, at + 1) {
+                Verdict::Wall => {
+                    self.mark_leads(&stack, &body, at + 1);
+                    self.closed.push(body);
+                }
+                Verdict::Nothing => {}
+                Verdict::Stretch => stack.extend(body),
+            }
+        }
+        self.rest = stack;
+    }
+
+    /// The blocks that meet a closed stretch at its closing point.
+    fn neighbours(&self, stack: &[usize], body: &[usize], next: usize) -> [Option<usize>; 2] {
+        let place = self.places[body[0]].0;
+        let before = stack.last().copied().filter(|at| self.places[*at].1 == place);
+        let after = (next < self.chain.len() && self.places[next].0 == place).then_some(next);
+        [before, after]
+    }
+
+    fn lies(&self, body: &[usize], [before, after]: [Option<usize>; 2]) -> [Lies; 2] {
+        let closing = Closing {
+            first: &self.chain[body[0]].curve,
+            last: &self.chain[body[body.len() - 1]].curve,
+            side: self.side,
+            grain: self.grain,
+        };
+        [
+            before.map_or(Lies::Along, |at| closing.lies(&self.chain[at].curve.reversed())),
+            after.map_or(Lies::Along, |at| closing.lies(&self.chain[at].curve)),
+        ]
+    }
+
+    fn verdict(&self, stack: &[usize], body: &[usize], next: usize) -> Verdict {
+        if body.iter().any(|at| self.lead[*at]) {
+            return Verdict::Nothing;
+        }
+        let neighbours = self.neighbours(stack, body, next);
+        if !self.lies(body, neighbours).contains(&Lies::FarSide) {
+            return Verdict::Wall;
+        }
+        if let [Some(before), Some(after)] = neighbours
+            && self.is_excursion(before, body, after)
+        {
+            return Verdict::Nothing;
+        }
+        // Leads of few blocks are leads even where they cross the wall; that is reported then.
+        let again = self.run_again(body, next);
+        let after = self.chain.len() - next - again;
+        let short = stack.len() <= LONGEST_LEAD && after <= LONGEST_LEAD + again.min(1);
+        if short { Verdict::Wall } else { Verdict::Stretch }
+    }
+
+    /// So many of the next blocks are those of a closed stretch once more.
+    fn run_again(&self, body: &[usize], next: usize) -> usize {
+        let same = |(at, first): &(usize, &usize)| self.places[*at] == self.places[**first];
+        (next..self.chain.len()).zip(body).take_while(same).count()
+    }
+
+    /// Whether a loop goes straight on beyond an outside corner and comes back straight into the
+    /// next wall. A pocket that is entered and left through its corner looks the same, but is more of the
+    /// chain than its leads, and these may be arcs with the tool inside.
+    fn is_excursion(&self, before: usize, body: &[usize], after: usize) -> bool {
+        let curve = |at: usize| &self.chain[at].curve;
+        let (first, last) = (curve(body[0]), curve(body[body.len() - 1]));
+        let straight_on = turn(curve(before), curve(after)) * self.side < -self.tangent
+            && turn(curve(before), first).abs() <= self.tangent
+            && turn(last, curve(after)).abs() <= self.tangent;
+        let is_lead = |at: usize| open_chain::is_lead_arc(curve(at), self.side);
+        straight_on
+            && !(is_lead(before) && is_lead(after))
+            && 2.0 * self.length_of(body) <= self.length
+    }
+
+    fn length_of(&self, body: &[usize]) -> f64 {
+        body.iter().map(|at| self.chain[*at].curve.length()).sum()
+    }
+
+    fn mark_leads(&mut self, stack: &[usize], body: &[usize], next: usize) {
+        let neighbours = self.neighbours(stack, body, next);
+        let lies = self.lies(body, neighbours);
+        for (neighbour, lies) in neighbours.into_iter().zip(lies) {
+            if let (Some(at), Lies::ToolSide | Lies::FarSide) = (neighbour, lies) {
+                self.lead[at] = true;
+            }
+        }
+    }
+}
+
+/// Numbers the places where blocks begin and end: those nearer than the grain are one.
+fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
+    let mut known: BTreeMap<(i64, i64), Vec<(Vec2, usize)>> = BTreeMap::new();
+    let mut count = 0;
+    let mut number = |p: Vec2| {
+        // Cells of two grains: a place within one grain lies in this cell or in the nearer
+        // neighbour each way.
+        let (a, b) = (p.a / (2.0 * grain), p.b / (2.0 * grain));
+        let (cell_a, cell_b) = (libm::floor(a) as i64, libm::floor(b) as i64);
+        let beside = |x: f64, cell: i64| if x - cell as f64 > 0.5 { cell + 1 } else { cell - 1 };
+        for cell in [
+            (cell_a, cell_b),
+            (beside(a, cell_a), cell_b),
+            (cell_a, beside(b, cell_b)),
+            (beside(a, cell_a), beside(b, cell_b)),
+        ] {
+            let near = known.get(&cell).and_then(|all| {
+                all.iter().find(|(other, _)| other.distance(p) <= grain).map(|found| found.1)
+            });
+            if let Some(found) = near {
+                return found;
+            }
+        }
+        known.entry((cell_a, cell_b)).or_default().push((p, count));
+        count += 1;
+        count - 1
+    };
+    chain.iter().map(|block| (number(block.curve.from()), number(block.curve.to()))).collect()
+}
+
+/// Whether two curves lie on one line or circle and run the same way.
+pub(super) fn same_course(first: &PlaneCurve, second: &PlaneCurve, grain: f64) -> bool {
+    match (first, second) {
+        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
+            let same_way = (*to - *from).dot(*end - *start) > 0.0;
+            let off = |p: Vec2| first.left_of(p).abs();
+            same_way && off(*start) <= grain && off(*end) <= grain
+        }
+        (
+            PlaneCurve::Arc { center, radius, sweep, .. },
+            PlaneCurve::Arc { center: about, radius: other, sweep: turned, .. },
+        ) => {
+            center.distance(*about) <= grain
+                && (radius - other).abs() <= grain
+                && sweep * turned > 0.0
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,261 @@
+//! Random walls with random leads, judged by a second method: the path of the tool centre is sampled, and
+//! a tool that comes nearer to the wall than its radius cuts into it. What the program calls wall and
+//! lead is known here, and Chordal has to find it out.
+//!
+//! A longer run: `CHORDAL_ROUNDS=100000 cargo test --release -p chordal --test leads`.
+
+#[path = "../../../chordal-path/tests/support/mod.rs"]
+mod support;
+
+mod forms;
+mod walls;
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use chordal::control::Origin;
+use chordal::geometry::Vec2;
+use chordal::path::gouge::{PlaneCurve, Side};
+use chordal::path::{ContourCheck, ContourLevel, ContourPiece, PathCommand, PathSink};
+use chordal::{Code, Diagnostic, Job, Machine, Source, SourceMap};
+use forms::Program;
+use support::{Dice, point_distance};
+
+/// What is deeper by less than this on a few samples may be missed by either method, mm.
+const SURE_MM: f64 = 0.004;
+
+/// Chordal reports what is deeper than this, mm.
+const LEAST_DEPTH_MM: f64 = 0.002;
+
+/// The path of the tool centre and what is reported about it.
+#[derive(Default)]
+struct Seen {
+    path: Vec<PlaneCurve>,
+    check: ContourCheck,
+    gouges: Vec<String>,
+    at_leads: Vec<String>,
+}
+
+impl Seen {
+    fn note(gouges: &mut Vec<String>, at_leads: &mut Vec<String>, found: &Diagnostic) {
+        match found.code {
+            Code::CutterGouges => gouges.push(found.message.to_string()),
+            Code::CutterGougesAtLead => at_leads.push(found.message.to_string()),
+            _ => {}
+        }
+    }
+
+    fn finish(&mut self) {
+        let Seen { check, gouges, at_leads, .. } = self;
+        check.finish(&mut |found, _| Seen::note(gouges, at_leads, &found));
+    }
+}
+
+impl PathSink for Seen {
+    fn command(&mut self, _: PathCommand<'_>) {}
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+
+    fn contour(&mut self, piece: &ContourPiece) {
+        let mut level = ContourLevel::of(piece);
+        level.take(piece);
+        self.path.extend(level.moves.iter().map(|step| step.curve));
+        let Seen { check, gouges, at_leads, .. } = self;
+        check.piece(piece, &mut |found, _| Seen::note(gouges, at_leads, &found));
+    }
+}
+
+fn text_of(program: &Program) -> String {
+    let code = if program.side == Side::Left { "G41" } else { "G42" };
+    let mut text = String::from("G21 G90 G17 G40\nT1 M6\nS1000 M3\n");
+    let at = |p: Vec2| format!("X{:.9} Y{:.9}", p.a, p.b);
+    let first = program.chain[0].from();
+    writeln!(text, "G0 {}\nG1 {code} D1 {} F100.", at(program.start), at(first)).unwrap();
+    for curve in &program.chain {
+        match *curve {
+            PlaneCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
+            PlaneCurve::Arc { center, sweep, .. } => {
+                let arm = center - curve.from();
+                let g = if sweep > 0.0 { "G3" } else { "G2" };
+                writeln!(text, "{g} {} I{:.9} J{:.9}", at(curve.to()), arm.a, arm.b)
+            }
+        }
+        .unwrap();
+    }
+    writeln!(text, "G1 G40 {}\nM30", at(program.end)).unwrap();
+    text
+}
+
+fn run(text: &str, radius: f64) -> Seen {
+    let mut machine = Machine::from_builtin("fanuc-30i").unwrap();
+    for assignment in [
+        format!("tools.1.diameter={} mm", 2.0 * radius),
+        "settings.outside_corner=arc".into(),
+        // The contours have more decimals than the control.
+        "settings.excess_decimals=exact".into(),
+        "settings.most_digits=0".into(),
+    ] {
+        machine.set(&assignment).unwrap();
+    }
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("random.nc", text.as_bytes()));
+    let job = Job::new(sources, machine).unwrap();
+    let mut seen = Seen::default();
+    job.compensated(None, &mut seen);
+    seen.finish();
+    seen
+}
+
+/// Walls that are looked at from one point after the other.
+struct Walls<'a> {
+    curves: &'a [PlaneCurve],
+    /// The middle of each curve and how far it reaches from there.
+    reach: Vec<(Vec2, f64)>,
+}
+
+impl<'a> Walls<'a> {
+    fn of(curves: &'a [PlaneCurve]) -> Walls<'a> {
+        let reach = curves.iter().map(|curve| (curve.at(0.5), 0.5 * curve.length())).collect();
+        Walls { curves, reach }
+    }
+
+    /// The nearest point of the walls is so far away.
+    fn distance(&self, p: Vec2) -> f64 {
+        let mut least = f64::INFINITY;
+        for (curve, (middle, reach)) in self.curves.iter().zip(&self.reach) {
+            if p.distance(*middle) - reach < least {
+                least = least.min(point_distance(curve, p));
+            }
+        }
+        least
+    }
+}
+
+/// How near the path comes to the walls, by samples a fraction of the radius apart and nearer ones
+/// around the best of each move; where points in `spared` are nearest, they do not count.
+fn sampled(walls: &Walls<'_>, path: &[PlaneCurve], radius: f64, spared: &[Vec2]) -> f64 {
+    let counts = |p: Vec2| spared.iter().all(|end| end.distance(p) > 2.0 * radius);
+    let mut least = f64::INFINITY;
+    for curve in path.iter().filter(|curve| curve.length() > 0.0) {
+        let steps = (curve.length() / (0.08 * radius)).ceil().max(2.0);
+        let distance = |t: f64| {
+            let p = curve.at(t);
+            if counts(p) { walls.distance(p) } else { f64::INFINITY }
+        };
+        let best = (0..=steps as u32)
+            .map(|k| f64::from(k) / steps)
+            .map(|t| (t, distance(t)))
+            .fold((0.0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
+        least = least.min(best.1);
+        let (mut low, mut high) =
+            ((best.0 - 1.0 / steps).max(0.0), (best.0 + 1.0 / steps).min(1.0));
+        for _ in 0..24 {
+            let third = (high - low) / 3.0;
+            let (a, b) = (distance(low + third), distance(high - third));
+            least = least.min(a).min(b);
+            if a < b { high -= third } else { low += third }
+        }
+    }
+    least
+}
+
+/// Whether the path surely comes nowhere nearer than `limit`: every piece of it is looked at until its
+/// middle is farther away than the piece is long.
+fn surely_beyond(walls: &Walls<'_>, path: &[PlaneCurve], limit: f64) -> bool {
+    path.iter().all(|curve| {
+        let mut pieces = vec![(0.0, 1.0)];
+        while let Some((low, high)) = pieces.pop() {
+            let middle = 0.5 * (low + high);
+            let distance = walls.distance(curve.at(middle));
+            if distance < limit {
+                return false;
+            }
+            if distance - 0.5 * (high - low) * curve.length() < limit {
+                pieces.extend([(low, middle), (middle, high)]);
+            }
+        }
+        true
+    })
+}
+
+/// What a round comes to.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Answer {
+    Quiet,
+    Found,
+    /// At the open end of a wall, where either answer will do.
+    AtEnd,
+    Unclear,
+    False,
+    Missed,
+}
+
+fn answer(program: &Program, seen: &Seen) -> Answer {
+    let walls = Walls::of(&program.wall);
+    let radius = program.radius;
+    let least = sampled(&walls, &seen.path, radius, &[]);
+    let told = !seen.gouges.is_empty();
+    let cut = least < radius - SURE_MM;
+    if told && cut {
+        return Answer::Found;
+    }
+    if !told && !cut {
+        return match seen.at_leads.is_empty() {
+            true => Answer::Quiet,
+            false if surely_beyond(&walls, &seen.path, radius - LEAST_DEPTH_MM + 1e-5) => {
+                Answer::False
+            }
+            false => Answer::Unclear,
+        };
+    }
+    if cut {
+        let away = sampled(&walls, &seen.path, radius, &program.open_ends);
+        let at_end = !program.open_ends.is_empty() && away >= radius - SURE_MM;
+        return if at_end && !seen.at_leads.is_empty() { Answer::AtEnd } else { Answer::Missed };
+    }
+    match surely_beyond(&walls, &seen.path, radius - LEAST_DEPTH_MM + 1e-5) {
+        true => Answer::False,
+        false => Answer::Unclear,
+    }
+}
+
+#[test]
+fn leads_are_no_walls_and_walls_are_no_leads() {
+    let rounds: u64 =
+        option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok()).unwrap_or(600);
+    let mut counts: BTreeMap<Answer, usize> = BTreeMap::new();
+    let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
+    for seed in 0..rounds {
+        let mut dice = Dice::new(seed + 900_000);
+        let Some(program) = forms::program(&mut dice) else { continue };
+        let seen = run(&text_of(&program), program.radius);
+        let answer = answer(&program, &seen);
+        *counts.entry(answer).or_default() += 1;
+        if matches!(answer, Answer::False | Answer::Missed) {
+            let of = format!("{answer:?} {}", program.name);
+            wrong.entry(of).or_insert((0, seed)).0 += 1;
+        }
+    }
+    let count = |answer: Answer| counts.get(&answer).copied().unwrap_or(0);
+    println!("{counts:?}");
+    assert!(wrong.is_empty(), "{counts:?}\n{wrong:#?}");
+    let ran = counts.values().sum::<usize>();
+    assert!(4 * count(Answer::Quiet) > ran && 8 * count(Answer::Found) > ran, "{counts:?}");
+    assert!(100 * count(Answer::Unclear) < ran, "{counts:?}");
+}
+
+/// One round, printed: `CHORDAL_SEED=17 cargo test -p chordal --test leads -- --nocapture one`.
+#[test]
+fn one_round() {
+    let Some(seed) = option_env!("CHORDAL_SEED").and_then(|seed| seed.parse::<u64>().ok()) else {
+        return;
+    };
+    let mut dice = Dice::new(seed + 900_000);
+    let Some(program) = forms::program(&mut dice) else { return };
+    let text = text_of(&program);
+    let seen = run(&text, program.radius);
+    println!("({}, radius {})\n{text}", program.name, program.radius);
+    println!("{:?} {:?} {:?}", answer(&program, &seen), seen.gouges, seen.at_leads);
+    let least = sampled(&Walls::of(&program.wall), &seen.path, program.radius, &[]);
+    println!("{least} of {}", program.radius);
+}
