@@ -4,10 +4,11 @@ use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs};
 
+use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::input::Input;
 use crate::loaded::Loaded;
-use crate::machine::{self, Chosen};
+use crate::machine;
 use crate::neighbours::Folders;
 use crate::request::{Given, Request};
 use crate::text::Text;
@@ -79,6 +80,10 @@ impl Loader {
             texts.extend(found);
         }
         let mut options = RunOptions::default();
+        options.assumed_machine = chosen.is_guess() && !says(request, LIMITS);
+        if !says(request, &["control"]) {
+            options.not_read = chosen.refusal(texts[0].bytes());
+        }
         if let Some(most) = request.max_blocks {
             options.max_repeated_blocks = most;
         }
@@ -89,6 +94,17 @@ impl Loader {
         }
         Ok(loaded)
     }
+}
+
+/// Keys of a machine that say its limits.
+const LIMITS: &[&str] = &["axes", "feed", "spindle"];
+
+/// Some assignment of the request is about one of these keys.
+fn says(request: &Request, keys: &[&str]) -> bool {
+    request.set.iter().any(|assignment| {
+        let key = assignment.split(['.', '=']).next().unwrap_or("").trim();
+        keys.contains(&key)
+    })
 }
 
 fn has_program(text: &Text, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {

@@ -35,6 +35,12 @@ sources."#;
     "the spindle speed is above the machine's maximum";
     r#"S is larger than `[spindle] max` of the machine file."#;
 
+    AssumedLimits = 607, "assumed-limits", Note;
+    "the program exceeds limits of a machine that nobody named";
+    r#"No machine was named, so a common one of the control was assumed. The program leaves its travel, or is faster than
+its feed or its spindle allow. That says something about the program only if the machine is yours: name your machine
+with `--machine`, or describe it in `chordal.toml`. Then every such move is an error of its own."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;
