@@ -79,20 +79,25 @@ impl Loader {
             let found = self.folders.find(path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let mut options = RunOptions::default();
-        options.assumed_machine = chosen.is_guess() && !says(request, LIMITS);
-        if !says(request, &["control"]) {
-            options.not_read = chosen.refusal(texts[0].bytes());
-        }
-        if let Some(most) = request.max_blocks {
-            options.max_repeated_blocks = most;
-        }
+        let options = options(request, &chosen, texts[0].bytes());
         let (program, shop_texts) = (request.program, Vec::new());
         let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
         if let Some(shop) = &request.shop_codes {
             loaded.ask_shop(shop.clone(), request.interrupt.clone())?;
         }
         Ok(loaded)
+    }
+}
+
+/// How the text is run: within the budgets of the request, and as what it was recognized.
+fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
+    let usual = RunOptions::default();
+    let named_control = says(request, &["control"]);
+    RunOptions {
+        max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
+        assumed_machine: chosen.is_guess() && !says(request, LIMITS),
+        not_read: chosen.refusal(text).filter(|_| !named_control),
+        ..usual
     }
 }
 

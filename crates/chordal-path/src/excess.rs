@@ -67,7 +67,7 @@ impl Excess {
                 Code::AssumedLimits,
                 head,
                 format!(
-                    "limits of the assumed machine {} are exceeded: {}",
+                    "limits of the assumed machine ({}) are exceeded: {}",
                     machine.title,
                     parts.join("; ")
                 ),

@@ -20,7 +20,8 @@ pub fn parts(text: &[u8]) -> Vec<Range<usize>> {
     let (from, to) = (HEAD, text.len() - TAIL);
     let step = (to - from) / BETWEEN;
     let between = (0..BETWEEN).map(|index| from + index * step + step / 2);
-    let mut parts = vec![0..line_start(text, HEAD)];
+    let head = std::iter::once(0..line_start(text, HEAD));
+    let mut parts: Vec<Range<usize>> = head.collect();
     parts.extend(between.map(|at| line_start(text, at)..line_start(text, at + PART)));
     parts.push(line_start(text, to)..text.len());
     parts
