@@ -55,7 +55,7 @@ pub(crate) fn choose(
             (ControlName::Linuxcnc, Chosen::Ending)
         }
         _ => {
-            let settled = settle(recognition, text);
+            let settled = settle(recognition, text, typical);
             (settled.control(), Chosen::Recognized(settled))
         }
     };

@@ -2,9 +2,7 @@
 
 use chordal::control::{Candidate, Recognition, RunOptions, Strength};
 use chordal::machine::ControlName;
-use chordal::{Code, Job, Severity, Source, SourceMap};
-
-use crate::machine::typical;
+use chordal::{Code, Job, Machine, Severity, Source, SourceMap};
 
 /// So much of the beginning is run, bytes: some thousand blocks.
 const HEAD: usize = 32 << 10;
@@ -15,14 +13,19 @@ const MOST_REPEATED: u64 = 2_000;
 /// A control that nothing speaks for must save so many errors to be assumed instead.
 const WORTH: u64 = 3;
 
-/// Runs the beginning of a text on the controls that may be meant, where the signs do not decide.
-pub fn settle(mut found: Recognition, text: &[u8]) -> Recognition {
+/// Runs the beginning of a text on the controls that may be meant, where the signs do not decide; `typical`
+/// makes the machine of a control.
+pub fn settle(
+    mut found: Recognition,
+    text: &[u8],
+    typical: fn(ControlName) -> Machine,
+) -> Recognition {
     if found.is_decided() {
         return found;
     }
     let weak = found.strength() == Strength::Weak;
     let head = head(text);
-    let first = errors_of(&mut found.ranking[0], head);
+    let first = errors_of(&mut found.ranking[0], head, typical);
     // With no error there is nothing to save: most programs end here.
     if first == 0 {
         return found;
@@ -31,7 +34,7 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> Recognition {
         if weak { found.chosen().weight - chordal::control::recognition::LEAD } else { i32::MIN };
     let others = found.ranking.iter_mut().skip(1);
     for other in others.filter(|other| !other.not_read && other.weight > least) {
-        errors_of(other, head);
+        errors_of(other, head, typical);
     }
     found.ranking[1..].sort_by_key(|other| other.errors.unwrap_or(u64::MAX));
     let enough = if weak { 1 } else { WORTH };
@@ -54,14 +57,14 @@ fn head(text: &[u8]) -> &[u8] {
     &text[..end.map_or(HEAD, |end| end + 1)]
 }
 
-fn errors_of(candidate: &mut Candidate, text: &[u8]) -> u64 {
-    let errors = errors_on(candidate.control, text);
+fn errors_of(candidate: &mut Candidate, text: &[u8], typical: fn(ControlName) -> Machine) -> u64 {
+    let errors = errors_on(typical(candidate.control), text);
     candidate.errors = Some(errors);
     errors
 }
 
 /// Errors that say something about the control: not those of files that are not there.
-fn errors_on(control: ControlName, text: &[u8]) -> u64 {
+fn errors_on(machine: Machine, text: &[u8]) -> u64 {
     let mut sources = SourceMap::new();
     sources.add(Source::new("", text));
     let options = RunOptions {
@@ -69,7 +72,7 @@ fn errors_on(control: ControlName, text: &[u8]) -> u64 {
         assumed_machine: true,
         ..RunOptions::default()
     };
-    let Ok(job) = Job::new(sources, typical(control)) else { return u64::MAX };
+    let Ok(job) = Job::new(sources, machine) else { return u64::MAX };
     let report = job.options(options).check();
     let elsewhere = report.diagnostics.iter().filter(|diagnostic| {
         diagnostic.severity == Severity::Error
