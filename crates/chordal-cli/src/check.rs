@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use chordal::{Report, Severity};
-use chordal_export::report::{self, Sarif};
+use chordal_export::report::{self, Reading, Sarif};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
@@ -110,7 +110,10 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
                 }
             }
             Format::Github => programs.say(&report::github(&report, job.sources()))?,
-            Format::Json => objects.push(report::json(&report, job.sources(), loaded.name())),
+            Format::Json => {
+                let reading = reading(loaded);
+                objects.push(report::json(&report, job.sources(), loaded.name(), &reading));
+            }
             Format::Sarif => sarif.add(&report, job.sources()),
         }
         Ok(fail_on.verdict(report.worst()))
@@ -124,6 +127,17 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
         Format::Github => {}
     }
     Ok(verdict)
+}
+
+/// On what a program was read.
+fn reading(loaded: &Loaded) -> Reading<'_> {
+    let machine = Some(loaded.machine().name.as_str()).filter(|_| loaded.not_read().is_none());
+    Reading {
+        machine,
+        control: loaded.control(),
+        from: loaded.chosen.from(),
+        recognition: loaded.chosen.recognition(),
+    }
 }
 
 /// The objects of all files as one, whether there is one file or many.

@@ -1,7 +1,7 @@
 //! What a program would be on each control, where nothing in its text says which one it is for.
 
 use chordal::Severity;
-use chordal::control::RunOptions;
+use chordal::control::{RunOptions, Strength};
 use chordal::diagnostics::FileId;
 use chordal::machine::ControlName;
 use chordal::syntax::{Block, BlockReader};
@@ -29,7 +29,7 @@ struct Reading {
 /// `problems`: the program has some on the control that was assumed.
 pub fn asked(loaded: &Loaded, problems: bool) -> Option<String> {
     let Chosen::Recognized(found) = &loaded.chosen else { return None };
-    if !found.evidence.is_empty() || loaded.size() > LONGEST {
+    if found.strength() != Strength::Assumed || loaded.size() > LONGEST {
         return None;
     }
     let has_units = names_units(loaded.text());
@@ -76,7 +76,11 @@ fn unit(inch: bool) -> &'static str {
 fn reading(loaded: &Loaded, name: ControlName) -> Option<Reading> {
     let machine = machine::typical(name);
     let shown = machine::typical_name(name);
-    let options = RunOptions { max_repeated_blocks: MOST_REPEATED, ..RunOptions::default() };
+    let options = RunOptions {
+        max_repeated_blocks: MOST_REPEATED,
+        assumed_machine: true,
+        ..RunOptions::default()
+    };
     let job = loaded.job_on(machine).ok()?.options(options);
     let report = job.report();
     let count =

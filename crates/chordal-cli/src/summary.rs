@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{EndReason, Library};
+use chordal::control::{EndReason, Library, Recognition, Strength};
 use chordal::diagnostics::FileId;
 use chordal::machine::ToolShape;
 use chordal::time::Timed;
@@ -135,23 +135,40 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
             sheet.row("control", &format!("{}, because of the file extension", table.title));
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found) if found.evidence.is_empty() => {
+        Chosen::Recognized(found) if found.strength() == Strength::Assumed => {
             sheet.row(
                 "control",
                 &format!("{}, assumed: nothing in the text says which control", table.title),
             );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found) => {
-            sheet.row("control", &format!("{}, recognized:", table.title));
-            for (line, reason) in found.evidence.iter().take(MOST_EVIDENCE) {
-                sheet.more(&format!("line {line}: {reason}"));
-            }
-            if found.evidence.len() > MOST_EVIDENCE {
-                sheet.more(&format!("and {} more signs", found.evidence.len() - MOST_EVIDENCE));
-            }
-            sheet.row("machine", &format!("{known}; say --machine for another"));
-        }
+        Chosen::Recognized(found) => recognized(sheet, found, table.title, &known),
+    }
+}
+
+/// The control by its signs, and what it may be instead.
+fn recognized(sheet: &mut Sheet, found: &Recognition, title: &str, machine: &str) {
+    let chosen = found.chosen();
+    let title = if chosen.not_read { chosen.title } else { title };
+    let sure = match found.strength() {
+        Strength::Weak => "probable",
+        Strength::Sure | Strength::Likely | Strength::Assumed => "recognized",
+    };
+    sheet.row("control", &format!("{title}, {sure}:"));
+    let signs: Vec<_> = found.evidence().collect();
+    for sign in signs.iter().take(MOST_EVIDENCE) {
+        sheet.more(&format!("line {}: {}", sign.line, sign.sign));
+    }
+    if signs.len() > MOST_EVIDENCE {
+        sheet.more(&format!("and {} more signs", signs.len() - MOST_EVIDENCE));
+    }
+    if let Some(next) = found.runner_up().filter(|_| !chosen.not_read) {
+        sheet.more(&format!("next to it {}", next.title));
+    }
+    if chosen.not_read {
+        sheet.row("machine", "none; say --machine to read it as that machine would");
+    } else {
+        sheet.row("machine", &format!("{machine}; say --machine for another"));
     }
 }
 

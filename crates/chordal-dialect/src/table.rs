@@ -4,6 +4,7 @@ use crate::action::{Action, LengthCode, OnceCode};
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::post::Post;
+use crate::recognition::Evidence;
 use crate::settings::Setting;
 use crate::spatial::SpatialRules;
 use crate::word_rules::WordRule;
@@ -212,46 +213,6 @@ pub struct DwellWord {
     pub point_s: f64,
     /// A decimal point may be written; otherwise it is an alarm.
     pub takes_point: bool,
-}
-
-/// A sign in the text that speaks for a control.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Sign {
-    /// A G code (ten times the number).
-    G(u16),
-    /// An M code (ten times the number).
-    M(u16),
-    /// A block with all these letters and no G or M word.
-    Letters(&'static str),
-    /// A block with these letters.
-    With(&'static str),
-    /// `R0+1.`: a register word.
-    Register,
-    /// A comment left open.
-    OpenComment,
-    /// A comment behind a semicolon.
-    SemicolonComment,
-    /// A program number of five digits.
-    FiveDigitProgram,
-    /// `o100 sub`.
-    OWord,
-    /// `L100` alone in its block.
-    SubroutineHead,
-    /// A macro statement with `#` or brackets.
-    MacroStatement,
-    /// G53 beside another G code in one block.
-    MachineCoordinatesWithOthers,
-}
-
-/// A sign and how strongly it speaks.
-#[derive(Clone, Copy, Debug)]
-pub struct Evidence {
-    /// What to look for.
-    pub sign: Sign,
-    /// How much it says.
-    pub weight: u32,
-    /// For people: `G154 chooses an extended work offset`.
-    pub reason: &'static str,
 }
 
 /// Everything that makes a control.

@@ -9,6 +9,7 @@ pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semic
 
 pub(crate) use crate::macros::*;
 pub(crate) use crate::parameters::*;
+pub(crate) use crate::recognition::*;
 pub(crate) use crate::settings::{
     CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, Field, FrameField, PathField,
     Setting, setting,

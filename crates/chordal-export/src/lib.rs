@@ -29,7 +29,10 @@
 //! let found = job.report_of_commands(|command| canon.command(command).unwrap());
 //! let text = String::from_utf8(canon.finish().unwrap()).unwrap();
 //! assert!(text.contains("STRAIGHT_FEED(10.000000"));
-//! assert!(report::json(&found, job.sources(), "part.nc").contains("chordal.diagnostics/1"));
+//! let reading =
+//!     report::Reading { machine: None, control: "haas", from: "given", recognition: None };
+//! let text = report::json(&found, job.sources(), "part.nc", &reading);
+//! assert!(text.contains("chordal.diagnostics/1"));
 //! ```
 
 #![forbid(unsafe_code)]

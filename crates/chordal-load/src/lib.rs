@@ -26,6 +26,7 @@
     reason = "a shell: files are its business, so that they are nobody else's"
 )]
 
+mod chosen;
 mod error;
 mod input;
 mod loaded;
@@ -34,14 +35,15 @@ pub mod machine;
 mod neighbours;
 mod request;
 mod text;
+mod trial;
 
 use std::path::Path;
 
+pub use chosen::Chosen;
 pub use error::{LoadError, reason};
 pub use input::{Input, find, has_other_ending, looks_like_program};
 pub use loaded::Loaded;
 pub use loader::Loader;
-pub use machine::Chosen;
 pub use neighbours::without_called;
 pub use request::{Given, Request};
 pub use text::Text;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use chordal::control::{Interrupt, RunOptions, ShopCodes, ShopRecord};
 use chordal::{Command, Diagnostic, Job, Machine, RunSink, Sink, Source, SourceMap};
 
+use crate::chosen::Chosen;
 use crate::error::LoadError;
-use crate::machine::Chosen;
 use crate::text::Text;
 
 /// A program with everything it needs to run.
@@ -72,6 +72,17 @@ impl Loaded {
     /// Bytes of the program's text.
     pub fn size(&self) -> usize {
         self.text().len()
+    }
+
+    /// The language of the text where it is one that is not read, as `fanuc-lathe`.
+    pub fn not_read(&self) -> Option<&'static str> {
+        let refused = self.options.not_read.is_some();
+        self.chosen.recognition().filter(|_| refused).map(|found| found.chosen().name)
+    }
+
+    /// The name of its control, or of the language that is not read.
+    pub fn control(&self) -> &'static str {
+        self.not_read().unwrap_or_else(|| self.machine.control.as_str())
     }
 
     /// Its machine.

@@ -4,10 +4,11 @@ use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs};
 
+use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::input::Input;
 use crate::loaded::Loaded;
-use crate::machine::{self, Chosen};
+use crate::machine;
 use crate::neighbours::Folders;
 use crate::request::{Given, Request};
 use crate::text::Text;
@@ -78,10 +79,7 @@ impl Loader {
             let found = self.folders.find(path, texts[0].bytes(), &lexicon);
             texts.extend(found);
         }
-        let mut options = RunOptions::default();
-        if let Some(most) = request.max_blocks {
-            options.max_repeated_blocks = most;
-        }
+        let options = options(request, &chosen, texts[0].bytes());
         let (program, shop_texts) = (request.program, Vec::new());
         let mut loaded = Loaded { texts, machine, options, shop_texts, program, chosen };
         if let Some(shop) = &request.shop_codes {
@@ -89,6 +87,29 @@ impl Loader {
         }
         Ok(loaded)
     }
+}
+
+/// How the text is run: within the budgets of the request, and as what it was recognized.
+fn options(request: &Request, chosen: &Chosen, text: &[u8]) -> RunOptions {
+    let usual = RunOptions::default();
+    let named_control = says(request, &["control"]);
+    RunOptions {
+        max_repeated_blocks: request.max_blocks.unwrap_or(usual.max_repeated_blocks),
+        assumed_machine: chosen.is_guess() && !says(request, LIMITS),
+        not_read: chosen.refusal(text).filter(|_| !named_control),
+        ..usual
+    }
+}
+
+/// Keys of a machine that say its limits.
+const LIMITS: &[&str] = &["axes", "feed", "spindle"];
+
+/// Some assignment of the request is about one of these keys.
+fn says(request: &Request, keys: &[&str]) -> bool {
+    request.set.iter().any(|assignment| {
+        let key = assignment.split(['.', '=']).next().unwrap_or("").trim();
+        keys.contains(&key)
+    })
 }
 
 fn has_program(text: &Text, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {

@@ -8,46 +8,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::{COMMON_SETTINGS, Control, Recognition, SettingError, Units, recognize};
+use chordal::control::{COMMON_SETTINGS, Control, SettingError, Strength, Units, recognize};
 use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
 use toml::de::{DeTable, DeValue};
 
+use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::input::Input;
 use crate::request::{Given, Request};
+use crate::trial::settle;
 
 /// The file that says a folder's machine.
 const FOLDER_FILE: &str = "chordal.toml";
-
-/// Why this machine.
-#[derive(Clone, Debug)]
-pub enum Chosen {
-    /// The caller says so.
-    Given,
-    /// `chordal.toml` says so.
-    Folder(PathBuf),
-    /// Nothing in the text says so, and the file extension is LinuxCNC's own.
-    Ending,
-    /// The program looks like one of this control.
-    Recognized(Recognition),
-}
-
-impl Chosen {
-    /// What was recognized and by what, in a line; nothing where somebody said the machine. `title` is
-    /// the control's.
-    pub fn why(&self, title: &str) -> Option<String> {
-        Some(match self {
-            Chosen::Given | Chosen::Folder(_) => return None,
-            Chosen::Ending => format!("assumed {title} because of the file extension"),
-            Chosen::Recognized(found) => match found.evidence.first() {
-                Some((line, reason)) => format!("recognized as {title} by line {line} ({reason})"),
-                None => {
-                    format!("assumed {title}: nothing in the text says which control it is for")
-                }
-            },
-        })
-    }
-}
 
 /// The machine that a request names, with everything else that it says of it.
 pub(crate) fn given(request: &Request) -> Result<Option<Machine>, LoadError> {
@@ -76,10 +48,16 @@ pub(crate) fn choose(
     let ending = input.path.as_ref().and_then(|path| path.extension());
     let (control, chosen) = match ending {
         // Other endings mean nothing.
-        Some(ending) if recognition.evidence.is_empty() && ending.eq_ignore_ascii_case("ngc") => {
+        Some(ending)
+            if recognition.strength() == Strength::Assumed
+                && ending.eq_ignore_ascii_case("ngc") =>
+        {
             (ControlName::Linuxcnc, Chosen::Ending)
         }
-        _ => (recognition.control, Chosen::Recognized(recognition)),
+        _ => {
+            let settled = settle(recognition, text, typical);
+            (settled.control(), Chosen::Recognized(settled))
+        }
     };
     Ok((finish(typical(control), request)?, chosen))
 }

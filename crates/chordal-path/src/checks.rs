@@ -4,12 +4,13 @@ use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedMode, Move, Origin, Position, Side, Units,
     number_text,
 };
-use chordal_diagnostics::{Code, Diagnostic, Severity, Shift};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Shift, Span};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::builder::duration_s;
 use crate::compensation::PathCommand;
+use crate::excess::Excess;
 use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
 use crate::segment::{curve_of, is_known, point};
@@ -36,6 +37,10 @@ const ON_PLANE_MM: f64 = 1e-6;
 #[derive(Debug)]
 pub struct Checks<'a> {
     machine: &'a Machine,
+    /// Nobody named the machine: what exceeds its limits is one note at the end.
+    assumed: bool,
+    /// What is remembered where a program begins.
+    start: ChecksMemory,
     now: ChecksMemory,
     seen: Seen,
 }
@@ -63,12 +68,14 @@ pub struct Seen {
     rapids: RapidLog,
     /// Extent of each axis over known places, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
+    /// By how much the limits of an assumed machine were exceeded.
+    excess: Excess,
 }
 
 impl Default for Seen {
     fn default() -> Seen {
         let extent = [(f64::INFINITY, f64::NEG_INFINITY); AXES];
-        Seen { rapids: RapidLog::default(), extent }
+        Seen { rapids: RapidLog::default(), extent, excess: Excess::default() }
     }
 }
 
@@ -79,6 +86,7 @@ impl Seen {
         for (extent, other) in self.extent.iter_mut().zip(next.extent) {
             *extent = (extent.0.min(other.0), extent.1.max(other.1));
         }
+        self.excess.and(&next.excess);
     }
 
     /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
@@ -114,7 +122,17 @@ impl<'a> Checks<'a> {
             legs: Vec::new(),
             told_axes: AxisMask::NONE,
         };
-        Checks { machine, now, seen: Seen::default() }
+        Checks { machine, assumed: false, start: now.clone(), now, seen: Seen::default() }
+    }
+
+    /// Nobody named the machine: its limits are a guess.
+    pub fn assumed(self, assumed: bool) -> Checks<'a> {
+        Checks { assumed, ..self }
+    }
+
+    /// A problem that these checks report in another form, because nobody named the machine.
+    pub fn is_guessed(&self, code: Code) -> bool {
+        self.assumed && matches!(code, Code::FeedOverLimit | Code::SpindleOverLimit)
     }
 
     /// What is remembered here.
@@ -161,6 +179,9 @@ impl<'a> Checks<'a> {
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
         let as_programmed = path.side == Side::Off;
+        if self.assumed {
+            self.seen.excess.command(&command.kind, self.machine);
+        }
         match &command.kind {
             CommandKind::Rapid { motion, .. } => {
                 self.now.last = None;
@@ -289,7 +310,9 @@ impl<'a> Checks<'a> {
             let Some((low, high)) = limits.and_then(|limits| limits.travel) else { continue };
             let at = self.now.frame.machine(place, axis as usize);
             let over = if at < low { low - at } else { at - high };
-            if over > ON_PLANE_MM {
+            if over > ON_PLANE_MM && self.assumed {
+                self.seen.excess.travel(axis as usize, over);
+            } else if over > ON_PLANE_MM {
                 self.now.told_axes.insert(axis as usize);
                 report(self.travel_exceeded(axis, at, (low, high), over, origin));
             }
@@ -469,32 +492,48 @@ impl<'a> Checks<'a> {
         );
     }
 
-    /// What can be judged only at the end of the run.
-    pub fn finish(&mut self, mut report: impl FnMut(Diagnostic)) {
+    /// What can be judged only at the end of a program; the next one begins anew. `head` is where its number
+    /// stands, if others are run with it.
+    pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
         let rapids = std::mem::take(&mut self.seen.rapids);
         rapids.judge(|rapid| report(self.rapid_into_part(&rapid)));
         for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {
-            let (low, high) = self.seen.extent[axis as usize];
-            let limits = self.machine.axes[axis as usize].as_ref();
-            let Some((from, to)) = limits.and_then(|limits| limits.travel) else { continue };
-            let over = (high - low) - (to - from);
-            if over > ON_PLANE_MM {
-                report(
-                    Diagnostic::new(
-                        Code::TravelExceeded,
-                        Default::default(),
-                        format!(
-                            "the program needs {} in {}, and the travel is {}",
-                            self.axis_text(axis, high - low),
-                            axis.letter(),
-                            self.axis_text(axis, to - from)
-                        ),
-                    )
-                    .severity(Severity::Error)
-                    .help("no work offset makes it fit; choose a larger machine"),
-                );
-            }
+            self.whole_travel(axis, head, &mut report);
         }
+        if let Some(note) = self.seen.excess.note(self.machine, self.now.units, head) {
+            report(note);
+        }
+        self.now = self.start.clone();
+        self.seen = Seen::default();
+    }
+
+    /// Holds the extent of an axis against its travel, where no work offset is known.
+    fn whole_travel(&mut self, axis: Axis, head: Span, report: &mut impl FnMut(Diagnostic)) {
+        let (low, high) = self.seen.extent[axis as usize];
+        let limits = self.machine.axes[axis as usize].as_ref();
+        let Some((from, to)) = limits.and_then(|limits| limits.travel) else { return };
+        let over = (high - low) - (to - from);
+        if over <= ON_PLANE_MM {
+            return;
+        }
+        if self.assumed {
+            self.seen.excess.travel(axis as usize, over);
+            return;
+        }
+        report(
+            Diagnostic::new(
+                Code::TravelExceeded,
+                head,
+                format!(
+                    "the program needs {} in {}, and the travel is {}",
+                    self.axis_text(axis, high - low),
+                    axis.letter(),
+                    self.axis_text(axis, to - from)
+                ),
+            )
+            .severity(Severity::Error)
+            .help("no work offset makes it fit; choose a larger machine"),
+        );
     }
 }
 

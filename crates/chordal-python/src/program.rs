@@ -251,7 +251,15 @@ impl Program {
                 let text = report::one(each, sources, false);
                 (text, chordal_report::problem_html(each, sources))
             });
-            Ok((report::json(told, sources, self.loaded.name()), drawn.collect()))
+            let loaded = &self.loaded;
+            let machine = loaded.machine().name.as_str();
+            let reading = report::Reading {
+                machine: Some(machine).filter(|_| loaded.not_read().is_none()),
+                control: loaded.control(),
+                from: loaded.chosen.from(),
+                recognition: loaded.chosen.recognition(),
+            };
+            Ok((report::json(told, sources, loaded.name(), &reading), drawn.collect()))
         })
     }
 

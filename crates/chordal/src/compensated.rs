@@ -122,9 +122,10 @@ impl<'a, S: PathSink> Compensated<'a, S> {
         if let Some(radius) = radius_mm {
             this.compensator = this.compensator.with_radius(radius);
         }
-        let outcomes = job.run_each(&mut this, |this, outcome| {
+        let outcomes = job.run_each(&mut this, |this, outcome, head| {
             this.finish();
             this.told.resolve(outcome);
+            this.told.inner.ended(head);
         });
         (outcomes, this.told.inner)
     }

@@ -4,7 +4,7 @@ use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
 use chordal_dialect::Control;
 use chordal_dialect::SettingError;
-use chordal_gcode::{Interrupt, Library, RunOptions, WordAddress, initial_offset};
+use chordal_gcode::{Interrupt, Library, Program, RunOptions, WordAddress, initial_offset};
 use chordal_kernel::Outcome;
 use chordal_kernel::{Checkpoint, Language, Ran, RunSink};
 use chordal_machine::{Machine, PerAxis};
@@ -162,14 +162,14 @@ impl<'a> Job<'a> {
     /// Runs the main programs of the first text, one after the other, and pushes commands
     /// and diagnostics into a sink: the programmed ones, before cutter compensation.
     pub fn run<S: RunSink>(&self, sink: &mut S) -> Vec<Outcome> {
-        self.run_each(sink, |_, _| {})
+        self.run_each(sink, |_, _, _| {})
     }
 
     /// The same, and says when a program has ended.
     pub(crate) fn run_each<S: RunSink>(
         &self,
         sink: &mut S,
-        mut ended: impl FnMut(&mut S, &Outcome),
+        mut ended: impl FnMut(&mut S, &Outcome, Span),
     ) -> Vec<Outcome> {
         if !self.is_readable(sink) {
             return Vec::new();
@@ -177,9 +177,15 @@ impl<'a> Job<'a> {
         let language = self.language();
         self.duplicates(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
-        for program in self.mains(&language) {
+        let mains = self.mains(&language);
+        let heads = |program: usize| match mains.len() {
+            // What holds for the one program has no place of its own.
+            1 => Span::default(),
+            _ => language.library().programs().get(program).map_or_else(Span::default, head_of),
+        };
+        for program in mains.iter().copied() {
             let Some(Ran { outcome, .. }) = language.run(program, None, sink) else { continue };
-            ended(sink, &outcome);
+            ended(sink, &outcome, heads(program));
             outcomes.push(outcome);
         }
         if outcomes.iter().all(|outcome| outcome.blocks == 0) {
@@ -214,6 +220,10 @@ impl<'a> Job<'a> {
             );
             return false;
         }
+        if let Some(reason) = &self.options.not_read {
+            sink.diagnostic(reason.as_ref().clone());
+            return false;
+        }
         true
     }
 
@@ -229,7 +239,7 @@ impl<'a> Job<'a> {
     pub(crate) fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
         let asked = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
-        if !readable || asked {
+        if !readable || asked || self.options.not_read.is_some() {
             return None;
         }
         let language = self.language();
@@ -262,9 +272,19 @@ impl<'a> Job<'a> {
         self.sources.get(FileId(0)).map_or(&[], |source| source.text())
     }
 
+    /// Nobody named the machine, so its limits are a guess.
+    pub fn has_assumed_machine(&self) -> bool {
+        self.options.assumed_machine
+    }
+
     pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {
         initial_offset(&self.machine, &self.control)
     }
+}
+
+/// Where the head of a program stands.
+fn head_of(program: &Program) -> Span {
+    program.head.head.in_file(program.file)
 }
 
 /// The problem of a text without a block.

@@ -318,7 +318,7 @@ impl Run {
             collector.push(no_block());
         }
         sink.checks.recall(self.end.clone());
-        sink.checks.finish(|diagnostic| collector.push(diagnostic));
+        sink.checks.finish(Span::default(), |diagnostic| collector.push(diagnostic));
         Report::new(Summary::default(), collector, output, vec![self.outcome.clone()])
     }
 }

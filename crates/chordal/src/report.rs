@@ -84,9 +84,8 @@ impl Job<'_> {
     pub fn check_keeping(&self, most_per_code: usize) -> Report {
         let sink = CheckSink::new(self, Collector::new(most_per_code));
         let (outcomes, sink) = Compensated::judge(self, sink);
-        let CheckSink { mut checks, notes: mut collector, output } = sink;
-        checks.finish(|diagnostic| collector.push(diagnostic));
-        Report::new(Summary::default(), collector, output, outcomes)
+        let CheckSink { notes, output, .. } = sink;
+        Report::new(Summary::default(), notes, output, outcomes)
     }
 }
 
@@ -168,8 +167,9 @@ pub(crate) struct CheckSink<'m, N> {
 impl<'m, N> CheckSink<'m, N> {
     pub fn new(job: &'m Job<'_>, notes: N) -> CheckSink<'m, N> {
         let (offset, known) = job.initial_offset();
+        let units = job.control().parameters.rules.units;
         let checks =
-            Checks::new(job.machine(), offset, known, job.control().parameters.rules.units);
+            Checks::new(job.machine(), offset, known, units).assumed(job.has_assumed_machine());
         CheckSink { checks, notes, output: Vec::new() }
     }
 }
@@ -187,7 +187,13 @@ impl<N: Notes> chordal_path::PathSink for CheckSink<'_, N> {
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
-        self.notes.note(diagnostic);
+        if !self.checks.is_guessed(diagnostic.code) {
+            self.notes.note(diagnostic);
+        }
+    }
+
+    fn ended(&mut self, head: Span) {
+        self.checks.finish(head, |diagnostic| self.notes.note(diagnostic));
     }
 }
 
@@ -220,7 +226,13 @@ impl chordal_path::PathSink for ReportSink<'_, '_> {
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
-        self.collector.push(diagnostic);
+        if !self.checks.is_guessed(diagnostic.code) {
+            self.collector.push(diagnostic);
+        }
+    }
+
+    fn ended(&mut self, head: Span) {
+        self.checks.finish(head, |diagnostic| self.collector.push(diagnostic));
     }
 }
 
@@ -230,7 +242,8 @@ impl<'m, 'w> ReportSink<'m, 'w> {
         let units = job.control().parameters.rules.units;
         ReportSink {
             builder: PathBuilder::new(job.machine(), offset, known),
-            checks: Checks::new(job.machine(), offset, known, units),
+            checks: Checks::new(job.machine(), offset, known, units)
+                .assumed(job.has_assumed_machine()),
             summary: SummaryBuilder::new(job.control(), job.machine()),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
@@ -239,9 +252,7 @@ impl<'m, 'w> ReportSink<'m, 'w> {
         }
     }
 
-    pub fn finish(mut self, outcomes: Vec<Outcome>) -> Report {
-        let collector = &mut self.collector;
-        self.checks.finish(|diagnostic| collector.push(diagnostic));
+    pub fn finish(self, outcomes: Vec<Outcome>) -> Report {
         Report::new(self.summary.finish(), self.collector, self.output, outcomes)
     }
 }

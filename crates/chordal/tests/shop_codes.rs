@@ -14,7 +14,8 @@ use chordal::{
 fn job_on(machine: Machine, text: &str, shop: Option<Arc<dyn ShopCodes>>) -> Job<'_> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("part.nc", text.as_bytes()));
-    let options = RunOptions { shop_codes: shop, max_repeated_blocks: 100_000, interrupt: None };
+    let options =
+        RunOptions { shop_codes: shop, max_repeated_blocks: 100_000, ..RunOptions::default() };
     Job::new(sources, machine).expect("a machine").options(options)
 }
 

@@ -42,6 +42,12 @@ sources."#;
     r#"One block moves at a feed so low that it takes longer than ten minutes. Often F was meant in other units: F1.
 is one inch a minute in G20 and one millimetre a minute in G21. Feeds above 20 mm/min (0.8 in/min) are not judged."#;
 
+    AssumedLimits = 608, "assumed-limits", Note;
+    "the program exceeds limits of a machine that nobody named";
+    r#"No machine was named, so a common one of the control was assumed. The program leaves its travel, or is faster than
+its feed or its spindle allow. That says something about the program only if the machine is yours: name your machine
+with `--machine`, or describe it in `chordal.toml`. Then every such move is an error of its own."#;
+
     InternalError = 901, "internal-error", Error;
     "Chordal has a defect";
     r#"This is a defect of Chordal, not of the program. Please report it with the program."#;

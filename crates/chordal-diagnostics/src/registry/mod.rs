@@ -99,6 +99,7 @@ impl Code {
         matches!(
             self,
             Code::NotFollowed
+                | Code::NotRead
                 | Code::UnknownCode
                 | Code::MissingSubprogram
                 | Code::UnsupportedMacro

@@ -92,4 +92,13 @@ the repeats are flat circles at that depth. For one turn below the other write t
     r#"A pocket or a boss in G91 starts at the position where it is called, and its lead-out comes back to it, so
 that the next call starts there, too. Here the sum of the moves is not zero: blocks are missing, or a
 number is wrong. If the subprogram moves on to the next position on purpose, nothing is wrong."#;
+
+    NotRead = 215, "language-not-read", Error;
+    "the program is in a language that Chordal does not follow";
+    r#"The text shows signs of a language that Chordal recognizes and does not follow: a lathe program, Heidenhain
+conversational, Sinumerik, Okuma OSP, GRBL, or the code of a 3D printer. Read as something else it would give hundreds of
+messages that mean nothing, or a wrong path without one. Nothing is run, and the program is not verified.
+
+If the text is a mill program for one of the controls that Chordal has, name the machine: `--machine haas-vf2`. Then it
+is read as that machine would read it, whatever its signs say."#;
 }

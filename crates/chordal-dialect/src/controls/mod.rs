@@ -5,7 +5,7 @@ use crate::table::ControlTable;
 
 macro_rules! tables {
     ($($name:ident $folder:ident,)*) => {
-        $(mod $folder;)*
+        $(pub(crate) mod $folder;)*
 
         /// Every control, in the order of the list.
         pub const ALL: &[&ControlTable] = &[$(&$folder::TABLE),*];

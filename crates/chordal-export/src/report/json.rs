@@ -1,15 +1,50 @@
 //! Problems as one JSON object.
 
+use chordal::control::Recognition;
 use chordal::diagnostics::{Applicability, Fix};
 use chordal::{Diagnostic, Report, SourceMap, Span};
 use serde_json::{Map, Value, json};
 
 use super::place::{call_text, place};
 
+/// On what a program was read, and why.
+#[derive(Clone, Copy, Debug)]
+pub struct Reading<'a> {
+    /// The machine; nothing where the text is not read.
+    pub machine: Option<&'a str>,
+    /// The control, or the language that is not read: `fanuc`, `fanuc-lathe`.
+    pub control: &'a str,
+    /// Who says so: `given`, `folder`, `extension`, `text`.
+    pub from: &'a str,
+    /// What the text says.
+    pub recognition: Option<&'a Recognition>,
+}
+
+impl Reading<'_> {
+    /// Its members of the object.
+    fn insert(&self, object: &mut Map<String, Value>) {
+        let found = self.recognition;
+        let signs = found.into_iter().flat_map(Recognition::evidence);
+        let evidence: Value = signs
+            .map(|sign| json!({ "sign": sign.sign, "line": sign.line, "weight": sign.weight }))
+            .collect();
+        let next = found.and_then(Recognition::runner_up).map(
+            |next| json!({ "control": next.name, "weight": next.weight, "errors": next.errors }),
+        );
+        object.insert("machine".into(), json!(self.machine));
+        object.insert("control".into(), self.control.into());
+        object.insert("control_from".into(), self.from.into());
+        let strength = found.map(|found| found.strength().as_str());
+        object.insert("control_strength".into(), json!(strength));
+        object.insert("control_evidence".into(), evidence);
+        object.insert("runner_up".into(), json!(next));
+    }
+}
+
 /// All problems of a run as one JSON object, schema `chordal.diagnostics/1`; `file` is the
 /// name of the program. Lines and columns count from 1, columns in characters; ends are one
 /// past the last. `start` and `end` are offsets in bytes.
-pub fn json(report: &Report, sources: &SourceMap, file: &str) -> String {
+pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<'_>) -> String {
     let diagnostics: Vec<Value> =
         report.diagnostics.iter().map(|diagnostic| problem(diagnostic, sources)).collect();
     let dropped: Vec<Value> = report
@@ -17,9 +52,8 @@ pub fn json(report: &Report, sources: &SourceMap, file: &str) -> String {
         .iter()
         .map(|(code, count)| json!({ "code": code.id(), "name": code.info().name, "count": count }))
         .collect();
-    let object = json!({
-        "schema": "chordal.diagnostics/1",
-        "file": file,
+    let head = json!({ "schema": "chordal.diagnostics/1", "file": file });
+    let found = json!({
         "counts": {
             "errors": report.counts.errors,
             "warnings": report.counts.warnings,
@@ -30,7 +64,19 @@ pub fn json(report: &Report, sources: &SourceMap, file: &str) -> String {
         "diagnostics": diagnostics,
         "dropped": dropped,
     });
-    format!("{object:#}\n")
+    let mut object = Map::new();
+    object.extend(members(head));
+    reading.insert(&mut object);
+    object.extend(members(found));
+    format!("{:#}\n", Value::Object(object))
+}
+
+/// The members of an object.
+fn members(value: Value) -> Map<String, Value> {
+    match value {
+        Value::Object(members) => members,
+        _ => Map::new(),
+    }
 }
 
 fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> Value {

@@ -9,7 +9,7 @@ mod sarif;
 mod text;
 
 pub use github::github;
-pub use json::json;
+pub use json::{Reading, json};
 pub use place::{Place, place};
 pub use sarif::Sarif;
 pub use text::{Detail, excerpt, one, text};

@@ -46,7 +46,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 use std::sync::Arc;
 
-use chordal_diagnostics::{Code, FileId, Span, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Span, TextRange};
 use chordal_dialect::Scale;
 use chordal_kernel::{Checkpoint, EndReason, Kernel, Outcome, Ran, RunSink};
 use chordal_machine::{AXES, Machine, PerAxis};
@@ -71,11 +71,21 @@ pub struct RunOptions {
     pub shop_codes: Option<Arc<dyn ShopCodes>>,
     /// Ends the run early.
     pub interrupt: Option<Interrupt>,
+    /// Nobody named the machine: its limits of travel, feed and speed are a guess.
+    pub assumed_machine: bool,
+    /// The text is in a language that is not read: this is said of it, and nothing is run.
+    pub not_read: Option<Arc<Diagnostic>>,
 }
 
 impl Default for RunOptions {
     fn default() -> RunOptions {
-        RunOptions { max_repeated_blocks: 1_000_000, shop_codes: None, interrupt: None }
+        RunOptions {
+            max_repeated_blocks: 1_000_000,
+            shop_codes: None,
+            interrupt: None,
+            assumed_machine: false,
+            not_read: None,
+        }
     }
 }
 
@@ -85,6 +95,8 @@ impl fmt::Debug for RunOptions {
             .field("max_repeated_blocks", &self.max_repeated_blocks)
             .field("shop_codes", &self.shop_codes.is_some())
             .field("interrupt", &self.interrupt.is_some())
+            .field("assumed_machine", &self.assumed_machine)
+            .field("not_read", &self.not_read.is_some())
             .finish()
     }
 }

@@ -23,7 +23,7 @@ use chordal_kernel::rules::{Allowance, Repeated, Rules};
 use chordal_machine::PerAxis;
 use std::collections::VecDeque;
 
-use chordal_diagnostics::{Diagnostic, Shift};
+use chordal_diagnostics::{Diagnostic, Shift, Span};
 use chordal_geometry::{Plane, Vec2};
 
 pub use plane::PlaneCurve;
@@ -93,6 +93,8 @@ pub trait PathSink {
     fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin);
     /// A block of a compensated contour.
     fn contour(&mut self, _piece: &ContourPiece) {}
+    /// A program has ended; `head` is where its number stands, if others are run with it.
+    fn ended(&mut self, _head: Span) {}
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -120,6 +122,10 @@ impl<S: PathSink> PathSink for &mut S {
 
     fn contour(&mut self, piece: &ContourPiece) {
         (**self).contour(piece);
+    }
+
+    fn ended(&mut self, head: Span) {
+        (**self).ended(head);
     }
 }
 

@@ -2,20 +2,33 @@
 
 use crate::vocabulary::*;
 
+const NAMES: &[&str] = &["FADAL", "CNC88", "CNC 88", "VMC 4020", "VMC4020", "VMC 3016", "VMC 6030"];
+
 pub(super) const EVIDENCE: &[Evidence] = &[
-    Evidence {
-        sign: Sign::SubroutineHead,
-        weight: 8,
-        reason: "a subroutine section headed by an L word",
-    },
-    Evidence { sign: Sign::M(170), weight: 6, reason: "M17 ends a subroutine" },
-    Evidence { sign: Sign::Register, weight: 8, reason: "R0+ is a register word" },
-    Evidence { sign: Sign::Letters("EXY"), weight: 3, reason: "E chooses a work offset" },
-    Evidence { sign: Sign::With("EXY"), weight: 4, reason: "E chooses a work offset" },
-    Evidence { sign: Sign::With("HZ"), weight: 1, reason: "H with Z" },
-    Evidence { sign: Sign::Letters("HZ"), weight: 3, reason: "H applies the length without G43" },
-    Evidence { sign: Sign::Letters("DHZ"), weight: 3, reason: "H applies the length without G43" },
-    Evidence { sign: Sign::OpenComment, weight: 3, reason: "comments are left open" },
-    Evidence { sign: Sign::G(80), weight: 2, reason: "G8 switches feed ramps off" },
-    Evidence { sign: Sign::M(450), weight: 4, reason: "M45 runs a cycle on the spot" },
+    evidence(Sign::Header(NAMES), 12, "the header names a Fadal"),
+    evidence(Sign::Comment(NAMES), 7, "a comment names a Fadal"),
+    evidence(Sign::Form(Form::SubroutineHead), 8, "a subroutine section headed by an L word"),
+    evidence(Sign::Block("M17 !S !T"), 3, "M17 ends a subroutine"),
+    evidence(Sign::Form(Form::Register), 8, "R0+ is a register word"),
+    evidence(Sign::Form(Form::HashLine), 8, "macro lines begin with #"),
+    // An argument E of a macro call says nothing.
+    evidence(
+        Sign::Block("E:int X|Y E<100 !G65 !G66 !G66.1 !M98 !G10 !F"),
+        5,
+        "E chooses a work offset",
+    ),
+    evidence(Sign::Block("E:int X|Y E<100 S !G65 !G66 !G66.1 !M98 !G10"), 5, "E chooses a work offset"),
+    evidence(
+        Sign::Block("H Z !G43 !G43.1 !G43.4 !G44 !G49 !G56 !G65 !G66 !G10 !M98 !P"),
+        3,
+        "H applies the length without G43",
+    ),
+    evidence(Sign::Form(Form::OpenComments), 3, "comments are left open"),
+    evidence(Sign::Block("G8 !P"), 2, "G8 switches feed ramps off"),
+    evidence(Sign::Block("G9 !X !Y !Z"), 1, "G9 switches feed ramps on"),
+    evidence(Sign::Block("M45"), 4, "M45 runs a cycle on the spot"),
+    evidence(Sign::Block("M46|M47|M49 !P"), 1, "M46 to M49"),
+    evidence(Sign::Block("L>9099 L<9999 !P"), 6, "L9101 to L9998 are fixed routines"),
+    evidence(Sign::Block("G43"), -3, "G43 applies the length"),
+    evidence(Sign::Form(Form::MacroStatement), -3, "macro statements of another language"),
 ];

@@ -4,7 +4,7 @@ mod alarms;
 mod codes;
 mod macros;
 mod post;
-mod recognition;
+pub(crate) mod recognition;
 mod rules;
 mod settings;
 

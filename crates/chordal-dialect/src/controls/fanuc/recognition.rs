@@ -1,11 +1,41 @@
-//! Signs by which programs of Fanuc 0i are recognized.
+//! Signs by which programs of Fanuc controls are recognized, and of machines that are built with one.
 
 use crate::vocabulary::*;
 
+/// Also those of lathes.
+pub(crate) const NAMES: &[&str] = &[
+    "FANUC", "FANUC 0I", "0I-MD", "0I-MF", "0I-MC", "0I-TD", "0I-TF", "31I", "30I", "32I", "18I", "16I",
+    "21I", "OI-MD", "OI-MF",
+];
+
+/// Builders and machines that come with a Fanuc, or with a control that reads as one.
+pub(crate) const MACHINES: &[&str] = &[
+    "DOOSAN", "DAEWOO", "DN SOLUTIONS", "DNM", "ROBODRILL", "MAKINO", "MATSUURA", "KITAMURA", "MYCENTER",
+    "MORI SEIKI", "MORISEIKI", "HYUNDAI", "HYUNDAI-WIA", "WIA", "YCM", "FEELER", "LEADWELL", "HARDINGE",
+    "BRIDGEPORT", "TOYODA", "ENSHU", "HWACHEON", "SAMSUNG", "AWEA", "TAKISAWA", "JOHNFORD", "QUASER",
+    "LITZ", "MITSUI SEIKI", "CHIRON", "OKK", "KIA",
+];
+
+/// Controls of their own that read blocks as a Fanuc does.
+const NEAR: &[&str] = &["BROTHER", "SPEEDIO", "TC-S2D", "S700X1", "HURCO", "WINMAX", "CENTROID", "SYIL"];
+
 pub(super) const EVIDENCE: &[Evidence] = &[
-    Evidence { sign: Sign::G(541), weight: 3, reason: "G54.1 chooses an extended work offset" },
-    Evidence { sign: Sign::G(51), weight: 2, reason: "G5.1 switches look-ahead on" },
-    Evidence { sign: Sign::MacroStatement, weight: 1, reason: "macro B statements" },
-    Evidence { sign: Sign::M(290), weight: 2, reason: "M29 announces rigid tapping" },
-    Evidence { sign: Sign::G(430), weight: 1, reason: "G43 applies the tool length" },
+    evidence(Sign::Header(NAMES), 12, "the header names a Fanuc"),
+    evidence(Sign::Comment(NAMES), 7, "a comment names a Fanuc"),
+    evidence(Sign::Header(MACHINES), 10, "the header names a machine that has a Fanuc"),
+    evidence(Sign::Comment(MACHINES), 6, "a comment names a machine that has a Fanuc"),
+    evidence(Sign::Header(NEAR), 9, "the header names a control that reads as a Fanuc"),
+    evidence(Sign::Comment(NEAR), 6, "a comment names a control that reads as a Fanuc"),
+    evidence(Sign::Block("G54.1 P"), 3, "G54.1 chooses an extended work offset"),
+    evidence(Sign::Block("G5.1 Q"), 4, "G5.1 switches look-ahead on"),
+    evidence(Sign::Block("G8 P"), 4, "G8 P1 switches look-ahead on"),
+    evidence(Sign::Block("G5 P>99"), 5, "G5 P10000 switches look-ahead on"),
+    evidence(Sign::Block("G43.4|G43.5|G68.2|G53.1"), 3, "G43.4 and G68.2 are tool centre point control"),
+    evidence(Sign::Block("M29"), 4, "M29 announces rigid tapping"),
+    evidence(Sign::Block("G10 L52|L50"), 3, "G10 L50 sets parameters"),
+    evidence(Sign::Code(&["SETVN["]), 5, "SETVN names variables"),
+    evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
+    evidence(Sign::Block("G43"), 1, "G43 applies the tool length"),
+    evidence(Sign::Code(&["&F=/", "<PROG", "//CNC_MEM"]), 6, "folder lines of a Fanuc memory"),
+    evidence(Sign::Block("O:4"), 1, "a program number of four digits"),
 ];

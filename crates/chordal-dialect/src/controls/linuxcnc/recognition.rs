@@ -1,12 +1,39 @@
-//! Signs by which programs of LinuxCNC (RS274/NGC) are recognized.
+//! Signs by which programs of LinuxCNC are recognized, and of controls that read as it does.
 
 use crate::vocabulary::*;
 
+const NAMES: &[&str] =
+    &["LINUXCNC", "EMC2", "EMC", "MACHINEKIT", "RS274NGC", "RS274", "PATHPILOT", "TORMACH", "LINUXCNC POST"];
+
+/// Controls of their own that are nearest to it.
+const NEAR: &[&str] = &["MACH3", "MACH4", "MACH2", "MASSO", "UCCNC", "PLANETCNC"];
+
 pub(super) const EVIDENCE: &[Evidence] = &[
-    Evidence { sign: Sign::OWord, weight: 8, reason: "O words are flow control" },
-    Evidence { sign: Sign::SemicolonComment, weight: 3, reason: "comments after semicolons" },
-    Evidence { sign: Sign::G(641), weight: 2, reason: "G64 P" },
-    Evidence { sign: Sign::G(382), weight: 5, reason: "G38.2 probes" },
-    Evidence { sign: Sign::G(901), weight: 5, reason: "G90.1 sets absolute arc centres" },
-    Evidence { sign: Sign::G(911), weight: 5, reason: "G91.1 sets incremental arc centres" },
+    evidence(Sign::Header(NAMES), 12, "the header names LinuxCNC"),
+    evidence(Sign::Comment(NAMES), 7, "a comment names LinuxCNC"),
+    evidence(Sign::Header(NEAR), 9, "the header names a control that reads as LinuxCNC"),
+    evidence(Sign::Comment(NEAR), 6, "a comment names a control that reads as LinuxCNC"),
+    evidence(Sign::Form(Form::OWord), 10, "O words are flow control"),
+    evidence(Sign::Form(Form::NamedParameter), 10, "variables have names"),
+    evidence(Sign::Code(&["EXISTS["]), 8, "EXISTS asks for a variable"),
+    evidence(Sign::Comment(&["MSG,", "DEBUG,", "PRINT,", "PROBEOPEN", "LOGOPEN", "LOG,"]), 6, "(MSG, …) speaks to the operator"),
+    evidence(Sign::Form(Form::SemicolonComments), 3, "comments after semicolons"),
+    evidence(Sign::Block("G64 P"), 6, "G64 P is a tolerance"),
+    evidence(Sign::Block("G38.2|G38.3|G38.4|G38.5"), 4, "G38.2 probes"),
+    evidence(Sign::Block("G90.1"), 5, "G90.1 sets absolute arc centres"),
+    evidence(Sign::Block("G91.1"), 4, "G91.1 sets incremental arc centres"),
+    evidence(Sign::Block("G33.1"), 6, "G33.1 taps"),
+    evidence(Sign::Block("G5.2|G5.3"), 5, "G5.2 cuts a spline"),
+    evidence(Sign::Block("G43 !H !P !X"), 3, "G43 without H takes the tool in the spindle"),
+    evidence(Sign::Block("G92.2|G92.3"), 4, "G92.2 switches an offset off"),
+    evidence(Sign::Block("G59.1|G59.2|G59.3"), 3, "G59.1 to G59.3 choose a work offset"),
+    evidence(Sign::Block("G10 L20|L11|L10"), 1, "G10 L20 sets an offset from here"),
+    evidence(Sign::Block("M64|M65|M66|M67|M68 P|E"), 4, "M64 to M68 are inputs and outputs"),
+    evidence(Sign::Block("M61 Q"), 4, "M61 says the tool number"),
+    evidence(Sign::Block("M70|M72|M73"), 2, "M70 keeps the modes"),
+    evidence(Sign::Block("G28.1|G30.1"), 2, "G28.1 keeps a position"),
+    evidence(Sign::Block("G76 P I J K"), 6, "G76 with P, I, J and K cuts a thread"),
+    evidence(Sign::Block("G96 D"), 4, "G96 D limits the spindle speed"),
+    evidence(Sign::Block("G7 !X !Y"), 4, "G7 programs diameters"),
+    evidence(Sign::Block("M2"), 1, "M2 ends the program"),
 ];

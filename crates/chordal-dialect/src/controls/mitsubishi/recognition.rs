@@ -1,10 +1,29 @@
-//! Signs by which programs of Mitsubishi M700 and M800 are recognized.
+//! Signs by which programs of Mitsubishi M700 and M800 are recognized, and of Mazak's ISO programs, which
+//! such a control reads.
 
 use crate::vocabulary::*;
 
+const NAMES: &[&str] = &[
+    "MITSUBISHI", "MELDAS", "M70", "M700", "M80", "M800", "M700V", "M70V", "M64", "M520", "M80W",
+];
+
+const MAZAK: &[&str] = &[
+    "MAZAK", "MAZATROL", "VARIAXIS", "INTEGREX", "NEXUS", "VTC-200", "VCN-510", "VCN-530", "SMOOTHX", "SMOOTHG",
+    "MATRIX", "FJV",
+];
+
 pub(super) const EVIDENCE: &[Evidence] = &[
-    Evidence { sign: Sign::G(21), weight: 8, reason: "G2.1 cuts a spiral" },
-    Evidence { sign: Sign::G(31), weight: 8, reason: "G3.1 cuts a spiral" },
-    Evidence { sign: Sign::G(611), weight: 4, reason: "G61.1 switches high-accuracy control on" },
-    Evidence { sign: Sign::G(371), weight: 4, reason: "G37.1 drills a grid" },
+    evidence(Sign::Header(NAMES), 12, "the header names a Mitsubishi"),
+    evidence(Sign::Comment(&["MITSUBISHI", "MELDAS"]), 7, "a comment names a Mitsubishi"),
+    evidence(Sign::Header(MAZAK), 11, "the header names a Mazak, whose control is of Mitsubishi"),
+    evidence(Sign::Comment(MAZAK), 6, "a comment names a Mazak, whose control is of Mitsubishi"),
+    evidence(Sign::Block("G2.1|G3.1 X|Y"), 8, "G2.1 cuts a spiral"),
+    evidence(Sign::Block("G61.1"), 5, "G61.1 switches high-accuracy control on"),
+    evidence(Sign::Block("G34.1|G35.1|G36.1|G37.1"), 6, "G34.1 to G37.1 drill a pattern"),
+    evidence(Sign::Block("G5 P:1 P>0 P<9"), 5, "G5 P1 and P2 are high-speed modes"),
+    evidence(Sign::Block("M98 H"), 5, "M98 with H begins at a block"),
+    evidence(Sign::Block("G54.1 P"), 1, "G54.1 chooses an extended work offset"),
+    evidence(Sign::Form(Form::MacroStatement), 1, "macro B statements"),
+    evidence(Sign::Block("G43"), 1, "G43 applies the tool length"),
+    evidence(Sign::Block("G84|G74 ,R"), 3, ",R1 in a cycle is synchronous tapping"),
 ];

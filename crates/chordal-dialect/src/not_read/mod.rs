@@ -1,0 +1,57 @@
+//! Languages that Chordal recognizes and does not read, one file each: a program of them is one message and
+//! not two hundred, and nothing is read as something that it is not.
+
+mod grbl;
+mod heidenhain;
+mod lathe;
+mod marlin;
+mod okuma;
+mod sinumerik;
+
+use chordal_machine::ControlName;
+
+use crate::recognition::Evidence;
+
+/// A language that is not read.
+#[derive(Debug)]
+pub struct NotRead {
+    /// Its name, as the names of controls are.
+    pub name: &'static str,
+    /// What such a program is, for people: `a lathe program for a Fanuc`.
+    pub what: &'static str,
+    /// What is said of it: `lathe programs are not followed yet`.
+    pub why: &'static str,
+    /// The signs that decide whether a text is in this language.
+    pub signs: &'static [Evidence],
+    /// So much they must weigh together.
+    pub needed: i32,
+    /// Signs that tell it from others of its kind. They count once the text is in the language.
+    pub own: &'static [Evidence],
+    /// The control that the text is shown on: its comments and words, not its motion.
+    pub shown_on: ControlName,
+}
+
+/// All of them. Of two that weigh alike the first counts.
+pub const ALL: &[&NotRead] = &[
+    &heidenhain::HEIDENHAIN,
+    &sinumerik::SINUMERIK,
+    &okuma::OKUMA,
+    &lathe::FANUC_LATHE,
+    &lathe::HAAS_LATHE,
+    &marlin::MARLIN,
+    &grbl::GRBL,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_not_those_of_controls() {
+        for language in ALL {
+            let taken = ControlName::ALL.iter().any(|name| name.as_str() == language.name);
+            assert!(!taken, "{}", language.name);
+            assert!(language.needed > 0 && !language.signs.is_empty(), "{}", language.name);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Programs of Okuma's OSP: G15 and G56 mean something else than on a Fanuc, so they are not read as one.
+
+use super::NotRead;
+use crate::recognition::{Evidence, Sign, evidence};
+use chordal_machine::ControlName;
+
+pub(super) const OKUMA: NotRead = NotRead {
+    name: "okuma",
+    what: "a program for an Okuma",
+    why: "programs of Okuma's OSP are not read yet",
+    signs: SIGNS,
+    needed: 6,
+    own: &[],
+    shown_on: ControlName::Fanuc,
+};
+
+const NAMES: &[&str] =
+    &["OKUMA", "OSP", "OSP-P300", "OSP-P300M", "OSP-P200", "OSP-E100", "GENOS", "OSP P300"];
+
+const SIGNS: &[Evidence] = &[
+    evidence(Sign::Header(NAMES), 14, "the header names an Okuma"),
+    evidence(Sign::Comment(NAMES), 9, "a comment names an Okuma"),
+    evidence(Sign::Code(&[".MIN%", ".SUB%", ".SSB%"]), 15, "$NAME.MIN% heads the program"),
+    evidence(Sign::Block("G15 H"), 8, "G15 H chooses a work offset"),
+    evidence(Sign::Block("G16 H X|Y|Z"), 3, "G16 H chooses a work offset"),
+    evidence(Sign::Block("G56 H Z"), 4, "G56 H applies the length"),
+    evidence(Sign::Code(&["CALL O", "MODIN", "MODOUT", "RTS"]), 7, "CALL and RTS call subprograms"),
+    evidence(
+        Sign::Code(&["VC1", "VC2", "VZOF", "VTOF", "VRSTT", "VATOL", "NOEX"]),
+        7,
+        "variables as VC1 and VZOFZ",
+    ),
+    evidence(Sign::Code(&["NCYL"]), 3, "NCYL leaves a cycle out"),
+    evidence(Sign::Block("G71 Z !P !Q !R !X !Y"), 1, "G71 Z is the return level"),
+    evidence(Sign::Block("G43"), -3, "G43 applies the tool length"),
+];

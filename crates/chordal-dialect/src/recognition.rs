@@ -1,0 +1,112 @@
+//! Signs by which a text is recognized, as data: what to look for, how much it says, and its words for people.
+//!
+//! The signs of a control stand in its folder (`recognition.rs`), those of languages that are not read in
+//! [`not_read`](crate::not_read). What looks for them is `chordal-gcode`'s `recognize`.
+
+/// Something in the text that speaks for a control, or against it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Sign {
+    /// A block of these words, with blanks between them, in any order:
+    ///
+    /// | term | the block has |
+    /// |---|---|
+    /// | `X` | a word X |
+    /// | `G54.1` | this code |
+    /// | `G70..73` | a code of these |
+    /// | `U\|W` | one of them |
+    /// | `!G43` | none |
+    /// | `F<1`, `T>99` | such a number |
+    /// | `E:int`, `E:dec` | a number without a point, with digits after it |
+    /// | `O:5`, `T:3-6` | a number of so many digits |
+    /// | `G28:bare` | this code and no axis word |
+    Block(&'static str),
+    /// Of the blocks like `among` so many in a hundred are like `of`, the ends included. It says nothing
+    /// where there are fewer than three of them.
+    Share {
+        /// The blocks that are counted.
+        of: &'static str,
+        /// All blocks.
+        among: &'static str,
+        /// From and to, in a hundred.
+        percent: (u8, u8),
+    },
+    /// Each of the letters stands in at least so many blocks of the text, and none of the others in any.
+    Letters {
+        /// The letters that words have.
+        used: &'static str,
+        /// The letters that no word has.
+        unused: &'static str,
+        /// In so many blocks at least.
+        least: u32,
+    },
+    /// A comment that names one of these, as words of their own, in capital letters.
+    Comment(&'static [&'static str]),
+    /// The same where the comment says that it is about the machine, its control or the post.
+    Header(&'static [&'static str]),
+    /// One of these pieces of text outside comments, in capital letters.
+    Code(&'static [&'static str]),
+    /// A form that is no pattern of words.
+    Form(Form),
+}
+
+/// Forms that are no pattern of words.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Form {
+    /// `R0+1.`: a register word.
+    Register,
+    /// More comments are left open than are closed.
+    OpenComments,
+    /// A comment with words after a semicolon.
+    SemicolonComments,
+    /// `o100 sub`, `o<name> call`.
+    OWord,
+    /// `#<name>`: a named parameter.
+    NamedParameter,
+    /// A line that begins with `#` and a letter.
+    HashLine,
+    /// `L100` alone in its block.
+    SubroutineHead,
+    /// A statement with numbered variables: `#100=1`, `IF[#1EQ2]GOTO9`.
+    MacroStatement,
+    /// A line that begins with `$`.
+    DollarLine,
+    /// `R1=5`: a parameter that is given a value.
+    ParameterIsSet,
+    /// A text without `%`, O number, tool change, G43 and H, as small controls take it.
+    BareText,
+    /// A block with `X=5`: an address with an equals sign.
+    EqualsAddress,
+}
+
+/// A sign and how strongly it speaks.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence {
+    /// What to look for.
+    pub sign: Sign,
+    /// How much it says; below zero it speaks against.
+    pub weight: i32,
+    /// For people: `G154 chooses an extended work offset`. Of several signs with the same words one counts.
+    pub reason: &'static str,
+}
+
+/// Writes a sign.
+pub const fn evidence(sign: Sign, weight: i32, reason: &'static str) -> Evidence {
+    Evidence { sign, weight, reason }
+}
+
+/// A comment with one of these words is about the machine that the program is for.
+pub const ABOUT_THE_MACHINE: &[&str] =
+    &["MACHINE", "VENDOR", "CONTROL", "CONTROLLER", "POST", "POSTED", "MODEL", "MAKE", "CNC"];
+
+/// A comment with one of these words names a machine that the program is not for.
+pub const ABOUT_ANOTHER: &[&str] =
+    &["FROM", "NOT", "WAS", "OLD", "FORMERLY", "ORIGINALLY", "REPLACES", "NEVER", "INSTEAD"];
+
+/// So much speaks clearly.
+pub const CLEAR: i32 = 3;
+
+/// The weight by which the first must lead for the signs to decide.
+pub const LEAD: i32 = 2;
+
+/// The control that is assumed where nothing speaks: most others read as it does.
+pub const ASSUMED: chordal_machine::ControlName = chordal_machine::ControlName::Fanuc;

@@ -1,0 +1,150 @@
+//! Forms of a line that are no pattern of words.
+
+use chordal_dialect::recognition::Form;
+
+use super::line::Line;
+
+/// The words of flow control after an O number.
+const FLOW: &[&[u8]] = &[
+    b"SUB",
+    b"ENDSUB",
+    b"IF",
+    b"ELSE",
+    b"ELSEIF",
+    b"ENDIF",
+    b"WHILE",
+    b"ENDWHILE",
+    b"DO",
+    b"REPEAT",
+    b"ENDREPEAT",
+    b"CALL",
+    b"RETURN",
+    b"BREAK",
+    b"CONTINUE",
+];
+
+/// The line has this form. Those of the whole text are not asked here.
+pub fn shows(form: Form, text: &[u8], line: &Line) -> bool {
+    let code = text[..line.code_end].trim_ascii();
+    match form {
+        Form::Register => !line.macros && register(code),
+        Form::OpenComments => line.open,
+        Form::SemicolonComments => line.semicolon,
+        Form::OWord => o_word(code),
+        Form::NamedParameter => line.macros && memchr::memmem::find(code, b"#<").is_some(),
+        Form::HashLine => {
+            matches!(after_n(code), [b'#', second, ..] if second.is_ascii_alphabetic() || *second == b':')
+        }
+        Form::SubroutineHead => subroutine_head(line),
+        Form::MacroStatement => line.macros && numbered_variable(code),
+        Form::DollarLine => {
+            matches!(code, [b'$', second, ..] if second.is_ascii_uppercase() || second.is_ascii_digit())
+        }
+        Form::ParameterIsSet => parameter_is_set(code),
+        Form::EqualsAddress => line.odd && equals_address(code),
+        Form::BareText => false,
+    }
+}
+
+/// `R0+1.5`, `R1-.2`: R, a digit, a sign.
+fn register(code: &[u8]) -> bool {
+    code.windows(3).any(|part| {
+        part[0].eq_ignore_ascii_case(&b'R')
+            && part[1].is_ascii_digit()
+            && matches!(part[2], b'+' | b'-')
+    })
+}
+
+/// `o100 sub`, `N5 o<bolt> call [1]`.
+fn o_word(code: &[u8]) -> bool {
+    let [b'O' | b'o', rest @ ..] = after_n(code) else { return false };
+    let rest = rest.trim_ascii_start();
+    if rest.first() == Some(&b'<') {
+        return true;
+    }
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let rest = rest[digits..].trim_ascii_start();
+    let letters = rest.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    digits > 0 && FLOW.iter().any(|word| rest[..letters].eq_ignore_ascii_case(word))
+}
+
+/// What comes after the N number of a block.
+fn after_n(code: &[u8]) -> &[u8] {
+    let [b'N' | b'n', rest @ ..] = code else { return code };
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+    rest[digits..].trim_ascii_start()
+}
+
+/// `L100` alone, in hundreds.
+fn subroutine_head(line: &Line) -> bool {
+    let mut words = line.words.iter().filter(|word| word.letter != b'N');
+    match (words.next(), words.next()) {
+        (Some(word), None) if word.letter == b'L' && !line.odd && word.decimals.is_none() => {
+            word.value >= 100.0 && word.value < 9100.0 && word.value % 100.0 == 0.0
+        }
+        _ => false,
+    }
+}
+
+/// `#100=1`, `IF[#1 EQ 2]`, `X#24`, not `#<name>` and not `#V1`.
+fn numbered_variable(code: &[u8]) -> bool {
+    memchr::memchr_iter(b'#', code).any(|at| {
+        let next = code[at + 1..].iter().find(|byte| **byte != b' ');
+        next.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'[' | b'#'))
+    })
+}
+
+/// `R1=5`, `R[2]=1`: not within another word.
+fn parameter_is_set(code: &[u8]) -> bool {
+    memchr::memchr_iter(b'=', code).any(|at| {
+        let before = code[..at].trim_ascii_end();
+        let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+        let head = &before[..before.len() - digits];
+        let starts = |before: &[u8]| before.last().is_none_or(|byte| !byte.is_ascii_alphabetic());
+        matches!(head, [rest @ .., b'R' | b'r'] if digits > 0 && starts(rest))
+    })
+}
+
+/// `X=5`, `F=R1`: a letter alone, an equals sign, a value.
+fn equals_address(code: &[u8]) -> bool {
+    memchr::memchr_iter(b'=', code).any(|at| {
+        let before = code[..at].trim_ascii_end();
+        let single = match before {
+            [.., before, letter] => {
+                letter.is_ascii_alphabetic()
+                    && !before.is_ascii_alphanumeric()
+                    && *before != b'#'
+                    && *before != b'_'
+            }
+            [letter] => letter.is_ascii_alphabetic(),
+            [] => false,
+        };
+        single && code.get(at + 1).is_some_and(|byte| *byte != b'=')
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn has(form: Form, text: &str) -> bool {
+        let mut line = Line::default();
+        line.read(text.as_bytes());
+        shows(form, text.as_bytes(), &line)
+    }
+
+    #[test]
+    fn forms() {
+        for text in ["o100 sub", "N5 O<bolt> call [1]", "o7 endwhile"] {
+            assert!(has(Form::OWord, text), "{text}");
+        }
+        assert!(!has(Form::OWord, "O1000 (SUB)") && !has(Form::OWord, "O100"));
+        assert!(has(Form::MacroStatement, "IF[#100 EQ 1]GOTO 9"));
+        assert!(!has(Form::MacroStatement, "#<depth>=1"));
+        assert!(has(Form::Register, "R0+1.5 R1-.2") && !has(Form::Register, "X1. R2."));
+        assert!(has(Form::SubroutineHead, "N3 L100") && !has(Form::SubroutineHead, "L9401"));
+        assert!(has(Form::ParameterIsSet, "N10 R1=R2+5") && !has(Form::ParameterIsSet, "CR=5"));
+        assert!(has(Form::EqualsAddress, "G1 X=R1") && !has(Form::EqualsAddress, "#1=5"));
+        assert!(has(Form::DollarLine, "$H") && has(Form::HashLine, "N5 #V1=5"));
+    }
+}

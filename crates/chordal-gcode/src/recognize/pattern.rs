@@ -1,0 +1,176 @@
+//! Patterns of words: `G28|G30 U|W !Y`. How they are written stands with `Sign::Block`.
+
+use super::line::{Line, Word, bit};
+
+/// A pattern, read once.
+#[derive(Debug)]
+pub struct Pattern {
+    /// Letters of which the line must have all.
+    all: u32,
+    terms: Vec<Term>,
+}
+
+#[derive(Debug)]
+struct Term {
+    negated: bool,
+    /// The letters of its alternatives.
+    letters: u32,
+    alternatives: Vec<Alternative>,
+}
+
+#[derive(Debug)]
+struct Alternative {
+    letter: u8,
+    comma: bool,
+    test: Test,
+}
+
+/// What is asked of a number.
+#[derive(Debug)]
+enum Test {
+    Any,
+    Between(f64, f64),
+    Below(f64),
+    Above(f64),
+    WithoutPoint,
+    WithDecimals,
+    Digits(u8, u8),
+    /// This code, and no axis in the block.
+    Bare(f64),
+}
+
+/// The letters of axes, for a code without any.
+const AXES: &[u8] = b"XYZUVWABC";
+
+impl Pattern {
+    /// Reads a pattern.
+    pub fn new(text: &str) -> Pattern {
+        let terms: Vec<Term> = text.split(' ').map(Term::new).collect();
+        let single = terms.iter().filter(|term| !term.negated && term.letters.is_power_of_two());
+        let all = single.fold(0, |all, term| all | term.letters);
+        Pattern { all, terms }
+    }
+
+    /// A line with words of these letters may fit.
+    pub fn may_fit(&self, letters: u32) -> bool {
+        let possible = |term: &Term| term.negated || term.is_comma() || letters & term.letters != 0;
+        letters & self.all == self.all && self.terms.iter().all(possible)
+    }
+
+    /// The line has such words.
+    pub fn fits(&self, line: &Line) -> bool {
+        line.letters & self.all == self.all && self.terms.iter().all(|term| term.fits(line))
+    }
+}
+
+impl Term {
+    fn new(text: &str) -> Term {
+        let (negated, text) = match text.strip_prefix('!') {
+            Some(rest) => (true, rest),
+            None => (false, text),
+        };
+        let alternatives: Vec<Alternative> = text.split('|').map(Alternative::new).collect();
+        let letters = alternatives.iter().filter(|each| !each.comma);
+        let letters = letters.fold(0, |all, each| all | bit(each.letter));
+        Term { negated, letters, alternatives }
+    }
+
+    fn fits(&self, line: &Line) -> bool {
+        let may = self.is_comma() || line.letters & self.letters != 0;
+        let found = may
+            && self
+                .alternatives
+                .iter()
+                .any(|each| line.words.iter().any(|word| each.fits(word, line)));
+        found != self.negated
+    }
+
+    /// It asks for words after a comma, whose letters a line does not list.
+    fn is_comma(&self) -> bool {
+        self.letters == 0
+    }
+}
+
+impl Alternative {
+    fn new(text: &str) -> Alternative {
+        let (comma, text) = match text.strip_prefix(',') {
+            Some(rest) => (true, rest),
+            None => (false, text),
+        };
+        let letter = text.as_bytes().first().copied().unwrap_or(0);
+        Alternative { letter, comma, test: Test::new(text.get(1..).unwrap_or("")) }
+    }
+
+    fn fits(&self, word: &Word, line: &Line) -> bool {
+        word.letter == self.letter && word.comma == self.comma && self.test.holds(word, line)
+    }
+}
+
+impl Test {
+    fn new(text: &str) -> Test {
+        let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
+        if let Some((code, "bare")) = text.split_once(':') {
+            return Test::Bare(number(code));
+        }
+        if let Some(kind) = text.strip_prefix(':') {
+            return match kind {
+                "int" => Test::WithoutPoint,
+                "dec" => Test::WithDecimals,
+                _ => {
+                    let (from, to) = kind.split_once('-').unwrap_or((kind, kind));
+                    Test::Digits(from.parse().unwrap_or(0), to.parse().unwrap_or(0))
+                }
+            };
+        }
+        if let Some(limit) = text.strip_prefix('<') {
+            return Test::Below(number(limit));
+        }
+        if let Some(limit) = text.strip_prefix('>') {
+            return Test::Above(number(limit));
+        }
+        match text.split_once("..") {
+            _ if text.is_empty() => Test::Any,
+            Some((from, to)) => Test::Between(number(from), number(to)),
+            None => Test::Between(number(text), number(text)),
+        }
+    }
+
+    fn holds(&self, word: &Word, line: &Line) -> bool {
+        match self {
+            Test::Any => true,
+            Test::Between(from, to) => word.value >= *from && word.value <= *to,
+            Test::Below(limit) => word.value < *limit,
+            Test::Above(limit) => word.value > *limit,
+            Test::WithoutPoint => word.digits > 0 && word.decimals.is_none(),
+            Test::WithDecimals => word.decimals.is_some_and(|count| count > 0),
+            Test::Digits(from, to) => {
+                word.decimals.is_none() && (*from..=*to).contains(&word.digits)
+            }
+            Test::Bare(code) => {
+                word.value == *code && AXES.iter().all(|axis| line.letters & bit(*axis) == 0)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns() {
+        let fits = |pattern: &str, text: &str| {
+            let mut line = Line::default();
+            line.read(text.as_bytes());
+            Pattern::new(pattern).fits(&line)
+        };
+        assert!(fits("G28|G30 U|W", "G30 U0 W0") && !fits("G28|G30 U|W", "G28 Z0"));
+        assert!(fits("E:int X|Y !G65", "X1. E2") && !fits("E:int X|Y !G65", "G65 P1 E2 X1."));
+        assert!(!fits("E:int X", "X1 E.02") && fits("G1 E:dec", "G1 X1 E.02"));
+        assert!(fits("G54.1 P", "G54.1 P3") && !fits("G54.1 P", "G54 P3"));
+        assert!(fits("T:3-6 !M6", "T0101") && !fits("T:3-6 !M6", "T1 M6"));
+        assert!(fits("G28:bare", "G28") && !fits("G28:bare", "G28 U0"));
+        assert!(fits("G84 ,R", "G84 Z-1. ,R1") && !fits("G84 ,R", "G84 Z-1. R1."));
+        assert!(fits("F<1", "G1 F.012") && !fits("F<1", "F1."));
+    }
+}

@@ -1,0 +1,215 @@
+//! Counts what the lines of a text show.
+
+use std::collections::BTreeMap;
+
+use chordal_dialect::recognition::{ABOUT_ANOTHER, ABOUT_THE_MACHINE, Form};
+
+use super::catalog::{CATALOG, Kind};
+use super::forms;
+use super::line::{Line, bit};
+
+/// Lines between two counts of the same kind: a share of fewer says nothing.
+const FEWEST_OF_A_SHARE: u32 = 3;
+
+/// What was seen of one sign.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// Where it was seen first.
+    pub at: Option<usize>,
+    /// Lines that show it, or that count for a share.
+    of: u32,
+    among: u32,
+}
+
+/// Everything that was seen.
+#[derive(Debug)]
+pub struct Tally {
+    seen: Vec<Seen>,
+    /// Lines in which each letter stands, and where it stands first.
+    letters: [(u32, usize); 26],
+    open: (u32, u32),
+    /// Signs of words that lines with these letters may show.
+    possible: BTreeMap<u32, Vec<usize>>,
+    /// A line with this letter, a tool change or G43 was there: the text is not bare.
+    bare: bool,
+    upper: Vec<u8>,
+}
+
+/// Several comments may belong to one heading: `(MACHINE)`, `(  VENDOR: HAAS)`.
+fn is_about(comment: &[u8], words: &[&str]) -> bool {
+    words.iter().any(|word| names(comment, word))
+}
+
+impl Tally {
+    pub fn new() -> Tally {
+        Tally {
+            seen: vec![Seen::default(); CATALOG.entries.len()],
+            letters: [(0, 0); 26],
+            open: (0, 0),
+            possible: BTreeMap::new(),
+            bare: true,
+            upper: Vec::new(),
+        }
+    }
+
+    /// Takes a line that begins at an offset of the text.
+    pub fn line(&mut self, text: &[u8], line: &Line, at: usize) {
+        if !line.words.is_empty() {
+            self.words(line, at);
+        }
+        if line.odd || line.open || line.semicolon {
+            self.odd(text, line, at);
+        } else if line.letters & (bit(b'R') | bit(b'L')) != 0 {
+            self.forms(text, line, at);
+        }
+        for (from, to) in &line.comments {
+            self.comment(&text[*from..*to], at);
+        }
+        self.open.0 += u32::from(line.open);
+        self.open.1 += u32::from(line.closed);
+        self.bare &= !shows_a_memory(text, line);
+    }
+
+    fn words(&mut self, line: &Line, at: usize) {
+        let mut left = line.letters;
+        while left != 0 {
+            let entry = &mut self.letters[left.trailing_zeros() as usize];
+            if entry.0 == 0 {
+                entry.1 = at;
+            }
+            entry.0 += 1;
+            left &= left - 1;
+        }
+        let possible = self.possible.entry(line.letters).or_insert_with(|| possible(line.letters));
+        for index in possible.iter().copied() {
+            let seen = &mut self.seen[index];
+            match &CATALOG.entries[index].kind {
+                Kind::Block(pattern) if seen.at.is_none() && pattern.fits(line) => {
+                    seen.at = Some(at);
+                }
+                Kind::Share { of, among, .. } if among.fits(line) => {
+                    seen.among += 1;
+                    if of.fits(line) {
+                        seen.of += 1;
+                        seen.at.get_or_insert(at);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A line with names, brackets or the like.
+    fn odd(&mut self, text: &[u8], line: &Line, at: usize) {
+        self.upper.clear();
+        self.upper.extend(text[..line.code_end].iter().map(u8::to_ascii_uppercase));
+        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
+            if let Kind::Code(pieces) = entry.kind
+                && seen.at.is_none()
+                && pieces
+                    .iter()
+                    .any(|piece| memchr::memmem::find(&self.upper, piece.as_bytes()).is_some())
+            {
+                seen.at = Some(at);
+            }
+        }
+        self.forms(text, line, at);
+    }
+
+    fn forms(&mut self, text: &[u8], line: &Line, at: usize) {
+        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
+            if let Kind::Form(form) = entry.kind
+                && seen.at.is_none()
+                && forms::shows(form, text, line)
+            {
+                seen.at = Some(at);
+            }
+        }
+    }
+
+    fn comment(&mut self, comment: &[u8], at: usize) {
+        self.upper.clear();
+        self.upper.extend(comment.iter().map(u8::to_ascii_uppercase));
+        let comment = std::mem::take(&mut self.upper);
+        let other = is_about(&comment, ABOUT_ANOTHER);
+        let machine = !other && is_about(&comment, ABOUT_THE_MACHINE);
+        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
+            let wanted = match entry.kind {
+                _ if seen.at.is_some() => continue,
+                Kind::Comment(words) if !other => words,
+                Kind::Header(words) if machine => words,
+                _ => continue,
+            };
+            if is_about(&comment, wanted) {
+                seen.at = Some(at);
+            }
+        }
+        self.upper = comment;
+    }
+
+    /// Where a sign was seen, if it was.
+    pub fn found(&self, index: usize) -> Option<usize> {
+        let seen = self.seen[index];
+        match &CATALOG.entries[index].kind {
+            Kind::Share { percent: (from, to), .. } => {
+                let share = seen.of * 100;
+                let inside =
+                    share >= seen.among * u32::from(*from) && share <= seen.among * u32::from(*to);
+                (seen.among >= FEWEST_OF_A_SHARE && inside).then_some(seen.at.unwrap_or(0))
+            }
+            Kind::Letters { used, unused, least } => self.letters(*used, *unused, *least),
+            Kind::Form(Form::OpenComments) => seen.at.filter(|_| self.open.0 > self.open.1),
+            Kind::Form(Form::BareText) => self.bare.then_some(0),
+            Kind::Block(_) | Kind::Comment(_) | Kind::Header(_) | Kind::Code(_) | Kind::Form(_) => {
+                seen.at
+            }
+        }
+    }
+
+    fn letters(&self, used: u32, unused: u32, least: u32) -> Option<usize> {
+        let of = |letters: u32| (0..26).filter(move |index| letters & (1 << index) != 0);
+        let enough = of(used).all(|index| self.letters[index].0 >= least);
+        let none = of(unused).all(|index| self.letters[index].0 == 0);
+        let first = of(used).map(|index| self.letters[index].1).min();
+        first.filter(|_| enough && none)
+    }
+}
+
+/// The signs of words that a line with these letters may show.
+fn possible(letters: u32) -> Vec<usize> {
+    let may = |(index, entry): (usize, &super::catalog::Entry)| match &entry.kind {
+        Kind::Block(pattern) | Kind::Share { among: pattern, .. } => {
+            pattern.may_fit(letters).then_some(index)
+        }
+        _ => None,
+    };
+    CATALOG.entries.iter().enumerate().filter_map(may).collect()
+}
+
+/// What a small control would not take: `%`, a program number, a tool change, a length offset.
+fn shows_a_memory(text: &[u8], line: &Line) -> bool {
+    line.letters & (bit(b'O') | bit(b'H') | bit(b'T')) != 0
+        || text.trim_ascii_start().first() == Some(&b'%')
+        || line.words.iter().any(|word| word.letter == b'G' && word.value == 43.0)
+}
+
+/// The comment has the name with nothing of a word before and after it.
+fn names(comment: &[u8], name: &str) -> bool {
+    memchr::memmem::find_iter(comment, name.as_bytes()).any(|at| {
+        let before = comment[..at].last().is_none_or(|byte| !byte.is_ascii_alphanumeric());
+        let after = comment.get(at + name.len());
+        let open = name.ends_with(|last: char| !last.is_ascii_alphanumeric());
+        before && (open || after.is_none_or(|byte| !byte.is_ascii_alphanumeric()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_whole_words() {
+        assert!(names(b"VENDOR: HAAS AUTOMATION", "HAAS") && names(b"LINUXCNC_POST", "LINUXCNC"));
+        assert!(!names(b"HAASTE", "HAAS") && names(b"$PATH=/_N_WKS", "$PATH=/"));
+    }
+}

@@ -1,0 +1,118 @@
+//! Why a program runs on its machine: in words, and what is said of a text that is not read.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use chordal::control::{Recognition, Strength, not_read};
+use chordal::diagnostics::{FileId, Span};
+use chordal::{Code, Diagnostic};
+
+/// Signs that a message about a language lists.
+const MOST_SIGNS: usize = 4;
+
+/// Why this machine.
+#[derive(Clone, Debug)]
+pub enum Chosen {
+    /// The caller says so.
+    Given,
+    /// `chordal.toml` says so.
+    Folder(PathBuf),
+    /// Nothing in the text says so, and the file extension is LinuxCNC's own.
+    Ending,
+    /// The program looks like one of this control.
+    Recognized(Recognition),
+}
+
+impl Chosen {
+    /// What was recognized and by what, in a line; nothing where somebody said the machine. `title` is
+    /// the control's.
+    pub fn why(&self, title: &str) -> Option<String> {
+        Some(match self {
+            Chosen::Given | Chosen::Folder(_) => return None,
+            Chosen::Ending => format!("assumed {title} because of the file extension"),
+            Chosen::Recognized(found) => why(found, title),
+        })
+    }
+
+    /// What was recognized, where it was.
+    pub fn recognition(&self) -> Option<&Recognition> {
+        match self {
+            Chosen::Recognized(found) => Some(found),
+            Chosen::Given | Chosen::Folder(_) | Chosen::Ending => None,
+        }
+    }
+
+    /// Who says so, in a word: `given`, `folder`, `extension`, `text`.
+    pub fn from(&self) -> &'static str {
+        match self {
+            Chosen::Given => "given",
+            Chosen::Folder(_) => "folder",
+            Chosen::Ending => "extension",
+            Chosen::Recognized(_) => "text",
+        }
+    }
+
+    /// Nobody named the machine, so its limits are a guess.
+    pub fn is_guess(&self) -> bool {
+        matches!(self, Chosen::Ending | Chosen::Recognized(_))
+    }
+
+    /// What is said of a text in a language that is not read.
+    pub fn refusal(&self, text: &[u8]) -> Option<Arc<Diagnostic>> {
+        let found = self.recognition().filter(|found| found.chosen().not_read)?;
+        let language = not_read(found.chosen().name)?;
+        let signs: Vec<_> = found.evidence().take(MOST_SIGNS).collect();
+        let first = signs.first()?;
+        let line = line_span(text, first.offset as usize);
+        let message = format!("this is {}; {}", language.what, language.why);
+        let mut refusal = Diagnostic::new(Code::NotRead, line, message).label(first.sign);
+        for sign in &signs[1..] {
+            refusal = refusal.note(format!("line {}: {}", sign.line, sign.sign));
+        }
+        let help = "if it is for another control, name the machine with --machine: then it is read as that one reads it";
+        Some(Arc::new(refusal.help(help)))
+    }
+}
+
+fn why(found: &Recognition, title: &str) -> String {
+    let chosen = found.chosen();
+    let title = if chosen.not_read { chosen.title } else { title };
+    let strongest = found.evidence().next();
+    match (found.strength(), strongest) {
+        (Strength::Sure | Strength::Likely, Some(sign)) => {
+            format!("recognized as {title} by line {} ({})", sign.line, sign.sign)
+        }
+        (Strength::Weak, Some(sign)) => {
+            let line = format!("probably {title} by line {} ({})", sign.line, sign.sign);
+            match found.runner_up() {
+                Some(next) => format!("{line}; {} is nearly as likely", next.title),
+                None => line,
+            }
+        }
+        _ => assumed(found, title),
+    }
+}
+
+/// Nothing speaks: what was assumed, and who gives fewer errors.
+fn assumed(found: &Recognition, title: &str) -> String {
+    let line = format!("assumed {title}: nothing in the text says which control it is for");
+    let errors = |count: u64| if count == 1 { "1 error".into() } else { format!("{count} errors") };
+    let other = found.ranking.iter().skip(1).filter_map(|other| Some((other, other.errors?)));
+    let Some(own) = found.chosen().errors else { return line };
+    match other.min_by_key(|(_, errors)| *errors) {
+        Some((other, fewer)) if fewer < own => {
+            format!("{line}; on {} it has {} instead of {own}", other.title, errors(fewer))
+        }
+        Some((other, more)) if own < more => {
+            format!("{line}; it has {} and {more} on {}", errors(own), other.title)
+        }
+        _ => line,
+    }
+}
+
+/// The words of the line that begins there.
+fn line_span(text: &[u8], start: usize) -> Span {
+    let rest = text.get(start..).unwrap_or_default();
+    let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+    Span::new(FileId(0), start as u32, (start + end) as u32)
+}

@@ -1,0 +1,109 @@
+//! By how much a program exceeds the limits of a machine that nobody named. They are a guess, so that they are one
+//! note of a program and not an error of each move.
+
+use chordal_command::{AxisMask, CommandKind, FeedMode, Units, number_text};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_machine::{AXES, Machine, PerAxis};
+
+/// Above a limit by less, as a share of it, is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The largest excess of each kind.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Excess {
+    /// Beyond the travel, mm or rad.
+    travel: PerAxis<f64>,
+    /// The largest feed above the limit, mm/s.
+    feed: f64,
+    /// The largest spindle speed above the limit, rpm.
+    speed: f64,
+}
+
+impl Excess {
+    /// With that of another part of the run.
+    pub fn and(&mut self, other: &Excess) {
+        for axis in 0..AXES {
+            self.travel(axis, other.travel[axis]);
+        }
+        self.feed = self.feed.max(other.feed);
+        self.speed = self.speed.max(other.speed);
+    }
+
+    /// A move goes so far beyond the travel of an axis.
+    pub fn travel(&mut self, axis: usize, over: f64) {
+        self.travel[axis] = self.travel[axis].max(over);
+    }
+
+    /// Follows feeds and speeds.
+    #[inline]
+    pub fn command(&mut self, kind: &CommandKind, machine: &Machine) {
+        if let CommandKind::Spindle { rpm, .. } = kind {
+            if machine.spindle_max_rpm.is_some_and(|most| *rpm > most) {
+                self.speed = self.speed.max(*rpm);
+            }
+        } else if let Some(feed) = kind.feed()
+            && feed.mode == FeedMode::PerTime
+            && feed.value > self.feed
+            && machine.feed.max_mm_per_s.is_some_and(|most| feed.value > most * (1.0 + ROUNDING))
+            && !kind.only_turns()
+        {
+            self.feed = feed.value;
+        }
+    }
+
+    /// One note about all of it.
+    pub fn note(&self, machine: &Machine, units: Units, head: Span) -> Option<Diagnostic> {
+        let parts: Vec<String> = self
+            .travel_text(machine, units)
+            .into_iter()
+            .chain(self.feed_text(machine, units))
+            .chain(self.speed_text(machine))
+            .collect();
+        if parts.is_empty() {
+            return None;
+        }
+        Some(
+            Diagnostic::new(
+                Code::AssumedLimits,
+                head,
+                format!(
+                    "limits of the assumed machine ({}) are exceeded: {}",
+                    machine.title,
+                    parts.join("; ")
+                ),
+            )
+            .help("name yours with --machine; then its limits are checked move by move"),
+        )
+    }
+
+    fn travel_text(&self, machine: &Machine, units: Units) -> Option<String> {
+        let over = AxisMask::ALL.iter().filter(|axis| self.travel[*axis as usize] > 0.0);
+        let texts: Vec<String> = over
+            .map(|axis| {
+                let value = self.travel[axis as usize];
+                let text = match axis.is_rotary() {
+                    true => format!("{} deg", number_text(value.to_degrees(), 3)),
+                    false => units.length_text(value * machine.written_factor(axis as usize)),
+                };
+                format!("{} by {text}", axis.letter())
+            })
+            .collect();
+        (!texts.is_empty()).then(|| format!("the travel in {}", texts.join(", ")))
+    }
+
+    fn feed_text(&self, machine: &Machine, units: Units) -> Option<String> {
+        let most = machine.feed.max_mm_per_s.filter(|_| self.feed > 0.0)?;
+        let (per_mm, unit) = match units {
+            Units::Inch => (60.0 / 25.4, "in/min"),
+            Units::Millimetre => (60.0, "mm/min"),
+        };
+        let text = |value: f64| number_text(value * per_mm, 1);
+        Some(format!("a feed of {} {unit}, at most {}", text(self.feed), text(most)))
+    }
+
+    fn speed_text(&self, machine: &Machine) -> Option<String> {
+        let most = machine.spindle_max_rpm.filter(|_| self.speed > 0.0)?;
+        let (speed, most) = (number_text(self.speed, 0), number_text(most, 0));
+        Some(format!("a spindle speed of {speed} rpm, at most {most}"))
+    }
+}
