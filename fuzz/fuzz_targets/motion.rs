@@ -113,6 +113,7 @@ fuzz_target!(|bytes: &[u8]| {
     let (mut rotary, mut tag) = ([0.0; 3], 0);
     let mut passing = Corner::Stop;
     let (mut at, mut time_s) = (None, 0.0);
+    let (mut way, mut steepest) = (0.0_f64, 0.0_f64);
     while !bytes.0.is_empty() && tag < 200 {
         let curve = curve(&mut bytes, position, heading);
         let kind = bytes.byte();
@@ -145,6 +146,12 @@ fuzz_target!(|bytes: &[u8]| {
             }
         };
         planner.push(&motion, take).expect("a good move");
+        way += motion.curve.length();
+        if motion.curve.length() > 0.0 {
+            let turn =
+                (0..3).map(|axis| (rotary[axis] - rotary_from[axis]).abs()).fold(0.0, f64::max);
+            steepest = steepest.max(turn / motion.curve.length());
+        }
         if !spot {
             heading = curve.tangent_at(curve.length());
         }
@@ -160,7 +167,8 @@ fuzz_target!(|bytes: &[u8]| {
     assert!(time_s >= 0.0);
     if let Some(at) = at {
         let [x, y, z] = position.to_array();
-        let far = x.abs().max(y.abs()).max(z.abs());
+        // An axis that turns by radians on a nanometre turns by as much as the place along the path is rounded.
+        let far = x.abs().max(y.abs()).max(z.abs()) + 1e-4 * way * steepest;
         same(at, [x, y, z, rotary[0], rotary[1], rotary[2]], far);
     }
 });

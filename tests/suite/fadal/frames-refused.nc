@@ -1,6 +1,6 @@
 (machine: fadal-4020)
 (units: mm)
-(expect: CH531 CH534)
+(expect: CH531)
 (set: tools.1.diameter="10 mm")
 (What a Fadal refuses of mirror and rotation.)
 G21 G17 G90 S500 M3

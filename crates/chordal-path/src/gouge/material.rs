@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-use super::shape::{PlaneCurve, wrapped};
+use super::chain::closes;
+use super::shape::PlaneCurve;
 use super::{Block, Contour, Options, Role, closing, walls};
 
 /// The contour of the part, and what was taken away to find it.
@@ -171,23 +172,10 @@ impl Material {
     }
 }
 
-/// The turn from the end of one curve to the start of the next, rad, in −π..=π.
-pub(super) fn turn(before: &PlaneCurve, after: &PlaneCurve) -> f64 {
-    wrapped(after.tangent_angles().0 - before.tangent_angles().1)
-}
-
 /// The blocks of a role that have a length, in their order.
 fn chain(contour: &Contour, role: Role) -> Vec<Block> {
     let usable = |b: &&Block| b.curve.is_finite() && b.curve.length() > 0.0;
     contour.blocks.iter().filter(usable).filter(|b| b.role == role).copied().collect()
-}
-
-/// Whether a chain ends where it begins; an empty one does.
-pub(super) fn closes(chain: &[Block], vertex: f64) -> bool {
-    match (chain.first(), chain.last()) {
-        (Some(first), Some(last)) => first.curve.from().distance(last.curve.to()) <= vertex,
-        _ => true,
-    }
 }
 
 /// A curve by its quantised ends and centre, the same for both directions.

@@ -5,6 +5,7 @@
 //! lines and arcs of the compensation plane; the tool centre gouges where it comes nearer to the
 //! contour of the part than its radius, anywhere on the whole path, links and leads included.
 
+mod chain;
 mod closing;
 mod distance;
 mod material;

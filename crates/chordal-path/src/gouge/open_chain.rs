@@ -3,10 +3,9 @@
 
 use core::f64::consts::PI;
 
+use super::chain::{Walls, closes, same_course, turn};
 use super::closing::{Closing, LONGEST_LEAD, Lies};
-use super::material::{closes, turn};
 use super::shape::PlaneCurve;
-use super::walls::{Walls, same_course};
 use super::{Block, Contour, Options, Role, distance};
 
 /// The wall of a chain without a closed stretch.

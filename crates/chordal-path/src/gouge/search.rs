@@ -2,8 +2,9 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use super::chain::turn;
 use super::distance::{Near, nearest};
-use super::material::{Material, turn};
+use super::material::Material;
 use super::shape::PlaneCurve;
 use super::tree::{Bounds, BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
 use super::{Contour, Move};

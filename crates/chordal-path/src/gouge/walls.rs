@@ -11,21 +11,9 @@ use std::collections::BTreeMap;
 
 use chordal_geometry::Vec2;
 
+use super::chain::{Walls, turn};
 use super::closing::{Closing, LONGEST_LEAD, Lies};
-use super::material::turn;
-use super::shape::PlaneCurve;
 use super::{Block, Contour, Options, nested, open_chain};
-
-/// The walls of a chain.
-#[derive(Debug, Default)]
-pub(super) struct Walls {
-    /// Their blocks, in the order of the chain.
-    pub(super) blocks: Vec<Block>,
-    /// They close on themselves.
-    pub(super) closed: bool,
-    /// Arcs that lead to an open wall and away.
-    pub(super) lead_arcs: Vec<Block>,
-}
 
 /// Finds the walls.
 pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Walls {
@@ -225,24 +213,4 @@ fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
         count - 1
     };
     chain.iter().map(|block| (number(block.curve.from()), number(block.curve.to()))).collect()
-}
-
-/// Whether two curves lie on one line or circle and run the same way.
-pub(super) fn same_course(first: &PlaneCurve, second: &PlaneCurve, grain: f64) -> bool {
-    match (first, second) {
-        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
-            let same_way = (*to - *from).dot(*end - *start) > 0.0;
-            let off = |p: Vec2| first.left_of(p).abs();
-            same_way && off(*start) <= grain && off(*end) <= grain
-        }
-        (
-            PlaneCurve::Arc { center, radius, sweep, .. },
-            PlaneCurve::Arc { center: about, radius: other, sweep: turned, .. },
-        ) => {
-            center.distance(*about) <= grain
-                && (radius - other).abs() <= grain
-                && sweep * turned > 0.0
-        }
-        _ => false,
-    }
 }

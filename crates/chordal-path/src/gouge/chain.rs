@@ -1,0 +1,50 @@
+//! Blocks one after the other: how they join, and those of them that are walls.
+
+use chordal_geometry::Vec2;
+
+use super::Block;
+use super::shape::{PlaneCurve, wrapped};
+
+/// The walls of a chain.
+#[derive(Debug, Default)]
+pub(super) struct Walls {
+    /// Their blocks, in the order of the chain.
+    pub(super) blocks: Vec<Block>,
+    /// They close on themselves.
+    pub(super) closed: bool,
+    /// Arcs that lead to an open wall and away.
+    pub(super) lead_arcs: Vec<Block>,
+}
+
+/// The turn from the end of one curve to the start of the next, rad, in −π..=π.
+pub(super) fn turn(before: &PlaneCurve, after: &PlaneCurve) -> f64 {
+    wrapped(after.tangent_angles().0 - before.tangent_angles().1)
+}
+
+/// Whether a chain ends where it begins; an empty one does.
+pub(super) fn closes(chain: &[Block], vertex: f64) -> bool {
+    match (chain.first(), chain.last()) {
+        (Some(first), Some(last)) => first.curve.from().distance(last.curve.to()) <= vertex,
+        _ => true,
+    }
+}
+
+/// Whether two curves lie on one line or circle and run the same way.
+pub(super) fn same_course(first: &PlaneCurve, second: &PlaneCurve, grain: f64) -> bool {
+    match (first, second) {
+        (PlaneCurve::Line { from, to }, PlaneCurve::Line { from: start, to: end }) => {
+            let same_way = (*to - *from).dot(*end - *start) > 0.0;
+            let off = |p: Vec2| first.left_of(p).abs();
+            same_way && off(*start) <= grain && off(*end) <= grain
+        }
+        (
+            PlaneCurve::Arc { center, radius, sweep, .. },
+            PlaneCurve::Arc { center: about, radius: other, sweep: turned, .. },
+        ) => {
+            center.distance(*about) <= grain
+                && (radius - other).abs() <= grain
+                && sweep * turned > 0.0
+        }
+        _ => false,
+    }
+}
