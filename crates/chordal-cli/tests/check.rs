@@ -168,7 +168,7 @@ fn many() -> Folder {
     let twice = "G2 X1. Y0 I.5 J0 R.5\nG1 X0 Y0\n".repeat(30);
     folder.write(
         "many.nc",
-        &format!("O1\nG20 G90 G17 S900 M3\nF10.\n{twice}G2 X9. Y1. I1. J0\nM30\n"),
+        format!("O1\nG20 G90 G17 S900 M3\nF10.\n{twice}G2 X9. Y1. I1. J0\nM30\n"),
     );
     folder
 }
@@ -208,7 +208,7 @@ fn how_much_is_shown_can_be_chosen() {
 fn json_keeps_every_place() {
     let folder = Folder::new();
     let far: String = (0..500).map(|_| "G2 X90. Y1. I1. J0\nG1 X0 Y0\n".to_string()).collect();
-    folder.write("far.nc", &format!("O1\nG20 G90 G17 S900 M3\nG1 X0 Y0 F10.\n{far}M30\n"));
+    folder.write("far.nc", format!("O1\nG20 G90 G17 S900 M3\nG1 X0 Y0 F10.\n{far}M30\n"));
     let done = folder.run(&["check", "far.nc", "-m", "fanuc-30i", "--format", "json"]).ends(1);
     let value: Value = serde_json::from_str(&done.out).expect("JSON");
     let found = value["files"][0]["diagnostics"].as_array().expect("a list");
