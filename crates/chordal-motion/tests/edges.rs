@@ -411,12 +411,12 @@ fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
 fn a_spiral_into_a_line_at_a_crawl_ends_where_the_line_does() {
     let spiral = Spiral::new(
         Frame::from_normal(
-            vec([0.0, -34.770_575_8, 8812.409_270_6]),
+            vec([0.0, -34.770_575_8, 8_812.409_270_6]),
             vec([0.0, -0.999_992_216, -0.003_945_607_2]),
             vec([0.0, 0.003_945_607_2, -0.999_992_216]),
         )
         .unwrap(),
-        (8812.477_866_4, 8674.513_964_2),
+        (8_812.477_866_4, 8_674.513_964_2),
         0.034_042_638_7,
         0.009_155_27,
     );
@@ -430,4 +430,40 @@ fn a_spiral_into_a_line_at_a_crawl_ends_where_the_line_does() {
         cut(support::line(middle.to_array(), end.to_array()), f64::INFINITY, Corner::Stop),
     ];
     ends(&moves, &plan(&moves, machine(), Level::Fast), 1e-8);
+}
+
+/// A spiral that rises steeply turns faster than its curvature says, and must hold the velocity of X between the
+/// places that are looked at.
+#[test]
+fn a_steep_spiral_eased_into_a_wide_arc_holds_the_velocity_of_every_axis() {
+    let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
+    let limits = Limits::new([
+        axis(1.0, 13.47, 1009.0),
+        axis(1.0, 67.37, 40_171.0),
+        axis(80.0, 800.0, 20_224.0),
+        axis(80.0, 15_757.0, 749_048.0),
+        axis(1279.0, 15_757.0, 749_048.0),
+        axis(1576.0, 15_757.0, 41_649.0),
+    ])
+    .unwrap();
+    let wide = Corner::Within { linear_mm: 0.75, rotary_rad: 7e-4 };
+    let radius = 749.048_267_6;
+    let out = vec([-0.001_311_711_7, 0.707_761_724_6, -0.706_450_012_8]);
+    let around = vec([0.306_150_830_6, -0.672_244_710_3, -0.674_061_361]);
+    let frame = Frame::from_normal(out * -radius, around, out).unwrap();
+    let arc = Arc::new(frame, radius, 0.017_362_942_5, -0.816_427_243_2);
+    let out = vec([0.334_123_688_3, -0.873_246_260_8, -0.354_686_240_0]);
+    let around = vec([0.148_164_893_9, 0.420_297_599, -0.895_207_848_8]);
+    let frame = Frame::from_normal(arc.end() - out * 0.020_780_07, around, out).unwrap();
+    // From where the frame has it, whose first axis is square to the other.
+    let spiral = Spiral::new(frame, (0.020_780_07, 0.014_002_2), 100.0, 24.957_275_4);
+    let frame = Frame { origin: frame.origin + (arc.end() - spiral.start()), ..frame };
+    let spiral = Spiral::new(frame, (0.020_780_07, 0.014_002_2), 100.0, 24.957_275_4);
+    let moves =
+        [cut(arc.into(), f64::INFINITY, wide), cut(spiral.into(), f64::INFINITY, Corner::Stop)];
+    let used = plan(&moves, limits, Level::Fast)
+        .iter()
+        .map(|stretch| largest_use(stretch, &limits, 12))
+        .fold(Use::default(), Use::or);
+    assert!(used.velocity.max(used.acceleration).max(used.jerk) <= ABOVE, "{used:?}");
 }

@@ -231,11 +231,15 @@ fn near_bounds(
     // Between two probes a sine exceeds both by its size times this.
     const MOST_TURN: f64 = 0.8;
     let step = length / f64::from(PROBES);
-    let curvature = curve.jet_at(at)[2].length().max(curve.jet_at(at + length)[2].length());
-    if curvature * length > MOST_TURN {
+    let ends = [curve.jet_at(at), curve.jet_at(at + length)];
+    let [curvature, third] =
+        [2, 3].map(|order| ends[0][order].length().max(ends[1][order].length()));
+    // How fast it turns: a steep helix faster than its curvature says.
+    let turn = if curvature > 0.0 { curvature.max(third / curvature) } else { 0.0 };
+    if turn * length > MOST_TURN {
         return None;
     }
-    let between = 1.1 * (curvature * step / 2.0).powi(2) / 2.0;
+    let between = 1.1 * third.max(curvature * curvature) * step * step / 8.0;
     let mut even = [[0.0_f64; AXES]; 3];
     let mut rate = 0.0_f64;
     // What the correction's parabola exceeds two probes by, where it turns back between them.
@@ -256,7 +260,7 @@ fn near_bounds(
                 } else if order == 0 {
                     value += direction[axis];
                 }
-                let margin = between * curvature.powi(order as i32);
+                let margin = between * turn.powi(order as i32);
                 even[order][axis] = even[order][axis].max(value.abs() + margin);
                 if order == 0 && axis < 3 {
                     first[axis] = value;
