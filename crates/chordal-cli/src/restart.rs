@@ -104,8 +104,8 @@ fn text(done: &Restart, path: Option<&Path>) -> String {
     for line in &done.head {
         text += &format!("  + {line}\n");
     }
-    if done.at_tool_change {
-        text += "note: the tool change comes first; retract the spindle before you start\n";
+    if done.approaches {
+        text += "note: the program itself goes to its first place; retract the spindle before you start\n";
     }
     let moves = counted(done.moves, "move", "moves");
     text += &format!("proof: from this line on both programs do the same, {moves}\n");

@@ -46,17 +46,30 @@ impl Head<'_, '_> {
         Ok(lines)
     }
 
+    /// The lines before a block where the place is not known: the program goes to one before it cuts.
+    pub(super) fn before_approach(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.modes();
+        lines.extend(self.tool());
+        lines.extend(self.work());
+        let spindle = self.spindle().join(self.gap());
+        lines.extend(Some(spindle).filter(|words| !words.is_empty()));
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.ready());
+        lines.extend(self.feed());
+        lines.extend(self.ending()?);
+        Ok(lines)
+    }
+
     /// The lines before any other block: they take the tool to where it stands.
     pub(super) fn all(&self) -> Result<Vec<String>, Lack> {
-        let Before { modal, said, highest, .. } = self.before;
+        let Before { said, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
         lines.push(self.over()?);
         lines.push(self.down(*highest)?);
         lines.extend(said.coolant.iter().cloned());
         lines.extend(self.plunge(*highest)?);
-        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
-        lines.extend(ready.map(|tool| format!("T{tool}")));
+        lines.extend(self.ready());
         lines.extend(self.ending()?);
         Ok(lines)
     }
@@ -145,15 +158,21 @@ impl Head<'_, '_> {
 
     /// By rapid over the place, with the spindle on.
     fn over(&self) -> Result<String, Lack> {
-        let Before { modal, said, .. } = self.before;
+        let modal = &self.before.modal;
         let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
         words.extend(self.work());
         for axis in [0, 1, 3, 4, 5] {
-            // Rotary axes begin at zero.
-            if modal.known.has(axis) && (axis < 3 || modal.position[axis] != 0.0) {
+            if modal.known.has(axis) && (axis < 3 || self.names(axis)) {
                 words.push(self.place(axis, modal.position[axis])?);
             }
         }
+        words.extend(self.spindle());
+        Ok(words.join(self.gap()))
+    }
+
+    fn spindle(&self) -> Vec<String> {
+        let Before { modal, said, .. } = self.before;
+        let mut words = Vec::new();
         if said.speed && modal.rpm > 0.0 {
             let speed = plain(modal.rpm, 3, self.source.style);
             words.push(format!("S{}", speed.trim_end_matches('.')));
@@ -161,7 +180,14 @@ impl Head<'_, '_> {
         if modal.spindle != SpindleState::Off {
             words.extend(said.spindle.clone());
         }
-        Ok(words.join(self.gap()))
+        words
+    }
+
+    /// The tool that is made ready.
+    fn ready(&self) -> Option<String> {
+        let modal = &self.before.modal;
+        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
+        ready.map(|tool| format!("T{tool}"))
     }
 
     /// By rapid down to where the program has been clear, with the length offset.
@@ -213,27 +239,53 @@ impl Head<'_, '_> {
         Some(format!("F{}", plain(value, MOST_DECIMALS, self.source.style)))
     }
 
+    /// The radius offset, where compensation will use the one that was said before.
+    fn radius(&self) -> Option<String> {
+        let number = self.before.modal.radius_offset?;
+        let starts = |action| {
+            matches!(action, Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight))
+        };
+        let mut rest = self.at..self.source.blocks.len();
+        let next = rest.find(|at| {
+            self.source.blocks[*at].word(b'D').is_some()
+                || self.source.has_action(*at, self.control, starts)
+        })?;
+        let is_said = self.source.blocks[next].word(b'D').is_some();
+        (!is_said).then(|| format!("D{number}"))
+    }
+
     /// G91 and the motion code, so that words without a code mean the same.
     fn ending(&self) -> Result<Vec<String>, Lack> {
         let modal = &self.before.modal;
-        let mut lines = Vec::new();
+        let mut lines: Vec<String> = self.radius().into_iter().collect();
         if modal.incremental {
             lines.push(self.needed(Action::Reading(ReadingCode::Incremental), "increments")?);
         }
-        if !self.says_motion() {
-            lines.extend(self.motion(modal)?);
-        }
+        lines.extend(self.motion(modal)?);
         Ok(lines)
     }
 
     fn motion(&self, modal: &Modal) -> Result<Option<String>, Lack> {
         match modal.motion {
             None => Ok(self.name(Action::Mode(ModeCode::CancelCycle))),
-            Some(mode @ (MotionMode::Rapid | MotionMode::Linear | MotionMode::Arc(_))) => {
+            // A control that only arms the direction of an arc goes on with G1 after it.
+            Some(mode @ (MotionMode::Rapid | MotionMode::Linear)) => {
+                self.needed(mode.into(), "the motion in force").map(Some)
+            }
+            Some(_) if self.says_motion() => Ok(None),
+            Some(mode @ MotionMode::Arc(_)) => {
                 self.needed(mode.into(), "the motion in force").map(Some)
             }
             Some(_) => Err(Lack("a motion is in force that a head cannot begin".into())),
         }
+    }
+
+    /// The program has turned a rotary axis, or said that it stands at zero.
+    fn names(&self, axis: usize) -> bool {
+        let letter = AXIS_LETTERS.as_bytes()[axis];
+        let is_said =
+            self.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());
+        is_said || self.before.modal.position[axis] != 0.0
     }
 
     /// The block itself says what it does.

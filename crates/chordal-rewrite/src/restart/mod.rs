@@ -14,7 +14,7 @@ use chordal::diagnostics::FileId;
 use chordal::{Job, Severity};
 
 use self::head::{Head, Lack};
-use self::trace::{Places, Trace};
+use self::trace::{Care, Places, Trace};
 use self::watch::{Before, Way, before, changes_tool};
 use crate::Refusal;
 use crate::source::Source;
@@ -71,8 +71,9 @@ pub struct Restart {
     pub head: Vec<String>,
     /// So many moves follow, the same in both programs.
     pub moves: u64,
-    /// It begins with a tool change: the tool is not taken to a place before.
-    pub at_tool_change: bool,
+    /// What follows goes to its first place by itself (after a tool change, or from a place that is not known):
+    /// the head does not go there, and the spindle must be retracted.
+    pub approaches: bool,
 }
 
 /// Writes the main program of a job's first text so that it begins at a line, and proves it.
@@ -93,13 +94,18 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     asked.apart(&main, at)?;
     let changes = changes_tool(&source, job.control(), at);
     let is_known = (0..3).all(|axis| before.modal.known.has(axis));
-    if !is_known && !changes {
-        return Err(asked.position(&before.modal));
-    }
     let head = Head { source: &source, control: job.control(), before: &before, at };
-    let lines = if changes { head.before_change() } else { head.all() };
+    let lines = match (changes, is_known) {
+        (true, _) => head.before_change(),
+        (false, true) => head.all(),
+        (false, false) => head.before_approach(),
+    };
     let lines = lines.map_err(|lack| asked.lack(lack))?;
-    asked.prove(Draft { first, at, ran, lines, at_tool_change: changes })
+    let approaches = changes || !is_known;
+    let done = asked.prove(Draft { first, at, ran, lines, approaches });
+    done.map_err(
+        |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
+    )
 }
 
 const RUN_IT: &str = "run the program itself";
@@ -118,7 +124,7 @@ struct Draft {
     at: usize,
     ran: u64,
     lines: Vec<String>,
-    at_tool_change: bool,
+    approaches: bool,
 }
 
 impl Asked<'_, '_> {
@@ -279,17 +285,14 @@ impl Asked<'_, '_> {
     fn prove(&self, draft: Draft) -> Result<Restart, Refused> {
         let (text, from) = self.text(&draft);
         let places = Places { kept: draft.first, from };
-        let new = self.job.with_text(text);
+        let start = from[1] + self.source.start_of(draft.at) - from[0];
+        let new = main_of(self.job.with_text(text), start);
         let source = Source::of(&new);
         let unproved = |what: String| {
             self.refuse(Reason::Unproved, what, "begin at another line, best at a tool change")
         };
-        let start = from[1] + self.source.start_of(draft.at) - from[0];
         let at = source.first_at(start);
-        let way = match source.mains.as_slice() {
-            [main] if at < source.blocks.len() => Way::to(&new, &source, main, at),
-            _ => return Err(unproved("the new program cannot be read".into())),
-        };
+        let way = Way::to(&new, &source, &(0..source.blocks.len()), at);
         let Some(ran) = way.ran else {
             return Err(unproved("the new program never comes to the line".into()));
         };
@@ -303,13 +306,14 @@ impl Asked<'_, '_> {
         }
         let old = Trace::of(self.job, draft.ran);
         let trace = Trace::of(&new, ran);
-        if let Some(unlike) = old.unlike(&trace, places, !draft.at_tool_change) {
+        let care = Care { exact: !draft.approaches, settled: false };
+        if let Some(unlike) = old.unlike(&trace, places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
             return Err(unproved(what));
         }
         let text = source.text.to_vec();
-        let Draft { lines: head, at_tool_change, .. } = draft;
-        Ok(Restart { text, line: self.line, head, moves: old.moves, at_tool_change })
+        let Draft { lines: head, approaches, .. } = draft;
+        Ok(Restart { text, line: self.line, head, moves: old.moves, approaches })
     }
 
     /// The text, and where the old one goes on: in the old text and in the new one.
@@ -336,5 +340,16 @@ impl Asked<'_, '_> {
         name.chars()
             .map(|c| if c.is_ascii_alphanumeric() || ".-_".contains(c) { c } else { ' ' })
             .collect()
+    }
+}
+
+/// The job of the program that a byte of the text is in: programs that nothing calls any more are not mains.
+fn main_of(job: Job<'_>, at: u32) -> Job<'_> {
+    let programs = job.programs();
+    let holds =
+        |program: &chordal::TextProgram| program.head.start.offset <= at && at < program.head.end;
+    match programs.iter().position(holds) {
+        Some(place) if programs.len() > 1 => job.program_at(place),
+        _ => job,
     }
 }

@@ -19,6 +19,17 @@ enum What {
     Alarm(&'static str),
 }
 
+impl What {
+    /// A cut, or a move of Z to a place relative to the part: it goes wrong with another length offset.
+    fn needs_height(&self) -> bool {
+        let What::Command(kind) = self else { return false };
+        let Some(motion) = kind.motion() else { return false };
+        let moves_z =
+            motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2]);
+        moves_z || !matches!(kind, CommandKind::Rapid { .. })
+    }
+}
+
 /// A thing that happens, and where the program says it.
 #[derive(Debug)]
 struct Step {
@@ -34,6 +45,15 @@ pub(super) struct Trace {
     steps: Vec<Step>,
     /// How many moves there are.
     pub(super) moves: u64,
+}
+
+/// How much must be the same.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Care {
+    /// Both programs come from the same place. Otherwise rapids may come from elsewhere, and cuts may not.
+    pub(super) exact: bool,
+    /// A cut or a move of Z has been made: from there on the length offset counts.
+    pub(super) settled: bool,
 }
 
 /// Where two runs are first not the same.
@@ -69,15 +89,18 @@ impl Trace {
         recorder.trace
     }
 
-    /// The first thing in which another run is not like this one. `strict`: also what is known of axes that do
-    /// not move, and where rapids come from.
-    pub(super) fn unlike(&self, new: &Trace, places: Places, strict: bool) -> Option<Unlike> {
+    /// The first thing in which another run is not like this one.
+    pub(super) fn unlike(&self, new: &Trace, places: Places, care: Care) -> Option<Unlike> {
+        let mut care = care;
         for (one, other) in self.steps.iter().zip(&new.steps) {
-            let what = if places.new_of(one.at) == other.at {
-                different(&one.what, &other.what, strict)
+            // An alarm comes before what its block does.
+            let is_alarm = [one, other].iter().any(|step| matches!(step.what, What::Alarm(_)));
+            let what = if is_alarm || places.new_of(one.at) == other.at {
+                different(&one.what, &other.what, care)
             } else {
                 Some("another block is carried out".into())
             };
+            care.settled |= one.what.needs_height();
             if let Some(what) = what {
                 return Some(Unlike { line: one.line, what });
             }
@@ -147,6 +170,11 @@ impl RunSink for Recorder {
     }
 }
 
+/// Z goes to a place relative to the part.
+fn moves_z(motion: &Move) -> bool {
+    motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2])
+}
+
 fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= SAME * one.abs().max(1.0)
 }
@@ -164,11 +192,12 @@ fn same_place(one: &Position, other: &Position, known: AxisMask) -> bool {
     (0..AXES).all(|axis| !known.has(axis) || near(one[axis], other[axis]))
 }
 
-fn different(one: &What, other: &What, strict: bool) -> Option<String> {
+fn different(one: &What, other: &What, care: Care) -> Option<String> {
     match (one, other) {
-        (What::Command(one), What::Command(other)) => different_command(one, other, strict),
-        (What::Done(one), What::Done(other)) => different_modal(one, other, strict)
-            .map(|name| format!("{name} is another one after it")),
+        (What::Command(one), What::Command(other)) => different_command(one, other, care),
+        (What::Done(one), What::Done(other)) => {
+            different_modal(one, other, care).map(|name| format!("{name} is another one after it"))
+        }
         (What::Alarm(one), What::Alarm(other)) if one == other => None,
         (_, What::Alarm(code)) => Some(format!("the new program has an error there ({code})")),
         (What::Alarm(code), _) => Some(format!("only the old program has the error {code}")),
@@ -176,14 +205,14 @@ fn different(one: &What, other: &What, strict: bool) -> Option<String> {
     }
 }
 
-fn different_command(one: &CommandKind, other: &CommandKind, strict: bool) -> Option<String> {
+fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Option<String> {
     use CommandKind as Kind;
     if std::mem::discriminant(one) != std::mem::discriminant(other) {
         return Some("the block does something else".into());
     }
     if let (Some(a), Some(b)) = (one.motion(), other.motion()) {
         let is_rapid = matches!(one, Kind::Rapid { .. });
-        if !same_move(a, b, strict || !is_rapid) {
+        if !same_move(a, b, care.exact || care.settled || !is_rapid) {
             return Some("the move is another one".into());
         }
     }
@@ -222,7 +251,9 @@ fn same_move(one: &Move, other: &Move, strict: bool) -> bool {
     }
     let from = one.from_known.and(other.from_known);
     let to = one.to_known.and(other.to_known);
-    same_place(&one.from, &other.from, from) && same_place(&one.to, &other.to, to)
+    // Down at another place would be into something.
+    let is_there = !moves_z(one) || one.to_known == other.to_known;
+    is_there && same_place(&one.from, &other.from, from) && same_place(&one.to, &other.to, to)
 }
 
 fn same_feed(one: &Feed, other: &Feed) -> bool {
@@ -242,9 +273,10 @@ fn same_shape(one: &ArcShape, other: &ArcShape) -> bool {
 }
 
 /// The first part of the modal state that is not the same.
-fn different_modal(one: &Modal, other: &Modal, strict: bool) -> Option<&'static str> {
+fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static str> {
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
+    let settled = care.exact || care.settled;
     let spins = one.spindle != SpindleState::Off || other.spindle != SpindleState::Off;
     let checks = [
         (one.units == other.units, "the unit"),
@@ -262,7 +294,7 @@ fn different_modal(one: &Modal, other: &Modal, strict: bool) -> Option<&'static 
         (one.tool == other.tool, "the tool"),
         (one.selected_tool == other.selected_tool, "the tool made ready"),
         (one.work == other.work, "the work offset"),
-        (one.length_offset == other.length_offset, "the length offset"),
+        (!settled || one.length_offset == other.length_offset, "the length offset"),
         (one.path_mode == other.path_mode, "the path mode"),
         (one.frames == other.frames, "a frame"),
         (same_place(&one.position, &other.position, known), "the position"),
@@ -271,8 +303,8 @@ fn different_modal(one: &Modal, other: &Modal, strict: bool) -> Option<&'static 
             same_place(&one.machine_position, &other.machine_position, machine),
             "the machine position",
         ),
-        (!strict || one.known == other.known, "what is known of the position"),
-        (!strict || one.codes == other.codes, "a modal code"),
+        (!care.exact || one.known == other.known, "what is known of the position"),
+        (!settled || one.codes == other.codes, "a modal code"),
     ];
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
 }
