@@ -90,10 +90,6 @@ fn every_line_is_proved_or_refused_with_a_reason() {
                     let told = &refused.refusal;
                     assert!(!told.what.is_empty() && !told.help.is_empty());
                     if matches!(refused.reason, Reason::Unproved | Reason::Form) {
-                        let name = path.file_name().unwrap_or_default().to_string_lossy();
-                        if std::env::var_os("SHOWN").is_some() {
-                            println!("{name}:{line}: {}", told.what);
-                        }
                         *messages
                             .entry(told.what.split(": ").last().unwrap_or("").into())
                             .or_default() += 1;
@@ -107,4 +103,79 @@ fn every_line_is_proved_or_refused_with_a_reason() {
     reasons.iter().for_each(|(reason, count)| println!("  refused, {reason:?}: {count}"));
     messages.iter().for_each(|(what, count)| println!("    {count} {what}"));
     assert!(controls.len() >= 5 && controls.values().all(|[yes, _]| *yes > 0));
+}
+
+const FANUC: &str = "\
+%
+O1000 (BRACKET)
+G21 G17 G90 G40 G49 G80
+T1 M06
+G54 G00 X0. Y0. S3000 M03
+G43 H01 Z25. M08
+Z2.
+G01 Z-1. F200.
+X20. F400.
+G02 X30. Y10. R10.
+X20. Y20. R10.
+G91
+G01 X-5.
+G90
+G00 Z25.
+M98 P2000
+G41 D01 X40. Y0.
+G01 Y10.
+G40 X0. M09
+M05
+T2 M06
+G54 G00 X5. Y5. S900 M03
+G43 H02 Z25.
+G81 G99 Z-5. R2. F90.
+X10.
+G80
+G00 Z25. M09
+M30
+O2000 (SLOT)
+G01 Z-2. F100.
+G00 Z25.
+M99
+%
+";
+
+#[test]
+fn a_fanuc_begins_within_an_arc_row() {
+    insta::assert_snapshot!("fanuc", begun(FANUC, "fanuc-30i", 11));
+}
+
+#[test]
+fn a_haas_begins_with_increments_and_at_a_tool_change() {
+    let text = FANUC.replace('\n', "\r\n");
+    insta::assert_snapshot!("haas", begun(&text, "haas-vf2", 13).replace('\r', ""));
+    insta::assert_snapshot!("haas-tool-change", begun(FANUC, "haas-vf2", 21));
+}
+
+#[test]
+fn a_fadal_keeps_its_sections_and_words() {
+    let text = "N1 O77 (SLOTS)\nN2 L100\nN3 G91\nN4 G1 Z-.6 F10.\nN5 X.5 F30.\nN6 G0 Z.6\nN7 X-.5\n\
+                N8 G90\nN9 M17\nN10 M30\nN11 M6 T1\nN12 G0 G90 S4000 M3 E1 X0 Y0\nN13 H1 Z.5 M8\n\
+                N14 L101\nN15 X2.\nN16 L102\nN17 G0 Z1.\nN18 G1 Z-.1 F5.\nN19 X3. F20.\n\
+                N20 Y1.\nN21 G0 Z1.\nN22 M5 M9\nN23 M30\n";
+    insta::assert_snapshot!("fadal", begun(text, "fadal-4020", 20));
+}
+
+#[test]
+fn what_cannot_begin_says_why_and_where_it_can() {
+    let told = [1, 2, 18, 25, 30, 40].map(|line| {
+        let (reason, words) = refused(FANUC, line);
+        format!("{line}: {reason:?}: {words}")
+    });
+    insta::assert_snapshot!("refused", told.join("\n"));
+    let loops =
+        "O1\nG21 G90 G54 G0 X0 Y0 Z5.\n#1=1\nWHILE [#1 LT 3] DO1\nX#1\n#1=#1+1\nEND1\nM30\n";
+    assert_eq!(refused(loops, 5).0, Reason::Repeated);
+    let turned = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG68 X0 Y0 R30.\nX10.\nX20.\nG69\nM30\n";
+    let (reason, words) = refused(turned, 5);
+    assert_eq!(reason, Reason::Frame);
+    assert!(words.contains("begin at line 3"), "{words}");
+    let moved = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG52 X5.\nX10.\nX20.\nM30\n";
+    assert_eq!(refused(moved, 5).0, Reason::Shift);
 }

@@ -41,6 +41,10 @@ impl Head<'_, '_> {
     pub(super) fn before_change(&self) -> Result<Vec<String>, Lack> {
         let mut lines = self.modes();
         lines.extend(self.work());
+        // The spindle is not started before the change, but a later M3 may count on its speed.
+        lines.extend(self.speed());
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.ready());
         lines.extend(self.feed());
         lines.extend(self.ending()?);
         Ok(lines)
@@ -71,6 +75,12 @@ impl Head<'_, '_> {
         lines.extend(self.plunge(*highest)?);
         lines.extend(self.ready());
         lines.extend(self.ending()?);
+        // The way down by feed has said it.
+        let [.., before, last] = lines.as_slice() else { return Ok(lines) };
+        if before.strip_prefix(last.as_str()).is_some_and(|rest| rest.trim_start().starts_with('Z'))
+        {
+            lines.pop();
+        }
         Ok(lines)
     }
 
@@ -172,15 +182,17 @@ impl Head<'_, '_> {
 
     fn spindle(&self) -> Vec<String> {
         let Before { modal, said, .. } = self.before;
-        let mut words = Vec::new();
-        if said.speed && modal.rpm > 0.0 {
-            let speed = plain(modal.rpm, 3, self.source.style);
-            words.push(format!("S{}", speed.trim_end_matches('.')));
-        }
+        let mut words: Vec<String> = self.speed().into_iter().collect();
         if modal.spindle != SpindleState::Off {
             words.extend(said.spindle.clone());
         }
         words
+    }
+
+    fn speed(&self) -> Option<String> {
+        let Before { modal, said, .. } = self.before;
+        let speed = plain(modal.rpm, 3, self.source.style);
+        (said.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
     }
 
     /// The tool that is made ready.

@@ -207,8 +207,9 @@ impl Asked<'_, '_> {
         };
         if let Some(error) = report.diagnostics.iter().find(is_error) {
             let line = self.line_of(error.primary.span);
-            let what = format!("the control stops at line {line}: {}", error.message);
-            return Err(self.refuse(Reason::Unsure, what, "correct that line first"));
+            let what =
+                format!("the program has an error before it, at line {line}: {}", error.message);
+            return Err(self.refuse(Reason::Unsure, what, "correct that first"));
         }
         Ok(())
     }

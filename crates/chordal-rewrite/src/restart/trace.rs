@@ -131,7 +131,7 @@ impl Recorder {
     }
 
     fn stand(&mut self, origin: &Origin) {
-        self.last = (u32::from(origin.span.file.0), origin.span.range.start);
+        self.last = (origin.span.file.0, origin.span.range.start);
         // A called program has lines of its own; the reader looks for those of the main one.
         if origin.call == CallPath::default() {
             self.line = origin.line;
@@ -175,6 +175,15 @@ fn moves_z(motion: &Move) -> bool {
     motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2])
 }
 
+/// Where a cut, or a rapid down, ends depends on where the machine stands.
+fn goes_by_distance(motion: &Move, is_rapid: bool) -> bool {
+    let is_open = |axis: usize| !motion.to_known.has(axis);
+    if is_rapid {
+        return is_open(2) && motion.to[2] < motion.from[2];
+    }
+    (0..AXES).any(|axis| is_open(axis) && motion.from[axis] != motion.to[axis])
+}
+
 fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= SAME * one.abs().max(1.0)
 }
@@ -214,6 +223,9 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
         let is_rapid = matches!(one, Kind::Rapid { .. });
         if !same_move(a, b, care.exact || care.settled || !is_rapid) {
             return Some("the move is another one".into());
+        }
+        if !care.exact && goes_by_distance(a, is_rapid) {
+            return Some("the move goes by a distance from a place that is not known".into());
         }
     }
     if let (Some(a), Some(b)) = (one.feed(), other.feed())
