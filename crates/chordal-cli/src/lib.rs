@@ -37,6 +37,7 @@ mod path;
 mod programs;
 mod readings;
 mod report;
+mod restart;
 mod rows;
 mod run;
 mod sample;
@@ -78,6 +79,7 @@ Examples:
   chordal compare released.nc returned.nc    how far apart the paths of two programs are
   chordal convert part.nc --to haas-vf2      the program for another machine, with a proof
   chordal transform part.nc --rotate 30      the same part, rotated, with a proof
+  chordal restart part.nc --line 120         the program from line 120 on, with a proof
   chordal run part.nc --machine haas-vf2     as a Haas would, for whatever control it was written
   chordal explain CH401                      what a message means
   chordal explain M17 --machine fadal-4020   what a code does
@@ -110,6 +112,7 @@ enum Command {
     Compare(compare::Args),
     Convert(convert::Args),
     Transform(transform::Args),
+    Restart(restart::Args),
     Commands(commands::Args),
     Path(path::Args),
     CompRange(comp_range::Args),
@@ -135,6 +138,7 @@ impl Command {
             Command::Compare(args) => compare::run(&args, terminal),
             Command::Convert(args) => convert::run(&args, terminal),
             Command::Transform(args) => transform::run(&args, terminal),
+            Command::Restart(args) => restart::run(&args, terminal),
             Command::Commands(args) => commands::run(&args, terminal),
             Command::Path(args) => path::run(&args, terminal),
             Command::CompRange(args) => comp_range::run(&args),

@@ -26,6 +26,7 @@
 mod change;
 pub mod convert;
 mod proof;
+pub mod restart;
 mod source;
 mod split;
 mod transform;

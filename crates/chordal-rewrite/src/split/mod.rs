@@ -4,9 +4,9 @@
 //! begins another would need, `standing` what is active there, `text` writes the parts. The parts, run one
 //! after the other, are compared with the whole; a place after which something else happens is given up.
 
-mod open;
+pub(crate) mod open;
 mod points;
-mod standing;
+pub(crate) mod standing;
 mod text;
 
 use chordal::Job;

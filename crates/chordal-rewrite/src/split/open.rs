@@ -14,22 +14,27 @@ const FIRST_SYSTEM_VARIABLE: u32 = 1000;
 
 /// From a byte to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Stretch {
+pub(crate) struct Stretch {
     from: u32,
     to: u32,
     /// What holds it together.
-    pub(super) what: String,
+    pub(crate) what: String,
 }
 
 impl Stretch {
+    /// The byte that it begins at.
+    pub(crate) fn from(&self) -> u32 {
+        self.from
+    }
+
     /// True when a text split before this byte would part it.
-    pub(super) fn holds(&self, at: u32) -> bool {
+    pub(crate) fn holds(&self, at: u32) -> bool {
         self.from < at && at <= self.to
     }
 }
 
 /// All that must not be split in the main program.
-pub(super) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<Stretch> {
+pub(crate) fn stretches(job: &Job, source: &Source, main: &Range<usize>) -> Vec<Stretch> {
     let mut stretches = loops(source, main);
     let Some(program) = program(job) else { return stretches };
     let mut places: HashMap<Name, Vec<Occurrence>> = HashMap::new();

@@ -14,39 +14,39 @@ use crate::source::Source;
 
 /// What holds before a block.
 #[derive(Clone, Debug)]
-pub(super) struct Standing {
-    pub(super) modal: Modal,
-    pub(super) said: Said,
+pub(crate) struct Standing {
+    pub(crate) modal: Modal,
+    pub(crate) said: Said,
 }
 
 /// What the program has said so far and what still counts, in its own words.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Said {
+pub(crate) struct Said {
     /// By what they decide about: codes that need no other words.
-    pub(super) codes: BTreeMap<Slot, String>,
+    pub(crate) codes: BTreeMap<Slot, String>,
     /// Codes with words of their own, which stand on lines of their own.
-    pub(super) lines: BTreeMap<Slot, String>,
+    pub(crate) lines: BTreeMap<Slot, String>,
     /// A work offset was chosen.
-    pub(super) work: bool,
+    pub(crate) work: bool,
     /// The code with H (G43).
-    pub(super) length: Option<String>,
+    pub(crate) length: Option<String>,
     /// The last H word.
-    pub(super) h: Option<String>,
+    pub(crate) h: Option<String>,
     /// The words of the last tool change.
-    pub(super) tool: Option<String>,
+    pub(crate) tool: Option<String>,
     /// The code that started the spindle.
-    pub(super) spindle: Option<String>,
+    pub(crate) spindle: Option<String>,
     /// A speed was given.
-    pub(super) speed: bool,
+    pub(crate) speed: bool,
     /// The codes of coolant that is on.
-    pub(super) coolant: Vec<String>,
+    pub(crate) coolant: Vec<String>,
     /// Blocks that wrote offsets.
-    pub(super) data: Vec<String>,
+    pub(crate) data: Vec<String>,
 }
 
 /// What a code decides about, in the order in which programs say it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Slot {
+pub(crate) enum Slot {
     Units,
     Plane,
     Distance,
@@ -86,7 +86,7 @@ fn slot(group: Group, action: Action) -> Option<Slot> {
 }
 
 impl Said {
-    fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
+    pub(crate) fn follow(&mut self, source: &Source, control: &Control, block: &Block) {
         let text =
             |word: &Word| String::from_utf8_lossy(word.range.slice(source.text)).into_owned();
         let gap = if source.style.spaced { " " } else { "" };

@@ -1,0 +1,118 @@
+//! `chordal restart`: a program that begins at one of its lines, with a proof.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use chordal_rewrite::Refusal;
+use chordal_rewrite::restart::{Restart, restart};
+
+use crate::failure::{Failure, Verdict};
+use crate::numbers::counted;
+use crate::options::Common;
+use crate::out::{Out, trouble};
+use crate::programs::{load_one, recognized};
+use crate::terminal::{Terminal, say};
+
+const EXAMPLES: &str = "\
+Examples:
+  chordal restart part.nc --line 120                 shows the lines that would be put in
+  chordal restart part.nc --line 120 -o from120.nc   and writes the program if it is proved
+  chordal restart part.nc --line 120 -o - | less
+  chordal restart part.nc --line 120 --machine haas-vf2 -o from120.nc
+
+The new program has the head that the control needs at that line (units, offsets, tool, spindle,
+coolant, the way to the place), then the text from that line on, unchanged. Both programs are run
+and compared from that line on; if anything differs, nothing is written.
+
+Exit code: 0 proved, 1 refused, 2 wrong use.";
+
+/// Writes a program that begins at a line of another, and proves that the rest is the same
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The program; `-` is standard input
+    file: PathBuf,
+
+    /// The line to begin at, from 1, as an editor counts lines
+    #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    line: u32,
+
+    /// Writes the new program to this file, `-` to standard output; without it, only the head is shown
+    #[arg(long, short, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    #[command(flatten)]
+    common: Common,
+}
+
+pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
+    let loaded = load_one(&args.file, &args.common)?;
+    let job = loaded.job()?;
+    terminal.tell(&recognized(&loaded));
+    let streams = args.output.as_deref() == Some(Path::new("-"));
+    let done = match restart(&job, args.line) {
+        Ok(done) => done,
+        Err(refused) => {
+            let told = refused_text(&refused.refusal, loaded.name());
+            if streams {
+                terminal.tell(&told)
+            } else {
+                say(&told)?
+            }
+            return Ok(Verdict::Problems);
+        }
+    };
+    let path = args.output.as_deref();
+    if path.is_some() {
+        let out_path = path.filter(|_| !streams);
+        let mut out = Out::open(out_path, &args.file, Plain::Nc)?;
+        out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
+        out.put()?;
+    }
+    let told = text(&done, path);
+    if streams {
+        terminal.tell(&told)
+    } else {
+        say(&told)?
+    }
+    Ok(Verdict::Clean)
+}
+
+/// Text has one format.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Plain {
+    Nc,
+}
+
+impl crate::out::Format for Plain {
+    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
+        None
+    }
+}
+
+fn refused_text(refusal: &Refusal, name: &str) -> String {
+    let words = match refusal.text.as_str() {
+        "" => String::new(),
+        words => format!("  | {words}\n"),
+    };
+    let Refusal { line, what, help, .. } = refusal;
+    format!("refused: {name}:{line}: {what}\n{words}  {help}\nnothing is written\n")
+}
+
+fn text(done: &Restart, path: Option<&Path>) -> String {
+    let mut text = format!("begins at line {}\n", done.line);
+    for line in &done.head {
+        text += &format!("  + {line}\n");
+    }
+    if done.approaches {
+        text += "note: the program itself goes to its first place; retract the spindle before you start\n";
+    }
+    let moves = counted(done.moves, "move", "moves");
+    text += &format!("proof: from this line on both programs do the same, {moves}\n");
+    text += &match path {
+        None => "nothing is written: give a file with -o\n".to_string(),
+        Some(path) if path == Path::new("-") => String::new(),
+        Some(path) => format!("written: {}\n", path.display()),
+    };
+    text
+}

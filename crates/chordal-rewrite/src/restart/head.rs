@@ -1,0 +1,335 @@
+//! The lines that a control needs before a program can begin at a block.
+
+use std::collections::BTreeMap;
+
+use chordal::Control;
+use chordal::control::table::Group;
+use chordal::control::{
+    Action, FeedMode, LengthCode, Modal, ModeCode, MotionCode, MotionMode, ReadingCode,
+    SpindleState, Units,
+};
+use chordal::geometry::Plane;
+use chordal::machine::AXIS_LETTERS;
+
+use super::watch::Before;
+use crate::convert::codes;
+use crate::convert::numbers::{digits, length, plain};
+use crate::source::Source;
+use crate::split::standing::Slot;
+
+/// Decimals of rotary axes and feeds, and the most of all others.
+const MOST_DECIMALS: usize = 6;
+
+/// Places nearer than this are written as they are, mm or degrees.
+const EXACT: f64 = 1e-10;
+
+/// What stands in the way of a head.
+#[derive(Debug)]
+pub(super) struct Lack(pub(super) String);
+
+/// Writes the head of one program.
+pub(super) struct Head<'h, 'a> {
+    pub(super) source: &'h Source<'a>,
+    pub(super) control: &'h Control,
+    pub(super) before: &'h Before,
+    /// The block that the program begins at.
+    pub(super) at: usize,
+}
+
+impl Head<'_, '_> {
+    /// The lines before a block that changes the tool: the tool's own words follow.
+    pub(super) fn before_change(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.modes();
+        lines.extend(self.work());
+        // The spindle is not started before the change, but a later M3 may count on its speed.
+        lines.extend(self.speed());
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.ready());
+        lines.extend(self.feed());
+        lines.extend(self.ending()?);
+        Ok(lines)
+    }
+
+    /// The lines before a block where the place is not known: the program goes to one before it cuts.
+    pub(super) fn before_approach(&self) -> Result<Vec<String>, Lack> {
+        let mut lines = self.modes();
+        lines.extend(self.tool());
+        lines.extend(self.work());
+        let spindle = self.spindle().join(self.gap());
+        lines.extend(Some(spindle).filter(|words| !words.is_empty()));
+        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.ready());
+        lines.extend(self.feed());
+        lines.extend(self.ending()?);
+        Ok(lines)
+    }
+
+    /// The lines before any other block: they take the tool to where it stands.
+    pub(super) fn all(&self) -> Result<Vec<String>, Lack> {
+        let Before { said, highest, .. } = self.before;
+        let mut lines = self.modes();
+        lines.extend(self.tool());
+        lines.push(self.over()?);
+        lines.push(self.down(*highest)?);
+        lines.extend(said.coolant.iter().cloned());
+        lines.extend(self.plunge(*highest)?);
+        lines.extend(self.ready());
+        lines.extend(self.ending()?);
+        // The way down by feed has said it.
+        let [.., before, last] = lines.as_slice() else { return Ok(lines) };
+        if before.strip_prefix(last.as_str()).is_some_and(|rest| rest.trim_start().starts_with('Z'))
+        {
+            lines.pop();
+        }
+        Ok(lines)
+    }
+
+    fn name(&self, action: Action) -> Option<String> {
+        codes::name(action, self.control, self.source.style)
+    }
+
+    fn needed(&self, action: Action, what: &str) -> Result<String, Lack> {
+        self.name(action).ok_or_else(|| Lack(format!("this control has no code for {what}")))
+    }
+
+    fn gap(&self) -> &'static str {
+        if self.source.style.spaced { " " } else { "" }
+    }
+
+    /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
+    /// has said them.
+    fn modes(&self) -> Vec<String> {
+        let Before { modal, said, .. } = self.before;
+        let mut codes = said.codes.clone();
+        // What was said in a called control's default is said here all the same.
+        let plane = match modal.plane {
+            Plane::Xy => ModeCode::PlaneXy,
+            Plane::Zx => ModeCode::PlaneZx,
+            Plane::Yz => ModeCode::PlaneYz,
+        };
+        let unit = match modal.units {
+            Units::Inch => ReadingCode::Inch,
+            Units::Millimetre => ReadingCode::Millimetre,
+        };
+        let feed = match modal.feed_mode {
+            FeedMode::PerTime => ReadingCode::FeedPerTime,
+            FeedMode::PerRevolution => ReadingCode::FeedPerRevolution,
+            FeedMode::InverseTime => ReadingCode::FeedInverseTime,
+        };
+        let defaults = [
+            (Slot::Units, Action::Reading(unit)),
+            (Slot::Plane, Action::Mode(plane)),
+            (Slot::Compensation, Action::Mode(ModeCode::CompensationOff)),
+            (Slot::Cycle, Action::Mode(ModeCode::CancelCycle)),
+            (Slot::FeedMode, Action::Reading(feed)),
+        ];
+        for (slot, action) in defaults {
+            if let (None, Some(code)) = (codes.get(&slot), self.name(action)) {
+                codes.insert(slot, code);
+            }
+        }
+        if let Some(code) = self.name(Action::Reading(ReadingCode::Absolute)) {
+            codes.insert(Slot::Distance, code);
+        }
+        let mut lines = vec![self.safe_line(codes)];
+        lines.extend(said.lines.values().cloned());
+        lines.extend(said.data.iter().cloned());
+        lines
+    }
+
+    /// The codes in one line, G49 where programmers write it: between G40 and G80.
+    fn safe_line(&self, codes: BTreeMap<Slot, String>) -> String {
+        let mut words = Vec::new();
+        for (slot, code) in codes {
+            if slot == Slot::Cycle {
+                words.extend(self.name(Action::Length(LengthCode::Cancel)));
+            }
+            words.push(code);
+        }
+        words.join(self.gap())
+    }
+
+    /// The tool change, in the program's own words.
+    fn tool(&self) -> Option<String> {
+        let Before { modal, said, .. } = self.before;
+        let words = said.tool.as_ref().filter(|_| modal.tool > 0)?;
+        let has_number = words.contains('T');
+        Some(if has_number {
+            words.clone()
+        } else {
+            format!("T{}{}{words}", modal.tool, self.gap())
+        })
+    }
+
+    fn work(&self) -> Option<String> {
+        let Before { modal, said, .. } = self.before;
+        codes::work_offset(modal.work, self.control, self.source.style).filter(|_| said.work)
+    }
+
+    /// By rapid over the place, with the spindle on.
+    fn over(&self) -> Result<String, Lack> {
+        let modal = &self.before.modal;
+        let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
+        words.extend(self.work());
+        for axis in [0, 1, 3, 4, 5] {
+            if modal.known.has(axis) && (axis < 3 || self.names(axis)) {
+                words.push(self.place(axis, modal.position[axis])?);
+            }
+        }
+        words.extend(self.spindle());
+        Ok(words.join(self.gap()))
+    }
+
+    fn spindle(&self) -> Vec<String> {
+        let Before { modal, said, .. } = self.before;
+        let mut words: Vec<String> = self.speed().into_iter().collect();
+        if modal.spindle != SpindleState::Off {
+            words.extend(said.spindle.clone());
+        }
+        words
+    }
+
+    fn speed(&self) -> Option<String> {
+        let Before { modal, said, .. } = self.before;
+        let speed = plain(modal.rpm, 3, self.source.style);
+        (said.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
+    }
+
+    /// The tool that is made ready.
+    fn ready(&self) -> Option<String> {
+        let modal = &self.before.modal;
+        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
+        ready.map(|tool| format!("T{tool}"))
+    }
+
+    /// By rapid down to where the program has been clear, with the length offset.
+    fn down(&self, highest: f64) -> Result<String, Lack> {
+        let Before { modal, said, .. } = self.before;
+        let mut words = Vec::new();
+        if let Some(number) = modal.length_offset {
+            words.extend(said.length.clone());
+            let written = said.h.clone().filter(|word| word[1..].parse() == Ok(number));
+            words.push(written.unwrap_or_else(|| format!("H{number}")));
+        }
+        words.push(self.place(2, highest)?);
+        Ok(words.join(self.gap()))
+    }
+
+    /// By feed to the place itself; by rapid only where the program has no feed yet.
+    fn plunge(&self, highest: f64) -> Result<Option<String>, Lack> {
+        let modal = &self.before.modal;
+        if highest - modal.position[2] < EXACT {
+            return Ok(self.feed());
+        }
+        if modal.feed_mode == FeedMode::InverseTime {
+            return Err(Lack(
+                "inverse time feed is on, and the tool is below the clearance".into(),
+            ));
+        }
+        let depth = self.place(2, modal.position[2])?;
+        let Some(feed) = self.feed() else { return Ok(Some(depth)) };
+        let is_per_turn = modal.feed_mode == FeedMode::PerRevolution;
+        if is_per_turn && modal.spindle == SpindleState::Off {
+            return Err(Lack("the feed is per revolution, and the spindle stands still".into()));
+        }
+        let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
+        Ok(Some([cut, depth, feed].join(self.gap())))
+    }
+
+    fn feed(&self) -> Option<String> {
+        let modal = &self.before.modal;
+        let unit = match modal.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        };
+        let value = match modal.feed_mode {
+            FeedMode::PerTime => modal.feed? * 60.0 / unit,
+            FeedMode::PerRevolution => modal.feed? / unit,
+            // Each block says its own.
+            FeedMode::InverseTime => return None,
+        };
+        Some(format!("F{}", plain(value, MOST_DECIMALS, self.source.style)))
+    }
+
+    /// The radius offset, where compensation will use the one that was said before.
+    fn radius(&self) -> Option<String> {
+        let number = self.before.modal.radius_offset?;
+        let starts = |action| {
+            matches!(action, Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight))
+        };
+        let mut rest = self.at..self.source.blocks.len();
+        let next = rest.find(|at| {
+            self.source.blocks[*at].word(b'D').is_some()
+                || self.source.has_action(*at, self.control, starts)
+        })?;
+        let is_said = self.source.blocks[next].word(b'D').is_some();
+        (!is_said).then(|| format!("D{number}"))
+    }
+
+    /// G91 and the motion code, so that words without a code mean the same.
+    fn ending(&self) -> Result<Vec<String>, Lack> {
+        let modal = &self.before.modal;
+        let mut lines: Vec<String> = self.radius().into_iter().collect();
+        if modal.incremental {
+            lines.push(self.needed(Action::Reading(ReadingCode::Incremental), "increments")?);
+        }
+        lines.extend(self.motion(modal)?);
+        Ok(lines)
+    }
+
+    fn motion(&self, modal: &Modal) -> Result<Option<String>, Lack> {
+        match modal.motion {
+            None => Ok(self.name(Action::Mode(ModeCode::CancelCycle))),
+            // A control that only arms the direction of an arc goes on with G1 after it.
+            Some(mode @ (MotionMode::Rapid | MotionMode::Linear)) => {
+                self.needed(mode.into(), "the motion in force").map(Some)
+            }
+            Some(_) if self.says_motion() => Ok(None),
+            Some(mode @ MotionMode::Arc(_)) => {
+                self.needed(mode.into(), "the motion in force").map(Some)
+            }
+            Some(_) => Err(Lack("a motion is in force that a head cannot begin".into())),
+        }
+    }
+
+    /// The program has turned a rotary axis, or said that it stands at zero.
+    fn names(&self, axis: usize) -> bool {
+        let letter = AXIS_LETTERS.as_bytes()[axis];
+        let is_said =
+            self.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());
+        is_said || self.before.modal.position[axis] != 0.0
+    }
+
+    /// The block itself says what it does.
+    fn says_motion(&self) -> bool {
+        let words = &self.source.blocks[self.at].words;
+        words.iter().any(|word| {
+            let row = self.control.row_of(word);
+            row.is_some_and(|row| row.group == Group::Motion)
+        })
+    }
+
+    /// The word of an axis, with as many digits as it takes.
+    fn place(&self, axis: usize, value: f64) -> Result<String, Lack> {
+        let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
+        let (modal, style) = (&self.before.modal, self.source.style);
+        if axis > 2 {
+            return Ok(format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style)));
+        }
+        let unit = match modal.units {
+            Units::Inch => 25.4,
+            Units::Millimetre => 1.0,
+        };
+        let off = |count: usize| {
+            let power = 10f64.powi(count as i32);
+            ((value / unit * power).round() / power * unit - value).abs()
+        };
+        let least = digits(self.control, modal.units);
+        let count = (least..=MOST_DECIMALS).find(|count| off(*count) < EXACT);
+        let Some(count) = count else {
+            let what = format!("the position in {letter} has more decimals than the control takes");
+            return Err(Lack(what));
+        };
+        Ok(format!("{letter}{}", length(value, modal.units, count, style)))
+    }
+}

@@ -1,0 +1,322 @@
+//! What a run does from a block on, to hold it against another run.
+
+use chordal::control::{
+    ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState,
+};
+use chordal::machine::AXES;
+use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Severity, Sink};
+
+/// Numbers nearer than this are the same: mm, rad, mm/s.
+const SAME: f64 = 1e-9;
+
+/// A thing that happens.
+#[derive(Debug)]
+enum What {
+    Command(CommandKind),
+    /// A block is done: what holds after it.
+    Done(Box<Modal>),
+    /// An alarm of the control.
+    Alarm(&'static str),
+}
+
+impl What {
+    /// A cut, or a move of Z to a place relative to the part: it goes wrong with another length offset.
+    fn needs_height(&self) -> bool {
+        let What::Command(kind) = self else { return false };
+        let Some(motion) = kind.motion() else { return false };
+        let moves_z =
+            motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2]);
+        moves_z || !matches!(kind, CommandKind::Rapid { .. })
+    }
+}
+
+/// A thing that happens, and where the program says it.
+#[derive(Debug)]
+struct Step {
+    what: What,
+    /// The block, by its first byte in its file.
+    at: (u32, u32),
+    line: u32,
+}
+
+/// All that happens from a block of the main program on.
+#[derive(Debug, Default)]
+pub(super) struct Trace {
+    steps: Vec<Step>,
+    /// How many moves there are.
+    pub(super) moves: u64,
+}
+
+/// How much must be the same.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Care {
+    /// Both programs come from the same place. Otherwise rapids may come from elsewhere, and cuts may not.
+    pub(super) exact: bool,
+    /// A cut or a move of Z has been made: from there on the length offset counts.
+    pub(super) settled: bool,
+}
+
+/// Where two runs are first not the same.
+#[derive(Debug)]
+pub(super) struct Unlike {
+    /// Line of the old program.
+    pub(super) line: u32,
+    pub(super) what: String,
+}
+
+/// How places of the old text are places of the new one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Places {
+    /// The text before this byte is at the same place in both.
+    pub(super) kept: u32,
+    /// The first byte that is carried out again, in the old text and in the new one.
+    pub(super) from: [u32; 2],
+}
+
+impl Places {
+    fn new_of(self, (file, at): (u32, u32)) -> (u32, u32) {
+        let is_moved = file == 0 && at >= self.kept;
+        (file, if is_moved { at.wrapping_sub(self.from[0]).wrapping_add(self.from[1]) } else { at })
+    }
+}
+
+impl Trace {
+    /// Runs a job and keeps what happens after so many blocks.
+    pub(super) fn of(job: &Job, after: u64) -> Trace {
+        let mut recorder =
+            Recorder { after, ran: 0, last: (0, 0), line: 0, trace: Trace::default() };
+        job.run(&mut recorder);
+        recorder.trace
+    }
+
+    /// The first thing in which another run is not like this one.
+    pub(super) fn unlike(&self, new: &Trace, places: Places, care: Care) -> Option<Unlike> {
+        let mut care = care;
+        for (one, other) in self.steps.iter().zip(&new.steps) {
+            // An alarm comes before what its block does.
+            let is_alarm = [one, other].iter().any(|step| matches!(step.what, What::Alarm(_)));
+            let what = if is_alarm || places.new_of(one.at) == other.at {
+                different(&one.what, &other.what, care)
+            } else {
+                Some("another block is carried out".into())
+            };
+            care.settled |= one.what.needs_height();
+            if let Some(what) = what {
+                return Some(Unlike { line: one.line, what });
+            }
+        }
+        let longer = match self.steps.len().cmp(&new.steps.len()) {
+            std::cmp::Ordering::Equal => return None,
+            std::cmp::Ordering::Greater => "the new program ends before it",
+            std::cmp::Ordering::Less => "the new program goes on after it",
+        };
+        let at = self.steps.len().min(new.steps.len());
+        let line = self.steps.get(at).or(self.steps.last()).map_or(1, |step| step.line);
+        Some(Unlike { line, what: longer.into() })
+    }
+}
+
+struct Recorder {
+    after: u64,
+    ran: u64,
+    last: (u32, u32),
+    line: u32,
+    trace: Trace,
+}
+
+impl Recorder {
+    fn keep(&mut self, what: What) {
+        let (at, line) = (self.last, self.line);
+        self.trace.steps.push(Step { what, at, line });
+    }
+
+    fn stand(&mut self, origin: &Origin) {
+        self.last = (origin.span.file.0, origin.span.range.start);
+        // A called program has lines of its own; the reader looks for those of the main one.
+        if origin.call == CallPath::default() {
+            self.line = origin.line;
+        }
+    }
+}
+
+impl Sink for Recorder {
+    fn command(&mut self, command: &Command) {
+        if self.ran < self.after {
+            return;
+        }
+        self.stand(&command.origin);
+        self.trace.moves += u64::from(command.kind.motion().is_some());
+        self.keep(What::Command(command.kind.clone()));
+    }
+
+    fn diagnostic(&mut self, diagnostic: Diagnostic) {
+        if self.ran >= self.after && diagnostic.severity == Severity::Error {
+            self.keep(What::Alarm(diagnostic.code.id()));
+        }
+    }
+}
+
+impl RunSink for Recorder {
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        if self.ran >= self.after {
+            self.stand(origin);
+            self.keep(What::Done(Box::new(modal())));
+        }
+        self.ran += 1;
+    }
+}
+
+/// Z goes to a place relative to the part.
+fn moves_z(motion: &Move) -> bool {
+    motion.to_known.has(2) && (!motion.from_known.has(2) || motion.from[2] != motion.to[2])
+}
+
+/// Where a cut, or a rapid down, ends depends on where the machine stands.
+fn goes_by_distance(motion: &Move, is_rapid: bool) -> bool {
+    let is_open = |axis: usize| !motion.to_known.has(axis);
+    if is_rapid {
+        return is_open(2) && motion.to[2] < motion.from[2];
+    }
+    (0..AXES).any(|axis| is_open(axis) && motion.from[axis] != motion.to[axis])
+}
+
+fn near(one: f64, other: f64) -> bool {
+    (one - other).abs() <= SAME * one.abs().max(1.0)
+}
+
+fn is_near(one: Option<f64>, other: Option<f64>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => near(one, other),
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// The same on every axis of which both know the place.
+fn same_place(one: &Position, other: &Position, known: AxisMask) -> bool {
+    (0..AXES).all(|axis| !known.has(axis) || near(one[axis], other[axis]))
+}
+
+fn different(one: &What, other: &What, care: Care) -> Option<String> {
+    match (one, other) {
+        (What::Command(one), What::Command(other)) => different_command(one, other, care),
+        (What::Done(one), What::Done(other)) => {
+            different_modal(one, other, care).map(|name| format!("{name} is another one after it"))
+        }
+        (What::Alarm(one), What::Alarm(other)) if one == other => None,
+        (_, What::Alarm(code)) => Some(format!("the new program has an error there ({code})")),
+        (What::Alarm(code), _) => Some(format!("only the old program has the error {code}")),
+        _ => Some("the block does something else".into()),
+    }
+}
+
+fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Option<String> {
+    use CommandKind as Kind;
+    if std::mem::discriminant(one) != std::mem::discriminant(other) {
+        return Some("the block does something else".into());
+    }
+    if let (Some(a), Some(b)) = (one.motion(), other.motion()) {
+        let is_rapid = matches!(one, Kind::Rapid { .. });
+        if !same_move(a, b, care.exact || care.settled || !is_rapid) {
+            return Some("the move is another one".into());
+        }
+        if !care.exact && !(care.settled && is_rapid) && goes_by_distance(a, is_rapid) {
+            return Some("the move goes by a distance from a place that is not known".into());
+        }
+    }
+    if let (Some(a), Some(b)) = (one.feed(), other.feed())
+        && !same_feed(a, b)
+    {
+        return Some("the feed is another one".into());
+    }
+    let is_same = match (one, other) {
+        (Kind::Rapid { path: a, .. }, Kind::Rapid { path: b, .. }) => a == b,
+        (Kind::Line { .. }, Kind::Line { .. }) | (Kind::Message(_), Kind::Message(_)) => true,
+        (Kind::Arc { shape: a, .. }, Kind::Arc { shape: b, .. })
+        | (Kind::Spiral { shape: a, .. }, Kind::Spiral { shape: b, .. }) => same_shape(a, b),
+        (Kind::Spindle { state: a, rpm: x }, Kind::Spindle { state: b, rpm: y }) => {
+            a == b && near(*x, *y)
+        }
+        (Kind::FeedRate { value: x, mode: a }, Kind::FeedRate { value: y, mode: b }) => {
+            a == b && near(*x, *y)
+        }
+        (
+            Kind::WorkOffset { name: a, offset: x, known: k, .. },
+            Kind::WorkOffset { name: b, offset: y, known: l, .. },
+        ) => a == b && k == l && same_place(x, y, AxisMask::ALL),
+        _ => one == other,
+    };
+    (!is_same).then(|| "the block says the control another value".into())
+}
+
+/// Without `strict` only the axes that both know are compared, and the new move may come from elsewhere.
+fn same_move(one: &Move, other: &Move, strict: bool) -> bool {
+    if strict {
+        return one.from_known == other.from_known
+            && one.to_known == other.to_known
+            && same_place(&one.from, &other.from, one.from_known)
+            && same_place(&one.to, &other.to, one.to_known);
+    }
+    let from = one.from_known.and(other.from_known);
+    let to = one.to_known.and(other.to_known);
+    // Down at another place would be into something.
+    let is_there = !moves_z(one) || one.to_known == other.to_known;
+    is_there && same_place(&one.from, &other.from, from) && same_place(&one.to, &other.to, to)
+}
+
+fn same_feed(one: &Feed, other: &Feed) -> bool {
+    one.mode == other.mode
+        && one.along == other.along
+        && near(one.value, other.value)
+        && near(one.spindle_rev_per_s, other.spindle_rev_per_s)
+}
+
+fn same_shape(one: &ArcShape, other: &ArcShape) -> bool {
+    one.plane == other.plane
+        && near(one.center[0], other.center[0])
+        && near(one.center[1], other.center[1])
+        && near(one.sweep, other.sweep)
+        && near(one.radius_from, other.radius_from)
+        && near(one.radius_to, other.radius_to)
+}
+
+/// The first part of the modal state that is not the same.
+fn different_modal(one: &Modal, other: &Modal, care: Care) -> Option<&'static str> {
+    let known = one.known.and(other.known);
+    let machine = one.machine_known.and(other.machine_known);
+    let settled = care.exact || care.settled;
+    let spins = one.spindle != SpindleState::Off || other.spindle != SpindleState::Off;
+    let checks = [
+        (one.units == other.units, "the unit"),
+        (one.motion == other.motion, "the motion code"),
+        (one.incremental == other.incremental, "G90 or G91"),
+        (one.plane == other.plane, "the plane"),
+        (one.side == other.side, "cutter compensation"),
+        (one.arc_center == other.arc_center, "the way of arc centres"),
+        (one.cycle == other.cycle, "the canned cycle"),
+        (one.feed_mode == other.feed_mode, "the feed mode"),
+        (is_near(one.feed, other.feed), "the feed"),
+        (one.spindle == other.spindle, "the spindle"),
+        (!spins || near(one.rpm, other.rpm), "the spindle speed"),
+        (one.coolant == other.coolant, "the coolant"),
+        (one.tool == other.tool, "the tool"),
+        (one.selected_tool == other.selected_tool, "the tool made ready"),
+        (one.work == other.work, "the work offset"),
+        (!settled || one.length_offset == other.length_offset, "the length offset"),
+        (one.path_mode == other.path_mode, "the path mode"),
+        (one.frames == other.frames, "a frame"),
+        (same_place(&one.position, &other.position, known), "the position"),
+        (same_place(&one.work_position, &other.work_position, known), "the work position"),
+        (
+            same_place(&one.machine_position, &other.machine_position, machine),
+            "the machine position",
+        ),
+        (!care.exact || one.known == other.known, "what is known of the position"),
+        (!settled || one.codes == other.codes, "a modal code"),
+    ];
+    checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
+}

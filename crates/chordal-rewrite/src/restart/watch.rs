@@ -1,0 +1,269 @@
+//! The run of a program up to the block that it is to begin at.
+
+use std::ops::Range;
+
+use chordal::control::{Action, BeforeCode, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin};
+use chordal::syntax::Block;
+use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
+
+use crate::source::{Source, code_action};
+use crate::split::standing::Said;
+
+/// What a program needs to begin at a block.
+#[derive(Debug)]
+pub(super) struct Before {
+    pub(super) modal: Modal,
+    pub(super) said: Said,
+    /// The highest Z in the work offset and with the length offset in force, mm.
+    pub(super) highest: f64,
+    /// The lines of the blocks that began what may still be open.
+    pub(super) open: Open,
+}
+
+/// Lines of blocks that opened something which a head cannot say again; nothing where it is closed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Open {
+    pub(super) compensation: Option<u32>,
+    pub(super) cycle: Option<u32>,
+    pub(super) frame: Option<u32>,
+    pub(super) shift: Option<u32>,
+    pub(super) call: Option<u32>,
+    pub(super) corner: Option<u32>,
+    /// A G code that Chordal does not carry out.
+    pub(super) unknown: Option<(String, u32)>,
+}
+
+/// A run, as far as it goes to a block.
+#[derive(Debug)]
+pub(super) struct Way {
+    /// How many blocks are carried out before it; nothing where it is never carried out.
+    pub(super) ran: Option<u64>,
+    /// How many times it is carried out.
+    pub(super) times: u32,
+    /// It is in a called program: the line of the block that calls it first.
+    pub(super) caller: Option<u32>,
+    /// The first block of the main program that is carried out and has words, by its byte.
+    pub(super) first: Option<u32>,
+}
+
+impl Way {
+    /// Runs a job and looks for the block at a byte of its first text.
+    pub(super) fn to(job: &Job, source: &Source, main: &Range<usize>, at: usize) -> Way {
+        let way = Way { ran: None, times: 0, caller: None, first: None };
+        let mut finder = Finder { source, main, at, ran: 0, main_line: 1, way };
+        job.run(&mut finder);
+        finder.way
+    }
+}
+
+struct Finder<'s, 'a> {
+    source: &'s Source<'a>,
+    main: &'s Range<usize>,
+    at: usize,
+    ran: u64,
+    main_line: u32,
+    way: Way,
+}
+
+impl Sink for Finder<'_, '_> {
+    fn command(&mut self, _: &Command) {}
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+impl RunSink for Finder<'_, '_> {
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, _: &dyn Fn() -> Modal) {
+        let block = self.source.block_at(origin.span);
+        let is_main = origin.call == CallPath::default();
+        if is_main {
+            self.main_line = origin.line;
+        }
+        if let Some(at) = block {
+            if is_main && self.way.first.is_none() && self.begins(at) {
+                self.way.first = Some(self.source.start_of(at));
+            }
+            if at == self.at && is_main {
+                self.way.ran.get_or_insert(self.ran);
+                self.way.times += 1;
+            } else if at == self.at {
+                self.way.caller.get_or_insert(self.main_line);
+            }
+        }
+        self.ran += 1;
+    }
+}
+
+impl Finder<'_, '_> {
+    /// A block that does something; not a head.
+    fn begins(&self, at: usize) -> bool {
+        let has_words = !self.source.blocks[at].words.is_empty();
+        has_words && self.main.contains(&at) && !self.source.heads.contains(&at)
+    }
+}
+
+/// What holds after so many blocks; nothing where the run is shorter.
+pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
+    let mut walk = Walk {
+        source,
+        control: job.control(),
+        until: ran,
+        ran: 0,
+        said: Said::default(),
+        open: Open::default(),
+        highest: None,
+        is_machine: false,
+        before: None,
+    };
+    job.run(&mut walk);
+    walk.before
+}
+
+struct Walk<'s, 'a> {
+    source: &'s Source<'a>,
+    control: &'s Control,
+    until: u64,
+    ran: u64,
+    said: Said,
+    open: Open,
+    highest: Option<f64>,
+    is_machine: bool,
+    before: Option<Before>,
+}
+
+impl Walk<'_, '_> {
+    /// Notes what a block opens and closes.
+    fn follow(&mut self, block: &Block) {
+        let line = Some(block.line);
+        self.open.corner = line.filter(|_| block.commas);
+        for word in &block.words {
+            let Some(row) = self.control.row_of(word) else { continue };
+            match row.action {
+                Action::Once(code) => self.follow_once(code, block.line),
+                Action::Cycle(_) => self.open.cycle = line,
+                Action::Call(CallCode::ModalMacroCall { .. })
+                | Action::Mode(ModeCode::ModalSubroutine) => self.open.call = line,
+                Action::Mode(ModeCode::ModalCallOff) => self.open.call = None,
+                Action::Mode(code) => self.follow_mode(code, block.line),
+                Action::NotSimulated | Action::NotFollowed if word.letter == b'G' => {
+                    self.open.unknown = Some((row.name(word.letter), block.line));
+                }
+                Action::Reading(_)
+                | Action::Before(_)
+                | Action::Length(_)
+                | Action::Motion(_)
+                | Action::Call(_)
+                | Action::After(_)
+                | Action::NoEffect
+                | Action::NotSimulated
+                | Action::NotFollowed => {}
+            }
+        }
+    }
+
+    fn follow_mode(&mut self, code: ModeCode, line: u32) {
+        let starts = matches!(
+            code,
+            ModeCode::CompensationLeft
+                | ModeCode::CompensationRight
+                | ModeCode::CompensationLeftBy
+                | ModeCode::CompensationRightBy
+        );
+        if starts {
+            self.open.compensation = Some(line);
+        } else if code == (ModeCode::Polar { on: true }) {
+            self.open.frame = Some(line);
+        }
+    }
+
+    fn follow_once(&mut self, code: OnceCode, line: u32) {
+        match code {
+            OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset => {
+                self.open.shift = Some(line);
+            }
+            OnceCode::ClearPreset { .. } => self.open.shift = None,
+            OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. } => {
+                self.open.frame = Some(line);
+            }
+            OnceCode::MirrorOff
+            | OnceCode::Dwell
+            | OnceCode::SetData
+            | OnceCode::ReturnToReference { .. }
+            | OnceCode::ReturnFromReference
+            | OnceCode::MachineCoordinates
+            | OnceCode::CircularPocketCw
+            | OnceCode::CircularPocketCcw
+            | OnceCode::GeneralPocket
+            | OnceCode::Pattern(_)
+            | OnceCode::Probe { .. }
+            | OnceCode::CornerArcAlone => {}
+        }
+    }
+
+    /// Moves to places of the machine say nothing about where the part is clear.
+    fn is_to_machine(&self, origin: &Origin) -> bool {
+        let is = |action: Action| {
+            matches!(
+                action,
+                Action::Once(OnceCode::MachineCoordinates | OnceCode::ReturnToReference { .. })
+            )
+        };
+        let block = self.source.block_at(origin.span);
+        block.is_some_and(|at| self.source.has_action(at, self.control, is))
+    }
+}
+
+impl Sink for Walk<'_, '_> {
+    fn command(&mut self, command: &Command) {
+        match &command.kind {
+            CommandKind::Tool { .. }
+            | CommandKind::ToolLength { .. }
+            | CommandKind::WorkOffset { .. } => self.highest = None,
+            kind => {
+                let Some(motion) = kind.motion() else { return };
+                self.is_machine = self.is_to_machine(&command.origin);
+                if motion.to_known.has(2) && !self.is_machine {
+                    let height = self.highest.unwrap_or(f64::NEG_INFINITY);
+                    self.highest = Some(height.max(motion.to[2]));
+                }
+            }
+        }
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+impl RunSink for Walk<'_, '_> {
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+        if self.ran >= self.until {
+            return;
+        }
+        if let Some(at) = self.source.block_at(origin.span) {
+            let block = &self.source.blocks[at];
+            self.said.follow(self.source, self.control, block);
+            self.follow(block);
+        }
+        self.ran += 1;
+        if self.ran == self.until {
+            let modal = modal();
+            let highest = self.highest.unwrap_or(f64::NEG_INFINITY).max(modal.position[2]);
+            let (said, open) = (self.said.clone(), self.open.clone());
+            self.before = Some(Before { modal, said, highest, open });
+        }
+    }
+}
+
+/// A block with a tool change.
+pub(super) fn changes_tool(source: &Source, control: &Control, at: usize) -> bool {
+    source.blocks[at]
+        .words
+        .iter()
+        .any(|word| code_action(word, control) == Some(Action::Before(BeforeCode::ToolChange)))
+}

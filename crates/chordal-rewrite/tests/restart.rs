@@ -1,0 +1,181 @@
+//! Programs that begin at one of their lines: every line is proved, or refused with a reason.
+
+#![allow(clippy::disallowed_methods, reason = "the programs are files")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use chordal::control::RunOptions;
+use chordal::{Job, Machine, Source, SourceMap};
+use chordal_rewrite::restart::{Reason, restart};
+
+fn job_on(text: &str, machine: Machine) -> Job<'static> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+    let options = RunOptions { max_repeated_blocks: 2_000, ..RunOptions::default() };
+    Job::new(sources, machine).expect("good settings").options(options)
+}
+
+fn job(text: &str, machine: &str) -> Job<'static> {
+    job_on(text, Machine::from_builtin(machine).expect("a built-in machine"))
+}
+
+/// The text of the program that begins at a line.
+fn begun(text: &str, machine: &str, line: u32) -> String {
+    let done = restart(&job(text, machine), line).expect("proved");
+    String::from_utf8(done.text).expect("text")
+}
+
+fn refused(text: &str, line: u32) -> (Reason, String) {
+    let refused = restart(&job(text, "haas-vf2"), line).expect_err("refused");
+    (refused.reason, format!("{}; {}", refused.refusal.what, refused.refusal.help))
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "nc" || ending == "ngc") {
+            found.push(path);
+        }
+    }
+}
+
+/// The job of a program on the machine that its remarks or its folder say.
+fn job_of(path: &Path) -> Option<Job<'static>> {
+    let text = String::from_utf8_lossy(&std::fs::read(path).expect("a program")).into_owned();
+    let remark = |mark: &str| text.split_once(mark)?.1.split(')').next();
+    let beside = std::fs::read_to_string(path.with_file_name("chordal.toml")).unwrap_or_default();
+    let name = remark("(machine: ").or_else(|| beside.split('"').nth(1))?;
+    let mut machine = Machine::from_builtin(name).ok()?;
+    for (_, rest) in text.match_indices("(set: ").map(|(at, mark)| text.split_at(at + mark.len())) {
+        let assignment = rest.lines().next()?.trim_end().strip_suffix(')')?;
+        machine.set(assignment).ok()?;
+    }
+    Some(job_on(&text, machine))
+}
+
+#[test]
+fn every_line_is_proved_or_refused_with_a_reason() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut paths = Vec::new();
+    files(&root.join("examples"), &mut paths);
+    files(&root.join("tests/suite"), &mut paths);
+    let (mut proved, mut controls) = (0, BTreeMap::<String, [u32; 2]>::new());
+    let mut reasons = BTreeMap::<Reason, u32>::new();
+    let mut messages = BTreeMap::<String, u32>::new();
+    for path in &paths {
+        let Some(job) = job_of(path) else { continue };
+        let text = job.sources().get(Default::default()).expect("a text").text().to_vec();
+        let lines = text.split(|byte| *byte == b'\n').count() as u32;
+        let counts = controls.entry(job.control().table.title.to_string()).or_default();
+        for line in 1..=lines {
+            match restart(&job, line) {
+                Ok(done) => {
+                    proved += 1;
+                    counts[0] += 1;
+                    // What follows is the old text, byte for byte.
+                    let from = text.split(|byte| *byte == b'\n').skip(line as usize - 1);
+                    let rest: Vec<&[u8]> = from.collect();
+                    let rest = rest.join(&b'\n');
+                    let rest = rest.trim_ascii_start();
+                    assert!(done.text.ends_with(rest), "{}:{line}", path.display());
+                }
+                Err(refused) => {
+                    counts[1] += 1;
+                    *reasons.entry(refused.reason).or_default() += 1;
+                    let told = &refused.refusal;
+                    assert!(!told.what.is_empty() && !told.help.is_empty());
+                    if matches!(refused.reason, Reason::Unproved | Reason::Form) {
+                        *messages
+                            .entry(told.what.split(": ").last().unwrap_or("").into())
+                            .or_default() += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{} programs, {proved} lines proved", paths.len());
+    controls.iter().for_each(|(name, [yes, no])| println!("  {name}: {yes} proved, {no} refused"));
+    reasons.iter().for_each(|(reason, count)| println!("  refused, {reason:?}: {count}"));
+    messages.iter().for_each(|(what, count)| println!("    {count} {what}"));
+    assert!(controls.len() >= 5 && controls.values().all(|[yes, _]| *yes > 0));
+}
+
+const FANUC: &str = "\
+%
+O1000 (BRACKET)
+G21 G17 G90 G40 G49 G80
+T1 M06
+G54 G00 X0. Y0. S3000 M03
+G43 H01 Z25. M08
+Z2.
+G01 Z-1. F200.
+X20. F400.
+G02 X30. Y10. R10.
+X20. Y20. R10.
+G91
+G01 X-5.
+G90
+G00 Z25.
+M98 P2000
+G41 D01 X40. Y0.
+G01 Y10.
+G40 X0. M09
+M05
+T2 M06
+G54 G00 X5. Y5. S900 M03
+G43 H02 Z25.
+G81 G99 Z-5. R2. F90.
+X10.
+G80
+G00 Z25. M09
+M30
+O2000 (SLOT)
+G01 Z-2. F100.
+G00 Z25.
+M99
+%
+";
+
+#[test]
+fn a_fanuc_begins_within_an_arc_row() {
+    insta::assert_snapshot!("fanuc", begun(FANUC, "fanuc-30i", 11));
+}
+
+#[test]
+fn a_haas_begins_with_increments_and_at_a_tool_change() {
+    let text = FANUC.replace('\n', "\r\n");
+    insta::assert_snapshot!("haas", begun(&text, "haas-vf2", 13).replace('\r', ""));
+    insta::assert_snapshot!("haas-tool-change", begun(FANUC, "haas-vf2", 21));
+}
+
+#[test]
+fn a_fadal_keeps_its_sections_and_words() {
+    let text = "N1 O77 (SLOTS)\nN2 L100\nN3 G91\nN4 G1 Z-.6 F10.\nN5 X.5 F30.\nN6 G0 Z.6\nN7 X-.5\n\
+                N8 G90\nN9 M17\nN10 M30\nN11 M6 T1\nN12 G0 G90 S4000 M3 E1 X0 Y0\nN13 H1 Z.5 M8\n\
+                N14 L101\nN15 X2.\nN16 L102\nN17 G0 Z1.\nN18 G1 Z-.1 F5.\nN19 X3. F20.\n\
+                N20 Y1.\nN21 G0 Z1.\nN22 M5 M9\nN23 M30\n";
+    insta::assert_snapshot!("fadal", begun(text, "fadal-4020", 20));
+}
+
+#[test]
+fn what_cannot_begin_says_why_and_where_it_can() {
+    let told = [1, 2, 18, 25, 30, 40].map(|line| {
+        let (reason, words) = refused(FANUC, line);
+        format!("{line}: {reason:?}: {words}")
+    });
+    insta::assert_snapshot!("refused", told.join("\n"));
+    let loops =
+        "O1\nG21 G90 G54 G0 X0 Y0 Z5.\n#1=1\nWHILE [#1 LT 3] DO1\nX#1\n#1=#1+1\nEND1\nM30\n";
+    assert_eq!(refused(loops, 5).0, Reason::Repeated);
+    let turned = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG68 X0 Y0 R30.\nX10.\nX20.\nG69\nM30\n";
+    let (reason, words) = refused(turned, 5);
+    assert_eq!(reason, Reason::Frame);
+    assert!(words.contains("begin at line 3"), "{words}");
+    let moved = "O1\nG21 G90 G54 G0 X0 Y0 Z5.\nG52 X5.\nX10.\nX20.\nM30\n";
+    assert_eq!(refused(moved, 5).0, Reason::Shift);
+}
