@@ -224,7 +224,7 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: Care) -> Opti
         if !same_move(a, b, care.exact || care.settled || !is_rapid) {
             return Some("the move is another one".into());
         }
-        if !care.exact && !(care.settled && is_rapid) && goes_by_distance(a, is_rapid) {
+        if !(care.exact || care.settled && is_rapid) && goes_by_distance(a, is_rapid) {
             return Some("the move goes by a distance from a place that is not known".into());
         }
     }
