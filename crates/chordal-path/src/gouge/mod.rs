@@ -155,12 +155,18 @@ pub struct GougeReport {
     pub ambiguous: Vec<(u32, u32)>,
 }
 
+/// Of a contour of so few blocks leads are told from walls at once: to check it twice costs more.
+const FEW_BLOCKS: usize = 64;
+
 /// Checks the path of the tool centre against the contour of the part.
 ///
-/// First against all that could be the part, which costs little to know. Only what is found there makes it
-/// worth while to tell leads from walls block by block.
+/// A long one first against all that could be the part, which costs little to know. Only what is found there
+/// makes it worth while to tell leads from walls block by block.
 #[must_use]
 pub fn check(contour: &Contour, path: &[Move], options: &Options) -> GougeReport {
+    if contour.blocks.len() <= FEW_BLOCKS {
+        return check_against(&Material::of(contour, options), contour, path, options);
+    }
     let most = Material::at_most(contour, options);
     let report = check_against(&most, contour, path, options);
     if report.gouges.is_empty() && report.ambiguous.is_empty() {
