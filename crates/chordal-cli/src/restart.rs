@@ -53,11 +53,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let done = match restart(&job, args.line) {
         Ok(done) => done,
         Err(refused) => {
-            let told = refused_text(&refused.refusal, loaded.name());
+            let answer = refused_text(&refused.refusal, loaded.name());
             if streams {
-                terminal.tell(&told)
+                terminal.tell(&answer)
             } else {
-                say(&told)?
+                say(&answer)?
             }
             return Ok(Verdict::Problems);
         }
@@ -69,11 +69,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
-    let told = text(&done, path);
+    let answer = text(&done, path);
     if streams {
-        terminal.tell(&told)
+        terminal.tell(&answer)
     } else {
-        say(&told)?
+        say(&answer)?
     }
     Ok(Verdict::Clean)
 }

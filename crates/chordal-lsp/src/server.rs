@@ -123,8 +123,8 @@ impl Server<'_> {
                 recv(self.connection.receiver) -> message => match message {
                     Err(_) => return Err(ServeError::Gone),
                     Ok(Message::Request(request)) => {
-                        if self.connection.handle_shutdown(&request)? {
-                            return Ok(());
+                        if request.method == request::Shutdown::METHOD {
+                            return self.shut_down(request);
                         }
                         if self.must_wait(&request) {
                             self.waiting.push(request);
@@ -139,6 +139,25 @@ impl Server<'_> {
                 recv(self.worker.done) -> done => if let Ok(done) = done {
                     self.take(done);
                 },
+            }
+        }
+    }
+
+    /// Answers, then waits for `exit`. Whatever was under way before it may still come in: answers of the
+    /// editor and changes are passed over, requests are refused.
+    fn shut_down(&self, request: Request) -> Result<(), ServeError> {
+        self.send(Response::new_ok(request.id, ()).into());
+        loop {
+            match self.connection.receiver.recv().map_err(|_| ServeError::Gone)? {
+                Message::Notification(note) if note.method == notification::Exit::METHOD => {
+                    return Ok(());
+                }
+                Message::Request(late) => {
+                    let refused = "the server is shutting down".into();
+                    let code = ErrorCode::InvalidRequest as i32;
+                    self.send(Response::new_err(late.id, code, refused).into());
+                }
+                Message::Notification(_) | Message::Response(_) => {}
             }
         }
     }

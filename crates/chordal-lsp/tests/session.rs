@@ -177,6 +177,20 @@ const PART: &str = "%\nO100 (PLATE)\nT1 M6 (MILL)\nG20 G90 G54 S900 M3\n#101=2.\
                     N10 G1 X#101 F20.\nG2 X3. Y1. I0 J1.\nIF[#101GT5]GOTO10\nM98 P200\nM30\n\
                     O200\nM99\n%\n";
 
+/// The editor answered what the server asked before it read the answer to `shutdown`.
+#[test]
+fn what_comes_in_between_shutdown_and_exit_is_passed_over() {
+    let mut editor = Editor::start(Value::Null);
+    editor.ask("shutdown", Value::Null).expect("an answer");
+    let late = lsp_server::Response::new_ok(RequestId::from(1), Value::Null);
+    editor.connection.sender.send(late.into()).expect("the server listens");
+    editor.tell("$/setTrace", json!({ "value": "off" }));
+    let refused = editor.of("hover", place(0, 0)).unwrap_err();
+    assert_eq!(refused, "the server is shutting down");
+    editor.tell("exit", Value::Null);
+    editor.server.join().expect("the server ends");
+}
+
 #[test]
 fn problems_come_and_go_as_one_types() {
     let mut editor = Editor::start(json!({}));

@@ -3,7 +3,7 @@
 
 mod support;
 
-use chordal_geometry::{Arc, Curve, Frame, ParamCurve, Spiral, Vec3};
+use chordal_geometry::{AXES, Arc, Curve, Frame, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
     AxisLimit, Corner, Level, Limits, Move, MoveError, Planner, PlannerOptions, Quantity, Step,
     Stretch, Use, largest_use,
@@ -20,6 +20,14 @@ fn machine() -> Limits {
     let linear = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
     let rotary = Some(AxisLimit { velocity: 2.0, acceleration: 20.0, jerk: 500.0 });
     Limits::new([linear, linear, linear, rotary, rotary, rotary]).unwrap()
+}
+
+/// Velocity, acceleration and jerk of each axis.
+fn limits_of(axes: [(f64, f64, f64); AXES]) -> Limits {
+    Limits::new(
+        axes.map(|(velocity, acceleration, jerk)| Some(AxisLimit { velocity, acceleration, jerk })),
+    )
+    .unwrap()
 }
 
 fn vec(p: [f64; 3]) -> Vec3 {
@@ -48,14 +56,21 @@ fn arc(radius: f64, sweep: f64, corner: Corner) -> Move {
     motion(Arc::new(frame, radius, sweep, 0.0), corner)
 }
 
+/// Holds every limit, looked at so many places between the ends of each part.
+#[track_caller]
+fn holds_limits(stretches: &[Stretch], limits: Limits, probes: u32) {
+    let used =
+        stretches.iter().map(|s| largest_use(s, &limits, probes)).fold(Use::default(), Use::or);
+    let worst = used.velocity.max(used.acceleration).max(used.jerk);
+    assert!(worst <= ABOVE, "{used:?}");
+}
+
 /// Plans and checks limits, path and ends; hands back the time. Positions may be wrong by
 /// `rounding_mm`, which far from the origin is more than near it.
 #[track_caller]
 fn held(moves: &[Move], limits: Limits, rounding_mm: f64) -> f64 {
     let stretches = plan(moves, limits, Level::Fast);
-    let used = stretches.iter().map(|s| largest_use(s, &limits, 6)).fold(Use::default(), Use::or);
-    let worst = used.velocity.max(used.acceleration).max(used.jerk);
-    assert!(worst <= ABOVE, "{used:?}");
+    holds_limits(&stretches, limits, 6);
     ends(moves, &stretches, rounding_mm);
     let time_s = time_of(&stretches);
     assert!(time_s.is_finite() && time_s >= 0.0, "{time_s} s");
@@ -378,16 +393,14 @@ fn circle_after_circle_in_bounded_memory() {
 /// the places looked at lies.
 #[test]
 fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
-    let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
-    let limits = Limits::new([
-        axis(125.0, 20_000.0, 1e6),
-        axis(2000.0, 20_000.0, 1e6),
-        axis(1.35, 280.0, 8.7e5),
-        axis(140.0, 13.0, 2.8e5),
-        axis(700.0, 7000.0, 2.8e5),
-        axis(700.0, 7000.0, 2.8e5),
-    ])
-    .unwrap();
+    let limits = limits_of([
+        (125.0, 20_000.0, 1e6),
+        (2000.0, 20_000.0, 1e6),
+        (1.35, 280.0, 8.7e5),
+        (140.0, 13.0, 2.8e5),
+        (700.0, 7000.0, 2.8e5),
+        (700.0, 7000.0, 2.8e5),
+    ]);
     let (radius, wide) = (797.922_633_6, Corner::Within { linear_mm: 0.8, rotary_rad: 0.008 });
     let out = vec([0.0, 0.314_119_53, 0.949_383_44]);
     let axis = vec([-0.050_329_193, 0.948_180_272, -0.313_721_444]);
@@ -399,11 +412,7 @@ fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
         fast(support::line([0.0; 3], helix.start().to_array()), wide),
         fast(helix.into(), Corner::Stop),
     ];
-    let used = plan(&moves, limits, Level::Fast)
-        .iter()
-        .map(|stretch| largest_use(stretch, &limits, 40))
-        .fold(Use::default(), Use::or);
-    assert!(used.velocity.max(used.acceleration).max(used.jerk) <= ABOVE, "{used:?}");
+    holds_limits(&plan(&moves, limits, Level::Fast), limits, 40);
 }
 
 /// So slow that what eases the end of a spiral is narrower than rounding: it must leave nothing on the lines.
@@ -436,16 +445,14 @@ fn a_spiral_into_a_line_at_a_crawl_ends_where_the_line_does() {
 /// places that are looked at.
 #[test]
 fn a_steep_spiral_eased_into_a_wide_arc_holds_the_velocity_of_every_axis() {
-    let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
-    let limits = Limits::new([
-        axis(1.0, 13.47, 1009.0),
-        axis(1.0, 67.37, 40_171.0),
-        axis(80.0, 800.0, 20_224.0),
-        axis(80.0, 15_757.0, 749_048.0),
-        axis(1279.0, 15_757.0, 749_048.0),
-        axis(1576.0, 15_757.0, 41_649.0),
-    ])
-    .unwrap();
+    let limits = limits_of([
+        (1.0, 13.47, 1009.0),
+        (1.0, 67.37, 40_171.0),
+        (80.0, 800.0, 20_224.0),
+        (80.0, 15_757.0, 749_048.0),
+        (1279.0, 15_757.0, 749_048.0),
+        (1576.0, 15_757.0, 41_649.0),
+    ]);
     let wide = Corner::Within { linear_mm: 0.75, rotary_rad: 7e-4 };
     let radius = 749.048_267_6;
     let out = vec([-0.001_311_711_7, 0.707_761_724_6, -0.706_450_012_8]);
@@ -461,9 +468,5 @@ fn a_steep_spiral_eased_into_a_wide_arc_holds_the_velocity_of_every_axis() {
     let spiral = Spiral::new(frame, (0.020_780_07, 0.014_002_2), 100.0, 24.957_275_4);
     let moves =
         [cut(arc.into(), f64::INFINITY, wide), cut(spiral.into(), f64::INFINITY, Corner::Stop)];
-    let used = plan(&moves, limits, Level::Fast)
-        .iter()
-        .map(|stretch| largest_use(stretch, &limits, 12))
-        .fold(Use::default(), Use::or);
-    assert!(used.velocity.max(used.acceleration).max(used.jerk) <= ABOVE, "{used:?}");
+    holds_limits(&plan(&moves, limits, Level::Fast), limits, 12);
 }

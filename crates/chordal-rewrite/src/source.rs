@@ -1,6 +1,6 @@
 //! The old text as blocks, and which part of it each belongs to.
 
-use chordal::control::{Action, AfterCode, CallCode};
+use chordal::control::{Action, AfterCode, BeforeCode, CallCode};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -244,6 +244,11 @@ impl<'a> Source<'a> {
     /// True when a block has a code that does this.
     pub fn has_action(&self, at: usize, control: &Control, is: impl Fn(Action) -> bool) -> bool {
         self.blocks[at].words.iter().any(|word| code_action(word, control).is_some_and(&is))
+    }
+
+    /// True when a block changes the tool.
+    pub fn changes_tool(&self, at: usize, control: &Control) -> bool {
+        self.has_action(at, control, |action| action == Action::Before(BeforeCode::ToolChange))
     }
 }
 

@@ -4,6 +4,7 @@ use chordal::diagnostics::Code;
 use chordal::{Diagnostic, Report, Severity, SourceMap};
 
 use super::place::place;
+use crate::numbers::grouped;
 
 /// Lines, or runs of lines, that a list names.
 const MOST_NAMED: usize = 8;
@@ -88,25 +89,9 @@ fn counted_places(count: u64) -> String {
 
 fn and_list(items: &[String]) -> String {
     match items {
-        [first, rest @ .., last] => {
-            [[first].into_iter().chain(rest).cloned().collect::<Vec<_>>().join(", "), last.clone()]
-                .join(" and ")
-        }
+        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         _ => items.concat(),
     }
-}
-
-/// Digits in threes: `9,912`.
-pub(crate) fn grouped(count: u64) -> String {
-    let digits = count.to_string();
-    let mut out = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            out.push(',');
-        }
-        out.push(digit);
-    }
-    out
 }
 
 #[cfg(test)]

@@ -5,8 +5,9 @@ use chordal::diagnostics::{Applicability, Counts, Fix};
 use chordal::{Diagnostic, Report, Severity, SourceMap, Span};
 
 use super::excerpt::{Excerpts, Mark};
-use super::groups::{Problems, grouped, groups, lines_of};
+use super::groups::{Problems, groups, lines_of};
 use super::place::{call_text, place};
+use crate::numbers::grouped;
 
 /// Calls shown of a deep nesting.
 const MOST_CALLS: usize = 6;

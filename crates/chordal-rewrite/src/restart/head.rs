@@ -16,9 +16,7 @@ use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
 use crate::source::Source;
 use crate::split::standing::Slot;
-
-/// Decimals of rotary axes and feeds, and the most of all others.
-const MOST_DECIMALS: usize = 6;
+use crate::split::text::{MOST_DECIMALS, feed_word};
 
 /// Places nearer than this are written as they are, mm or degrees.
 const EXACT: f64 = 1e-10;
@@ -45,7 +43,7 @@ impl Head<'_, '_> {
         lines.extend(self.speed());
         lines.extend(self.before.said.coolant.iter().cloned());
         lines.extend(self.ready());
-        lines.extend(self.feed());
+        lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.ending()?);
         Ok(lines)
     }
@@ -59,7 +57,7 @@ impl Head<'_, '_> {
         lines.extend(Some(spindle).filter(|words| !words.is_empty()));
         lines.extend(self.before.said.coolant.iter().cloned());
         lines.extend(self.ready());
-        lines.extend(self.feed());
+        lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.ending()?);
         Ok(lines)
     }
@@ -219,7 +217,7 @@ impl Head<'_, '_> {
     fn plunge(&self, highest: f64) -> Result<Option<String>, Lack> {
         let modal = &self.before.modal;
         if highest - modal.position[2] < EXACT {
-            return Ok(self.feed());
+            return Ok(feed_word(&self.before.modal, self.source.style));
         }
         if modal.feed_mode == FeedMode::InverseTime {
             return Err(Lack(
@@ -227,28 +225,15 @@ impl Head<'_, '_> {
             ));
         }
         let depth = self.place(2, modal.position[2])?;
-        let Some(feed) = self.feed() else { return Ok(Some(depth)) };
+        let Some(feed) = feed_word(&self.before.modal, self.source.style) else {
+            return Ok(Some(depth));
+        };
         let is_per_turn = modal.feed_mode == FeedMode::PerRevolution;
         if is_per_turn && modal.spindle == SpindleState::Off {
             return Err(Lack("the feed is per revolution, and the spindle stands still".into()));
         }
         let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
         Ok(Some([cut, depth, feed].join(self.gap())))
-    }
-
-    fn feed(&self) -> Option<String> {
-        let modal = &self.before.modal;
-        let unit = match modal.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        };
-        let value = match modal.feed_mode {
-            FeedMode::PerTime => modal.feed? * 60.0 / unit,
-            FeedMode::PerRevolution => modal.feed? / unit,
-            // Each block says its own.
-            FeedMode::InverseTime => return None,
-        };
-        Some(format!("F{}", plain(value, MOST_DECIMALS, self.source.style)))
     }
 
     /// The radius offset, where compensation will use the one that was said before.

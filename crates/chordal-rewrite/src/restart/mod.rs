@@ -15,7 +15,7 @@ use chordal::{Job, Severity};
 
 use self::head::{Head, Lack};
 use self::trace::{Care, Places, Trace};
-use self::watch::{Before, Way, before, changes_tool};
+use self::watch::{Before, Way, before};
 use crate::Refusal;
 use crate::source::Source;
 use crate::split::open::stretches;
@@ -92,7 +92,7 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
         .ok_or_else(|| asked.refuse(Reason::Beginning, "the program begins there", RUN_IT))?;
     asked.closed(&before)?;
     asked.apart(&main, at)?;
-    let changes = changes_tool(&source, job.control(), at);
+    let changes = source.changes_tool(at, job.control());
     let is_known = (0..3).all(|axis| before.modal.known.has(axis));
     let head = Head { source: &source, control: job.control(), before: &before, at };
     let lines = match (changes, is_known) {

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use chordal::control::{Action, BeforeCode, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin};
+use chordal::control::{Action, CallCode, CallPath, Modal, ModeCode, OnceCode, Origin};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
 
-use crate::source::{Source, code_action};
+use crate::source::Source;
 use crate::split::standing::Said;
 
 /// What a program needs to begin at a block.
@@ -258,12 +258,4 @@ impl RunSink for Walk<'_, '_> {
             self.before = Some(Before { modal, said, highest, open });
         }
     }
-}
-
-/// A block with a tool change.
-pub(super) fn changes_tool(source: &Source, control: &Control, at: usize) -> bool {
-    source.blocks[at]
-        .words
-        .iter()
-        .any(|word| code_action(word, control) == Some(Action::Before(BeforeCode::ToolChange)))
 }

@@ -7,7 +7,7 @@
 pub(crate) mod open;
 mod points;
 pub(crate) mod standing;
-mod text;
+pub(crate) mod text;
 
 use chordal::Job;
 use chordal_compare::{Comparison, Difference, Options, compare_joined};

@@ -2,7 +2,7 @@
 
 use chordal::RunSink;
 use chordal::control::CodeRow;
-use chordal::control::{Action, AfterCode, BeforeCode, CallCode, ModeCode, OnceCode};
+use chordal::control::{Action, AfterCode, CallCode, ModeCode, OnceCode};
 use chordal::machine::AXIS_LETTERS;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -11,7 +11,7 @@ use chordal::control::{CallPath, Modal, Origin, Side};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, Sink};
 
-use crate::source::{Source, code_action};
+use crate::source::Source;
 
 /// What makes a place safe.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -272,13 +272,8 @@ impl RunSink for Walk<'_, '_> {
         let is_main = origin.call == CallPath::default();
         if let Some(at) = block {
             let block = &self.source.blocks[at];
-            if is_main && self.main.contains(&at) {
-                let changes = block.words.iter().any(|word| {
-                    code_action(word, self.control) == Some(Action::Before(BeforeCode::ToolChange))
-                });
-                if changes {
-                    self.before(at, &modal);
-                }
+            if is_main && self.main.contains(&at) && self.source.changes_tool(at, self.control) {
+                self.before(at, &modal);
             }
             self.follow(block);
             self.open.data |= modal.incremental

@@ -1,7 +1,7 @@
 //! The parts as texts.
 
 use chordal::control::{Action, AfterCode, MotionCode, ReadingCode};
-use chordal::control::{Modal, SpindleState, Units};
+use chordal::control::{FeedMode, Modal, SpindleState, Units};
 use chordal::diagnostics::TextRange;
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, Word};
@@ -12,10 +12,10 @@ use super::standing::{Slot, Standing};
 use super::{Part, Parts};
 use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
-use crate::source::{Form, Source};
+use crate::source::{Form, Source, Style};
 
-/// Decimals of rotary axes, and the most of all others.
-const MOST_DECIMALS: usize = 6;
+/// Decimals of rotary axes and feeds, and the most of all others.
+pub(crate) const MOST_DECIMALS: usize = 6;
 
 /// What a part has from the whole.
 #[derive(Clone, Debug)]
@@ -270,7 +270,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         }
         let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
         lines.extend(ready.map(|tool| format!("T{tool}")));
-        lines.extend(self.feed(modal));
+        lines.extend(feed_word(modal, self.source.style));
         if is_incremental {
             lines.extend(name(Action::Reading(ReadingCode::Incremental)));
         }
@@ -345,19 +345,18 @@ impl<'w, 'a> Writer<'w, 'a> {
         }
         format!("{letter}{}", length(value, modal.units, count, style))
     }
+}
 
-    fn feed(&self, modal: &Modal) -> Option<String> {
-        use chordal::control::FeedMode;
-        let unit = match modal.units {
-            Units::Inch => 25.4,
-            Units::Millimetre => 1.0,
-        };
-        let value = match modal.feed_mode {
-            FeedMode::PerTime => modal.feed? * 60.0 / unit,
-            FeedMode::PerRevolution => modal.feed? / unit,
-            // Each block says its own.
-            FeedMode::InverseTime => return None,
-        };
-        Some(format!("F{}", plain(value, MOST_DECIMALS, self.source.style)))
-    }
+/// F as it is in force; nothing where each block says its own.
+pub(crate) fn feed_word(modal: &Modal, style: Style) -> Option<String> {
+    let unit = match modal.units {
+        Units::Inch => 25.4,
+        Units::Millimetre => 1.0,
+    };
+    let value = match modal.feed_mode {
+        FeedMode::PerTime => modal.feed? * 60.0 / unit,
+        FeedMode::PerRevolution => modal.feed? / unit,
+        FeedMode::InverseTime => return None,
+    };
+    Some(format!("F{}", plain(value, MOST_DECIMALS, style)))
 }
