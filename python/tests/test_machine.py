@@ -61,7 +61,7 @@ def test_changes_make_another_machine() -> None:
 
 def test_names_that_nothing_has() -> None:
     with pytest.raises(chordal.UsageError) as raised:
-        Machine.named("haas-vf3")
+        Machine.named("haas-vf9")
     assert raised.value.help
     with pytest.raises(chordal.UsageError, match="cannot be a value"):
         Machine.from_dict({"control": object()})

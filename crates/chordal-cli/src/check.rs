@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use chordal::{Report, Severity};
-use chordal_export::report::{self, Reading, Sarif};
+use chordal_export::report::{self, Sarif};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
+use crate::json_files::{join, reading};
 use crate::numbers::{counted, grouped};
 use crate::options::{Common, EVERY_PLACE, Showing};
 use crate::programs::{Programs, recognized};
@@ -122,28 +123,11 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     totals.called = called;
     match format {
         Format::Text => terminal.tell(&totals.text(terminal)),
-        Format::Json => crate::terminal::say(&join(&objects))?,
+        Format::Json => crate::terminal::say(&join("chordal.check/1", &objects))?,
         Format::Sarif => crate::terminal::say(&sarif.finish())?,
         Format::Github => {}
     }
     Ok(verdict)
-}
-
-/// On what a program was read.
-fn reading(loaded: &Loaded) -> Reading<'_> {
-    let machine = Some(loaded.machine().name.as_str()).filter(|_| loaded.not_read().is_none());
-    Reading {
-        machine,
-        control: loaded.control(),
-        from: loaded.chosen.from(),
-        recognition: loaded.chosen.recognition(),
-    }
-}
-
-/// The objects of all files as one, whether there is one file or many.
-fn join(objects: &[String]) -> String {
-    let objects: Vec<&str> = objects.iter().map(|object| object.trim_end()).collect();
-    format!("{{\"schema\":\"chordal.check/1\",\"files\":[\n{}\n]}}\n", objects.join(",\n"))
 }
 
 /// All files together.

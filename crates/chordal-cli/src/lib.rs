@@ -28,6 +28,7 @@ mod completions;
 mod convert;
 mod explain;
 mod failure;
+mod json_files;
 mod lsp;
 mod machines;
 mod options;

@@ -41,11 +41,21 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
     let text = match &args.name {
         _ if args.schema => schema_reference(),
         None => list(),
-        Some(name) if args.toml => machine::named(name)?.to_toml(),
+        Some(name) if args.toml => copy(machine::named(name)?),
         Some(name) => one(&machine::named(name)?),
     };
     say(&text)?;
     Ok(Verdict::Clean)
+}
+
+/// The machine as a file of its own. What was said about its figures is a remark at the top: it is
+/// no longer so once they are changed.
+fn copy(mut machine: Machine) -> String {
+    let mut text = format!("# Copied from {}: put in the figures of your machine.\n", machine.name);
+    for note in std::mem::take(&mut machine.notes) {
+        text.push_str(&format!("# There, {note}.\n"));
+    }
+    text + &machine.to_toml()
 }
 
 fn list() -> String {

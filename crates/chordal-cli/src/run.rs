@@ -2,18 +2,21 @@
 
 use std::path::PathBuf;
 
-use chordal::Severity;
 use chordal::motion::MotionOptions;
+use chordal::time::Timed;
+use chordal::{Job, Report, Severity};
 use chordal_export::{PlotOptions, report};
 use chordal_load::Loaded;
+use clap::ValueEnum;
 
 use crate::failure::{Failure, Verdict};
+use crate::json_files::{join, reading};
 use crate::options::{Common, Showing};
 use crate::output::{self, Outputs};
 use crate::programs::Programs;
 use crate::readings;
 use crate::summary;
-use crate::terminal::{BOLD, Terminal, style};
+use crate::terminal::{BOLD, Terminal, say, style};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,6 +25,7 @@ Examples:
   chordal run archive/ -o pictures/          a picture of every program
   chordal run archive/ -o 'out/*.dxf'        * is the program's name
   chordal run part.nc --machine mill.toml --set tools.5.diameter=\"0.5 in\"
+  chordal run part.nc --format json          summary and problems for other programs
   chordal run all-prog.txt --program 9013    one program of a control's memory
 
 Outputs by file extension:
@@ -52,6 +56,10 @@ pub struct Args {
     #[arg(long = "output", short, value_name = "OUT")]
     outputs: Vec<PathBuf>,
 
+    /// Format of the summary and the problems
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+
     #[command(flatten)]
     showing: Showing,
 
@@ -59,27 +67,54 @@ pub struct Args {
     common: Common,
 }
 
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Format {
+    /// Text for the reader
+    Text,
+    /// One JSON object for all files
+    Json,
+}
+
 pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let programs = Programs::new(&args.files, &args.common, terminal)?;
     let plan = output::plan(&args.outputs, programs.inputs())?;
+    let mut objects = Vec::new();
     let mut first = true;
-    programs.each(|programs, index, loaded| {
-        let (text, verdict) = one(loaded, &plan[index], args.showing, terminal)?;
-        programs.say(if first { "" } else { "\n" })?;
-        programs.say(&text)?;
-        first = false;
-        Ok(verdict)
-    })
+    let verdict = programs.each(|programs, index, loaded| {
+        let job = loaded.job()?;
+        let done = carry_out(loaded, &job, &plan[index])?;
+        match args.format {
+            Format::Text => {
+                programs.say(if first { "" } else { "\n" })?;
+                programs.say(&text(loaded, &job, &done, args.showing, terminal))?;
+                first = false;
+            }
+            Format::Json => {
+                let Done { report, timed, .. } = &done;
+                let reading = reading(loaded);
+                let object =
+                    report::summary_json(report, &job, loaded.name(), &reading, timed.as_ref());
+                objects.push(object);
+            }
+        }
+        let failed = done.report.worst() == Some(Severity::Error);
+        Ok(if failed { Verdict::Problems } else { Verdict::Clean })
+    })?;
+    if args.format == Format::Json {
+        say(&join("chordal.run/1", &objects))?;
+    }
+    Ok(verdict)
 }
 
-fn one(
-    loaded: &Loaded,
-    targets: &[output::Target],
-    showing: Showing,
-    terminal: Terminal,
-) -> Result<(String, Verdict), Failure> {
-    let job = loaded.job()?;
-    let mut outputs = Outputs::open(targets, &job)?;
+/// What a run came to, and the files it wrote.
+struct Done {
+    report: Report,
+    timed: Option<Timed>,
+    written: Vec<PathBuf>,
+}
+
+fn carry_out(loaded: &Loaded, job: &Job, targets: &[output::Target]) -> Result<Done, Failure> {
+    let mut outputs = Outputs::open(targets, job)?;
     // A long text is not planned in vain.
     let most = if loaded.size() as u64 > MOST_PLANNED * LINE { 0 } else { MOST_PLANNED };
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
@@ -87,18 +122,19 @@ fn one(
     let timed = timed.ok().flatten();
     let options = PlotOptions {
         title: loaded.name().to_string(),
-        subtitle: summary::subtitle(&job, &report, timed.as_ref()),
+        subtitle: summary::subtitle(job, &report, timed.as_ref()),
         ..PlotOptions::default()
     };
     let written = outputs.finish(&report, &options)?;
+    Ok(Done { report, timed, written })
+}
 
-    let mut text = summary::text(loaded, &job, &report, timed.as_ref(), terminal.out);
+fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Terminal) -> String {
+    let Done { report, timed, written } = done;
+    let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
     for path in written {
-        text.push_str(&format!(
-            "  {:10}{}\n",
-            style(terminal.out, BOLD, "written   "),
-            path.display()
-        ));
+        let row = style(terminal.out, BOLD, "written   ");
+        text.push_str(&format!("  {row:10}{}\n", path.display()));
     }
     if let Some(asked) = readings::asked(loaded, report.worst() >= Some(Severity::Warning)) {
         text.push('\n');
@@ -107,8 +143,7 @@ fn one(
     if report.worst().is_some() {
         text.push('\n');
         let detail = showing.detail();
-        text.push_str(&report::text(&report, job.sources(), terminal.out, detail));
+        text.push_str(&report::text(report, job.sources(), terminal.out, detail));
     }
-    let failed = report.worst() == Some(Severity::Error);
-    Ok((text, if failed { Verdict::Problems } else { Verdict::Clean }))
+    text
 }

@@ -13,9 +13,9 @@ fn a_machine_is_named_or_a_file() {
         .ends(0)
         .says(&["Haas NGC mill", "Mill 3 (mill)"]);
     folder
-        .run(&["run", "part.nc", "--machine", "haas-vf3"])
+        .run(&["run", "part.nc", "--machine", "haas-vf9"])
         .ends(2)
-        .complains(&["there is no built-in machine `haas-vf3`", "did you mean \"haas-vf2\"?"]);
+        .complains(&["there is no built-in machine `haas-vf9`", "did you mean \"haas-vf2\"?"]);
     folder
         .run(&["run", "part.nc", "-m", "none.toml"])
         .ends(2)

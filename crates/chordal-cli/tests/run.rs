@@ -27,6 +27,29 @@ fn the_summary_is_in_the_programs_units() {
 }
 
 #[test]
+fn json_holds_the_summary_and_the_problems() {
+    let folder = Folder::with_part();
+    folder.write("bad.nc", BROKEN);
+    let args = ["run", "--format", "json", "-m", "haas-vf2", "part.nc", "bad.nc"];
+    let done = folder.run(&args).ends(1);
+    let object: serde_json::Value = serde_json::from_str(&done.out).unwrap();
+    assert_eq!(object["schema"], "chordal.run/1");
+    let (part, bad) = (&object["files"][0], &object["files"][1]);
+    assert_eq!((&part["file"], &bad["file"]), (&"part.nc".into(), &"bad.nc".into()));
+    assert_eq!(part["machine"], "haas-vf2");
+    assert_eq!(part["diagnostics"], serde_json::json!([]));
+    assert_eq!(bad["diagnostics"][0]["code"], "CH401");
+    let summary = &part["summary"];
+    assert_eq!(summary["units"], "inch");
+    assert_eq!(summary["moves"]["lines"], 4);
+    assert_eq!(summary["moves"]["arcs"], 1);
+    assert_eq!(summary["axes"][0]["axis"], "X");
+    assert_eq!(summary["axes"][0]["range"][1], 25.4);
+    assert_eq!(summary["tools"][0]["speeds_rpm"], serde_json::json!([900.0]));
+    assert!(summary["time_s"].as_f64() > summary["time_without_acceleration_s"].as_f64());
+}
+
+#[test]
 fn the_control_is_recognized_with_its_evidence() {
     let folder = Folder::new();
     folder.write("haas.nc", CLEAN.replace("G0 X0 Y0", "G0 G154 P1 X0 Y0"));

@@ -205,7 +205,8 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
         return Ok(());
     }
     let drawn = errors.into_iter().map(|error| {
-        let location = machine.settings.get(&error.name).and_then(|given| given.location.as_ref());
+        let setting = machine.settings.get(&error.name).and_then(|given| given.location.as_ref());
+        let location = setting.or_else(|| code_place(machine, &error.name));
         MachineError {
             span: location.map(|at| place_of(&error, at, &control)),
             message: error.message,
@@ -215,6 +216,17 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
         }
     });
     Err(LoadError::Machine(drawn.collect()))
+}
+
+/// Where a custom code stands, by its name in errors: `shop_codes.M48`.
+fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m Location> {
+    let code = name.strip_prefix("shop_codes.")?;
+    let number = code.get(1..)?.parse::<u32>().ok()?;
+    let code = match code.as_bytes()[0] {
+        b'M' => machine.shop_codes.get(&u16::try_from(number).ok()?),
+        _ => machine.shop_programs.get(&number),
+    };
+    code?.location.as_ref()
 }
 
 /// A location is that of the value; where the name is wrong, the name before it on its line.

@@ -21,12 +21,26 @@ fn a_machine_is_named_or_a_file() {
     let request = Request { machine: Some(typical), ..Request::default() };
     let loaded = folder.load_with("part.nc", &request).expect("the machine of a control");
     assert_eq!(loaded.machine().name, machine::typical_name(ControlName::Fadal));
-    let Err(LoadError::Request { message, help }) = machine::named("haas-vf3") else {
-        panic!("there is no haas-vf3")
+    let Err(LoadError::Request { message, help }) = machine::named("haas-vf9") else {
+        panic!("there is no haas-vf9")
     };
-    assert!(message.contains("no built-in machine `haas-vf3`"), "{message}");
+    assert!(message.contains("no built-in machine `haas-vf9`"), "{message}");
     assert!(help.is_some_and(|help| help.contains("haas-vf2")));
     assert!(matches!(machine::named("none.toml"), Err(LoadError::Read { .. })));
+}
+
+#[test]
+fn a_custom_code_that_the_control_has_is_refused_where_it_stands() {
+    let folder = Folder::new();
+    folder
+        .write("part.nc", CLEAN)
+        .write("mill.toml", "inherits = 'fanuc-30i'\n\n[shop_codes.M48]\ntime = '1 s'\n");
+    let file = folder.path("mill.toml").to_string_lossy().into_owned();
+    let Err(LoadError::Machine(errors)) = folder.load_with("part.nc", &on(&file)) else {
+        panic!("Fanuc has M48")
+    };
+    assert_eq!(errors[0].line(), Some(3));
+    assert!(errors[0].message.contains("M48 is not a custom M code"), "{errors:?}");
 }
 
 #[test]

@@ -83,7 +83,9 @@ impl At {
         let near = near.map(|near| {
             if self.shown.is_empty() { near.to_string() } else { format!("{}.{near}", self.shown) }
         });
-        let near = near.or_else(|| elsewhere(key).map(str::to_string));
+        // A key of the file itself is none of its tables.
+        let fits = |path: &&str| self.shown.is_empty() || path.contains('.');
+        let near = near.or_else(|| elsewhere(key).filter(fits).map(str::to_string));
         let (message, takes) = match self.shown.as_str() {
             "" => (format!("a machine file has no key `{key}`"), "its keys are".to_string()),
             shown => (format!("`{shown}` has no key `{key}`"), "it takes".to_string()),
@@ -168,6 +170,9 @@ pub(crate) fn put(
             match row.map(|row| &row.slot) {
                 Some(Slot::Table(create)) => create(machine, &at.keys),
                 Some(Slot::Axis) => set_axis(machine, &at.keys, true),
+                Some(Slot::ShopCode) => {
+                    at.keys.code.place(machine).location = Some(source.location(value.span()));
+                }
                 _ => {}
             }
             put_table(machine, at, table, source, errors);
@@ -289,7 +294,7 @@ impl Value<'_> {
                 DeValue::Boolean(there) => set_axis(machine, keys, *there),
                 _ => return Err(self.is_a_table()),
             },
-            Slot::Table(_) => return Err(self.is_a_table()),
+            Slot::Table(_) | Slot::ShopCode => return Err(self.is_a_table()),
             Slot::Inherits => {
                 let message = "`inherits` belongs in a machine file and cannot be changed later";
                 return Err(self.error(message, None));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
-use crate::error::MachineError;
+use crate::error::{Location, MachineError};
 use crate::motion::Motion;
 use crate::tool::Tool;
 use crate::value::Setting;
@@ -210,7 +210,7 @@ pub struct Times {
 }
 
 /// What the machine does for an M code that its control does not have, or for a program that no text holds.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct ShopCode {
     /// How long the machine takes for it; `None`: no time.
     pub time_s: Option<f64>,
@@ -218,6 +218,16 @@ pub struct ShopCode {
     pub label: Option<String>,
     /// The blocks that it runs, as a subprogram would.
     pub blocks: Option<String>,
+    /// Where it was written.
+    pub location: Option<Location>,
+}
+
+impl PartialEq for ShopCode {
+    /// Codes that do the same are equal, wherever they were written.
+    fn eq(&self, other: &Self) -> bool {
+        let what = |code: &Self| (code.time_s, code.label.clone(), code.blocks.clone());
+        what(self) == what(other)
+    }
 }
 
 /// What macro programs find when the program starts.

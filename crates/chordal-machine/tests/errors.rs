@@ -261,9 +261,9 @@ fn errors_among(files: &[(&str, &str)]) -> String {
 #[test]
 fn what_cannot_be_inherited() {
     assert_eq!(
-        errors_among(&[("a.toml", "inherits = \"haas-vf3\"\n[feed]\nmax = 5\n")]),
-        r#"a.toml:1: `haas-vf3` is neither a built-in machine nor a file that can be read: no such file
-  ^ "haas-vf3"
+        errors_among(&[("a.toml", "inherits = \"haas-vf9\"\n[feed]\nmax = 5\n")]),
+        r#"a.toml:1: `haas-vf9` is neither a built-in machine nor a file that can be read: no such file
+  ^ "haas-vf9"
   = did you mean "haas-vf2"?
 a.toml:3: `feed.max` takes a velocity; `5` has no unit
   ^ 5

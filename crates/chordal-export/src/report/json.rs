@@ -45,6 +45,18 @@ impl Reading<'_> {
 /// name of the program. Lines and columns count from 1, columns in characters; ends are one
 /// past the last. `start` and `end` are offsets in bytes.
 pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<'_>) -> String {
+    let object = problems("chordal.diagnostics/1", report, sources, file, reading);
+    format!("{:#}\n", Value::Object(object))
+}
+
+/// The members of that object, under the name of a schema.
+pub(super) fn problems(
+    schema: &str,
+    report: &Report,
+    sources: &SourceMap,
+    file: &str,
+    reading: &Reading<'_>,
+) -> Map<String, Value> {
     let diagnostics: Vec<Value> =
         report.diagnostics.iter().map(|diagnostic| problem(diagnostic, sources)).collect();
     let dropped: Vec<Value> = report
@@ -52,7 +64,7 @@ pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<
         .iter()
         .map(|(code, count)| json!({ "code": code.id(), "name": code.info().name, "count": count }))
         .collect();
-    let head = json!({ "schema": "chordal.diagnostics/1", "file": file });
+    let head = json!({ "schema": schema, "file": file });
     let found = json!({
         "counts": {
             "errors": report.counts.errors,
@@ -68,7 +80,7 @@ pub fn json(report: &Report, sources: &SourceMap, file: &str, reading: &Reading<
     object.extend(members(head));
     reading.insert(&mut object);
     object.extend(members(found));
-    format!("{:#}\n", Value::Object(object))
+    object
 }
 
 /// The members of an object.

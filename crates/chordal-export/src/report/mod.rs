@@ -6,12 +6,14 @@ mod groups;
 mod json;
 mod place;
 mod sarif;
+mod summary;
 mod text;
 
 pub use github::github;
 pub use json::{Reading, json};
 pub use place::{Place, place};
 pub use sarif::Sarif;
+pub use summary::summary_json;
 pub use text::{Detail, excerpt, one, text};
 
 pub(crate) use excerpt::{Excerpts, Mark};

@@ -88,6 +88,8 @@ pub(crate) enum Slot {
     Inherits,
     /// A table that exists by being named, empty or not.
     Table(fn(&mut Machine, &Keys)),
+    /// The same for a custom code, whose place is kept.
+    ShopCode,
     /// The same for an axis, which `false` takes away.
     Axis,
 }
@@ -331,7 +333,7 @@ impl Row {
                 "a text with `%` or a fraction: `\"80 %\"`, `0.8`; above 0, at most 200 %".into()
             }
             Slot::Setting => "a text, a number or `true`/`false`, depending on the setting".into(),
-            Slot::Table(_) => "a table".into(),
+            Slot::Table(_) | Slot::ShopCode => "a table".into(),
             Slot::Axis => "a table, or `false`".into(),
         }
     }
@@ -374,7 +376,7 @@ pub fn schema_keys() -> Vec<SchemaKey> {
             Some((meaning, default)) => (meaning, Some(default)),
             None => (row.doc, None),
         };
-        let is_table = matches!(row.slot, Slot::Table(_) | Slot::Axis);
+        let is_table = matches!(row.slot, Slot::Table(_) | Slot::ShopCode | Slot::Axis);
         SchemaKey { path: row.path, takes: row.takes(), meaning, default, is_table }
     };
     ROWS.iter().map(key).collect()

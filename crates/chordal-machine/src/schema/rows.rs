@@ -448,9 +448,7 @@ pub(crate) const ROWS: &[Row] = &[
     },
     Row {
         path: "shop_codes.<code>",
-        slot: Slot::Table(|m, k| {
-            k.code.place(m);
-        }),
+        slot: Slot::ShopCode,
         doc: "a custom M code: one that the machine has and its control does not, such as `shop_codes.M120`; it may also be one that the control has and Chordal does not carry out. Or a called program that no file holds, such as `shop_codes.O9810` for `G65 P9810`; a table without `blocks` says that it moves nothing",
     },
     quantity(
