@@ -27,7 +27,7 @@ Examples:
   chordal sample part.nc -m haas-vf2 --level best -o part.arrow
 
 One row per period: time_s; x_mm, x_vel_mm_per_s, x_acc_mm_per_s2 and the same of Y and Z; a_deg,
-a_vel_deg_per_s, a_acc_deg_per_s2 and the same of B and C where the machine has them;
+a_vel_deg_per_s, a_acc_deg_per_s2 and the same of B and C if the program moves them;
 speed_mm_per_s; line. Positions are continuous where an offset or a tool length jumps. The first row
 is the start, the last one the end. Parquet and Arrow files contain their units, their schema
 (chordal.samples/1) and the SHA-256 of the program.
@@ -74,6 +74,15 @@ enum Effort {
     Best,
 }
 
+impl Effort {
+    fn of(self) -> Level {
+        match self {
+            Effort::Fast => Level::Fast,
+            Effort::Best => Level::Best,
+        }
+    }
+}
+
 fn inside(format: RowFormat) -> SampleFormat {
     match format {
         RowFormat::Csv => SampleFormat::Csv,
@@ -93,6 +102,9 @@ fn period(text: &str) -> Result<f64, String> {
     };
     if seconds > 0.0 { Ok(seconds) } else { Err("a period must be above zero".to_string()) }
 }
+
+/// A time that differs by less is the same to a reader.
+const NOTICED: f64 = 1e-4;
 
 /// Setpoints on their way from the planner to the output.
 struct Setpoints {
@@ -148,7 +160,8 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let out = Out::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    let head = SampleHead::of(&job, args.period);
+    let report = job.report();
+    let head = SampleHead::of(&job, &report, args.period);
     let told = |error| trouble(path, error);
     let rows = Rows {
         writer: SampleWriter::new(out, inside(format), &head).map_err(told)?,
@@ -169,11 +182,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     rows.done.map_err(told)?;
     rows.writer.finish().map_err(told)?.put()?;
 
-    let report = job.report();
     terminal.tell(&recognized(&loaded));
     terminal.tell(&report::text(&report, job.sources(), terminal.err, Detail::default()));
     let units = if report.summary.inch { Units::Inch } else { Units::Millimetre };
-    let numbers = Numbers { count: rows.count, time_s, chord: rows.chord };
+    let machine_s = if motion.bent_rapids > 0 { machine_time(&job, args.level) } else { None };
+    let numbers = Numbers { count: rows.count, time_s, machine_s, chord: rows.chord };
     terminal.tell(&summary(&numbers, args.period, &motion, units, terminal.err));
     Ok(verdict(&report))
 }
@@ -183,12 +196,8 @@ fn verdict(report: &Report) -> Verdict {
 }
 
 fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionReport, Failure> {
-    let level = match level {
-        Effort::Fast => Level::Fast,
-        Effort::Best => Level::Best,
-    };
     // Setpoints are places: a rapid goes where its axes take it.
-    let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
+    let options = MotionOptions { level: level.of(), dog_leg_shape: true, ..MotionOptions::default() };
     job.plan(&options, setpoints).map_err(|error| {
         Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
     })
@@ -206,9 +215,17 @@ fn too_many(args: &Args, seconds: f64) -> Failure {
     )
 }
 
+/// The time of the machine. The setpoints take longer: they bend where an axis of a dog-leg rapid arrives,
+/// and slow down there, while the machine's axes do not wait for each other.
+fn machine_time(job: &Job, level: Effort) -> Option<f64> {
+    let options = MotionOptions { level: level.of(), ..MotionOptions::default() };
+    job.time(&options).ok().map(|timed| timed.time.total_s())
+}
+
 struct Numbers {
     count: u64,
     time_s: f64,
+    machine_s: Option<f64>,
     chord: (f64, u32),
 }
 
@@ -227,6 +244,15 @@ fn summary(
     let count = counted(numbers.count, "setpoint", "setpoints");
     row("samples", &format!("{count}, one every {}", time_text(period_s)));
     row("time", &format!("{} ({} s)", duration(numbers.time_s), short(numbers.time_s, 6)));
+    let extra = numbers.machine_s.map_or(0.0, |machine| numbers.time_s - machine);
+    if extra > NOTICED * numbers.time_s {
+        let (extra, time) = (duration(extra), duration(numbers.time_s - extra));
+        row("", &format!("{extra} more than `chordal time` says ({time}): a rapid slows down here where one"));
+        row("", "of its axes arrives; on the machine the others go on at full speed");
+    }
+    if units == Units::Inch {
+        row("units", "mm and degrees in the rows, though the program is in inch");
+    }
     let (chord_mm, line) = numbers.chord;
     row("chord", &chord_text(chord_mm, line, units));
     if !motion.limits.assumed.is_empty() {

@@ -22,16 +22,17 @@ pub fn contour_ranges_text(found: &ContourRanges, job: &Job) -> String {
 }
 
 fn length(mm: f64, units: Units) -> String {
-    if !mm.is_finite() {
-        return "any".into();
-    }
-    // Rounded down: the control takes the offset that is shown.
+    units.length_text(rounded_down(mm, units))
+}
+
+/// To the digits that are shown: the control takes the offset that is shown.
+fn rounded_down(mm: f64, units: Units) -> f64 {
     let (unit, decimals) = match units {
         Units::Inch => (25.4, 4),
         Units::Millimetre => (1.0, 3),
     };
     let step = unit / 10f64.powi(decimals);
-    units.length_text((mm / step + 1e-6).floor() * step)
+    (mm / step + 1e-6).floor() * step
 }
 
 fn code(side: Side) -> &'static str {
@@ -93,8 +94,12 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
     text += "\n";
     let largest = range.largest_mm();
     text += &match largest.is_finite() {
-        true => format!("  offsets  0 to {}\n", len(largest)),
-        false => "  offsets  0 and more, without a limit\n".into(),
+        true => format!(
+            "  offsets  radius 0 to {} (tool diameter up to {})\n",
+            len(largest),
+            range.units.length_text(2.0 * rounded_down(largest, range.units))
+        ),
+        false => "  offsets  every radius\n".into(),
     };
     text += &match &range.control {
         Some(limit) => {
@@ -102,7 +107,7 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
             let line = job.sources().get(span.file).map_or(0, |s| s.line_of(span.range.start));
             let alarm = limit.alarm.alarm.as_deref().unwrap_or(job.control().table.title);
             format!(
-                "  control  up to {}; above that, line {line}: {} ({alarm})\n",
+                "  control  radius up to {}; above that, line {line}: {} ({alarm})\n",
                 len(limit.radius_mm),
                 limit.alarm.message
             )
@@ -112,7 +117,10 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
     for (name, limit) in
         [("gouge  ", &range.no_gouge), ("edges  ", &range.every_edge), ("leads  ", &range.leads)]
     {
-        text += &format!("  {name}  up to {}: {}\n", len(limit.radius_mm), reason(limit));
+        text += &match limit.reason {
+            LimitReason::Unlimited => format!("  {name}  no limit\n"),
+            _ => format!("  {name}  radius up to {}: {}\n", len(limit.radius_mm), reason(limit)),
+        };
     }
     if let Some((block, radius, Some(beside))) = range.lead_arc {
         text += &format!(
@@ -126,7 +134,7 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
     if let (number, Some(radius)) = range.offset {
         let name = number.map_or(String::new(), |number| format!(" {number}"));
         let verdict = if range.fits() { "fits" } else { "does not fit" };
-        text += &format!("  table    offset{name} = {}: {verdict}\n", len(radius));
+        text += &format!("  table    offset{name} has the radius {}: {verdict}\n", len(radius));
     }
     if !range.complete {
         text += "           the search for narrow places stopped at its limit; there may be narrower ones\n";

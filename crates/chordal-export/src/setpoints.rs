@@ -1,15 +1,14 @@
 //! What the columns of setpoints are, whatever they are written to.
 //!
 //! `time_s`; `x_mm`, `x_vel_mm_per_s`, `x_acc_mm_per_s2` and the same of Y and Z; `a_deg`,
-//! `a_vel_deg_per_s`, `a_acc_deg_per_s2` and the same of B and C, of the rotary axes that the machine
-//! has; `speed_mm_per_s`, which is that of the tool along X, Y and Z; `line`. Which axes there are
-//! must be known before the first setpoint, because nothing is held back: the machine says, not the
-//! program.
+//! `a_vel_deg_per_s`, `a_acc_deg_per_s2` and the same of B and C, of the rotary axes that the program
+//! moves; `speed_mm_per_s`, which is that of the tool along X, Y and Z; `line`. Which axes there are
+//! must be known before the first setpoint, because nothing is held back: a run of the program says so.
 
-use chordal::Job;
 use chordal::control::AxisMask;
 use chordal::machine::{AXES, Axis};
 use chordal::motion::Sample;
+use chordal::{Job, Report};
 
 use crate::digest::sha256_hex;
 
@@ -34,12 +33,13 @@ pub struct SampleHead {
 }
 
 impl SampleHead {
-    /// Of the program and the machine of a job.
-    pub fn of(job: &Job, period_s: f64) -> SampleHead {
+    /// Of the program and the machine of a job, and the report of its run.
+    pub fn of(job: &Job, report: &Report, period_s: f64) -> SampleHead {
         let program = job.sources().get(chordal::diagnostics::FileId(0));
         let text = program.map_or(&[][..], |source| source.text());
         SampleHead {
-            rotary: [Axis::A, Axis::B, Axis::C].map(|axis| job.machine().axis(axis).is_some()),
+            rotary: ['A', 'B', 'C']
+                .map(|letter| report.summary.axes.iter().any(|axis| axis.letter == letter)),
             period_s,
             program: program.map_or_else(String::new, |source| source.name().to_string()),
             program_sha256: sha256_hex(text),

@@ -336,7 +336,7 @@ impl Program {
         // Setpoints are places: a rapid goes the way that the machine goes.
         let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
         let planned = self.ask(py, |job| {
-            let columns = SampleColumns::new(&SampleHead::of(job, period_s));
+            let columns = SampleColumns::new(&SampleHead::of(job, &job.report(), period_s));
             let sampler = Sampler::new(period_s).at_most(max_samples);
             let mut setpoints = Setpoints { sampler, columns };
             let motion = match job.plan(&options, &mut setpoints) {

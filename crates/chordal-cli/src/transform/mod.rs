@@ -54,7 +54,7 @@ pub struct Args {
     units: Option<Unit>,
 
     /// Changes the sign of X or of Y
-    #[arg(long, value_name = "x|y", value_enum)]
+    #[arg(long, value_name = "x|y", value_enum, ignore_case = true)]
     mirror: Option<Mirror>,
 
     /// Rotates the path about Z, in degrees, counter-clockwise

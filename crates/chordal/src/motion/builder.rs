@@ -64,6 +64,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             waits: 0,
             cuts_without_feed: 0,
             unknown_moves: 0,
+            bent_rapids: 0,
             refused_moves: 0,
             refused: Vec::new(),
             outcomes: Vec::new(),
@@ -370,6 +371,7 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
                         self.segment(&chord(first, bends, last), cycle, false);
                     }
                     _ => {
+                        self.report.bent_rapids += u64::from(!bends.is_empty());
                         for segment in bends {
                             self.segment(segment, cycle, true);
                         }

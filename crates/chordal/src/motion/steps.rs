@@ -159,6 +159,8 @@ pub struct MotionReport {
     pub moves: u64,
     /// Waits emitted.
     pub waits: u64,
+    /// Rapids that keep the bends of a dog-leg, each of which costs a little time.
+    pub bent_rapids: u64,
     /// Cuts that are left out because they have no feed.
     pub cuts_without_feed: u64,
     /// Moves of which an end is not known relative to the part: they go as the numbers say, as
