@@ -197,7 +197,8 @@ fn verdict(report: &Report) -> Verdict {
 
 fn plan(job: &Job, level: Effort, setpoints: &mut Setpoints) -> Result<MotionReport, Failure> {
     // Setpoints are places: a rapid goes where its axes take it.
-    let options = MotionOptions { level: level.of(), dog_leg_shape: true, ..MotionOptions::default() };
+    let options =
+        MotionOptions { level: level.of(), dog_leg_shape: true, ..MotionOptions::default() };
     job.plan(&options, setpoints).map_err(|error| {
         Failure::wrong(error.to_string(), "correct it in the machine file, or with --set")
     })
@@ -247,7 +248,12 @@ fn summary(
     let extra = numbers.machine_s.map_or(0.0, |machine| numbers.time_s - machine);
     if extra > NOTICED * numbers.time_s {
         let (extra, time) = (duration(extra), duration(numbers.time_s - extra));
-        row("", &format!("{extra} more than `chordal time` says ({time}): a rapid slows down here where one"));
+        row(
+            "",
+            &format!(
+                "{extra} more than `chordal time` says ({time}): a rapid slows down here where one"
+            ),
+        );
         row("", "of its axes arrives; on the machine the others go on at full speed");
     }
     if units == Units::Inch {

@@ -85,7 +85,9 @@ fn a_machine_as_a_file_is_the_same_machine() {
     let first = folder.run(&["machines", "fadal-4020", "--toml"]).ends(0).out;
     folder.write("mine.toml", &first);
     let again = folder.run(&["machines", "mine.toml", "--toml"]).ends(0).out;
-    let keys = |text: &str| text.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>().join("\n");
+    let keys = |text: &str| {
+        text.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>().join("\n")
+    };
     assert_eq!(keys(&again), keys(&first));
     // What is true of the built-in figures only is a remark in the copy.
     assert!(first.contains("# There, acceleration and jerk are typical"), "{first}");

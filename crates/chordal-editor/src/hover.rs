@@ -2,13 +2,13 @@
 
 use chordal::Diagnostic;
 use chordal::control::FeedMode;
-use chordal::control::table::code_number;
+use chordal::control::table::{CodeRow, ControlTable, code_number};
 use chordal::control::{Modal, SpindleState, Units, number_text};
 use chordal::diagnostics::TextRange;
 use chordal::machine::AXIS_NAMES;
 use chordal::syntax::{Block, Word};
 
-use crate::meaning::{code_brief, letter_text};
+use crate::meaning::{code_brief, code_name, codes, letter_text, word_meaning};
 use crate::names::{Name, Role};
 use crate::{Program, Ran};
 
@@ -28,7 +28,7 @@ impl Program {
         let block = self.block_at(offset)?;
         let word = word_at(&block, offset);
         let (range, mut text) = match word {
-            Some(word) => (word.range, self.word_text(word)),
+            Some(word) => (word.range, self.word_text(word, &block)),
             None => {
                 let name = self.name_at(offset)?;
                 (name.range, self.name_text(&name.name)?)
@@ -48,18 +48,48 @@ impl Program {
         Some(Hover { range, text })
     }
 
-    fn word_text(&self, word: &Word) -> String {
+    fn word_text(&self, word: &Word, block: &Block) -> String {
         let views = [self.view()];
         let letter = char::from(word.letter);
-        let code =
-            word.number().and_then(code_number).filter(|_| matches!(word.letter, b'G' | b'M'));
-        let text = code
-            .and_then(|code| code_brief(word.letter, code, &views[0]))
-            .or_else(|| letter_text(word.letter, &views))
-            .unwrap_or_else(|| {
-                format!("{letter} has no meaning on {}.", self.control().table.title)
-            });
+        let text = match code_in(word) {
+            Some(code) => code_brief(word.letter, code, &views[0])
+                .map(|text| text + &self.words_of(word, code, block)),
+            None => self.here(word, block),
+        };
+        let text = text.or_else(|| letter_text(word.letter, &views)).unwrap_or_else(|| {
+            format!("{letter} has no meaning on {}.", self.control().table.title)
+        });
         as_markdown(&text)
+    }
+
+    /// What the words of a block mean to one of its codes, with their values: a line each.
+    fn words_of(&self, code: &Word, number: u16, block: &Block) -> String {
+        let view = self.view();
+        let Some(row) = row_of(view.table, code.letter, number) else { return String::new() };
+        let meant = block.words.iter().filter_map(|word| {
+            let taken = row.words.has(word.letter) && word.letter != code.letter;
+            let meaning = taken.then(|| word_meaning(row, word.letter, &view)).flatten()?;
+            Some(format!("  {:10}{meaning}\n", self.written(word)))
+        });
+        meant.collect()
+    }
+
+    /// What a word means to a code of its block: `Q5. in G83: depth of each peck`.
+    fn here(&self, word: &Word, block: &Block) -> Option<String> {
+        let view = self.view();
+        let meant = block.words.iter().filter_map(|code| {
+            let row = row_of(view.table, code.letter, code_in(code)?)?;
+            let meaning = row.words.has(word.letter).then(|| word_meaning(row, word.letter, &view));
+            let name = code_name(code.letter, row.code);
+            Some(format!("{} in {name}: {}\n", self.written(word), meaning.flatten()?))
+        });
+        let text: String = meant.collect();
+        (!text.is_empty()).then_some(text)
+    }
+
+    /// A word as it stands in the text.
+    fn written(&self, word: &Word) -> String {
+        String::from_utf8_lossy(word.range.slice(self.text())).trim().to_string()
     }
 
     fn name_text(&self, name: &Name) -> Option<String> {
@@ -141,6 +171,15 @@ fn feed_text(feed: f64, modal: &Modal) -> String {
             format!("F {} mm/rev", number_text(feed, 3))
         }
     }
+}
+
+/// The number of a G or M word.
+fn code_in(word: &Word) -> Option<u16> {
+    word.number().and_then(code_number).filter(|_| matches!(word.letter, b'G' | b'M'))
+}
+
+fn row_of(table: &ControlTable, letter: u8, code: u16) -> Option<&'static CodeRow> {
+    codes(table, letter).iter().find(|row| row.code == code)
 }
 
 /// `line 3`, `lines 3, 5 and 9`.

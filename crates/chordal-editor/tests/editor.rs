@@ -73,7 +73,10 @@ fn a_word_tells_what_it_does_and_what_its_line_did() {
     // Half a circle of radius 1 in.
     assert!(hover.text.contains("This line moves 3.1416 in"), "{}", hover.text);
     let centre = program.hover(at(&program, "I1."), Some(&ran)).expect("a hover");
-    assert!(centre.text.contains("centre of an arc"), "{}", centre.text);
+    let means = "from the start of the arc to its centre, along X";
+    assert!(centre.text.contains(&format!("I1. in G2: {means}")), "{}", centre.text);
+    // The code says the same of each of its words, with the value.
+    assert!(hover.text.contains(&format!("I1.       {means}")), "{}", hover.text);
 }
 
 #[test]

@@ -166,11 +166,8 @@ fn every_key() {
     assert!(m.switches.optional_stop);
     assert_eq!(m.clearance_mm, Some(2.54));
     assert_eq!(m.times.tool_change_s, Some(6.0));
-    let flip = ShopCode {
-        time_s: Some(2.5),
-        label: Some("part flip".into()),
-        ..ShopCode::default()
-    };
+    let flip =
+        ShopCode { time_s: Some(2.5), label: Some("part flip".into()), ..ShopCode::default() };
     assert_eq!(m.shop_codes[&120], flip);
     assert_eq!(m.shop_codes[&121], ShopCode::default());
     let setting = &m.settings["Setting 58"];

@@ -1,5 +1,8 @@
 //! What a G or M code does on a control, from its row of the table.
 
+use std::ops::RangeInclusive;
+
+use chordal::Code;
 use chordal::control::Field;
 use chordal::control::table::{
     ArcTurns, CodeRow, ControlTable, DataTarget, DwellWord, Group, MotionModality, code_name,
@@ -8,7 +11,8 @@ use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceC
 use chordal::control::{CycleKind, ToolValue};
 use chordal::syntax::Letters;
 
-use crate::meaning::{Facts, View, own_value, sections, settings, some};
+use crate::meaning::form::{example, word_rows};
+use crate::meaning::{Facts, View, own_value, sections, settings, some, without_places};
 
 /// The codes of a table under a letter.
 pub fn codes(table: &ControlTable, letter: u8) -> &'static [CodeRow] {
@@ -47,9 +51,20 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
     if row.action == Action::NoEffect {
         facts.add("effect", "none on the path or the time");
     }
-    if row.words != Letters::NONE {
-        let letters: Vec<String> = row.words.iter().map(String::from).collect();
-        facts.add("takes", &format!("{}, with the axes and F", letters.join(" ")));
+    match several {
+        true if row.words != Letters::NONE => {
+            let letters: Vec<String> = row.words.iter().map(String::from).collect();
+            facts.add("takes", &format!("{}{}", letters.join(" "), beside(row.action)));
+        }
+        true => {}
+        false => {
+            if let Some(example) = example(letter, row, view) {
+                facts.add("example", &example);
+            }
+            for (letters, meaning) in word_rows(row, view) {
+                facts.add("words", &format!("{letters}: {meaning}"));
+            }
+        }
     }
     let arc = matches!(
         row.action,
@@ -78,19 +93,78 @@ fn row_text(letter: u8, row: &CodeRow, view: &View, several: bool) -> String {
             facts.add("group", &format!("{}{ended}", group_name(group)));
         }
     }
-    facts_of_action(row.action, view, &mut facts);
+    facts_of_action(row.action, view, several, &mut facts);
     for setting in settings(view.table, fields_of(row.action)) {
         let value = own_value(setting, &view.parameters);
         let meaning = if several { String::new() } else { format!(": {}", setting.text) };
         facts.add("settings", &format!("{} = {value}{meaning}", setting.name));
     }
+    if !several {
+        for (code, alarm) in alarms(row.action, view.table) {
+            facts.add("alarms", &format!("{} {}", code.id(), without_places(alarm)));
+        }
+    }
     facts.text
 }
 
+/// What stands in the block in addition to a code's own words.
+fn beside(action: Action) -> &'static str {
+    match action {
+        Action::Motion(_) | Action::Cycle(_) => ", with the axes and F",
+        Action::Mode(_) | Action::Length(_) => ", with the axes",
+        Action::Once(_)
+        | Action::Reading(_)
+        | Action::Call(_)
+        | Action::Before(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated
+        | Action::NotFollowed => "",
+    }
+}
+
+/// The alarms that the control has for a wrong use of a code.
+fn alarms(action: Action, table: &ControlTable) -> Vec<(Code, &'static str)> {
+    let codes: &[RangeInclusive<u16>] = match action {
+        Action::Motion(MotionCode::Rapid) => &[309..=309],
+        Action::Motion(MotionCode::Linear) => &[309..=309, 406..=407],
+        Action::Motion(MotionCode::ArcCw | MotionCode::ArcCcw) => &[401..=406, 408..=412],
+        Action::Motion(MotionCode::SpiralCw | MotionCode::SpiralCcw) => &[404..=406, 410..=412],
+        Action::Motion(MotionCode::Spline(_) | MotionCode::SplineEnd) => &[419..=426],
+        Action::Motion(MotionCode::Thread | MotionCode::RigidTap) => &[804..=804],
+        Action::Cycle(_) => &[800..=817],
+        Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight) => &[501..=523],
+        Action::Mode(ModeCode::CompensationOff) => &[501..=501],
+        Action::Once(OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. }) => {
+            &[430..=441]
+        }
+        Action::Once(OnceCode::GeneralPocket) => &[820..=828],
+        Action::Call(CallCode::CallProgram | CallCode::CallLabel) => &[201..=203],
+        Action::Call(CallCode::MacroCall | CallCode::ModalMacroCall { .. }) => {
+            &[201..=203, 713..=714]
+        }
+        Action::Mode(_)
+        | Action::Once(_)
+        | Action::Call(CallCode::Return | CallCode::SubroutineEnd)
+        | Action::Length(_)
+        | Action::Reading(_)
+        | Action::Before(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated
+        | Action::NotFollowed => &[],
+    };
+    let number = |code: &Code| code.id().strip_prefix("CH").and_then(|digits| digits.parse().ok());
+    Code::all()
+        .filter(|code| number(code).is_some_and(|n| codes.iter().any(|range| range.contains(&n))))
+        .filter_map(|code| Some((code, table.alarm(code)?)))
+        .collect()
+}
+
 /// What the table says of an action in addition to its settings.
-fn facts_of_action(action: Action, view: &View, facts: &mut Facts) {
+fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts) {
     if action == Action::Once(OnceCode::Dwell) {
-        for word in view.table.dwell {
+        for word in view.table.dwell.iter().filter(|_| several) {
             facts.add("time", &dwell_text(word));
         }
         if view.table.dwell_alone_stops {

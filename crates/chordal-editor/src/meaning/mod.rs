@@ -3,6 +3,7 @@
 
 mod alarm;
 mod code;
+mod form;
 mod letter;
 mod word;
 
@@ -16,6 +17,7 @@ pub use alarm::alarm_text;
 pub use chordal::control::table::code_name;
 pub(crate) use code::target_name;
 pub use code::{code_brief, code_text, codes, group_name};
+pub use form::{example, word_rows};
 pub use letter::{letter_meanings, letter_text};
 pub use word::word_meaning;
 

@@ -4,8 +4,8 @@ use chordal::control::table::{ArcTurns, CodeRow, DataTarget};
 use chordal::control::{
     Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
 };
+use chordal::control::{ArcCenter, CycleKind, HolePattern, SplineForm};
 use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, TapFeed};
-use chordal::control::{CycleKind, HolePattern, SplineForm};
 
 use chordal::machine::AXIS_LETTERS;
 
@@ -267,8 +267,11 @@ fn center(letter: u8, view: &View) -> Option<String> {
         b'J' => 'Y',
         _ => 'Z',
     };
-    let from = chordal::control::value_text(&view.parameters, chordal::control::Field::ArcCenter);
-    Some(format!("centre along {axis}, `{from}`"))
+    Some(match view.parameters.rules.arc.arc_center {
+        ArcCenter::FromStart => format!("from the start of the arc to its centre, along {axis}"),
+        ArcCenter::Absolute => format!("{axis} of the centre"),
+        ArcCenter::FromCenter => format!("from the centre to the start of the arc, along {axis}"),
+    })
 }
 
 fn arc(letter: u8, view: &View) -> Option<String> {
@@ -314,7 +317,7 @@ fn set_data(letter: u8, view: &View) -> Option<String> {
     let writes = |wanted: DataTarget| targets.iter().any(|(_, target)| *target == wanted);
     let name = char::from(letter);
     let text = match letter {
-        b'L' => "what is written: see the list after this table",
+        b'L' => "number of what is written",
         b'P' => "number of the work offset or of the tool",
         b'R' if writes(DataTarget::ToolTable) => "radius of the tool",
         b'R' => "value of the tool offset or of the register",

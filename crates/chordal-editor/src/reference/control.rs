@@ -6,7 +6,7 @@ use chordal::control::table::{CodeRow, ControlTable, DataTarget, Group, code_nam
 use chordal::control::{COMMON_SETTINGS, Certainty, Setting};
 
 use crate::meaning::{
-    View, codes, group_name, letter_meanings, own_value, target_name, without_places, word_meaning,
+    View, codes, group_name, letter_meanings, own_value, target_name, without_places, word_rows,
 };
 use crate::reference::{HEAD, cell, diagnostics, not_carried_out, table_row};
 
@@ -66,27 +66,11 @@ fn code_row(letter: u8, run: &[CodeRow], view: &View) -> String {
 
 /// `Q` depth of each peck …
 fn words(row: &CodeRow, view: &View) -> String {
-    // Letters that mean the same share a line.
-    let mut meanings: Vec<(String, Vec<String>)> = Vec::new();
-    let mut ignored: Vec<String> = Vec::new();
-    for letter in row.words.iter() {
-        let name = format!("`{letter}`");
-        match word_meaning(row, letter as u8, view) {
-            None => ignored.push(name),
-            Some(meaning) => match meanings.iter_mut().find(|(other, _)| *other == meaning) {
-                Some((_, names)) => names.push(name),
-                None => meanings.push((meaning, vec![name])),
-            },
-        }
-    }
-    let mut lines: Vec<String> = meanings
-        .into_iter()
-        .map(|(meaning, names)| format!("{} {}", names.join(" "), cell(&meaning)))
-        .collect();
-    if !ignored.is_empty() {
-        lines.push(format!("{} accepted, without effect by default", ignored.join(" ")));
-    }
-    lines.join("<br>")
+    let lines = word_rows(row, view).into_iter().map(|(letters, meaning)| {
+        let letters: Vec<String> = letters.split(' ').map(|letter| format!("`{letter}`")).collect();
+        format!("{} {}", letters.join(" "), cell(&meaning))
+    });
+    lines.collect::<Vec<_>>().join("<br>")
 }
 
 /// What G10 writes, by L.

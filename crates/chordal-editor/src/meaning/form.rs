@@ -1,0 +1,170 @@
+//! How a code is written: an example that runs on its control, and what each of its words means.
+
+use chordal::control::table::{CodeRow, DataTarget, code_name};
+use chordal::control::{
+    Action, BackBore, BeforeCode, CallCode, CycleKind, LengthCode, ModeCode, MotionCode, OnceCode,
+    TapFeed,
+};
+
+use crate::meaning::{View, word_meaning};
+
+/// A block with the code as a program would have it, in millimetres, that runs without an error on the
+/// control. None for codes that stand alone, and for those that need more than a block.
+pub fn example(letter: u8, row: &CodeRow, view: &View) -> Option<String> {
+    let code = code_name(letter, row.code);
+    let (before, after) = match row.action {
+        Action::Motion(motion) => (None, of_motion(motion)?.to_string()),
+        Action::Mode(mode) => of_mode(mode).map(|(before, after)| (before, after.to_string()))?,
+        Action::Length(LengthCode::Plus | LengthCode::Minus) => (None, "H1 Z30.".into()),
+        Action::Cycle(kind) => (None, of_cycle(kind, row, view)),
+        Action::Once(once) => (None, of_once(once, view)?),
+        Action::Call(call) => (None, of_call(call)?.to_string()),
+        Action::Before(BeforeCode::ToolChange) => (Some("T2"), String::new()),
+        Action::Before(BeforeCode::SpindleCw | BeforeCode::SpindleCcw) => {
+            (Some("S1000"), String::new())
+        }
+        Action::Length(_)
+        | Action::Before(_)
+        | Action::Reading(_)
+        | Action::After(_)
+        | Action::NoEffect
+        | Action::NotSimulated
+        | Action::NotFollowed => return None,
+    };
+    let parts = [before.unwrap_or_default(), code.as_str(), after.as_str()];
+    Some(parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "))
+}
+
+fn of_motion(motion: MotionCode) -> Option<&'static str> {
+    Some(match motion {
+        MotionCode::Rapid => "X10. Y10.",
+        MotionCode::Linear => "X10. Y10. F200.",
+        MotionCode::ArcCw => "X10. Y10. I10. J0 F200.",
+        MotionCode::ArcCcw => "X10. Y10. I0 J10. F200.",
+        MotionCode::Thread | MotionCode::RigidTap => "Z-12. K1.",
+        MotionCode::SpiralCw
+        | MotionCode::SpiralCcw
+        | MotionCode::Spline(_)
+        | MotionCode::SplineEnd => return None,
+    })
+}
+
+/// What stands before and after the code of a mode.
+fn of_mode(mode: ModeCode) -> Option<(Option<&'static str>, &'static str)> {
+    match mode {
+        ModeCode::CompensationLeft | ModeCode::CompensationRight => {
+            Some((Some("G1"), "D1 X20. F200."))
+        }
+        ModeCode::CompensationOff => Some((Some("G1"), "X20. F200.")),
+        ModeCode::WorkOffsetExtended => Some((None, "P1")),
+        ModeCode::PlaneXy
+        | ModeCode::PlaneZx
+        | ModeCode::PlaneYz
+        | ModeCode::CornerArc
+        | ModeCode::WorkOffset(_)
+        | ModeCode::WorkOffsetPoint(_)
+        | ModeCode::StoreReference { .. }
+        | ModeCode::CompensationLeftBy
+        | ModeCode::CompensationRightBy
+        | ModeCode::WorkOffsetNumbered(_)
+        | ModeCode::ReturnInitial
+        | ModeCode::ReturnToR
+        | ModeCode::CancelCycle
+        | ModeCode::Path(_)
+        | ModeCode::Overrides { .. }
+        | ModeCode::OverridesByP
+        | ModeCode::RotationOff
+        | ModeCode::ScalingOff
+        | ModeCode::Polar { .. }
+        | ModeCode::ModalSubroutine
+        | ModeCode::ModalCallOff
+        | ModeCode::DataLinesOff => None,
+    }
+}
+
+fn of_call(call: CallCode) -> Option<&'static str> {
+    Some(match call {
+        CallCode::CallProgram => "P1000",
+        CallCode::CallLabel => "P100",
+        CallCode::MacroCall => "P1000 A1. B2.",
+        CallCode::Return | CallCode::SubroutineEnd | CallCode::ModalMacroCall { .. } => {
+            return None;
+        }
+    })
+}
+
+fn of_once(once: OnceCode, view: &View) -> Option<String> {
+    Some(match once {
+        OnceCode::Dwell => {
+            let word = view.table.dwell.first()?;
+            let (letter, point) = (char::from(word.letter), word.takes_point);
+            let second = if point { 1.0 / word.point_s } else { 1.0 / word.integer_s };
+            format!("{letter}{second}{}", if point { "." } else { "" })
+        }
+        OnceCode::SetData => {
+            let work = |target: &DataTarget| *target == DataTarget::WorkOffset;
+            let (number, _) = view.table.set_data.iter().find(|(_, target)| work(target))?;
+            format!("L{number} P1 X-300. Y-200. Z0")
+        }
+        OnceCode::Rotation => "X0 Y0 R30.".into(),
+        OnceCode::ReturnToReference { second: false } => "Z30.".into(),
+        OnceCode::MachineCoordinates => "Z0".into(),
+        OnceCode::LocalShift => "X10. Y10.".into(),
+        OnceCode::PresetPosition | OnceCode::Mirror { .. } => "X0".into(),
+        OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw => "I12. D1 F200.".into(),
+        OnceCode::ReturnToReference { second: true }
+        | OnceCode::ReturnFromReference
+        | OnceCode::ClearPreset { .. }
+        | OnceCode::RestorePreset
+        | OnceCode::Scaling
+        | OnceCode::MirrorOff
+        | OnceCode::GeneralPocket
+        | OnceCode::Pattern(_)
+        | OnceCode::Probe { .. }
+        | OnceCode::CornerArcAlone => return None,
+    })
+}
+
+fn of_cycle(kind: CycleKind, row: &CodeRow, view: &View) -> String {
+    let cycles = view.parameters.rules.cycles;
+    let level = if view.table.lexicon.registers { "R0+2." } else { "R2." };
+    let mut words = format!("X10. Y10. Z-12. {level}");
+    let upward = kind == CycleKind::BackBore && cycles.bore.back == BackBore::UpAndDown;
+    for (needed, letter, word) in [
+        (kind.is_peck(), 'Q', " Q5."),
+        (kind.dwells() && !kind.is_tap(), 'P', " P500"),
+        (kind == CycleKind::FineBore || kind == CycleKind::BackBore, 'Q', " Q0.5"),
+        (upward, 'K', " K-8."),
+    ] {
+        if needed && row.words.iter().any(|taken| taken == letter) {
+            words.push_str(word);
+        }
+    }
+    // A thread of 1 mm at 500 rpm, where the cycle taps.
+    words.push_str(match cycles.tap.feed {
+        _ if !kind.is_tap() => " F200.",
+        TapFeed::Programmed => " F500.",
+        TapFeed::Lead => " F1.",
+        TapFeed::SpeedWithLeadQ => " F500. Q1.",
+    });
+    words
+}
+
+/// What the words of a code mean, those that mean the same together: `Q` `depth of each peck`.
+pub fn word_rows(row: &CodeRow, view: &View) -> Vec<(String, String)> {
+    let mut rows: Vec<(String, String)> = Vec::new();
+    let mut idle = String::new();
+    for letter in row.words.iter() {
+        match word_meaning(row, letter as u8, view) {
+            None => idle.extend([letter, ' ']),
+            Some(meaning) => match rows.iter_mut().find(|(_, other)| *other == meaning) {
+                Some((letters, _)) => letters.extend([' ', letter]),
+                None => rows.push((letter.to_string(), meaning)),
+            },
+        }
+    }
+    if !idle.is_empty() {
+        rows.push((idle.trim_end().into(), "accepted, without effect by default".into()));
+    }
+    rows
+}

@@ -1,0 +1,43 @@
+//! The examples of `explain` run on their controls.
+
+use chordal::control::{Action, CycleKind};
+use chordal::diagnostics::Source;
+use chordal::{Job, Machine, Severity, SourceMap};
+use chordal_editor::meaning::{View, codes, example};
+
+/// The example after the head of a usual program, with what it may call.
+fn program(example: &str, spindle: &str) -> String {
+    format!(
+        "%\nO1\nG21 G17 G40 G49 G80 G90\nT1 M6\nS500 {spindle}\nG0 X0 Y0\nG43 H1 Z30.\nG1 Z10. F200.\n{example}\nM30\nN100 M99\nO1000\nM99\n%\n"
+    )
+}
+
+#[test]
+fn every_example_runs_without_an_error() {
+    let mut count = 0;
+    let mut wrong = Vec::new();
+    for view in View::all() {
+        for letter in [b'G', b'M'] {
+            for row in codes(view.table, letter) {
+                let Some(example) = example(letter, row, &view) else { continue };
+                count += 1;
+                let mut machine = Machine::from_builtin(view.table.default_machine).unwrap();
+                machine.set("tools.1.diameter=\"6 mm\"").unwrap();
+                // A left-hand tap turns the other way.
+                let left = row.action == Action::Cycle(CycleKind::LeftTap);
+                let text = program(&example, if left { "M4" } else { "M3" });
+                let mut sources = SourceMap::new();
+                sources.add(Source::new("example.nc", text.into_bytes()));
+                let report = Job::new(sources, machine).unwrap().report();
+                let errors =
+                    report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+                for found in errors {
+                    let (control, code) = (view.table.name, found.code.id());
+                    wrong.push(format!("{control}: {example}: {code} {}", found.message));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(count > 150, "{count}");
+}
