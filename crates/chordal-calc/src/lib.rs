@@ -1,5 +1,5 @@
-//! The mathematics of the shop: cutter offsets at corners, arcs, chords, threads, and programs
-//! that mill threads.
+//! The mathematics of the shop: cutter offsets at corners, arcs, chords, holes on a circle, speeds and
+//! feeds, threads, and programs that mill threads.
 //!
 //! Numbers in, a [`Worked`] result out: every formula as it stands in the books, the same with
 //! the numbers put in, what comes out, and a [`Figure`] as plain data. Lengths are millimetres and
@@ -25,8 +25,10 @@
 
 mod arc_arc;
 mod arc_points;
+mod bolt_circle;
 mod chords;
 mod corner;
+mod cutting;
 mod error;
 mod figure;
 mod line_arc;
@@ -35,18 +37,22 @@ mod mill;
 mod numbers;
 mod post;
 mod tangent;
+mod tap_drill;
 mod thread;
 mod worked;
 
 pub use arc_arc::{ArcArc, arc_with_arc};
 pub use arc_points::{ArcPoints, arc_points};
+pub use bolt_circle::{BoltCircle, bolt_circle};
 pub use chords::{ChordCount, chord_count};
 pub use corner::{Axis, Bend, LineAxis, Side, TwoLines, corner_of_lines, corner_with_axis};
+pub use cutting::{Cutting, EdgeSpeed, ToolFeed, cutting};
 pub use error::CalcError;
 pub use figure::{Figure, Mark, Style};
 pub use line_arc::{LineArc, line_with_arc};
 pub use mill::{Cut, Cutter, MillProgram, Ramp, ThreadMill, thread_mill};
 pub use numbers::Units;
 pub use tangent::{Tangent, tangent_point};
+pub use tap_drill::{TapDrill, tap_drill};
 pub use thread::{Class, Designation, Form, Hand, Thread, Where, Zone, named_thread, thread_data};
 pub use worked::{Kind, Quantity, Step, Worked};

@@ -12,6 +12,51 @@ pub enum Kind {
     Angle,
     /// A number of things, or a ratio.
     Number,
+    /// Speed of a spindle, rpm.
+    Spindle,
+    /// Speed of a tool along its path, mm/s; shown in mm/min or in/min.
+    Feed,
+    /// Speed of a cutting edge, mm/s; shown in m/min or ft/min.
+    Surface,
+    /// Volume in a time, mm³/s; shown in cm³/min or in³/min.
+    Removal,
+}
+
+impl Kind {
+    /// A value in the unit that is shown.
+    pub fn shown(self, value: f64, units: Units) -> f64 {
+        let mm = units.mm();
+        match self {
+            Kind::Length => value / mm,
+            Kind::Angle => value.to_degrees(),
+            Kind::Number | Kind::Spindle => value,
+            Kind::Feed => value * 60.0 / mm,
+            Kind::Surface => match units {
+                Units::Inch => value * 60.0 / (12.0 * mm),
+                Units::Millimetre => value * 60.0 / 1000.0,
+            },
+            Kind::Removal => match units {
+                Units::Inch => value * 60.0 / (mm * mm * mm),
+                Units::Millimetre => value * 60.0 / 1000.0,
+            },
+        }
+    }
+
+    /// The name of that unit; a number has none.
+    pub const fn unit(self, units: Units) -> Option<&'static str> {
+        Some(match (self, units) {
+            (Kind::Length, _) => units.name(),
+            (Kind::Angle, _) => "deg",
+            (Kind::Number, _) => return None,
+            (Kind::Spindle, _) => "rpm",
+            (Kind::Feed, Units::Inch) => "in/min",
+            (Kind::Feed, Units::Millimetre) => "mm/min",
+            (Kind::Surface, Units::Inch) => "ft/min",
+            (Kind::Surface, Units::Millimetre) => "m/min",
+            (Kind::Removal, Units::Inch) => "in\u{b3}/min",
+            (Kind::Removal, Units::Millimetre) => "cm\u{b3}/min",
+        })
+    }
 }
 
 /// A number with its name.
@@ -21,7 +66,7 @@ pub struct Quantity {
     pub symbol: String,
     /// What it is.
     pub meaning: String,
-    /// mm, rad, or the number itself.
+    /// mm, rad, or as its kind says.
     pub value: f64,
     /// What it measures.
     pub kind: Kind,
@@ -34,6 +79,10 @@ impl Quantity {
             Kind::Length => units.length(self.value),
             Kind::Angle => degrees(self.value),
             Kind::Number => trimmed(self.value, 6),
+            Kind::Spindle | Kind::Feed | Kind::Surface | Kind::Removal => {
+                let number = trimmed(self.kind.shown(self.value, units), 3);
+                format!("{number} {}", self.kind.unit(units).unwrap_or_default())
+            }
         }
     }
 }

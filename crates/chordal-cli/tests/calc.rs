@@ -327,3 +327,58 @@ fn the_threads_of_the_fadal_manual() {
     assert!(turns[0].starts_with("G3 I-0.1562 Z-0.4643 "), "{}", turns[0]);
     assert!(turns[14].starts_with("G3 I-0.1562 Z0.0357 "), "{}", turns[14]);
 }
+
+#[test]
+fn speeds_and_feeds_are_those_of_the_formulas() {
+    // 120000/(37.699) by hand; 0.05·4·3183.1; 10·2·636.62/1000.
+    let cut =
+        "--tool 12mm --surface 120m/min --teeth 4 --per-tooth 0.05mm --width 2mm --depth 10mm";
+    says(
+        &format!("calc speeds {cut}"),
+        &["= 3183.099 rpm", "= 636.62 mm/min", "= 0.0373 mm", "= 12.732 cm³/min"],
+    );
+    // The shop's rule of thumb for 400 sfm at half an inch: 3.82·400/0.5 = 3056.
+    says(
+        "calc speeds --tool 0.5in --surface 400sfm --teeth 3 --per-tooth 0.003in",
+        &["v  = 400 ft/min", "= 3055.775 rpm", "= 27.502 in/min"],
+    );
+    says(
+        "calc speeds --tool 10mm --spindle 6000 --teeth 2 --feed 900mm/min",
+        &["= 188.496 m/min", "= 0.075 mm"],
+    );
+    refuses("calc speeds --tool 10mm", &["--surface"]);
+    refuses("calc speeds --tool 10mm --surface 100", &["has no unit: write 100m/min or 100sfm"]);
+    refuses(
+        "calc speeds --tool 10mm --surface 90m/min --teeth 0 --per-tooth 0.1mm",
+        &["numbers above zero"],
+    );
+    refuses(
+        "calc speeds --tool 10mm --surface 90m/min --teeth 2 --per-tooth 0.1mm --width 11mm",
+        &["a tool of 10 mm cannot cut 11 mm wide"],
+    );
+}
+
+/// Drills of the usual charts: 8.5 for M10, No. 7 (.201) for 1/4-20, 5.5 for a formed M6.
+#[test]
+fn the_hole_before_a_tap_is_that_of_the_charts() {
+    says("calc tap-drill M10x1.5", &["= 8.5386 mm"]);
+    says("calc tap-drill 1/4-20", &["= 0.20129 in"]);
+    says("calc tap-drill M6x1 --forming", &["D − 0.68·P·e", "= 5.49 mm"]);
+    refuses("calc tap-drill M10x1.5 --percent 120", &["120 % of a thread is not possible"]);
+    refuses("calc tap-drill 1/2-NPT", &["says nothing of a pipe thread"]);
+}
+
+#[test]
+fn holes_lie_on_their_circle() {
+    says(
+        "calc bolt-circle --diameter 80mm --holes 3",
+        &["= 40 mm", "= -20 mm", "= 34.641 mm", "= -34.641 mm", "= 69.282 mm"],
+    );
+    // From the first to the last: 0°, 30°, 60° and 90°.
+    says(
+        "calc bolt-circle --diameter 2in --holes 4 --sweep 90deg --center-x 1in",
+        &["w  = s/(N − 1)", "= 30°", "= 1.86603 in", "= 0.5 in", "= 1 in"],
+    );
+    refuses("calc bolt-circle --diameter 80mm --holes 0", &["0 holes on a circle of 80 mm"]);
+    refuses("calc bolt-circle --diameter 80mm --holes 3 --sweep 0deg", &["holes over 0°"]);
+}

@@ -1,6 +1,6 @@
 //! A calculation as text and as JSON.
 
-use chordal_calc::{Kind, Quantity, Units, Worked};
+use chordal_calc::{Quantity, Units, Worked};
 use serde_json::{Map, Value, json};
 
 /// A calculation as it would stand on paper: what is given, each formula with its numbers, notes.
@@ -87,9 +87,5 @@ pub fn worked_json(worked: &Worked, program: Option<&str>) -> String {
 }
 
 fn value(quantity: &Quantity, units: Units) -> (f64, Option<&'static str>) {
-    match quantity.kind {
-        Kind::Length => (quantity.value / units.mm(), Some(units.name())),
-        Kind::Angle => (quantity.value.to_degrees(), Some("deg")),
-        Kind::Number => (quantity.value, None),
-    }
+    (quantity.kind.shown(quantity.value, units), quantity.kind.unit(units))
 }

@@ -149,14 +149,18 @@ fn the_same_samples_are_the_same_bytes() {
 
 #[test]
 fn the_head_is_that_of_the_job() {
-    let mut sources = SourceMap::new();
-    sources.add(Source::new("abc.nc", b"abc".as_slice()));
-    let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
-    let head = SampleHead::of(&job, 0.5);
-    assert_eq!((head.program.as_str(), head.machine.as_str()), ("abc.nc", "haas-vf2"));
-    assert!(head.program_sha256.starts_with("ba7816bf"));
-    let rotary = [3, 4, 5].map(|axis| job.machine().axes[axis].is_some());
-    assert_eq!((head.rotary, head.period_s), (rotary, 0.5));
+    let head = |text: &'static [u8]| {
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("abc.nc", text));
+        let job = Job::new(sources, Machine::from_builtin("haas-vf2").unwrap()).unwrap();
+        SampleHead::of(&job, &job.report(), 0.5)
+    };
+    let first = head(b"abc");
+    assert_eq!((first.program.as_str(), first.machine.as_str()), ("abc.nc", "haas-vf2"));
+    assert!(first.program_sha256.starts_with("ba7816bf"));
+    // The machine has an A axis; a column is for a program that moves it.
+    assert_eq!((first.rotary, first.period_s), ([false; 3], 0.5));
+    assert_eq!(head(b"G0 X1. A90.\nM30\n").rotary, [true, false, false]);
 }
 
 /// An output that is full after so many bytes.

@@ -4,6 +4,8 @@
 mod answer;
 mod arcs;
 mod corners;
+mod cutting;
+mod holes;
 mod quantity;
 mod thread;
 mod thread_mill;
@@ -15,6 +17,9 @@ use crate::failure::{Failure, Verdict};
 const EXAMPLES: &str = "\
 Examples:
   chordal calc corner --angle 30deg --tool 0.5in
+  chordal calc speeds --tool 12mm --surface 120m/min --teeth 4 --per-tooth 0.05mm
+  chordal calc bolt-circle --diameter 80mm --holes 6
+  chordal calc tap-drill M10x1.5
   chordal calc thread M30x2
   chordal calc thread-mill M30x2 --tool 16mm --depth 20mm --feed 400mm/min \\
       --spindle 3000 --control haas -o thread.nc -o thread.svg
@@ -23,7 +28,7 @@ Every answer has its formula, the formula with the numbers, and, with -o figure.
 -o figure.png, a drawing. Lengths have a unit (1.5in, 38mm), or --units gives it for all.
 A tool is given by its diameter.";
 
-/// Shop mathematics: cutter offsets, arcs, chords, threads, thread mill programs
+/// Shop mathematics: cutter offsets, arcs, chords, holes, speeds and feeds, threads, thread mill programs
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, subcommand_required = true, arg_required_else_help = true)]
 pub struct Args {
@@ -40,6 +45,9 @@ enum Subject {
     ArcArc(arcs::ArcArcArgs),
     Arc(arcs::ArcArgs),
     Chords(arcs::ChordsArgs),
+    BoltCircle(holes::BoltCircleArgs),
+    Speeds(cutting::Args),
+    TapDrill(holes::TapDrillArgs),
     Thread(thread::Args),
     ThreadMill(thread_mill::Args),
 }
@@ -53,6 +61,9 @@ pub fn run(args: &Args) -> Result<Verdict, Failure> {
         Subject::ArcArc(args) => arcs::arc_arc(args),
         Subject::Arc(args) => arcs::arc(args),
         Subject::Chords(args) => arcs::chords(args),
+        Subject::BoltCircle(args) => holes::circle(args),
+        Subject::Speeds(args) => cutting::run(args),
+        Subject::TapDrill(args) => holes::tap_drill_of(args),
         Subject::Thread(args) => thread::run(args),
         Subject::ThreadMill(args) => thread_mill::run(args),
     }?;
