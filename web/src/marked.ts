@@ -1,6 +1,6 @@
 // Rows of a path that are marked, cut anew as the zoom asks.
 
-import type { Plane } from "three";
+import { Group, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -11,20 +11,35 @@ import { Path, type Vec3 } from "./path";
 const MOST = 50_000;
 
 export class Marked {
-  readonly object = new LineSegments2();
+  readonly object = new Group();
+  private lines: LineSegments2;
   private material: LineMaterial;
+  private edge: LineMaterial | undefined;
+  private edges: LineSegments2 | undefined;
   private path = new Path();
   private ranges: [number, number][] = [];
 
-  /** Lines of a width in pixels, for so many rows at most. */
+  /** Lines of a width in pixels, for so many rows at most, with edges of a width on both sides. */
   constructor(
     width: number,
     private most = MOST,
+    edge = 0,
   ) {
     this.material = new LineMaterial({ linewidth: width, depthTest: false });
-    this.object.material = this.material;
-    this.object.frustumCulled = false;
+    if (edge > 0) {
+      this.edge = new LineMaterial({ linewidth: width + 2 * edge, depthTest: false });
+      this.edges = this.add(this.edge);
+    }
+    this.lines = this.add(this.material);
     this.object.visible = false;
+  }
+
+  private add(material: LineMaterial): LineSegments2 {
+    const lines = new LineSegments2();
+    lines.material = material;
+    lines.frustumCulled = false;
+    this.object.add(lines);
+    return lines;
   }
 
   /** Marks ranges of rows of a path, and none of before. */
@@ -55,8 +70,9 @@ export class Marked {
     }
     this.object.visible = points.length > 0;
     if (points.length === 0) return;
-    this.object.geometry.dispose();
-    this.object.geometry = new LineSegmentsGeometry().setPositions(points);
+    this.lines.geometry.dispose();
+    this.lines.geometry = new LineSegmentsGeometry().setPositions(points);
+    if (this.edges) this.edges.geometry = this.lines.geometry;
   }
 
   /** How far the origin of its path is from that of the shown one. */
@@ -64,12 +80,16 @@ export class Marked {
     this.object.position.set(...by);
   }
 
-  setColor(color: string): void {
+  setColor(color: string, edge = color): void {
     this.material.color.set(color);
+    this.edge?.color.set(edge);
   }
 
   clip(planes: Plane[]): void {
-    this.material.clippingPlanes = planes;
-    this.material.needsUpdate = true;
+    for (const material of [this.material, this.edge]) {
+      if (!material) continue;
+      material.clippingPlanes = planes;
+      material.needsUpdate = true;
+    }
   }
 }

@@ -33,7 +33,7 @@ const SHOW_EVERY = 150;
 const STILL: Quality = { level: -1, samples: 4, scale: 1 };
 
 /** Some lines of an object. */
-interface Piece {
+export interface Piece {
   object: LineSegments | LineSegments2;
   from: number;
   count: number;
@@ -118,6 +118,17 @@ export class Painter {
     if (this.state === "stale" || !this.own.visible) return;
     this.queue.push(whole(object));
     if (this.state === "complete") void this.drawQueue();
+  }
+
+  /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
+  repaint(pieces: Piece[]): void {
+    if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
+    const { keptLines } = this;
+    // So much is a new picture.
+    if (this.state === "complete" && weight(pieces) > 2 * this.slices.lines) return this.changed();
+    this.queue.push(...pieces);
+    if (this.state === "complete") while (this.queue.length > 0) this.drawSome();
+    this.keptLines = keptLines;
   }
 
   /** The last frame showed everything. */
@@ -268,7 +279,7 @@ function pieces(root: Object3D): Piece[] {
   return found;
 }
 
-function whole(object: LineSegments | LineSegments2): Piece {
+export function whole(object: LineSegments | LineSegments2): Piece {
   const { attributes, instanceCount } = object.geometry as LineSegments2["geometry"];
   const count = isWide(object) ? Math.min(instanceCount, attributes.instanceStart!.count) : attributes.position!.count / 2;
   return { object, from: 0, count };

@@ -68,7 +68,7 @@ export function showState(
   root: HTMLElement,
   modal: Modal | undefined,
   at: { place: Vec3; turn: Vec3 } | undefined,
-  now: { line: number; kind: number | undefined } | undefined,
+  now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
 ): void {
   root.replaceChildren();
   if (!modal) {
@@ -77,7 +77,7 @@ export function showState(
   }
   const units = { inch: modal.inch };
   const table = element("table");
-  if (now) row(table, "After line", count(now.line));
+  if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
     const [x, y, z] = at.place.map((value, axis) => coordinate(units, value - modal.shift[axis]!));

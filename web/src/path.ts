@@ -77,12 +77,19 @@ export function kindOf(flags: number): number {
   return flags & KIND;
 }
 
+/** Places of a row that are looked at first to find how much of it is done. */
+const LOOKS = 32;
+
 /** A path that grows batch by batch. */
 export class Path {
   batches: Batch[] = [];
   rows = 0;
   origin: Vec3 = [0, 0, 0];
   tools: number[] = [];
+  /** Tools that cut, in the order of their first cut. */
+  cutters: number[] = [];
+  /** Lowest and highest place of a cut, relative to the origin, mm. */
+  depths: [number, number] = [Infinity, -Infinity];
   maxFeed = 0;
   minFeed = Infinity;
   bounds: Bounds | undefined;
@@ -103,6 +110,7 @@ export class Path {
     const low: Vec3 = this.bounds ? [...this.bounds.low] : [Infinity, Infinity, Infinity];
     const high: Vec3 = this.bounds ? [...this.bounds.high] : [-Infinity, -Infinity, -Infinity];
     let lastTool = -1;
+    let lastCutter = -1;
     for (let row = 0; row < batch.rows; row++) {
       if (file[row] === 0) this.noteLine(line[row]!, batch.first + row);
       if (tool[row] !== lastTool) {
@@ -114,6 +122,14 @@ export class Path {
         this.minFeed = Math.min(this.minFeed, feed[row]!);
       }
       if (!(kind[row]! & KNOWN)) continue;
+      if (kindOf(kind[row]!) !== RAPID) {
+        if (tool[row] !== lastCutter) {
+          lastCutter = tool[row]!;
+          if (!this.cutters.includes(lastCutter)) this.cutters.push(lastCutter);
+        }
+        this.noteDepth(points[6 * row + 2]!);
+        this.noteDepth(points[6 * row + 5]!);
+      }
       for (let end = 0; end < 6; end += 3) {
         for (let axis = 0; axis < 3; axis++) {
           const value = points[6 * row + end + axis]!;
@@ -128,6 +144,7 @@ export class Path {
       const steps = arcEighths(batch.arcs, at);
       for (let step = 1; step < steps; step++) {
         const point = arcPoint(batch.arcs, at, step / steps);
+        this.noteDepth(point[2]);
         for (let axis = 0; axis < 3; axis++) {
           low[axis] = Math.min(low[axis]!, point[axis]!);
           high[axis] = Math.max(high[axis]!, point[axis]!);
@@ -142,6 +159,16 @@ export class Path {
       }
     }
     if (low[0] <= high[0]) this.bounds = { low, high };
+  }
+
+  private noteDepth(z: number): void {
+    if (z < this.depths[0]) this.depths[0] = z;
+    if (z > this.depths[1]) this.depths[1] = z;
+  }
+
+  /** The place of a tool in the order in which the tools cut first; the first for one that never cuts. */
+  cutterIndex(tool: number): number {
+    return Math.max(0, this.cutters.indexOf(tool));
   }
 
   private noteLine(line: number, row: number): void {
@@ -215,6 +242,29 @@ export class Path {
       return from + (turns[6 * found[1] + 3 + axis]! - from) * share;
     };
     return [mix(0), mix(1), mix(2)];
+  }
+
+  /** How much of a row is done where the tool is at a place, relative to the origin, mm: from 0 to 1. */
+  shareOf(row: number, at: Vec3): number {
+    const far = (share: number) => {
+      const point = this.pointOn(row, share);
+      return point ? Math.hypot(point[0] - at[0], point[1] - at[1], point[2] - at[2]) : Infinity;
+    };
+    let best = 0;
+    let least = far(0);
+    for (let step = 1; step <= LOOKS; step++) {
+      const distance = far(step / LOOKS);
+      if (distance < least) [best, least] = [step / LOOKS, distance];
+    }
+    // Between the neighbours of the best one.
+    let low = Math.max(0, best - 1 / LOOKS);
+    let high = Math.min(1, best + 1 / LOOKS);
+    for (let round = 0; round < 20; round++) {
+      const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
+      if (far(a) <= far(b)) high = b;
+      else low = a;
+    }
+    return (low + high) / 2;
   }
 
   /** A place on a row, relative to the origin, mm. */

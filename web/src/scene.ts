@@ -19,14 +19,16 @@ import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn } from "./lines";
 import { Marked } from "./marked";
+import type { Feature } from "./measure";
 import { Measured } from "./measured";
 import { Overlay } from "./overlay";
-import { Painter } from "./painter";
+import { Painter, type Piece, whole } from "./painter";
 import { pause } from "./pause";
 import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
 import { type Picked, pick } from "./picking";
+import { Progress, linesOnRows, spansOf } from "./progress";
 import { StrokeMaterials, Strokes, geometryOf } from "./strokes";
-import { ToolShape } from "./tool";
+import { type Drawn, ToolShape } from "./tool";
 
 /** Rows from which on fewer lines are drawn while the view turns. */
 const MANY = 20_000;
@@ -68,9 +70,10 @@ export class PathView {
   private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
   private chords = new Group();
   private fixed = new Fixed();
-  private mark = new Marked(4);
-  private cutMaterials = new StrokeMaterials();
-  private rapidMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.75 });
+  private mark = new Marked(3, undefined, 1.5);
+  private progress = new Progress();
+  private cutMaterials = new StrokeMaterials(this.progress);
+  private rapidMaterial = new LineDashedMaterial();
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
@@ -79,6 +82,7 @@ export class PathView {
   private turning = false;
   /** Since the last frame. */
   private hasMoved = false;
+  private marksMoved = false;
   private stillTimer = 0;
   private wanted = false;
   /** Work that is done part by part is given up when newer work is asked for. */
@@ -98,6 +102,7 @@ export class PathView {
     palette: Palette,
   ) {
     this.palette = palette;
+    this.progress.attach(this.rapidMaterial);
     this.eye = new Eye(canvas, () => this.moved());
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
@@ -157,7 +162,7 @@ export class PathView {
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
     }
     // The coarse path first: it is what shows until the picture of the whole one is drawn.
-    if (this.colorBy === "speed") await this.recolor();
+    if (this.colorBy !== "tool") await this.recolor();
     else await this.makeCoarse();
     if (path !== this.path) return;
     this.painter.showsPart = false;
@@ -181,11 +186,11 @@ export class PathView {
     part.rapids = undefined;
     if (cuts.count > 0) {
       const wide = this.path.rows <= this.mostWide && cuts.count <= this.mostWide;
-      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), this.cutMaterials, wide);
+      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
       this.cuts.add(part.cuts.object);
     }
     if (rapids.count > 0) {
-      part.rapids = new LineSegments(geometryOf(rapids.points), this.rapidMaterial);
+      part.rapids = new LineSegments(geometryOf(rapids.points, spansOf(part.batch.first, rapids)), this.rapidMaterial);
       part.rapids.computeLineDistances();
       part.rapids.frustumCulled = false;
       this.rapids.add(part.rapids);
@@ -202,7 +207,8 @@ export class PathView {
 
   /** The colours of both ends of each line. */
   private colors(batch: Batch, lines: Lines): Uint8Array {
-    return colorsOf(this.palette, this.colorBy, batch, lines, [this.path.minFeed, this.path.maxFeed]);
+    const { cutters, minFeed, maxFeed, depths } = this.path;
+    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths }, batch, lines);
   }
 
   /** Gives all lines their colours anew, a part at a time. */
@@ -227,13 +233,14 @@ export class PathView {
   setPalette(palette: Palette): void {
     this.palette = palette;
     this.painter.renderer.setClearColor(new Color(palette.background));
+    this.progress.setBackground(palette.background);
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.other.setColor(palette.other);
     this.apart.setColor(palette.apart);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
-    this.mark.setColor(palette.mark);
+    this.mark.setColor(palette.mark, palette.markEdge);
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     void this.recolor();
@@ -337,6 +344,38 @@ export class PathView {
     this.render();
   }
 
+  /** Draws pale what comes after so many rows; `Infinity`: nothing is to come. */
+  showDone(rows: number): void {
+    const before = this.progress.done;
+    if (rows === before) return;
+    this.progress.set(rows);
+    // Forward only what is done now has another colour.
+    if (rows > before && rows !== Infinity) this.painter.repaint(this.piecesOn(Math.floor(before), Math.floor(rows)));
+    else this.painter.changed();
+    this.render();
+  }
+
+  /** Rows that are drawn as done: for tests. */
+  get doneRows(): number {
+    return this.progress.done;
+  }
+
+  /** What of the picture lies on rows, from and to, both counted. */
+  private piecesOn(from: number, to: number): Piece[] {
+    const pieces: Piece[] = [];
+    for (const { batch, lines, cuts, rapids } of this.drawnBatches) {
+      if (batch.first > to || batch.first + batch.rows <= from) continue;
+      const on = (own: Lines, object: Piece["object"] | undefined) => {
+        const [first, end] = linesOnRows(own, from - batch.first, to - batch.first);
+        if (!object || end <= first) return;
+        pieces.push(object === cuts?.object && cuts.isWide ? whole(object) : { object, from: first, count: end - first });
+      };
+      on(lines.cuts, cuts?.object);
+      if (this.rapids.visible) on(lines.rapids, rapids);
+    }
+    return pieces;
+  }
+
   /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
   placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
     this.tool.place(at, up);
@@ -344,14 +383,14 @@ export class PathView {
   }
 
   /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
-  toolStands(): { at: Vec3; up: Vec3 } {
+  toolStands(): { at: Vec3; up: Vec3; width: number } {
     const { position, quaternion } = this.tool.object;
     const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
-    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray() };
+    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width };
   }
 
-  shapeTool(diameter: number | null, length: number | null, corner: number | null): void {
-    this.tool.shape(diameter, length, corner, longest(this.path.bounds, 50));
+  shapeTool(tool: Drawn | undefined): void {
+    this.tool.shape(tool, longest(this.path.bounds, 50));
     this.render();
   }
 
@@ -400,8 +439,19 @@ export class PathView {
 
   /** A line between two places, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
-    this.measured.show(from, to, this.eye.pixel());
+    this.measured.show(from, to, this.eye.screen());
     this.render();
+  }
+
+  /** Marks what a click would take; none: nothing. */
+  showSnap(feature: Feature | undefined): void {
+    this.measured.showSnap(feature, this.eye.screen());
+    this.render();
+  }
+
+  /** What is marked so: for tests. */
+  get snapped(): Feature | undefined {
+    return this.measured.snapped;
   }
 
   /** The row at a place of the canvas. */
@@ -510,7 +560,7 @@ export class PathView {
   }
 
   private moved(): void {
-    this.hasMoved = true;
+    this.hasMoved = this.marksMoved = true;
     if (this.eye.userMoved && !this.turning) {
       this.turning = true;
       this.painter.pace.begin();
@@ -575,6 +625,8 @@ export class PathView {
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
       this.other.dash(pixel);
+      if (this.marksMoved) this.measured.draw(this.eye.screen());
+      this.marksMoved = false;
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();

@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 use chordal::Machine;
+use chordal::control::table;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
@@ -195,13 +196,20 @@ impl Shown {
             None => self.loader.again(),
         };
         let loaded = loader.load_text(Text::of(&self.name(), text)?, &self.input)?;
-        let title = loaded.machine().title.clone();
+        // Of a machine that nobody named only the control is known: its axes and its maker are those of the
+        // file that stands in for it.
+        let is_guess = loaded.chosen.is_guess();
+        let control = table(loaded.machine().control).title;
+        let title = if is_guess { control.to_string() } else { loaded.machine().title.clone() };
         let why = match &loaded.chosen {
-            Chosen::Folder(path) => Some(format!("{} says so", path.display())),
+            Chosen::Folder(path) => Some(format!("named in {}", path.display())),
             chosen => chosen.why(&title),
         };
         let program = loaded.program;
-        let (mut texts, machine, options) = loaded.into_parts();
+        let (mut texts, mut machine, options) = loaded.into_parts();
+        if is_guess {
+            machine.title = format!("{title}, machine not named");
+        }
         // The first is the text itself.
         let beside = texts.split_off(1);
         let (name, text) = texts.pop().unwrap_or_default();
