@@ -1,4 +1,4 @@
-// The pane "Compare": what the program is held against, the answer, and the differences one by one.
+// The pane "Compare": what the program is compared with, the answer, and the differences one by one.
 
 import { linesText } from "./compare";
 import { signButton } from "./icons";
@@ -62,7 +62,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
   const controls = element("div", "controls");
   const walk = element("span", "walk");
   walk.append(back, forth, which);
-  controls.append(labelled("Against", against), labelled("Tolerance", tolerance, unit), walk);
+  controls.append(labelled("Compare with", against), labelled("Tolerance", tolerance, unit), walk);
   const verdict = element("p", "verdict");
   const notes = element("div", "notes");
   const list = element("ul", "differences");
@@ -95,7 +95,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
       const line = element("span", "side");
       line.append(element("span", `swatch ${side === 0 ? "own" : "other"}`), element("span", "where", linesText(blocks)));
       if (value !== null) line.append(element("span", "value", value));
-      line.append(element("code", "", lacks && blocks ? `has no such block; after ${words}` : words));
+      line.append(element("code", "", lacks && blocks ? `no such block; it would come after ${words}` : words));
       if (steps > 1) line.append(element("span", "where", counted(steps, "block")));
       show.append(line);
     }
@@ -206,7 +206,7 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
   const [otherBox, , otherText] = made("other", told.other);
   const end = signButton("close", "Stop comparing", told.end);
   const apart = element("span", "key");
-  apart.append(element("span", "swatch apart"), "apart");
+  apart.append(element("span", "swatch apart"), "different");
   apart.hidden = true;
   root.append(apart, end);
   root.hidden = true;

@@ -96,9 +96,9 @@ export function layout(root: HTMLElement) {
   const [toolLabel, toolOn] = check("Tool", true);
   const [travelLabel, travel] = check("Travel", false);
   travel.id = "travel";
-  travelLabel.title = "The box that the machine can reach";
+  travelLabel.title = "The space that the machine can reach";
   rapidsLabel.title = "Rapid moves";
-  toolLabel.title = "The tool where the time is, or the cursor";
+  toolLabel.title = "The tool at the time of the slider, or at the line of the cursor";
   const [chordsLabel, chordsOn] = check("Chords", false);
   chordsLabel.title = "The straight pieces that a control would send for the arcs";
   chordsOn.id = "chords";
@@ -107,8 +107,8 @@ export function layout(root: HTMLElement) {
   tolerance.id = "tolerance";
   Object.assign(tolerance, { min: "-4", max: "1", step: "0.05", value: "-0.5" });
   tolerance.setAttribute("aria-label", "Tolerance of the chords");
-  const [balancedLabel, balanced] = check("both sides", false);
-  balancedLabel.title = "Corners outside the arc and middles inside it, by the same distance";
+  const [balancedLabel, balanced] = check("inside and outside", false);
+  balancedLabel.title = "The ends of the chords outside the arc and their middles inside it, by the same distance";
   const chordText = element("output", "chord-text");
   chordText.setAttribute("aria-live", "polite");
   const chordControls = element("span", "chord-controls");
@@ -285,7 +285,7 @@ export function layout(root: HTMLElement) {
     comparison: (text: string) => (comparison.textContent = text),
     /** What is told of rotary axes. */
     turns(text: string): void {
-      turns.textContent = text;
+      setRich(turns, text);
       turns.hidden = text === "";
     },
     /** From where on the path is not known. */

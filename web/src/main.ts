@@ -235,6 +235,7 @@ function takeFrame(frame: Frame): void {
         totalS: Number(header.total_s),
       };
       timeline.set(setpoints, { inch: report?.inch ?? false });
+      tellReadout(0);
       break;
     }
     default:
@@ -270,7 +271,10 @@ function finish(told: Report): void {
   tellProblems();
   tellTimes();
   void tellOutline();
-  if (setpoints) timeline.set(setpoints, { inch: told.inch });
+  if (setpoints) {
+    timeline.set(setpoints, { inch: told.inch });
+    tellReadout(timeline.time);
+  }
   cursorAt(editor.line);
   if (ui.chordsOn.checked) askChords();
 }
@@ -401,6 +405,12 @@ function shapeTool(number: number): void {
   view.shapeTool(machine?.tools.find((own) => own.number === number));
 }
 
+/** Position and speed at a time, from the start on: the line must not come when the motion begins. */
+function tellReadout(seconds: number): void {
+  const moment = setpoints && momentAt(setpoints, seconds);
+  if (moment) ui.readout(moment.programmed, moment.turn, moment.speed, { inch: report?.inch ?? false });
+}
+
 let shown = "";
 let shownLine = "";
 /** A place is looked at, nothing is played: all of the path is shown as it is. */
@@ -416,8 +426,7 @@ timeline.onTime = (seconds) => {
   // At both ends there is nothing to tell apart.
   const isWithin = seconds > 0 && seconds < (setpoints?.totalS ?? 0) && !isLooking;
   view.showDone(isWithin ? shownRow + path.shareOf(shownRow, at) : Infinity);
-  const units = { inch: report?.inch ?? false };
-  ui.readout(moment.programmed, moment.turn, moment.speed, units);
+  tellReadout(seconds);
   showRow(shownRow);
 };
 

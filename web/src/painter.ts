@@ -22,22 +22,14 @@ import {
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { type Coarse, LEVELS } from "./coarse";
 import { Pace, type Quality, Slices } from "./pace";
+import { type Piece, cost, isWide, pieces, weight, whole } from "./pieces";
 
-/** What a wide line costs more than one of a pixel. */
-const WIDE_COST = 8;
 /** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
 const SMOOTH_FROM = 100_000;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_EVERY = 150;
 
 const STILL: Quality = { level: -1, samples: 4, scale: 1 };
-
-/** Some lines of an object. */
-export interface Piece {
-  object: LineSegments | LineSegments2;
-  from: number;
-  count: number;
-}
 
 export class Painter {
   readonly renderer: WebGLRenderer;
@@ -268,34 +260,6 @@ export class Painter {
     }
     return target;
   }
-}
-
-/** Everything of an object that is to be seen. */
-function pieces(root: Object3D): Piece[] {
-  const found: Piece[] = [];
-  root.traverseVisible((object) => {
-    if ("geometry" in object) found.push(whole(object as LineSegments));
-  });
-  return found;
-}
-
-export function whole(object: LineSegments | LineSegments2): Piece {
-  const { attributes, instanceCount } = object.geometry as LineSegments2["geometry"];
-  const count = isWide(object) ? Math.min(instanceCount, attributes.instanceStart!.count) : attributes.position!.count / 2;
-  return { object, from: 0, count };
-}
-
-function isWide(object: LineSegments | LineSegments2): object is LineSegments2 {
-  return "isLineSegments2" in object;
-}
-
-function cost(object: LineSegments | LineSegments2): number {
-  return isWide(object) ? WIDE_COST : 1;
-}
-
-/** Lines, each counted as what it costs. */
-function weight(pieces: Piece[]): number {
-  return pieces.reduce((sum, { object, count }) => sum + count * cost(object), 0);
 }
 
 /** By the name it gives itself: a guess to begin with, the pace is measured. */

@@ -2,6 +2,7 @@
 
 import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
+import { rich } from "./rich";
 import { type Units, angles, coordinate, count, counted, duration, length, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(
@@ -30,7 +31,7 @@ const MOST_ENTRIES = 2_000;
 export function showOutline(root: HTMLElement, entries: Entry[] | undefined, go: (line: number) => void): void {
   root.replaceChildren();
   if (!entries || entries.length === 0) {
-    root.append(element("p", "clean", entries ? "No entries for an outline." : "Reading…"));
+    root.append(element("p", "clean", entries ? "Nothing to list: the program has no tools and no operations." : "Reading…"));
     return;
   }
   let left = MOST_ENTRIES;
@@ -122,7 +123,7 @@ export function showTimes(
   go: (line: number) => void,
 ): void {
   root.replaceChildren();
-  if (message) root.append(element("p", "refused", message));
+  if (message) root.append(rich(message, "refused", "p"));
   if (!times) {
     if (!message) root.append(element("p", "clean", "Planning…"));
     return;
@@ -154,10 +155,10 @@ export function showTimes(
   for (const value of [cutting_s, rapid_s, other_s, total_s]) all.insertCell().textContent = duration(value);
   root.append(table);
   if (report) {
-    root.append(element("p", "", `Cuts ${length(units, report.cut_length_mm)}, rapids ${length(units, report.rapid_length_mm)}.`));
+    root.append(element("p", "", `Length of cuts ${length(units, report.cut_length_mm)}, of rapids ${length(units, report.rapid_length_mm)}.`));
   }
   if (times.cuts_without_feed > 0) {
-    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed, not counted.`));
+    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed: not in the time.`));
   }
   if (times.assumed > 0) {
     root.append(element("p", "more", "Typical limits were used where the machine file gives none."));

@@ -22,12 +22,14 @@ import { Marked } from "./marked";
 import type { Feature } from "./measure";
 import { Measured } from "./measured";
 import { Overlay } from "./overlay";
-import { Painter, type Piece, whole } from "./painter";
+import { Painter } from "./painter";
 import { pause } from "./pause";
-import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
+import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { type Picked, pick } from "./picking";
-import { Progress, linesOnRows, spansOf } from "./progress";
-import { StrokeMaterials, Strokes, geometryOf } from "./strokes";
+import { type DrawnBatch, piecesOn } from "./pieces";
+import { Progress, spansOf } from "./progress";
+import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./strokes";
+import { type Tolerance, seenTolerance } from "./tolerance";
 import { type Drawn, ToolShape } from "./tool";
 
 /** Rows from which on fewer lines are drawn while the view turns. */
@@ -41,12 +43,8 @@ const STILL = 160;
 // Colours are drawn as they are written: the page has no light that would need linear ones.
 ColorManagement.enabled = false;
 
-interface DrawnBatch {
-  batch: Batch;
-  cuts: Strokes | undefined;
-  rapids: LineSegments | undefined;
-  lines: { cuts: Lines; rapids: Lines };
-}
+/** No lines. */
+const NONE: Lines = { points: new Float32Array(0), rows: undefined, count: 0 };
 
 /** What of the path is shown; what is not said is all. */
 export interface Section {
@@ -142,7 +140,7 @@ export class PathView {
       batch,
       cuts: undefined,
       rapids: undefined,
-      lines: { cuts: none(), rapids: none() },
+      lines: { cuts: NONE, rapids: NONE },
     };
     this.drawnBatches.push(part);
     part.lines = drawn(batch, this.tolerance(), this.keep(batch));
@@ -350,30 +348,15 @@ export class PathView {
     if (rows === before) return;
     this.progress.set(rows);
     // Forward only what is done now has another colour.
-    if (rows > before && rows !== Infinity) this.painter.repaint(this.piecesOn(Math.floor(before), Math.floor(rows)));
-    else this.painter.changed();
+    if (rows > before && rows !== Infinity) {
+      this.painter.repaint(piecesOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
+    } else this.painter.changed();
     this.render();
   }
 
   /** Rows that are drawn as done: for tests. */
   get doneRows(): number {
     return this.progress.done;
-  }
-
-  /** What of the picture lies on rows, from and to, both counted. */
-  private piecesOn(from: number, to: number): Piece[] {
-    const pieces: Piece[] = [];
-    for (const { batch, lines, cuts, rapids } of this.drawnBatches) {
-      if (batch.first > to || batch.first + batch.rows <= from) continue;
-      const on = (own: Lines, object: Piece["object"] | undefined) => {
-        const [first, end] = linesOnRows(own, from - batch.first, to - batch.first);
-        if (!object || end <= first) return;
-        pieces.push(object === cuts?.object && cuts.isWide ? whole(object) : { object, from: first, count: end - first });
-      };
-      on(lines.cuts, cuts?.object);
-      if (this.rapids.visible) on(lines.rapids, rapids);
-    }
-    return pieces;
   }
 
   /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
@@ -517,22 +500,9 @@ export class PathView {
     return extent.edges;
   }
 
-  /** A quarter of a pixel, for arcs that can be seen; the others stay as coarse as they may. */
-  private tolerance(path = this.path): (arcs: Float32Array, index: number) => number {
-    const pixel = this.eye.pixel();
-    const matrix = this.eye.matrix();
-    const side = this.eye.shorterSide();
-    const center = new Vector3();
-    const many = path.rows > MANY;
-    // Whether it is in sight is asked of places relative to the origin of the shown path.
-    const [dx, dy, dz] = difference(path.origin, this.path.origin);
-    return (arcs, index) => {
-      const reach = arcReach(arcs, index);
-      center.set(arcs[13 * index]! + dx, arcs[13 * index + 1]! + dy, arcs[13 * index + 2]! + dz).applyMatrix4(matrix);
-      const margin = 1 + (2 * reach) / side;
-      const seen = Math.abs(center.x) < margin && Math.abs(center.y) < margin;
-      return seen ? pixel * (many ? 0.5 : 0.25) : Math.max(pixel, reach / 20);
-    };
+  /** How far the pieces of an arc may be from it, as it is seen now. */
+  private tolerance(path = this.path): Tolerance {
+    return seenTolerance(this.eye, difference(path.origin, this.path.origin), path.rows > MANY);
   }
 
   /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
@@ -632,18 +602,4 @@ export class PathView {
       this.onDrawn();
     });
   }
-}
-
-function none(): Lines {
-  return { points: new Float32Array(0), rows: undefined, count: 0 };
-}
-
-function remove(object: LineSegments | undefined): void {
-  if (!object) return;
-  object.geometry.dispose();
-  object.removeFromParent();
-}
-
-function empty(group: Group): void {
-  for (const object of [...group.children]) remove(object as LineSegments);
 }

@@ -1,6 +1,6 @@
 // Lines in colours of their own: wide ones where there are few, the card's own where there are many.
 
-import { BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
+import { BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, type Group, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -68,4 +68,14 @@ export function geometryOf(points: Float32Array, spans?: Float32Array): BufferGe
   geometry.setAttribute("position", new BufferAttribute(points, 3));
   if (spans) geometry.setAttribute("rowAt", new BufferAttribute(spans, 1));
   return geometry;
+}
+
+export function remove(object: LineSegments | undefined): void {
+  if (!object) return;
+  object.geometry.dispose();
+  object.removeFromParent();
+}
+
+export function empty(group: Group): void {
+  for (const object of [...group.children]) remove(object as LineSegments);
 }

@@ -391,7 +391,7 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
   await page.close();
   // A machine whose file does not say what A turns: drawn without, and told.
   const plain = await show(path, "--machine", "linuxcnc-mill");
-  assert.match(await plain.page.locator(".turns").innerText(), /^A: not known what it turns/);
+  assert.match(await plain.page.locator(".turns").innerText(), /^What A turns is not known/);
   await picture(plain.page, "rotary-unknown");
   await plain.page.close();
   rmSync(folder, { recursive: true, force: true });

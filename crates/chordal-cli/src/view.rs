@@ -202,7 +202,7 @@ impl Shown {
         let control = table(loaded.machine().control).title;
         let title = if is_guess { control.to_string() } else { loaded.machine().title.clone() };
         let why = match &loaded.chosen {
-            Chosen::Folder(path) => Some(format!("named in {}", path.display())),
+            Chosen::Folder(path) => Some(self.named_in(path)),
             chosen => chosen.why(&title),
         };
         let program = loaded.program;
@@ -220,6 +220,20 @@ impl Shown {
                 format!("{errors:?}"),
             )
         })
+    }
+}
+
+impl Shown {
+    /// Where the machine is named: a file of the program's own folder without the folder.
+    fn named_in(&self, file: &Path) -> String {
+        let folder = self.input.path.as_deref().and_then(|path| path.canonicalize().ok());
+        let own = folder.as_deref().and_then(Path::parent);
+        match (file.file_name(), file.parent()) {
+            (Some(name), Some(parent)) if Some(parent) == own => {
+                format!("named in {} of the same folder", name.to_string_lossy())
+            }
+            _ => format!("named in {}", file.display()),
+        }
     }
 }
 
