@@ -17,7 +17,7 @@ import {
 import type { Place, Problem } from "./link";
 import { element } from "./panels";
 import { plain, rich } from "./rich";
-import { markdown } from "./words";
+import { markdown, unwrapped } from "./words";
 
 export interface Change {
   from: number;
@@ -274,7 +274,7 @@ export function explain(problem: Problem): HTMLElement {
   problem.notes.forEach((note) => part("note", note));
   part("help", problem.help);
   const more = element("details");
-  more.append(element("summary", "", "What it means"), markdown(problem.explanation));
+  more.append(element("summary", "", "What it means"), markdown(unwrapped(problem.explanation)));
   root.append(more);
   return root;
 }

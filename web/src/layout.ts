@@ -88,7 +88,8 @@ export function layout(root: HTMLElement) {
   const color = element("select");
   color.id = "color";
   color.setAttribute("aria-label", "Colour of cuts");
-  for (const [value, text] of [["tool", "Colour by tool"], ["speed", "Colour by feed"], ["depth", "Colour by depth"]] as const) {
+  color.title = "Colour of the cuts";
+  for (const [value, text] of [["tool", "By tool"], ["speed", "By feed"], ["depth", "By depth"]] as const) {
     color.append(new Option(text, value));
   }
   color.addEventListener("change", () => api.onColor(color.value as ColorBy));

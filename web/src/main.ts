@@ -288,11 +288,11 @@ function chordsText(header: Frame["header"]): string {
     ? `chord error ${length(units, error_mm, true, 2)}`
     : `chord error at most ${length(units, Number(tolerance_mm), true, 2)}`;
   const hidden = Number(left_out) > 0 ? `, ${count(Number(left_out))} not drawn` : "";
-  return `${chordTolerance()}: ${counted(Number(chords), "chord")} on ${counted(Number(curves), "curve")}, ${error}${hidden}`;
+  return `${chordTolerance(Number(tolerance_mm))}: ${counted(Number(chords), "chord")} on ${counted(Number(curves), "curve")}, ${error}${hidden}`;
 }
 
-function chordTolerance(): string {
-  return `Tolerance ${length({ inch: report?.inch ?? false }, ui.chordTolerance(), true, 2)}`;
+function chordTolerance(mm: number): string {
+  return `Tolerance ${length({ inch: report?.inch ?? false }, mm, true, 2)}`;
 }
 
 /** Which colour is which tool, and that of the first for the whole path. */
@@ -486,7 +486,7 @@ function askChords(): void {
     return;
   }
   const mm = ui.chordTolerance();
-  ui.chordsTold(chordTolerance());
+  ui.chordsTold(chordTolerance(mm));
   link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked });
 }
 

@@ -1,11 +1,12 @@
 // Rows of a path that are marked, cut anew as the zoom asks.
 
-import { Group, type Plane } from "three";
+import { Group, InstancedBufferAttribute, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { type Tolerance, someRows } from "./lines";
-import { Path, type Vec3 } from "./path";
+import { type Batch, Path, type Vec3 } from "./path";
+import type { Progress } from "./progress";
 
 /** Rows that are marked at most, where nothing else is said. */
 const MOST = 50_000;
@@ -19,13 +20,18 @@ export class Marked {
   private path = new Path();
   private ranges: [number, number][] = [];
 
-  /** Lines of a width in pixels, for so many rows at most, with edges of a width on both sides. */
+  /**
+   * Lines of a width in pixels, for so many rows at most, with edges of a width on both sides;
+   * what is to come is pale where there is a progress.
+   */
   constructor(
     width: number,
     private most = MOST,
     edge = 0,
+    progress?: Progress,
   ) {
     this.material = new LineMaterial({ linewidth: width, depthTest: false });
+    progress?.attach(this.material, true);
     if (edge > 0) {
       this.edge = new LineMaterial({ linewidth: width + 2 * edge, depthTest: false });
       this.edges = this.add(this.edge);
@@ -56,6 +62,7 @@ export class Marked {
   /** Cuts arcs as fine as they must be now. */
   cut(tolerance: Tolerance): void {
     const points: number[] = [];
+    const spans: number[] = [];
     let left = this.most;
     for (const [first, last] of this.ranges) {
       for (let row = first; row <= last && left > 0; ) {
@@ -64,7 +71,7 @@ export class Marked {
         const [batch, from] = found;
         const to = Math.min(batch.rows - 1, last - batch.first, from + left - 1);
         left -= to - from + 1;
-        for (const value of someRows(batch, from, to, tolerance)) points.push(value);
+        for (let own = from; own <= to; own++) this.row(batch, own, tolerance, points, spans);
         row = batch.first + to + 1;
       }
     }
@@ -72,7 +79,16 @@ export class Marked {
     if (points.length === 0) return;
     this.lines.geometry.dispose();
     this.lines.geometry = new LineSegmentsGeometry().setPositions(points);
+    this.lines.geometry.setAttribute("rowSpan", new InstancedBufferAttribute(new Float32Array(spans), 2));
     if (this.edges) this.edges.geometry = this.lines.geometry;
+  }
+
+  /** The lines of a row of a batch, and the share of the row at both ends of each. */
+  private row(batch: Batch, row: number, tolerance: Tolerance, points: number[], spans: number[]): void {
+    const own = someRows(batch, row, row, tolerance);
+    for (const value of own) points.push(value);
+    const lines = own.length / 6;
+    for (let line = 0; line < lines; line++) spans.push(batch.first + row + line / lines, batch.first + row + (line + 1) / lines);
   }
 
   /** How far the origin of its path is from that of the shown one. */

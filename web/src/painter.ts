@@ -24,6 +24,8 @@ import { type Coarse, LEVELS } from "./coarse";
 import { Pace, type Quality, Slices } from "./pace";
 import { type Piece, cost, isWide, pieces, weight, whole } from "./pieces";
 
+/** Lines that any machine draws in a frame. */
+const SMALL = 8_000;
 /** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
 const SMOOTH_FROM = 100_000;
 /** How often a picture that is being drawn is shown, ms. */
@@ -62,6 +64,8 @@ export class Painter {
   private state: "stale" | "drawing" | "complete" = "stale";
   private drewAll = false;
   private queue: Piece[] = [];
+  /** What was given another colour while the picture was drawn. */
+  private late: Piece[] = [];
   /** The number of the picture that is being drawn: what was begun for another is given up. */
   private picture = 0;
   private shownAt = 0;
@@ -103,6 +107,7 @@ export class Painter {
     this.picture++;
     this.state = "stale";
     this.queue = [];
+    this.late = [];
   }
 
   /** An object was added to the path: a picture that is there or being drawn gets it, too. */
@@ -115,11 +120,18 @@ export class Painter {
   /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
   repaint(pieces: Piece[]): void {
     if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
-    const { keptLines } = this;
+    this.late.push(...pieces);
     // So much is a new picture.
-    if (this.state === "complete" && weight(pieces) > 2 * this.slices.lines) return this.changed();
-    this.queue.push(...pieces);
-    if (this.state === "complete") while (this.queue.length > 0) this.drawSome();
+    if (weight(this.late) > 2 * Math.max(SMALL, this.slices.lines)) return this.changed();
+    if (this.state === "complete") this.drawLate();
+  }
+
+  /** At once: while something plays there are some of them in each frame, and a queue would never end. */
+  private drawLate(): void {
+    const { keptLines } = this;
+    this.queue = this.late;
+    this.late = [];
+    while (this.queue.length > 0) this.drawSome();
     this.keptLines = keptLines;
   }
 
@@ -216,6 +228,7 @@ export class Painter {
       if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
     }
     this.state = "complete";
+    this.drawLate();
     this.wanted();
   }
 

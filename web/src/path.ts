@@ -88,8 +88,9 @@ export class Path {
   tools: number[] = [];
   /** Tools that cut, in the order of their first cut. */
   cutters: number[] = [];
-  /** Lowest and highest place of a cut, relative to the origin, mm. */
-  depths: [number, number] = [Infinity, -Infinity];
+  /** Lowest and highest place of all cuts, and the highest of those that move across, relative to the origin, mm. */
+  private heights: [number, number] = [Infinity, -Infinity];
+  private highestAcross = -Infinity;
   maxFeed = 0;
   minFeed = Infinity;
   bounds: Bounds | undefined;
@@ -127,8 +128,9 @@ export class Path {
           lastCutter = tool[row]!;
           if (!this.cutters.includes(lastCutter)) this.cutters.push(lastCutter);
         }
-        this.noteDepth(points[6 * row + 2]!);
-        this.noteDepth(points[6 * row + 5]!);
+        const isAcross = points[6 * row] !== points[6 * row + 3] || points[6 * row + 1] !== points[6 * row + 4];
+        this.noteHeight(points[6 * row + 2]!, isAcross);
+        this.noteHeight(points[6 * row + 5]!, isAcross);
       }
       for (let end = 0; end < 6; end += 3) {
         for (let axis = 0; axis < 3; axis++) {
@@ -144,7 +146,7 @@ export class Path {
       const steps = arcEighths(batch.arcs, at);
       for (let step = 1; step < steps; step++) {
         const point = arcPoint(batch.arcs, at, step / steps);
-        this.noteDepth(point[2]);
+        this.noteHeight(point[2], true);
         for (let axis = 0; axis < 3; axis++) {
           low[axis] = Math.min(low[axis]!, point[axis]!);
           high[axis] = Math.max(high[axis]!, point[axis]!);
@@ -161,9 +163,19 @@ export class Path {
     if (low[0] <= high[0]) this.bounds = { low, high };
   }
 
-  private noteDepth(z: number): void {
-    if (z < this.depths[0]) this.depths[0] = z;
-    if (z > this.depths[1]) this.depths[1] = z;
+  private noteHeight(z: number, isAcross: boolean): void {
+    if (z < this.heights[0]) this.heights[0] = z;
+    if (z > this.heights[1]) this.heights[1] = z;
+    if (isAcross && z > this.highestAcross) this.highestAcross = z;
+  }
+
+  /**
+   * Lowest and highest place of the cuts, relative to the origin, mm; the highest that moves across, if there is
+   * one above the lowest: the feed down from the clearance plane would take most of a scale.
+   */
+  get depths(): [number, number] {
+    const [low, high] = this.heights;
+    return [low, this.highestAcross > low ? this.highestAcross : high];
   }
 
   /** The place of a tool in the order in which the tools cut first; the first for one that never cuts. */

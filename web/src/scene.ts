@@ -68,7 +68,7 @@ export class PathView {
   private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
   private chords = new Group();
   private fixed = new Fixed();
-  private mark = new Marked(3, undefined, 1.5);
+  private mark: Marked;
   private progress = new Progress();
   private cutMaterials = new StrokeMaterials(this.progress);
   private rapidMaterial = new LineDashedMaterial();
@@ -101,6 +101,7 @@ export class PathView {
   ) {
     this.palette = palette;
     this.progress.attach(this.rapidMaterial);
+    this.mark = new Marked(3, undefined, 1.5, this.progress);
     this.eye = new Eye(canvas, () => this.moved());
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;

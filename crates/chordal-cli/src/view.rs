@@ -203,12 +203,14 @@ impl Shown {
         let title = if is_guess { control.to_string() } else { loaded.machine().title.clone() };
         let why = match &loaded.chosen {
             Chosen::Folder(path) => Some(self.named_in(path)),
-            chosen => chosen.why(&title),
+            chosen => chosen
+                .why(&title)
+                .map(|why| format!("{why}; machine not named, its limits are typical")),
         };
         let program = loaded.program;
         let (mut texts, mut machine, options) = loaded.into_parts();
         if is_guess {
-            machine.title = format!("{title}, machine not named");
+            machine.title = title;
         }
         // The first is the text itself.
         let beside = texts.split_off(1);
