@@ -48,11 +48,14 @@ function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElem
 /** Tools that the legend names. */
 const MOST_KEYS = 24;
 
+/** Tools from which on the legend does not say what is not known of each. */
+const FEW_KEYS = 6;
+
 /** `T1`, and what is known of it. */
-function toolName(tool: number, machine: MachineInfo | undefined, units: Units): string {
+function toolName(tool: number, machine: MachineInfo | undefined, units: Units, isShort: boolean): string {
   if (tool === 0) return "No tool";
   const known = machine?.tools.find(({ number }) => number === tool);
-  const wide = known?.diameter_mm ? `Ø${length(units, Math.abs(known.diameter_mm))}` : "Ø not known";
+  const wide = known?.diameter_mm ? `Ø${length(units, Math.abs(known.diameter_mm))}` : isShort ? "" : "Ø not known";
   return [`T${tool}`, wide, known?.shape].filter(Boolean).join(" ");
 }
 
@@ -327,7 +330,7 @@ export function layout(root: HTMLElement) {
           const item = element("span", "key");
           const swatch = element("span", "swatch");
           swatch.style.background = toolColor(palette, index);
-          item.append(swatch, toolName(tool, machine, units));
+          item.append(swatch, toolName(tool, machine, units, path.cutters.length > FEW_KEYS));
           legend.append(item);
         }
         const more = path.cutters.length - MOST_KEYS;

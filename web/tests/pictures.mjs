@@ -116,6 +116,7 @@ async function files() {
   await page.setViewportSize({ width: 760, height: 1075 });
   await page.emulateMedia({ media: "print", colorScheme: "light" });
   await page.goto(pathToFileURL(sheet).href);
+  await page.evaluate(() => (document.body.style.margin = "24px"));
   await page.screenshot({ path: join(OUT, "report.png") });
   await page.close();
   execFileSync(CHORDAL, ["run", "thread-mill.nc", "-o", join(OUT, "thread-mill.png")], { cwd: join(ROOT, "examples/haas") });

@@ -199,10 +199,15 @@ impl Shown {
         // Of a machine that nobody named only the control is known: its axes and its maker are those of the
         // file that stands in for it.
         let is_guess = loaded.chosen.is_guess();
-        let control = table(loaded.machine().control).title;
-        let title = if is_guess { control.to_string() } else { loaded.machine().title.clone() };
+        let foreign = loaded.not_read().and(loaded.chosen.recognition());
+        let title = match foreign {
+            Some(found) => found.chosen().title.to_string(),
+            None if is_guess => table(loaded.machine().control).title.to_string(),
+            None => loaded.machine().title.clone(),
+        };
         let why = match &loaded.chosen {
             Chosen::Folder(path) => Some(self.named_in(path)),
+            chosen if foreign.is_some() => chosen.why(&title),
             chosen => chosen
                 .why(&title)
                 .map(|why| format!("{why}; machine not named, its limits are typical")),

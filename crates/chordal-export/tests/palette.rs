@@ -1,5 +1,7 @@
 //! The page and the picture files have the same colours.
 
+#![allow(clippy::disallowed_methods, reason = "a test reads the file that it checks")]
+
 #[test]
 fn the_page_has_the_colours_of_the_picture_files() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/palette.ts");
