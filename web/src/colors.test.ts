@@ -78,10 +78,10 @@ test.each(SHEETS)("the ramp goes from one lightness to another, so that it has a
 
 test.each(SHEETS)("what is to come is told from what is done, and can still be seen: %s", (_, palette) => {
   const back = rgb(palette.background);
-  for (const color of palette.tools) {
+  for (const color of [...palette.tools, ...palette.ramp]) {
     const pale = rgb(color).map((part, index) => back[index]! + (part - back[index]!) * PALE);
     expect(apart(pale, rgb(color), "normal"), color).toBeGreaterThan(15);
-    expect(contrast(pale, back), color).toBeGreaterThan(1.1);
+    expect(contrast(pale, back), color).toBeGreaterThan(1.25);
   }
 });
 

@@ -4,7 +4,7 @@ import { Color, type Material } from "three";
 import type { Lines } from "./lines";
 
 /** How much of its colour what is still to come has; the rest is the background's. */
-export const PALE = 0.3;
+export const PALE = 0.4;
 
 export class Progress {
   /** Rows that are done, with the share of the row that is being done; all of them while nothing plays. */
