@@ -121,9 +121,11 @@ export class Painter {
   repaint(pieces: Piece[]): void {
     if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
     this.late.push(...pieces);
+    // A picture that is being drawn gets them at its end.
+    if (this.state !== "complete") return;
     // So much is a new picture.
     if (weight(this.late) > 2 * Math.max(SMALL, this.slices.lines)) return this.changed();
-    if (this.state === "complete") this.drawLate();
+    this.drawLate();
   }
 
   /** At once: while something plays there are some of them in each frame, and a queue would never end. */
@@ -219,7 +221,8 @@ export class Painter {
   private async drawQueue(): Promise<void> {
     this.state = "drawing";
     const picture = ++this.picture;
-    while (this.queue.length > 0) {
+    while (this.queue.length > 0 || weight(this.late) > SMALL) {
+      if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
       const began = performance.now();
       const lines = this.drawSome();
       await this.done();
