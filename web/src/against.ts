@@ -108,7 +108,7 @@ export function againstProgram(page: Page) {
     });
     legend.apart(apart.length > 0);
     const total = told.differences.length + told.dropped;
-    page.tell(total === 0 ? told.verdict.replace("-", " ") : `${counted(total, "difference")} (N, P)`);
+    page.tell(total === 0 ? told.verdict.replace("-", " ") : `${counted(total, "difference")}: next N, previous P`);
   }
 
   function boxOfSides(sides: [Blocks | null, Blocks | null]): Bounds | undefined {
@@ -219,4 +219,4 @@ export function againstProgram(page: Page) {
   };
 }
 
-const NOTHING = "Choose what to compare the program with: the same text on another machine, or start chordal view with --against FILE.";
+const NOTHING = "Choose what to compare the program with. For another file, start `chordal view` with `--against FILE`.";

@@ -7,7 +7,7 @@ test("of many rapids some are drawn, evenly along the path, wherever its parts b
     const points = new Float32Array(6 * count);
     for (let at = 0; at < count; at++) points.set([from + at, 0, 0, from + at, 0, 5], 6 * at);
     const rapids = { points, rows: undefined, count };
-    return { lines: { rapids, cuts: { points: new Float32Array(0), rows: undefined, count: 0 } } };
+    return { batch: { first: from }, lines: { rapids, cuts: { points: new Float32Array(0), rows: undefined, count: 0 } } };
   };
   const drawn = (most: number) => {
     const some = someRapids([part(0, 7), part(7, 0), part(7, 14)], most, new LineDashedMaterial());

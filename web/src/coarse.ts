@@ -5,6 +5,7 @@ import { type Strands, someStrands, strands } from "./detail";
 import type { Lines } from "./lines";
 import type { Batch } from "./path";
 import { pause } from "./pause";
+import { spansOf } from "./progress";
 import { type StrokeMaterials, Strokes, geometryOf } from "./strokes";
 
 /** Lines of each level, about. */
@@ -70,7 +71,8 @@ export class Coarse {
         const lines = someStrands(part, share, before);
         before += part.starts.length;
         if (lines.count === 0) continue;
-        const strokes = new Strokes(lines.points, colors(parts[at]!.batch, lines), materials, false);
+        const { batch } = parts[at]!;
+        const strokes = new Strokes(lines.points, colors(batch, lines), spansOf(batch.first, lines), materials, false);
         made.push(strokes);
         level.add(strokes.object);
       }
@@ -107,19 +109,22 @@ export class Coarse {
 }
 
 /** About so many of the rapids, evenly along the path. */
-export function someRapids(parts: Pick<Part, "lines">[], most: number, material: LineDashedMaterial): LineSegments {
+export function someRapids(parts: { batch: Pick<Batch, "first">; lines: Pick<Part["lines"], "rapids"> }[], most: number, material: LineDashedMaterial): LineSegments {
   const total = parts.reduce((sum, { lines }) => sum + lines.rapids.count, 0);
   const every = Math.max(1, Math.ceil(total / most));
   const points: number[] = [];
+  const spans: number[] = [];
   let before = 0;
-  for (const { lines } of parts) {
+  for (const { batch, lines } of parts) {
     const { rapids } = lines;
     for (let at = (every - (before % every)) % every; at < rapids.count; at += every) {
       points.push(...rapids.points.subarray(6 * at, 6 * at + 6));
+      const row = batch.first + (rapids.rows ? rapids.rows[at]! : at);
+      spans.push(row, row + 1);
     }
     before += rapids.count;
   }
-  const some = new LineSegments(geometryOf(new Float32Array(points)), material);
+  const some = new LineSegments(geometryOf(new Float32Array(points), new Float32Array(spans)), material);
   some.computeLineDistances();
   some.frustumCulled = false;
   return some;

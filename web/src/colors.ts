@@ -1,9 +1,10 @@
 // Colours of the path, for a light and a dark page.
 
 import type { Lines } from "./lines";
+import { DARK_SHEET, LIGHT_SHEET } from "./palette";
 import type { Batch } from "./path";
 
-export type ColorBy = "tool" | "speed";
+export type ColorBy = "tool" | "speed" | "depth";
 
 export interface Palette {
   background: string;
@@ -15,42 +16,45 @@ export interface Palette {
   apart: string;
   chord: string;
   travel: string;
+  /** A marked line, and the edges on both sides of it: no tool has them. */
   mark: string;
+  markEdge: string;
   measure: string;
   toolShape: string;
+  /** In the order in which the tools cut first. */
   tools: string[];
-  /** From slow to fast. */
-  speeds: string[];
+  /** From slow to fast, from low to high. */
+  ramp: string[];
+  /** What contrasts most with the background. */
+  text: string;
 }
 
 export const LIGHT: Palette = {
-  background: "#f6f8fa",
-  rapid: "#8a5a00",
+  ...LIGHT_SHEET,
+  background: LIGHT_SHEET.sheet,
   contour: "#3a7d34",
   other: "#111a22",
   apart: "#a34fe0",
   chord: "#c2185b",
   travel: "#7b8794",
-  mark: "#d9480f",
+  mark: "#ffd400",
+  markEdge: "#1d2227",
   measure: "#6a1bb0",
   toolShape: "#5b6672",
-  tools: ["#0b61a4", "#1b7a3d", "#8e3ba8", "#b3470f", "#00757a", "#a3195b", "#5f6b00", "#4b4fc4"],
-  speeds: ["#3b4cc0", "#1b7a9c", "#1b7a3d", "#a86400", "#b40426"],
 };
 
 export const DARK: Palette = {
-  background: "#10171d",
-  rapid: "#e8b04b",
+  ...DARK_SHEET,
+  background: DARK_SHEET.sheet,
   contour: "#86d67f",
   other: "#ffffff",
   apart: "#b57bf0",
   chord: "#ff7ab0",
   travel: "#6d7a86",
-  mark: "#ffd166",
+  mark: "#fff04d",
+  markEdge: "#000000",
   measure: "#e3b3ff",
   toolShape: "#c8d2dc",
-  tools: ["#4fb3ff", "#5fd38a", "#d49bf0", "#ff9e64", "#4fd6d8", "#ff8fb8", "#d4d663", "#a3a8ff"],
-  speeds: ["#7b9cff", "#4fc3e8", "#5fd38a", "#f0c05a", "#ff6b6b"],
 };
 
 type Rgb = [number, number, number];
@@ -67,42 +71,70 @@ export function rgb(color: string): Rgb {
   return found;
 }
 
-/** The colour of a tool, by its number. */
-export function toolColor(palette: Palette, tool: number): string {
-  const { tools } = palette;
-  return tools[(Math.max(1, tool) - 1) % tools.length]!;
+/** The share of the text's colour that tools beyond the last colour get. */
+const SECOND_ROUND = 0.5;
+
+/** The colour of a tool, by its place in the order in which the tools cut first. */
+export function toolColor({ tools, text }: Palette, index: number): string {
+  const own = tools[Math.max(0, index) % tools.length]!;
+  const isFirstRound = Math.floor(Math.max(0, index) / tools.length) % 2 === 0;
+  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND));
 }
 
-/** The colour of a feed between the slowest and the fastest of the program. */
-export function speedColor(palette: Palette, feed: number, [slow, fast]: [number, number]): Rgb {
-  const { speeds } = palette;
-  const share = fast > slow ? Math.min(1, Math.max(0, (feed - slow) / (fast - slow))) : 0.5;
-  const at = share * (speeds.length - 1);
-  const index = Math.min(speeds.length - 2, Math.floor(at));
-  const [a, b] = [rgb(speeds[index]!), rgb(speeds[index + 1]!)];
-  return [0, 1, 2].map((c) => Math.round(a[c]! + (b[c]! - a[c]!) * (at - index))) as Rgb;
+function mixed(a: Rgb, b: Rgb, share: number): Rgb {
+  return [0, 1, 2].map((part) => Math.round(a[part]! + (b[part]! - a[part]!) * share)) as Rgb;
 }
 
-/** Steps of the colours from slow to fast: as many as can be told apart. */
-const SPEED_STEPS = 255;
+function hex(color: Rgb): string {
+  return `#${color.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+}
 
-/** The colours of both ends of each line, by the tool or the feed of its row. */
-export function colorsOf(palette: Palette, by: ColorBy, { tool, feed }: Batch, lines: Lines, range: [number, number]): Uint8Array {
-  const [slow, fast] = range;
+/** The colour of a value between the least and the most of the program. */
+export function rampColor({ ramp }: Palette, value: number, [least, most]: Range): Rgb {
+  const at = shareOf(value, [least, most]) * (ramp.length - 1);
+  const index = Math.min(ramp.length - 2, Math.floor(at));
+  return mixed(rgb(ramp[index]!), rgb(ramp[index + 1]!), at - index);
+}
+
+export type Range = [number, number];
+
+function shareOf(value: number, [least, most]: Range): number {
+  return most > least ? Math.min(1, Math.max(0, (value - least) / (most - least))) : 0.5;
+}
+
+/** Steps of the ramp: as many as can be told apart. */
+const RAMP_STEPS = 255;
+
+/** What of a path its colours depend on. */
+export interface Scale {
+  by: ColorBy;
+  /** Tools in the order in which they cut first. */
+  tools: number[];
+  /** Slowest and fastest cut, mm/min. */
+  feeds: Range;
+  /** Lowest and highest place of a cut, relative to the origin, mm. */
+  depths: Range;
+}
+
+/** The colours of both ends of each line, by the tool or the feed of its row, or by its height. */
+export function colorsOf(palette: Palette, { by, tools, feeds, depths }: Scale, { tool, feed }: Batch, lines: Lines): Uint8Array {
   const steps: Rgb[] = [];
-  for (let step = 0; step <= SPEED_STEPS && by === "speed"; step++) steps.push(speedColor(palette, step, [0, SPEED_STEPS]));
-  const ofFeed = (value: number) => {
-    const share = fast > slow ? Math.min(1, Math.max(0, (value - slow) / (fast - slow))) : 0.5;
-    return steps[Math.round(share * SPEED_STEPS)]!;
-  };
+  for (let step = 0; step <= RAMP_STEPS && by !== "tool"; step++) steps.push(rampColor(palette, step, [0, RAMP_STEPS]));
+  const onRamp = (value: number, range: Range) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
+  const ofTool = new Map(tools.map((number, index) => [number, rgb(toolColor(palette, index))]));
+  const first = rgb(toolColor(palette, 0));
   const colors = new Uint8Array(6 * lines.count);
+  const { points } = lines;
   let last = -1;
   let color: Rgb = [0, 0, 0];
   for (let at = 0; at < lines.count; at++) {
     const row = lines.rows ? lines.rows[at]! : at;
-    if (row !== last) color = by === "tool" ? rgb(toolColor(palette, tool[row]!)) : ofFeed(feed[row]!);
+    if (row !== last && by !== "depth") color = by === "tool" ? (ofTool.get(tool[row]!) ?? first) : onRamp(feed[row]!, feeds);
     last = row;
-    for (let part = 0; part < 3; part++) colors[6 * at + part] = colors[6 * at + 3 + part] = color[part]!;
+    for (let end = 0; end < 2; end++) {
+      if (by === "depth") color = onRamp(points[6 * at + 3 * end + 2]!, depths);
+      for (let part = 0; part < 3; part++) colors[6 * at + 3 * end + part] = color[part]!;
+    }
   }
   return colors;
 }

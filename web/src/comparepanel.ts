@@ -1,8 +1,10 @@
-// The pane "Compare": what the program is held against, the answer, and the differences one by one.
+// The pane "Compare": what the program is compared with, the answer, and the differences one by one.
 
 import { linesText } from "./compare";
+import { signButton } from "./icons";
 import type { Comparison, Difference, Hello, Other } from "./link";
 import { element } from "./panels";
+import { rich, setRich } from "./rich";
 import { type Units, count, counted } from "./units";
 
 const MM_PER_INCH = 25.4;
@@ -54,13 +56,13 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
   tolerance.id = "compare-tolerance";
   Object.assign(tolerance, { type: "number", min: "0", step: "any", value: "0" });
   const unit = element("span", "", "mm");
-  const back = button("◀", "Previous difference (P)", () => told.walk(-1));
-  const forth = button("▶", "Next difference (N)", () => told.walk(1));
+  const back = signButton("back", "Previous difference (P)", () => told.walk(-1));
+  const forth = signButton("next", "Next difference (N)", () => told.walk(1));
   const which = element("span", "which");
   const controls = element("div", "controls");
   const walk = element("span", "walk");
   walk.append(back, forth, which);
-  controls.append(labelled("Against", against), labelled("Tolerance", tolerance, unit), walk);
+  controls.append(labelled("Compare with", against), labelled("Tolerance", tolerance, unit), walk);
   const verdict = element("p", "verdict");
   const notes = element("div", "notes");
   const list = element("ul", "differences");
@@ -88,12 +90,12 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     const item = element("li", "difference");
     const show = element("button", "shows");
     show.type = "button";
-    show.append(element("span", "head", difference.head));
+    show.append(rich(difference.head, "head"));
     for (const [side, { blocks, value, words, lacks, steps }] of difference.sides.entries()) {
       const line = element("span", "side");
       line.append(element("span", `swatch ${side === 0 ? "own" : "other"}`), element("span", "where", linesText(blocks)));
       if (value !== null) line.append(element("span", "value", value));
-      line.append(element("code", "", lacks && blocks ? `has no such block; after ${words}` : words));
+      line.append(element("code", "", lacks && blocks ? `no such block; it would come after ${words}` : words));
       if (steps > 1) line.append(element("span", "where", counted(steps, "block")));
       show.append(line);
     }
@@ -114,10 +116,10 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     offer({ against: named, machines, tolerance_mm }: Hello): void {
       against.replaceChildren(new Option("nothing", "nothing"));
       if (named && !named.own_text) against.append(new Option(named.name.split(/[\\/]/).pop()!, "named"));
-      if (named?.own_text) against.append(new Option("this program, as on the command line", "named"));
+      if (named?.own_text) against.append(new Option("this program, as the command line says", "named"));
       const group = document.createElement("optgroup");
       group.label = "this program on another machine";
-      group.append(new Option("the machine it was recognized for", "machine "));
+      group.append(new Option("the machine recognized from the program", "machine "));
       for (const { name, title } of machines) group.append(new Option(title, `machine ${name}`));
       against.append(group);
       toleranceMm = tolerance_mm;
@@ -131,12 +133,12 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     },
     /** The answer is still to come; the one before stays until then. */
     waiting(): void {
-      verdict.textContent = "comparing…";
+      verdict.textContent = "Comparing…";
       verdict.className = "verdict waiting";
     },
     /** There is no answer; a message tells why. */
     clear(message: string, isBad: boolean): void {
-      verdict.textContent = message;
+      setRich(verdict, message);
       verdict.className = `verdict ${isBad ? "different" : "waiting"}`;
       shown = undefined;
       rows.length = 0;
@@ -148,13 +150,13 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     show(found: Comparison, own: Units): void {
       [shown, units] = [found, own];
       showTolerance();
-      verdict.textContent = found.headline;
+      setRich(verdict, found.headline);
       verdict.className = `verdict ${found.verdict}`;
       notes.replaceChildren();
       const names = found.sides.map(({ name }) => name);
       if (found.farthest) {
         const [a, b] = found.farthest.places;
-        const text = `furthest apart at ${names[0]}:${a!.line} and ${names[1]}:${b!.line}`;
+        const text = `Furthest apart at line ${a!.line} of ${names[0]} and line ${b!.line} of ${names[1]}`;
         const link = button(text, text, told.farthest);
         link.className = "link";
         notes.append(link);
@@ -166,7 +168,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
       for (const [index, difference] of found.differences.slice(0, MOST_LISTED).entries()) rows.push(row(difference, index, names));
       list.replaceChildren(...rows);
       const more = found.dropped + found.differences.length - rows.length;
-      if (more > 0) notes.append(element("p", "more", `${count(rows.length)} are listed; ${counted(more, "difference")} more`));
+      if (more > 0) notes.append(element("p", "more", `${count(rows.length)} listed, ${counted(more, "more difference")} not listed`));
       back.disabled = forth.disabled = found.differences.length === 0;
       which.textContent = found.differences.length === 0 ? "" : counted(found.differences.length, "difference");
     },
@@ -202,9 +204,9 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
   root.setAttribute("aria-label", "Paths");
   const [ownBox, ownSwatch, ownText] = made("own", told.own);
   const [otherBox, , otherText] = made("other", told.other);
-  const end = button("×", "Stop comparing", told.end);
+  const end = signButton("close", "Stop comparing", told.end);
   const apart = element("span", "key");
-  apart.append(element("span", "swatch apart"), "apart");
+  apart.append(element("span", "swatch apart"), "different");
   apart.hidden = true;
   root.append(apart, end);
   root.hidden = true;

@@ -15,6 +15,9 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import type { Place, Problem } from "./link";
+import { element } from "./panels";
+import { plain, rich } from "./rich";
+import { markdown, unwrapped } from "./words";
 
 export interface Change {
   from: number;
@@ -209,7 +212,7 @@ export class Editor {
           from,
           to,
           severity: problem.severity === "note" ? "info" : problem.severity,
-          message: problem.message,
+          message: plain(problem.message),
           renderMessage: () => explain(problem),
           actions: this.actionsOf(problem),
         } satisfies Diagnostic;
@@ -222,7 +225,7 @@ export class Editor {
     if (!fix?.place?.own) return [];
     const { place, replacement, title, safe } = fix;
     return [{
-      name: safe ? title : `${title} (check it)`,
+      name: plain(safe ? title : `${title} (check the result)`),
       apply: (view) => {
         const { from, to } = rangeOf(view.state.doc, place);
         view.dispatch({ changes: { from, to, insert: replacement } });
@@ -247,6 +250,9 @@ export class Editor {
       effects: EditorView.scrollIntoView(at, { y: "center" }),
     });
     this.silent = false;
+    // Without this the pane would be empty for a frame: the lines are replaced now, and only the next
+    // frame would scroll to them.
+    this.view.coordsAtPos(at);
     if (focus) this.view.focus();
   }
 
@@ -258,28 +264,17 @@ export class Editor {
 
 /** A problem with everything that is known of it. */
 export function explain(problem: Problem): HTMLElement {
+  const root = element("div", "explained");
   const part = (name: string, text: string | null | undefined) => {
-    if (!text) return;
-    const element = document.createElement("div");
-    element.className = name;
-    element.textContent = text;
-    root.append(element);
+    if (text) root.append(rich(text, name, "div"));
   };
-  const root = document.createElement("div");
-  root.className = "explained";
   part("what", `${problem.code}: ${problem.message}`);
   part("label", problem.label);
-  part("alarm", problem.alarm && `The control: ${problem.alarm}`);
+  part("alarm", problem.alarm && `The control shows: ${problem.alarm}`);
   problem.notes.forEach((note) => part("note", note));
   part("help", problem.help);
-  const more = document.createElement("details");
-  const summary = document.createElement("summary");
-  summary.textContent = "What it means";
-  const text = document.createElement("div");
-  text.className = "meaning";
-  text.textContent = problem.explanation;
-  more.append(summary, text);
+  const more = element("details");
+  more.append(element("summary", "", "What it means"), markdown(unwrapped(problem.explanation)));
   root.append(more);
   return root;
 }
-

@@ -118,6 +118,12 @@ export class Eye {
     return (this.camera.right - this.camera.left) / this.camera.zoom / Math.max(1, this.canvas.clientWidth);
   }
 
+  /** What lies to the right and up on the screen, and how long a pixel is, mm. */
+  screen(): { right: Vec3; up: Vec3; pixel: number } {
+    const m = this.camera.matrixWorld.elements;
+    return { right: [m[0]!, m[1]!, m[2]!], up: [m[4]!, m[5]!, m[6]!], pixel: this.pixel() };
+  }
+
   /** World length of the shorter side of what is seen, mm. */
   shorterSide(): number {
     const { left, right, top, bottom, zoom } = this.camera;

@@ -1,13 +1,15 @@
 // The frame of the page: bars, panes, panels, and what they tell.
 
-import type { ColorBy } from "./colors";
-import type { Report } from "./link";
+import { type ColorBy, type Palette, toolColor } from "./colors";
+import { icon } from "./icons";
+import type { MachineInfo, Report } from "./link";
 import { element } from "./panels";
 import type { Path, Vec3 } from "./path";
+import { setRich } from "./rich";
 import type { Section } from "./scene";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
-import { type Units, angles, coordinate, counted, speed } from "./units";
+import { type Units, angles, coordinate, counted, length, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -43,6 +45,20 @@ function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElem
   return [label, box];
 }
 
+/** Tools that the legend names. */
+const MOST_KEYS = 24;
+
+/** Tools from which on the legend does not say what is not known of each. */
+const FEW_KEYS = 6;
+
+/** `T1`, and what is known of it. */
+function toolName(tool: number, machine: MachineInfo | undefined, units: Units, isShort: boolean): string {
+  if (tool === 0) return "No tool";
+  const known = machine?.tools.find(({ number }) => number === tool);
+  const wide = known?.diameter_mm ? `Ø${length(units, Math.abs(known.diameter_mm))}` : isShort ? "" : "Ø not known";
+  return [`T${tool}`, wide, known?.shape].filter(Boolean).join(" ");
+}
+
 export function layout(root: HTMLElement) {
   const header = element("header", "top");
   const name = element("h1", "name", "Chordal");
@@ -55,9 +71,11 @@ export function layout(root: HTMLElement) {
   machine.id = "machine";
   machineLabel.append(machine);
   const why = element("span", "why");
-  const theme = button("◐", "Light or dark");
+  const theme = button("", "Light or dark");
+  theme.classList.add("sign");
+  theme.append(icon("theme"));
   theme.id = "theme";
-  header.append(name, dirty, save, machineLabel, why, element("span", "space"), theme);
+  header.append(name, dirty, save, machineLabel, why, theme);
 
   const bar = element("div", "bar");
   bar.setAttribute("role", "toolbar");
@@ -73,22 +91,28 @@ export function layout(root: HTMLElement) {
   const color = element("select");
   color.id = "color";
   color.setAttribute("aria-label", "Colour of cuts");
-  for (const [value, text] of [["tool", "by tool"], ["speed", "by feed"]] as const) {
+  color.title = "Colour of the cuts";
+  for (const [value, text] of [["tool", "By tool"], ["speed", "By feed"], ["depth", "By depth"]] as const) {
     color.append(new Option(text, value));
   }
   color.addEventListener("change", () => api.onColor(color.value as ColorBy));
   const [rapidsLabel, rapids] = check("Rapids", true);
   const [toolLabel, toolOn] = check("Tool", true);
   const [travelLabel, travel] = check("Travel", false);
+  travel.id = "travel";
+  travelLabel.title = "The space that the machine can reach";
+  rapidsLabel.title = "Rapid moves";
+  toolLabel.title = "The tool at the time of the slider, or at the line of the cursor";
   const [chordsLabel, chordsOn] = check("Chords", false);
+  chordsLabel.title = "The straight pieces that a control would send for the arcs";
   chordsOn.id = "chords";
   const tolerance = element("input");
   tolerance.type = "range";
   tolerance.id = "tolerance";
   Object.assign(tolerance, { min: "-4", max: "1", step: "0.05", value: "-0.5" });
   tolerance.setAttribute("aria-label", "Tolerance of the chords");
-  const [balancedLabel, balanced] = check("both sides", false);
-  balancedLabel.title = "Corners outside the arc and middles inside it, by the same distance";
+  const [balancedLabel, balanced] = check("inside and outside", false);
+  balancedLabel.title = "The ends of the chords outside the arc and their middles inside it, by the same distance";
   const chordText = element("output", "chord-text");
   chordText.setAttribute("aria-live", "polite");
   const chordControls = element("span", "chord-controls");
@@ -105,7 +129,7 @@ export function layout(root: HTMLElement) {
     window.clearTimeout(timer);
     timer = window.setTimeout(changed, 60);
   });
-  const measure = button("Measure", "Measure between two points of the path (M)");
+  const measure = button("Measure", "Measure points, lines and arcs of the path (M)");
   measure.id = "measure";
   measure.setAttribute("aria-pressed", "false");
   const section = sectionControls((chosen) => api.onSection(chosen), () => api.cursorLine());
@@ -168,8 +192,16 @@ export function layout(root: HTMLElement) {
   const comparison = element("div", "comparison");
   comparison.setAttribute("role", "status");
   const paths = element("div", "paths");
+  // Over the picture, not on it: nothing of the path lies under the legend.
+  const strip = element("div", "strip");
+  strip.append(legend, readout);
   const turns = element("div", "turns");
   turns.hidden = true;
+  const travelWhy = element("div", "travel-why");
+  travelWhy.hidden = true;
+  travelWhy.setAttribute("role", "status");
+  const hints = element("div", "hints");
+  hints.append(travelWhy, turns);
   const unverified = element("div", "unverified");
   unverified.hidden = true;
   unverified.setAttribute("role", "status");
@@ -179,9 +211,9 @@ export function layout(root: HTMLElement) {
   progress.max = 1;
   progress.hidden = true;
   progress.setAttribute("aria-label", "Running the program");
-  stage.append(canvas, axes, legend, paths, readout, measured, comparison, turns, unverified, empty, progress);
+  stage.append(canvas, axes, measured, comparison, hints, unverified, empty, progress);
   const timeline = element("div", "timeline");
-  right.append(bar, stage, timeline);
+  right.append(bar, strip, paths, stage, timeline);
 
   const splitter = element("div", "splitter");
   splitter.setAttribute("role", "separator");
@@ -229,7 +261,6 @@ export function layout(root: HTMLElement) {
   show("problems");
 
   let toastTimer = 0;
-  let colored: ColorBy = "tool";
   const api = {
     save, machine, measure, section, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
@@ -244,16 +275,21 @@ export function layout(root: HTMLElement) {
     shown: () => shown,
     chordTolerance: () => 10 ** Number(tolerance.value),
     chordsTold: (text: string) => (chordText.textContent = text),
+    /** Why the box of the machine is not shown; empty where it is, or where nobody asked for it. */
+    travelWhy(text: string): void {
+      setRich(travelWhy, text);
+      travelWhy.hidden = text === "";
+    },
     setName(path: string): void {
       name.textContent = path.split(/[\\/]/).pop() ?? path;
       name.title = path;
     },
-    setDirty: (is: boolean) => (dirty.textContent = is ? "● not saved" : ""),
+    setDirty: (is: boolean) => (dirty.textContent = is ? "● Not saved" : ""),
     measured: (text: string) => (measured.textContent = text),
     comparison: (text: string) => (comparison.textContent = text),
     /** What is told of rotary axes. */
     turns(text: string): void {
-      turns.textContent = text;
+      setRich(turns, text);
       turns.hidden = text === "";
     },
     /** From where on the path is not known. */
@@ -271,8 +307,7 @@ export function layout(root: HTMLElement) {
     },
     machineWhy(title: string, reason: string | null): void {
       machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";
-      why.textContent = reason ?? "";
-      why.title = reason ?? "";
+      setRich(why, reason ?? "");
     },
     progress(share: number): void {
       progress.hidden = share >= 1;
@@ -281,44 +316,43 @@ export function layout(root: HTMLElement) {
     counts(report: Report | undefined, refused: boolean): void {
       counts.className = `counts ${refused || (report?.errors ?? 0) > 0 ? "bad" : (report?.warnings ?? 0) > 0 ? "doubt" : "good"}`;
       counts.textContent = refused
-        ? "cannot run"
+        ? "Cannot run"
         : report
           ? [counted(report.errors, "error"), ...(report.warnings > 0 ? [counted(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
-    legend(report: Report, path: Path, colorOf: (tool: number) => string): void {
-      if (colored === "speed") return;
+    /** What the colours of the cuts mean. */
+    legend(by: ColorBy, path: Path, report: Report | undefined, machine: MachineInfo | undefined, palette: Palette): void {
+      const units = { inch: report?.inch ?? false };
       legend.replaceChildren();
-      for (const tool of path.tools.slice(0, 12)) {
-        const used = report.tools.find(({ number }) => number === tool);
-        if (!used && path.tools.length > 1) continue;
-        const item = element("span", "key");
-        const swatch = element("span", "swatch");
-        swatch.style.background = colorOf(tool);
-        item.append(swatch, tool === 0 ? "no tool" : `T${tool}`);
-        legend.append(item);
-      }
-    },
-    colorBy(by: ColorBy | undefined, path: Path, report: Report | undefined, speeds: string[]): void {
-      colored = by ?? colored;
-      if (colored === "tool") {
-        if (by && report) api.onTheme();
+      if (by === "tool") {
+        for (const [index, tool] of path.cutters.slice(0, MOST_KEYS).entries()) {
+          const item = element("span", "key");
+          const swatch = element("span", "swatch");
+          swatch.style.background = toolColor(palette, index);
+          item.append(swatch, toolName(tool, machine, units, path.cutters.length > FEW_KEYS));
+          legend.append(item);
+        }
+        const more = path.cutters.length - MOST_KEYS;
+        if (more > 0) legend.append(element("span", "key", `and ${counted(more, "more tool")}`));
         return;
       }
-      legend.replaceChildren();
       const ramp = element("span", "ramp");
-      ramp.style.background = `linear-gradient(90deg, ${speeds.join(", ")})`;
-      const units = { inch: report?.inch ?? false };
-      const [low, high] = Number.isFinite(path.minFeed) ? [path.minFeed, path.maxFeed] : [0, 0];
-      legend.append(speed(units, low), ramp, speed(units, high));
+      ramp.style.background = `linear-gradient(90deg, ${palette.ramp.join(", ")})`;
+      const z = path.origin[2];
+      const [low, high] = by === "speed" ? [path.minFeed, path.maxFeed] : [path.depths[0] + z, path.depths[1] + z];
+      if (!(low <= high)) return void legend.append(element("span", "key", by === "speed" ? "No cut has a feed." : "No cuts."));
+      const text = (value: number) => (by === "speed" ? speed(units, value) : `Z ${length(units, value)}`);
+      legend.append(text(low), ramp, text(high));
     },
     readout(at: Vec3, turn: Vec3, mmPerMin: number, units: Units): void {
       const [x, y, z] = at.map((value) => coordinate(units, value));
-      readout.textContent = `X ${x}  Y ${y}  Z ${z}${angles(turn)}   ${speed(units, mmPerMin)}`;
+      const unit = units.inch ? "in" : "mm";
+      readout.textContent = `X ${x}  Y ${y}  Z ${z} ${unit}${angles(turn)}   ${speed(units, mmPerMin)}`;
     },
     tell(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;
-      toast.textContent = text;
+      setRich(toast, text);
       toast.hidden = false;
       window.clearTimeout(toastTimer);
       if (kind !== "error") toastTimer = window.setTimeout(() => (toast.hidden = true), 5000);

@@ -33,6 +33,15 @@ export interface Tool {
   diameter_mm: number | null;
   length_mm: number | null;
   corner_radius_mm: number | null;
+  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "form" | "insert" | null;
+  point_angle_rad: number | null;
+  tip_diameter_mm: number | null;
+  flute_length_mm: number | null;
+  /** Height over the tip and radius, from the tip up. */
+  profile_mm: [number, number][];
+  /** Height, lower and upper diameter of each part, from the edges up. */
+  shank_mm: [number, number, number][];
+  holder_mm: [number, number, number][];
   kind: string | null;
   comment: string | null;
 }

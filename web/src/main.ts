@@ -7,6 +7,7 @@ import { Editor } from "./editor";
 import { Elsewhere } from "./elsewhere";
 import { type Frame, f32, u32, u8 } from "./frame";
 import { layout } from "./layout";
+import { measuring } from "./measuring";
 import { drawAxes } from "./axes";
 import { Link, type MachineInfo, type Report, type Times, type Told } from "./link";
 import { notVerified, showOutline, showState, showTimes } from "./panels";
@@ -44,7 +45,11 @@ const view = new PathView(ui.canvas, palette());
 const timeline = new Timeline(ui.timeline);
 const editor = new Editor(ui.code, {
   typed: (changes) => link.tell("edit", { changes }),
-  cursor: (line, byUser) => byUser && cursorAt(line),
+  cursor: (line, byUser) => {
+    if (!byUser) return;
+    if (!timeline.isPlaying) view.showDone(Infinity);
+    cursorAt(line);
+  },
   save: () => void save(false),
   definition: (line, column) => void goToDefinition(line, column),
 }, words({
@@ -60,7 +65,7 @@ const editor = new Editor(ui.code, {
 }));
 const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
 const link = new Link(take, takeFrame, () => {
-  ui.tell("error", "Chordal has ended, or the connection was lost. Start chordal view again; the text typed since the last save is still here to copy.");
+  ui.tell("error", "Chordal has ended, or the connection is lost. Start `chordal view` again. What you typed since the last save is still here: copy it.");
 });
 
 const problems = new Problems(ui.panels.problems, ({ place }) => {
@@ -122,14 +127,14 @@ function take(told: Told): void {
       break;
     case "changed":
       if (editor.dirty) {
-        ui.ask("The file changed on disk.", [
-          ["Load it, drop my changes", () => link.tell("reload")],
+        ui.ask("The file has changed on disk.", [
+          ["Load it and lose my changes", () => link.tell("reload")],
           ["Keep mine", () => {}],
         ]);
       } else link.tell("reload");
       break;
     case "gone":
-      ui.tell("warning", "The file was deleted on disk; saving writes it again.");
+      ui.tell("warning", "The file was deleted on disk. Save writes it again.");
       break;
     case "error":
       ui.tell("error", told.help ? `${told.message}. ${told.help}.` : told.message);
@@ -147,7 +152,7 @@ function goTo(line: number): void {
 async function goToDefinition(line: number, column: number): Promise<void> {
   const told = await link.ask("definition", { line, column });
   if (told.type !== "definition") return;
-  if (!told.place) return ui.tell("note", "No definition of this word in this file or in its folder.");
+  if (!told.place) return ui.tell("note", "This word has no definition in this file or its folder.");
   if (told.place.file !== undefined) return elsewhere.show(told.place);
   editor.goTo(told.place.line, told.place.column, true);
   cursorAt(told.place.line);
@@ -176,6 +181,9 @@ function startPath(): void {
   if (started) return;
   started = true;
   view.begin(path);
+  view.showDone(Infinity);
+  shown = shownLine = "";
+  measure.set(false);
   timeline.clear();
 }
 
@@ -186,7 +194,7 @@ function takeFrame(frame: Frame): void {
       editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
       if (!header.first) break;
       if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
-      else if (header.mixed_endings) ui.tell("note", "The file has different line endings; saving makes them all the same.");
+      else if (header.mixed_endings) ui.tell("note", "The file has different line ends. Save makes them all the same.");
       break;
     case "path": {
       if (header.run !== run) break;
@@ -211,10 +219,7 @@ function takeFrame(frame: Frame): void {
       break;
     case "chords":
       view.setChords(f32(frame, "points"), header.origin as Vec3);
-      ui.chordsTold(
-        `${counted(Number(header.chords), "chord")} on ${counted(Number(header.curves), "curve")}` +
-          (Number(header.left_out) > 0 ? `, ${count(Number(header.left_out))} not drawn` : ""),
-      );
+      ui.chordsTold(chordsText(header));
       break;
     case "setpoints": {
       if (header.run !== run) break;
@@ -230,6 +235,7 @@ function takeFrame(frame: Frame): void {
         totalS: Number(header.total_s),
       };
       timeline.set(setpoints, { inch: report?.inch ?? false });
+      tellReadout(0);
       break;
     }
     default:
@@ -254,7 +260,7 @@ function finish(told: Report): void {
   void view.finish();
   const { zeros, machine: at } = told.places;
   view.setFixed(zeros.map((zero) => zero.at), travelBox(at));
-  view.showTravel(ui.travel.checked);
+  tellTravel();
   tellColors();
   const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
   ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
@@ -265,15 +271,34 @@ function finish(told: Report): void {
   tellProblems();
   tellTimes();
   void tellOutline();
-  if (setpoints) timeline.set(setpoints, { inch: told.inch });
+  if (setpoints) {
+    timeline.set(setpoints, { inch: told.inch });
+    tellReadout(timeline.time);
+  }
   cursorAt(editor.line);
   if (ui.chordsOn.checked) askChords();
 }
 
+/** The chords of the slider: how many, and how far they are from the arcs. */
+function chordsText(header: Frame["header"]): string {
+  const units = { inch: report?.inch ?? false };
+  const { chords, curves, left_out, error_mm, tolerance_mm } = header;
+  if (Number(curves) === 0) return "No arcs in this program";
+  const error = typeof error_mm === "number"
+    ? `chord error ${length(units, error_mm, true, 2)}`
+    : `chord error at most ${length(units, Number(tolerance_mm), true, 2)}`;
+  const hidden = Number(left_out) > 0 ? `, ${count(Number(left_out))} not drawn` : "";
+  return `${chordTolerance(Number(tolerance_mm))}: ${counted(Number(chords), "chord")} on ${counted(Number(curves), "curve")}, ${error}${hidden}`;
+}
+
+function chordTolerance(mm: number): string {
+  return `Tolerance ${length({ inch: report?.inch ?? false }, mm, true, 2)}`;
+}
+
 /** Which colour is which tool, and that of the first for the whole path. */
 function tellColors(): void {
-  if (report) ui.legend(report, path, (tool) => toolColor(palette(), tool));
-  against.color(toolColor(palette(), path.tools[0] ?? 0));
+  if (report) ui.legend(colorBy, path, report, machine, palette());
+  against.color(toolColor(palette(), 0));
 }
 
 function emptyText(told: Report): string {
@@ -294,6 +319,22 @@ function travelBox(at: (number | null)[] | null): Bounds | undefined {
   return { low: ends.map((end) => end![0]) as Vec3, high: ends.map((end) => end![1]) as Vec3 };
 }
 
+/** Shows the box of the machine where somebody wants it, or says why it cannot be shown. */
+function tellTravel(): void {
+  const { checked } = ui.travel;
+  view.showTravel(checked);
+  const at = report?.places.machine;
+  if (!checked || !report || !machine || travelBox(at ?? null)) return ui.travelWhy("");
+  const missing = (of: (axis: number) => unknown) => ["X", "Y", "Z"].filter((_, axis) => of(axis) === null || of(axis) === undefined);
+  const limits = missing((axis) => machine!.travel[axis]);
+  const offsets = missing((axis) => at?.[axis]);
+  ui.travelWhy(
+    limits.length > 0
+      ? `Travel is not shown: the machine file gives no travel of ${limits.join(", ")}.`
+      : `Travel is not shown: the offsets of ${offsets.join(", ")} are not known. Give work offsets and tool lengths in the machine file, or with \`--set\`.`,
+  );
+}
+
 function tellProblems(): void {
   ui.counts(report, refused !== undefined);
   problems.show(report, refused);
@@ -307,10 +348,10 @@ async function tellOutline(): Promise<void> {
 }
 
 function tellTimes(): void {
-  showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), tool), goTo);
+  showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), path.cutterIndex(tool)), goTo);
 }
 
-/** The cursor is on a line: its path is marked, and what is in force after it is told. */
+/** The cursor is on a line: its path is marked, and what is active after it is shown. */
 function cursorAt(line: number): void {
   const rows = path.rowsOfLine(line);
   view.markRows(rows);
@@ -321,11 +362,11 @@ function cursorAt(line: number): void {
 
 /** One question at a time: of those that come meanwhile only the last is asked. */
 let stateAsked = false;
-let stateNext: [number, number] | undefined;
-async function tellState(done: number, line: number): Promise<void> {
+let stateNext: [number, number, number?] | undefined;
+async function tellState(done: number, line: number, inSubprogram?: number): Promise<void> {
   if (!report || ui.shown() !== "state") return;
   if (stateAsked) {
-    stateNext = [done, line];
+    stateNext = [done, line, inSubprogram];
     return;
   }
   stateAsked = true;
@@ -341,8 +382,9 @@ async function tellState(done: number, line: number): Promise<void> {
   const end = done > 0 ? path.programmedEnd(done - 1) : undefined;
   const place = end && (end.map((value, axis) => value + path.origin[axis]!) as Vec3);
   const at = place && { place, turn: path.turnOn(done - 1, 1) };
-  const kind = found && path.rowsOfLine(line) ? kindOf(found[0].kind[found[1]]!) : undefined;
-  showState(ui.panels.state, told.state ?? undefined, at, { line, kind });
+  const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
+  const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
+  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram });
 }
 
 /** The tool stands at a share of a row. */
@@ -360,29 +402,48 @@ function shapeTool(number: number): void {
   const key = `${run} ${number} ${path.rows}`;
   if (key === shaped) return;
   shaped = key;
-  const tool = machine?.tools.find((own) => own.number === number);
-  view.shapeTool(tool?.diameter_mm ?? null, tool?.length_mm ?? null, tool?.corner_radius_mm ?? null);
+  view.shapeTool(machine?.tools.find((own) => own.number === number));
 }
 
-let shownLine = 0;
+/** Position and speed at a time, from the start on: the line must not come when the motion begins. */
+function tellReadout(seconds: number): void {
+  const moment = setpoints && momentAt(setpoints, seconds);
+  if (moment) ui.readout(moment.programmed, moment.turn, moment.speed, { inch: report?.inch ?? false });
+}
+
+let shown = "";
+let shownLine = "";
+/** A place is looked at, nothing is played: all of the path is shown as it is. */
+let isLooking = false;
 /** The row that was asked for, where a setpoint of it may be none. */
 let askedRow: number | undefined;
-timeline.onTime = (seconds, playing) => {
+timeline.onTime = (seconds) => {
   const moment = setpoints && momentAt(setpoints, seconds);
   if (!moment) return;
   const at = moment.at.map((value, axis) => value - path.origin[axis]!) as Vec3;
   const shownRow = askedRow ?? moment.row;
   showTool(shownRow, 0, at, moment.turn);
-  const units = { inch: report?.inch ?? false };
-  ui.readout(moment.programmed, moment.turn, moment.speed, units);
-  const line = path.lineOf(shownRow);
-  if (!line?.own || line.line === shownLine) return;
-  shownLine = line.line;
-  view.markRows([shownRow, shownRow]);
-  editor.markLines("now", [line.line]);
-  editor.goTo(line.line);
-  if (!playing) void tellState(shownRow + 1, line.line);
+  // At both ends there is nothing to tell apart.
+  const isWithin = seconds > 0 && seconds < (setpoints?.totalS ?? 0) && !isLooking;
+  view.showDone(isWithin ? shownRow + path.shareOf(shownRow, at) : Infinity);
+  tellReadout(seconds);
+  showRow(shownRow);
 };
+
+/** Marks a row and its line, and shows what is active there. */
+function showRow(at: number): void {
+  const line = path.lineOf(at);
+  const key = `${run} ${at}`;
+  if (!line || key === shown) return;
+  shown = key;
+  view.markRows([at, at]);
+  if (line.own && `${run} ${line.line}` !== shownLine) {
+    shownLine = `${run} ${line.line}`;
+    editor.markLines("now", [line.line]);
+    editor.goTo(line.line);
+  }
+  void tellState(at + 1, line.own ? line.line : editor.line, line.own ? undefined : line.line);
+}
 timeline.onStep = (direction) => {
   if (!setpoints) return;
   timeline.pause();
@@ -410,9 +471,9 @@ async function save(force: boolean): Promise<void> {
     editor.setDirty(false);
     ui.tell("note", "Saved.");
   } else if (told.type === "conflict") {
-    ui.ask("The file changed on disk since it was read.", [
+    ui.ask("The file has changed on disk since it was read.", [
       ["Overwrite it with mine", () => void save(true)],
-      ["Load it, drop my changes", () => link.tell("reload")],
+      ["Load it and lose my changes", () => link.tell("reload")],
       ["Cancel", () => {}],
     ]);
   } else take(told);
@@ -425,7 +486,7 @@ function askChords(): void {
     return;
   }
   const mm = ui.chordTolerance();
-  ui.chordsTold(length({ inch: report?.inch ?? false }, mm));
+  ui.chordsTold(chordTolerance(mm));
   link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked });
 }
 
@@ -437,14 +498,15 @@ ui.machine.addEventListener("change", () => {
 });
 ui.onView = (name: ViewName) => view.setView(name);
 ui.onFit = () => view.fit();
+let colorBy: ColorBy = "tool";
 ui.onColor = (by: ColorBy) => {
+  colorBy = by;
   view.setColorBy(by);
-  ui.colorBy(by, path, report, palette().speeds);
+  tellColors();
 };
 ui.onTheme = () => {
   view.setPalette(palette());
   tellColors();
-  ui.colorBy(undefined, path, report, palette().speeds);
   timeline.draw();
   tellTimes();
 };
@@ -454,35 +516,17 @@ ui.onPanel = () => {
 };
 ui.onChords = askChords;
 ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
-ui.travel.addEventListener("change", () => view.showTravel(ui.travel.checked));
+ui.travel.addEventListener("change", tellTravel);
 ui.toolOn.addEventListener("change", () => showTool(row, 1));
 
-let measuring = false;
-let measuredFrom: Vec3 | undefined;
-function setMeasuring(on: boolean): void {
-  measuring = on;
-  measuredFrom = undefined;
-  ui.measure.setAttribute("aria-pressed", String(on));
-  view.showMeasured(undefined, undefined);
-  ui.measured(on ? "Click two points of the path" : "");
-}
-
-/** The first of two places, or the second: then the distance is told. */
-function measure(at: Vec3): void {
-  if (!measuredFrom) {
-    measuredFrom = at;
-    view.showMeasured(at, undefined);
-    ui.measured("Click the second point");
-    return;
-  }
-  const units = { inch: report?.inch ?? false };
-  const by = at.map((value, axis) => value - measuredFrom![axis]!);
-  const parts = ["X", "Y", "Z"].map((name, axis) => `${name} ${length(units, by[axis]!, false)}`);
-  view.showMeasured(measuredFrom, at);
-  ui.measured(`${length(units, Math.hypot(...by))}   (${parts.join("  ")})`);
-  measuredFrom = undefined;
-}
-ui.measure.addEventListener("click", () => setMeasuring(!measuring));
+const measure = measuring({
+  view,
+  canvas: ui.canvas,
+  button: ui.measure,
+  path: () => path,
+  units: () => ({ inch: report?.inch ?? false }),
+  tell: ui.measured,
+});
 ui.onSection = (section) => view.setSection(section);
 ui.cursorLine = () => editor.line;
 
@@ -493,19 +537,18 @@ ui.canvas.addEventListener("pointerup", (event) => {
   const picked = view.pick(event.offsetX, event.offsetY);
   const line = picked && path.lineOf(picked.row);
   if (!picked || !line) {
-    if (!measuring) against.readAt(event.offsetX, event.offsetY);
+    if (!measure.isOn) against.readAt(event.offsetX, event.offsetY);
     return;
   }
-  if (measuring) {
-    measure(picked.at);
-    return;
-  }
-  if (line.own) editor.goTo(line.line);
-  else ui.tell("note", `That is line ${line.line} of a subprogram in another file.`);
-  view.markRows([picked.row, picked.row]);
-  showTool(picked.row, picked.share);
-  void tellState(picked.row + 1, line.line);
+  if (measure.isOn) return measure.click(picked);
+  if (!line.own) ui.tell("note", `This is line ${line.line} of a subprogram in another file.`);
+  timeline.pause();
+  isLooking = true;
   if (setpoints) timeline.seek(timeOfRow(setpoints, picked.row + picked.share));
+  isLooking = false;
+  showTool(picked.row, picked.share);
+  shown = shownLine = "";
+  showRow(picked.row);
 });
 
 view.onDrawn = () => drawAxes(ui.axes, view.axes());
@@ -531,10 +574,10 @@ document.addEventListener("keydown", (event) => {
     "3": () => view.setView("right"),
     "4": () => view.setView("iso"),
     f: () => view.fit(),
-    m: () => setMeasuring(!measuring),
+    m: () => measure.set(!measure.isOn),
     n: () => against.walk(1),
     p: () => against.walk(-1),
-    escape: () => setMeasuring(false),
+    escape: () => measure.set(false),
   };
   const chosen = act[event.key.toLowerCase()];
   if (!chosen) return;

@@ -22,22 +22,16 @@ import {
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { type Coarse, LEVELS } from "./coarse";
 import { Pace, type Quality, Slices } from "./pace";
+import { type Piece, cost, isWide, pieces, weight, whole } from "./pieces";
 
-/** What a wide line costs more than one of a pixel. */
-const WIDE_COST = 8;
+/** Lines that any machine draws in a frame. */
+const SMALL = 8_000;
 /** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
 const SMOOTH_FROM = 100_000;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_EVERY = 150;
 
 const STILL: Quality = { level: -1, samples: 4, scale: 1 };
-
-/** Some lines of an object. */
-interface Piece {
-  object: LineSegments | LineSegments2;
-  from: number;
-  count: number;
-}
 
 export class Painter {
   readonly renderer: WebGLRenderer;
@@ -70,6 +64,8 @@ export class Painter {
   private state: "stale" | "drawing" | "complete" = "stale";
   private drewAll = false;
   private queue: Piece[] = [];
+  /** What was given another colour while the picture was drawn. */
+  private late: Piece[] = [];
   /** The number of the picture that is being drawn: what was begun for another is given up. */
   private picture = 0;
   private shownAt = 0;
@@ -111,6 +107,7 @@ export class Painter {
     this.picture++;
     this.state = "stale";
     this.queue = [];
+    this.late = [];
   }
 
   /** An object was added to the path: a picture that is there or being drawn gets it, too. */
@@ -118,6 +115,26 @@ export class Painter {
     if (this.state === "stale" || !this.own.visible) return;
     this.queue.push(whole(object));
     if (this.state === "complete") void this.drawQueue();
+  }
+
+  /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
+  repaint(pieces: Piece[]): void {
+    if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
+    this.late.push(...pieces);
+    // A picture that is being drawn gets them at its end.
+    if (this.state !== "complete") return;
+    // So much is a new picture.
+    if (weight(this.late) > 2 * Math.max(SMALL, this.slices.lines)) return this.changed();
+    this.drawLate();
+  }
+
+  /** At once: while something plays there are some of them in each frame, and a queue would never end. */
+  private drawLate(): void {
+    const { keptLines } = this;
+    this.queue = this.late;
+    this.late = [];
+    while (this.queue.length > 0) this.drawSome();
+    this.keptLines = keptLines;
   }
 
   /** The last frame showed everything. */
@@ -204,7 +221,8 @@ export class Painter {
   private async drawQueue(): Promise<void> {
     this.state = "drawing";
     const picture = ++this.picture;
-    while (this.queue.length > 0) {
+    while (this.queue.length > 0 || weight(this.late) > SMALL) {
+      if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
       const began = performance.now();
       const lines = this.drawSome();
       await this.done();
@@ -213,6 +231,7 @@ export class Painter {
       if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
     }
     this.state = "complete";
+    this.drawLate();
     this.wanted();
   }
 
@@ -257,34 +276,6 @@ export class Painter {
     }
     return target;
   }
-}
-
-/** Everything of an object that is to be seen. */
-function pieces(root: Object3D): Piece[] {
-  const found: Piece[] = [];
-  root.traverseVisible((object) => {
-    if ("geometry" in object) found.push(whole(object as LineSegments));
-  });
-  return found;
-}
-
-function whole(object: LineSegments | LineSegments2): Piece {
-  const { attributes, instanceCount } = object.geometry as LineSegments2["geometry"];
-  const count = isWide(object) ? Math.min(instanceCount, attributes.instanceStart!.count) : attributes.position!.count / 2;
-  return { object, from: 0, count };
-}
-
-function isWide(object: LineSegments | LineSegments2): object is LineSegments2 {
-  return "isLineSegments2" in object;
-}
-
-function cost(object: LineSegments | LineSegments2): number {
-  return isWide(object) ? WIDE_COST : 1;
-}
-
-/** Lines, each counted as what it costs. */
-function weight(pieces: Piece[]): number {
-  return pieces.reduce((sum, { object, count }) => sum + count * cost(object), 0);
 }
 
 /** By the name it gives itself: a guess to begin with, the pace is measured. */

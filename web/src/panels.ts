@@ -2,6 +2,7 @@
 
 import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
 import type { Vec3 } from "./path";
+import { rich } from "./rich";
 import { type Units, angles, coordinate, count, counted, duration, length, speed } from "./units";
 
 export function element<K extends keyof HTMLElementTagNameMap>(
@@ -30,7 +31,7 @@ const MOST_ENTRIES = 2_000;
 export function showOutline(root: HTMLElement, entries: Entry[] | undefined, go: (line: number) => void): void {
   root.replaceChildren();
   if (!entries || entries.length === 0) {
-    root.append(element("p", "clean", entries ? "No entries for an outline." : "Reading…"));
+    root.append(element("p", "clean", entries ? "Nothing to list: the program has no tools and no operations." : "Reading…"));
     return;
   }
   let left = MOST_ENTRIES;
@@ -68,7 +69,7 @@ export function showState(
   root: HTMLElement,
   modal: Modal | undefined,
   at: { place: Vec3; turn: Vec3 } | undefined,
-  now: { line: number; kind: number | undefined } | undefined,
+  now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
 ): void {
   root.replaceChildren();
   if (!modal) {
@@ -77,7 +78,7 @@ export function showState(
   }
   const units = { inch: modal.inch };
   const table = element("table");
-  if (now) row(table, "After line", count(now.line));
+  if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
   if (at) {
     const [x, y, z] = at.place.map((value, axis) => coordinate(units, value - modal.shift[axis]!));
@@ -122,7 +123,7 @@ export function showTimes(
   go: (line: number) => void,
 ): void {
   root.replaceChildren();
-  if (message) root.append(element("p", "refused", message));
+  if (message) root.append(rich(message, "refused", "p"));
   if (!times) {
     if (!message) root.append(element("p", "clean", "Planning…"));
     return;
@@ -154,10 +155,10 @@ export function showTimes(
   for (const value of [cutting_s, rapid_s, other_s, total_s]) all.insertCell().textContent = duration(value);
   root.append(table);
   if (report) {
-    root.append(element("p", "", `Cuts ${length(units, report.cut_length_mm)}, rapids ${length(units, report.rapid_length_mm)}.`));
+    root.append(element("p", "", `Length of cuts ${length(units, report.cut_length_mm)}, of rapids ${length(units, report.rapid_length_mm)}.`));
   }
   if (times.cuts_without_feed > 0) {
-    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed, not counted.`));
+    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed: not in the time.`));
   }
   if (times.assumed > 0) {
     root.append(element("p", "more", "Typical limits were used where the machine file gives none."));

@@ -23,6 +23,20 @@ function batch(first: number, lines: number[], points: number[], extra: Partial<
   };
 }
 
+describe("the scale of depths", () => {
+  it("leaves out the feed down where cuts across are at several heights", () => {
+    const path = new Path();
+    path.add(batch(0, [1, 2, 3], [0, 0, 50, 0, 0, -1, 0, 0, -1, 10, 0, -1, 10, 0, -1, 20, 0, -3]), [0, 0, 0]);
+    expect(path.depths).toEqual([-3, -1]);
+  });
+
+  it("is that of all cuts in a drilling program", () => {
+    const path = new Path();
+    path.add(batch(0, [1, 2], [0, 0, 2, 0, 0, -9, 5, 0, 2, 5, 0, -7]), [0, 0, 0]);
+    expect(path.depths).toEqual([-9, 2]);
+  });
+});
+
 describe("arcs", () => {
   it("have places on the exact curve", () => {
     const middle = arcPoint(quarter, 0, 0.5);

@@ -77,12 +77,20 @@ export function kindOf(flags: number): number {
   return flags & KIND;
 }
 
+/** Places of a row that are looked at first to find how much of it is done. */
+const LOOKS = 32;
+
 /** A path that grows batch by batch. */
 export class Path {
   batches: Batch[] = [];
   rows = 0;
   origin: Vec3 = [0, 0, 0];
   tools: number[] = [];
+  /** Tools that cut, in the order of their first cut. */
+  cutters: number[] = [];
+  /** Lowest and highest place of all cuts, and the highest of those that move across, relative to the origin, mm. */
+  private heights: [number, number] = [Infinity, -Infinity];
+  private highestAcross = -Infinity;
   maxFeed = 0;
   minFeed = Infinity;
   bounds: Bounds | undefined;
@@ -103,6 +111,7 @@ export class Path {
     const low: Vec3 = this.bounds ? [...this.bounds.low] : [Infinity, Infinity, Infinity];
     const high: Vec3 = this.bounds ? [...this.bounds.high] : [-Infinity, -Infinity, -Infinity];
     let lastTool = -1;
+    let lastCutter = -1;
     for (let row = 0; row < batch.rows; row++) {
       if (file[row] === 0) this.noteLine(line[row]!, batch.first + row);
       if (tool[row] !== lastTool) {
@@ -114,6 +123,15 @@ export class Path {
         this.minFeed = Math.min(this.minFeed, feed[row]!);
       }
       if (!(kind[row]! & KNOWN)) continue;
+      if (kindOf(kind[row]!) !== RAPID) {
+        if (tool[row] !== lastCutter) {
+          lastCutter = tool[row]!;
+          if (!this.cutters.includes(lastCutter)) this.cutters.push(lastCutter);
+        }
+        const isAcross = points[6 * row] !== points[6 * row + 3] || points[6 * row + 1] !== points[6 * row + 4];
+        this.noteHeight(points[6 * row + 2]!, isAcross);
+        this.noteHeight(points[6 * row + 5]!, isAcross);
+      }
       for (let end = 0; end < 6; end += 3) {
         for (let axis = 0; axis < 3; axis++) {
           const value = points[6 * row + end + axis]!;
@@ -128,6 +146,7 @@ export class Path {
       const steps = arcEighths(batch.arcs, at);
       for (let step = 1; step < steps; step++) {
         const point = arcPoint(batch.arcs, at, step / steps);
+        this.noteHeight(point[2], true);
         for (let axis = 0; axis < 3; axis++) {
           low[axis] = Math.min(low[axis]!, point[axis]!);
           high[axis] = Math.max(high[axis]!, point[axis]!);
@@ -142,6 +161,26 @@ export class Path {
       }
     }
     if (low[0] <= high[0]) this.bounds = { low, high };
+  }
+
+  private noteHeight(z: number, isAcross: boolean): void {
+    if (z < this.heights[0]) this.heights[0] = z;
+    if (z > this.heights[1]) this.heights[1] = z;
+    if (isAcross && z > this.highestAcross) this.highestAcross = z;
+  }
+
+  /**
+   * Lowest and highest place of the cuts, relative to the origin, mm; the highest that moves across, if there is
+   * one above the lowest: the feed down from the clearance plane would take most of a scale.
+   */
+  get depths(): [number, number] {
+    const [low, high] = this.heights;
+    return [low, this.highestAcross > low ? this.highestAcross : high];
+  }
+
+  /** The place of a tool in the order in which the tools cut first; the first for one that never cuts. */
+  cutterIndex(tool: number): number {
+    return Math.max(0, this.cutters.indexOf(tool));
   }
 
   private noteLine(line: number, row: number): void {
@@ -215,6 +254,29 @@ export class Path {
       return from + (turns[6 * found[1] + 3 + axis]! - from) * share;
     };
     return [mix(0), mix(1), mix(2)];
+  }
+
+  /** How much of a row is done where the tool is at a place, relative to the origin, mm: from 0 to 1. */
+  shareOf(row: number, at: Vec3): number {
+    const far = (share: number) => {
+      const point = this.pointOn(row, share);
+      return point ? Math.hypot(point[0] - at[0], point[1] - at[1], point[2] - at[2]) : Infinity;
+    };
+    let best = 0;
+    let least = far(0);
+    for (let step = 1; step <= LOOKS; step++) {
+      const distance = far(step / LOOKS);
+      if (distance < least) [best, least] = [step / LOOKS, distance];
+    }
+    // Between the neighbours of the best one.
+    let low = Math.max(0, best - 1 / LOOKS);
+    let high = Math.min(1, best + 1 / LOOKS);
+    for (let round = 0; round < 20; round++) {
+      const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
+      if (far(a) <= far(b)) high = b;
+      else low = a;
+    }
+    return (low + high) / 2;
   }
 
   /** A place on a row, relative to the origin, mm. */

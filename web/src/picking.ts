@@ -17,6 +17,8 @@ export interface Picked {
   share: number;
   /** Relative to the origin of the path, mm; an end of the row where one is near. */
   at: Vec3;
+  /** It is an end of the row. */
+  snapped: boolean;
 }
 
 export interface Pickable {
@@ -65,8 +67,8 @@ function pickedOn(batch: Batch, lines: Lines, { index, share }: { index: number;
     [0, [p[6 * first]!, p[6 * first + 1]!, p[6 * first + 2]!]],
     [1, [p[6 * last + 3]!, p[6 * last + 4]!, p[6 * last + 5]!]],
   ];
-  for (const [end, at] of ends) if (isNear(at)) return { row: batch.first + row, share: end, at };
+  for (const [end, at] of ends) if (isNear(at)) return { row: batch.first + row, share: end, at, snapped: true };
   const along = (index - first + share) / (last - first + 1);
   const mix = (axis: number) => p[6 * index + axis]! + (p[6 * index + 3 + axis]! - p[6 * index + axis]!) * share;
-  return { row: batch.first + row, share: along, at: [mix(0), mix(1), mix(2)] };
+  return { row: batch.first + row, share: along, at: [mix(0), mix(1), mix(2)], snapped: false };
 }

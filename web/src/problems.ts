@@ -2,6 +2,7 @@
 
 import type { Problem, Report } from "./link";
 import { element, notVerified } from "./panels";
+import { rich } from "./rich";
 import { count, counted } from "./units";
 
 type Severity = Problem["severity"];
@@ -32,15 +33,6 @@ export function groups(problems: readonly Problem[]): Group[] {
   return [...found.values()].sort((one, other) => order(one) - order(other));
 }
 
-/** A text whose words between backticks are code. */
-export function rich(text: string, className: string): HTMLElement {
-  const made = element("span", className);
-  text.split("`").forEach((part, index) => {
-    if (part) made.append(index % 2 === 1 ? element("code", "", part) : part);
-  });
-  return made;
-}
-
 function placeOf(problem: Problem): string {
   const { place } = problem;
   if (!place) return "program";
@@ -60,7 +52,7 @@ export class Problems {
     this.root.replaceChildren();
     if (refused) {
       const item = element("p", "refused");
-      item.append(element("strong", "", refused.message));
+      item.append(rich(refused.message, "", "strong"));
       if (refused.help) item.append(rich(` ${refused.help}`, "help"));
       this.root.append(item);
     }
@@ -68,12 +60,12 @@ export class Problems {
     const unknown = notVerified(report);
     if (unknown) this.root.append(element("p", "refused", unknown));
     if (report.diagnostics.length === 0 && !refused) {
-      this.root.append(element("p", "clean", "No problems: this machine would run the program."));
+      this.root.append(element("p", "clean", "No problems found: this machine would run the program."));
     }
     const list = element("ul", "problems");
     for (const group of groups(report.diagnostics)) list.append(this.group(group));
     this.root.append(...this.filter(report, list), list);
-    if (report.left_out > 0) this.root.append(element("p", "more", `${counted(report.left_out, "more problem")} like these`));
+    if (report.left_out > 0) this.root.append(element("p", "more", `${counted(report.left_out, "more problem")} not listed`));
     for (const line of report.output.slice(0, 50)) this.root.append(element("p", "output", line));
   }
 
@@ -130,7 +122,7 @@ export class Problems {
     button.type = "button";
     button.append(element("span", "severity", problem.severity), element("span", "where", placeOf(problem)));
     button.append(rich(problem.message, "message"));
-    if (problem.alarm) button.append(element("span", "alarm", `The control: ${problem.alarm}`));
+    if (problem.alarm) button.append(rich(`The control shows: ${problem.alarm}`, "alarm"));
     if (problem.help) button.append(rich(problem.help, "help"));
     button.addEventListener("click", () => this.go(problem));
     return button;

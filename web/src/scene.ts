@@ -19,14 +19,18 @@ import { type Edges, Extent, difference, longest } from "./fit";
 import { Fixed } from "./fixed";
 import { type Keep, type Lines, drawn } from "./lines";
 import { Marked } from "./marked";
+import type { Feature } from "./measure";
 import { Measured } from "./measured";
 import { Overlay } from "./overlay";
 import { Painter } from "./painter";
 import { pause } from "./pause";
-import { type Batch, type Bounds, Path, type Vec3, arcReach } from "./path";
+import { type Batch, type Bounds, Path, type Vec3 } from "./path";
 import { type Picked, pick } from "./picking";
-import { StrokeMaterials, Strokes, geometryOf } from "./strokes";
-import { ToolShape } from "./tool";
+import { type DrawnBatch, piecesOn } from "./pieces";
+import { Progress, spansOf } from "./progress";
+import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./strokes";
+import { type Tolerance, seenTolerance } from "./tolerance";
+import { type Drawn, ToolShape } from "./tool";
 
 /** Rows from which on fewer lines are drawn while the view turns. */
 const MANY = 20_000;
@@ -39,12 +43,8 @@ const STILL = 160;
 // Colours are drawn as they are written: the page has no light that would need linear ones.
 ColorManagement.enabled = false;
 
-interface DrawnBatch {
-  batch: Batch;
-  cuts: Strokes | undefined;
-  rapids: LineSegments | undefined;
-  lines: { cuts: Lines; rapids: Lines };
-}
+/** No lines. */
+const NONE: Lines = { points: new Float32Array(0), rows: undefined, count: 0 };
 
 /** What of the path is shown; what is not said is all. */
 export interface Section {
@@ -68,9 +68,10 @@ export class PathView {
   private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
   private chords = new Group();
   private fixed = new Fixed();
-  private mark = new Marked(4);
-  private cutMaterials = new StrokeMaterials();
-  private rapidMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.75 });
+  private mark: Marked;
+  private progress = new Progress();
+  private cutMaterials = new StrokeMaterials(this.progress);
+  private rapidMaterial = new LineDashedMaterial();
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
@@ -79,6 +80,7 @@ export class PathView {
   private turning = false;
   /** Since the last frame. */
   private hasMoved = false;
+  private marksMoved = false;
   private stillTimer = 0;
   private wanted = false;
   /** Work that is done part by part is given up when newer work is asked for. */
@@ -98,6 +100,8 @@ export class PathView {
     palette: Palette,
   ) {
     this.palette = palette;
+    this.progress.attach(this.rapidMaterial);
+    this.mark = new Marked(3, undefined, 1.5, this.progress);
     this.eye = new Eye(canvas, () => this.moved());
     this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
@@ -137,7 +141,7 @@ export class PathView {
       batch,
       cuts: undefined,
       rapids: undefined,
-      lines: { cuts: none(), rapids: none() },
+      lines: { cuts: NONE, rapids: NONE },
     };
     this.drawnBatches.push(part);
     part.lines = drawn(batch, this.tolerance(), this.keep(batch));
@@ -157,7 +161,7 @@ export class PathView {
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
     }
     // The coarse path first: it is what shows until the picture of the whole one is drawn.
-    if (this.colorBy === "speed") await this.recolor();
+    if (this.colorBy !== "tool") await this.recolor();
     else await this.makeCoarse();
     if (path !== this.path) return;
     this.painter.showsPart = false;
@@ -181,11 +185,11 @@ export class PathView {
     part.rapids = undefined;
     if (cuts.count > 0) {
       const wide = this.path.rows <= this.mostWide && cuts.count <= this.mostWide;
-      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), this.cutMaterials, wide);
+      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
       this.cuts.add(part.cuts.object);
     }
     if (rapids.count > 0) {
-      part.rapids = new LineSegments(geometryOf(rapids.points), this.rapidMaterial);
+      part.rapids = new LineSegments(geometryOf(rapids.points, spansOf(part.batch.first, rapids)), this.rapidMaterial);
       part.rapids.computeLineDistances();
       part.rapids.frustumCulled = false;
       this.rapids.add(part.rapids);
@@ -202,7 +206,8 @@ export class PathView {
 
   /** The colours of both ends of each line. */
   private colors(batch: Batch, lines: Lines): Uint8Array {
-    return colorsOf(this.palette, this.colorBy, batch, lines, [this.path.minFeed, this.path.maxFeed]);
+    const { cutters, minFeed, maxFeed, depths } = this.path;
+    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths }, batch, lines);
   }
 
   /** Gives all lines their colours anew, a part at a time. */
@@ -227,13 +232,14 @@ export class PathView {
   setPalette(palette: Palette): void {
     this.palette = palette;
     this.painter.renderer.setClearColor(new Color(palette.background));
+    this.progress.setBackground(palette.background);
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.other.setColor(palette.other);
     this.apart.setColor(palette.apart);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
-    this.mark.setColor(palette.mark);
+    this.mark.setColor(palette.mark, palette.markEdge);
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     void this.recolor();
@@ -337,6 +343,23 @@ export class PathView {
     this.render();
   }
 
+  /** Draws pale what comes after so many rows; `Infinity`: nothing is to come. */
+  showDone(rows: number): void {
+    const before = this.progress.done;
+    if (rows === before) return;
+    this.progress.set(rows);
+    // Forward only what is done now has another colour.
+    if (rows > before && rows !== Infinity) {
+      this.painter.repaint(piecesOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
+    } else this.painter.changed();
+    this.render();
+  }
+
+  /** Rows that are drawn as done: for tests. */
+  get doneRows(): number {
+    return this.progress.done;
+  }
+
   /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
   placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
     this.tool.place(at, up);
@@ -344,14 +367,14 @@ export class PathView {
   }
 
   /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
-  toolStands(): { at: Vec3; up: Vec3 } {
+  toolStands(): { at: Vec3; up: Vec3; width: number } {
     const { position, quaternion } = this.tool.object;
     const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
-    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray() };
+    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width };
   }
 
-  shapeTool(diameter: number | null, length: number | null, corner: number | null): void {
-    this.tool.shape(diameter, length, corner, longest(this.path.bounds, 50));
+  shapeTool(tool: Drawn | undefined): void {
+    this.tool.shape(tool, longest(this.path.bounds, 50));
     this.render();
   }
 
@@ -400,8 +423,19 @@ export class PathView {
 
   /** A line between two places, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
-    this.measured.show(from, to, this.eye.pixel());
+    this.measured.show(from, to, this.eye.screen());
     this.render();
+  }
+
+  /** Marks what a click would take; none: nothing. */
+  showSnap(feature: Feature | undefined): void {
+    this.measured.showSnap(feature, this.eye.screen());
+    this.render();
+  }
+
+  /** What is marked so: for tests. */
+  get snapped(): Feature | undefined {
+    return this.measured.snapped;
   }
 
   /** The row at a place of the canvas. */
@@ -467,22 +501,9 @@ export class PathView {
     return extent.edges;
   }
 
-  /** A quarter of a pixel, for arcs that can be seen; the others stay as coarse as they may. */
-  private tolerance(path = this.path): (arcs: Float32Array, index: number) => number {
-    const pixel = this.eye.pixel();
-    const matrix = this.eye.matrix();
-    const side = this.eye.shorterSide();
-    const center = new Vector3();
-    const many = path.rows > MANY;
-    // Whether it is in sight is asked of places relative to the origin of the shown path.
-    const [dx, dy, dz] = difference(path.origin, this.path.origin);
-    return (arcs, index) => {
-      const reach = arcReach(arcs, index);
-      center.set(arcs[13 * index]! + dx, arcs[13 * index + 1]! + dy, arcs[13 * index + 2]! + dz).applyMatrix4(matrix);
-      const margin = 1 + (2 * reach) / side;
-      const seen = Math.abs(center.x) < margin && Math.abs(center.y) < margin;
-      return seen ? pixel * (many ? 0.5 : 0.25) : Math.max(pixel, reach / 20);
-    };
+  /** How far the pieces of an arc may be from it, as it is seen now. */
+  private tolerance(path = this.path): Tolerance {
+    return seenTolerance(this.eye, difference(path.origin, this.path.origin), path.rows > MANY);
   }
 
   /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
@@ -510,7 +531,7 @@ export class PathView {
   }
 
   private moved(): void {
-    this.hasMoved = true;
+    this.hasMoved = this.marksMoved = true;
     if (this.eye.userMoved && !this.turning) {
       this.turning = true;
       this.painter.pace.begin();
@@ -575,23 +596,11 @@ export class PathView {
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
       this.other.dash(pixel);
+      if (this.marksMoved) this.measured.draw(this.eye.screen());
+      this.marksMoved = false;
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();
     });
   }
-}
-
-function none(): Lines {
-  return { points: new Float32Array(0), rows: undefined, count: 0 };
-}
-
-function remove(object: LineSegments | undefined): void {
-  if (!object) return;
-  object.geometry.dispose();
-  object.removeFromParent();
-}
-
-function empty(group: Group): void {
-  for (const object of [...group.children]) remove(object as LineSegments);
 }

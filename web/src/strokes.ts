@@ -1,13 +1,19 @@
 // Lines in colours of their own: wide ones where there are few, the card's own where there are many.
 
-import { BufferAttribute, BufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
+import { BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, type Group, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import type { Progress } from "./progress";
 
 export class StrokeMaterials {
   thin = new LineBasicMaterial({ vertexColors: true });
   wide = new LineMaterial({ vertexColors: true, linewidth: 1.8 });
+
+  constructor(progress: Progress) {
+    progress.attach(this.thin);
+    progress.attach(this.wide, true);
+  }
 }
 
 /** Some lines with a colour each. */
@@ -16,13 +22,15 @@ export class Strokes {
   constructor(
     private points: Float32Array,
     private colors: Uint8Array,
+    /** The rows at both ends of each line. */
+    private spans: Float32Array,
     materials: StrokeMaterials,
     readonly isWide: boolean,
   ) {
     if (isWide) {
       this.object = new LineSegments2(this.wideGeometry(), materials.wide);
     } else {
-      const geometry = geometryOf(points);
+      const geometry = geometryOf(points, spans);
       geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
       this.object = new LineSegments(geometry, materials.thin);
     }
@@ -36,6 +44,7 @@ export class Strokes {
     const colors = new InstancedInterleavedBuffer(this.colors, 6, 1);
     geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colors, 3, 0, true));
     geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colors, 3, 3, true));
+    geometry.setAttribute("rowSpan", new InstancedBufferAttribute(this.spans, 2));
     return geometry;
   }
 
@@ -53,8 +62,20 @@ export class Strokes {
   }
 }
 
-export function geometryOf(points: Float32Array): BufferGeometry {
+/** Lines, and the rows at both ends of each where what is to come of them is drawn pale. */
+export function geometryOf(points: Float32Array, spans?: Float32Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
+  if (spans) geometry.setAttribute("rowAt", new BufferAttribute(spans, 1));
   return geometry;
+}
+
+export function remove(object: LineSegments | undefined): void {
+  if (!object) return;
+  object.geometry.dispose();
+  object.removeFromParent();
+}
+
+export function empty(group: Group): void {
+  for (const object of [...group.children]) remove(object as LineSegments);
 }

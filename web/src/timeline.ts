@@ -1,5 +1,6 @@
 // The timeline: speed over time, a scrubber, and playback.
 
+import { type Sign, icon, signButton } from "./icons";
 import { type Setpoints, speedBands } from "./playback";
 import { type Units, duration, speed } from "./units";
 
@@ -22,18 +23,9 @@ export class Timeline {
   onToCursor: () => void = () => {};
 
   constructor(root: HTMLElement) {
-    const button = (text: string, label: string, act: () => void) => {
-      const made = document.createElement("button");
-      made.type = "button";
-      made.textContent = text;
-      made.title = label;
-      made.setAttribute("aria-label", label);
-      made.addEventListener("click", act);
-      return made;
-    };
     const bar = document.createElement("div");
     bar.className = "transport";
-    this.playButton = button("▶", "Play (Space)", () => this.toggle());
+    this.playButton = signButton("play", "Play (Space)", () => this.toggle());
     this.playButton.id = "play";
     this.rateText = document.createElement("span");
     this.rateText.className = "rate";
@@ -41,14 +33,14 @@ export class Timeline {
     this.clock.className = "clock";
     this.clock.id = "clock";
     bar.append(
-      button("|◂", "Back to the start", () => this.seek(0)),
-      button("◂", "Block before (,)", () => this.onStep(-1)),
+      signButton("start", "To the start", () => this.seek(0)),
+      signButton("back", "Previous block (,)", () => this.onStep(-1)),
       this.playButton,
-      button("▸", "Next block (.)", () => this.onStep(1)),
-      button("⇥", "Run to the cursor (R)", () => this.onToCursor()),
-      button("−", "Slower ([)", () => this.faster(-1)),
+      signButton("next", "Next block (.)", () => this.onStep(1)),
+      signButton("cursor", "To the line of the cursor (R)", () => this.onToCursor()),
+      signButton("minus", "Slower ([)", () => this.faster(-1)),
       this.rateText,
-      button("+", "Faster (])", () => this.faster(1)),
+      signButton("plus", "Faster (])", () => this.faster(1)),
       this.clock,
     );
     const plot = document.createElement("div");
@@ -142,13 +134,20 @@ export class Timeline {
 
   private show(): void {
     const total = this.points?.totalS ?? 0;
-    this.playButton.textContent = this.playing ? "⏸" : "▶";
-    this.playButton.setAttribute("aria-label", this.playing ? "Pause (Space)" : "Play (Space)");
+    this.showSign();
     this.rateText.textContent = `${RATES[this.rate]}×`;
     this.clock.textContent = this.points ? `${duration(this.now)} / ${duration(total)}` : "planning…";
     this.slider.disabled = !this.points;
     this.slider.value = String(this.now);
     this.slider.setAttribute("aria-valuetext", duration(this.now));
+  }
+
+  private showSign(): void {
+    const sign: Sign = this.playing ? "pause" : "play";
+    const label = this.playing ? "Pause (Space)" : "Play (Space)";
+    this.playButton.setAttribute("aria-label", label);
+    this.playButton.title = label;
+    if (this.playButton.querySelector("svg")?.dataset.sign !== sign) this.playButton.replaceChildren(icon(sign));
   }
 
   setMessage(text: string): void {

@@ -72,6 +72,6 @@ test("a move that turns is a helix on the part, its ends exact", () => {
 test("an axis of which nothing is known is told where the program moves it", () => {
   const rotary = [none("A"), { ...none("B"), turns: "head" as const }, none("C")];
   const moved = (letter: string) => ({ letter, range: [0, 90] as [number, number] });
-  expect(unknownTurns([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^A: not known/);
+  expect(unknownTurns([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^What A turns is not known/);
   expect(unknownTurns([moved("B"), { letter: "C", range: [0, 0] }], rotary)).toBe("");
 });

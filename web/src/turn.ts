@@ -160,7 +160,7 @@ export function unknownTurns(axes: { letter: string; range: [number, number] }[]
   });
   if (unknown.length === 0) return "";
   const names = unknown.map((own) => own.letter).join(", ");
-  return `${names}: not known what it turns, so the turn is not drawn (rotary.${unknown[0]!.letter}.turns in the machine file)`;
+  return `What ${names} turns is not known: the path is drawn without rotation. Give \`rotary.${unknown[0]!.letter}.turns\` in the machine file.`;
 }
 
 function signed(axis: Rotary, angle: number): number {

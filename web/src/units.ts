@@ -12,9 +12,11 @@ function trimmed(value: number, digits: number): string {
   return short === "-0" ? "0" : short;
 }
 
-/** A length: to 0.0001 in or 0.001 mm. */
-export function length({ inch }: Units, mm: number, unit = true): string {
-  const text = inch ? trimmed(mm / MM_PER_INCH, 4) : trimmed(mm, 3);
+/** A length: to 0.0001 in or 0.001 mm, or with so many figures. */
+export function length({ inch }: Units, mm: number, unit = true, figures = 0): string {
+  const own = inch ? mm / MM_PER_INCH : mm;
+  // Of small numbers so many figures are shown, whatever their size.
+  const text = figures > 0 ? String(Number(own.toPrecision(figures))) : trimmed(own, inch ? 4 : 3);
   return unit ? `${text} ${inch ? "in" : "mm"}` : text;
 }
 

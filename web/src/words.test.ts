@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { pieces } from "./words";
+import { pieces, unwrapped } from "./words";
 
 it("reads code and bold", () => {
   expect(pieces("Word `G18` is the **plane** ZX.")).toEqual([
@@ -10,4 +10,11 @@ it("reads code and bold", () => {
     [" ZX.", false, false],
   ]);
   expect(pieces("2 * 3 ` 4")).toEqual([["2 * 3 ` 4", false, false]]);
+});
+
+it("joins lines that were broken for a terminal, and no others", () => {
+  const long = "Nothing in the block uses the word. The control ignores it or alarms; in either case";
+  expect(unwrapped(`${long}\nit does not do what was meant.\n\nExample:\n  G1 X1.\n  X2.`)).toBe(
+    `${long} it does not do what was meant.\n\nExample:\n  G1 X1.\n  X2.`,
+  );
 });

@@ -117,6 +117,14 @@ export function askWords(view: EditorView): void {
   view.dispatch({ effects: askAgain.of(null) });
 }
 
+/** Lines as long as this were broken to fit a terminal. */
+const BROKEN = 70;
+
+/** A text that was broken into lines for a terminal, with its paragraphs in one line each. */
+export function unwrapped(text: string): string {
+  return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= BROKEN ? `${line} ` : whole));
+}
+
 /** Paragraphs, code and bold of Markdown; the rest as it stands. */
 export function markdown(text: string): HTMLElement {
   const root = element("div", "meaning");

@@ -103,7 +103,7 @@ test("both paths are drawn, each with a switch, and the differences are told as 
   assert.match(told[0], /^feed/);
   assert.match(told[0], /lines 7–11[^]*600 mm\/min[^]*lines 8–13[^]*650 mm\/min/);
   assert.match(told[1], /^path: at most 0\.05 mm apart[^]*lines 9–10[^]*lines 11–12[^]*X50\.05 Y40/);
-  assert.match(await page.locator(".notes").innerText(), /furthest apart at both-released\.nc:9 and both-returned\.nc:11/);
+  assert.match(await page.locator(".notes").innerText(), /Furthest apart at line 9 of both-released\.nc and line 11 of both-returned\.nc/);
   const [own, other] = await page.locator(".paths label").allInnerTexts();
   assert.match(own, /both-released\.nc on Haas/);
   assert.match(other, /both-returned\.nc on Haas/);
@@ -114,7 +114,7 @@ test("both paths are drawn, each with a switch, and the differences are told as 
   // What is apart is purple, in a dot where it is small; that of a page of the same is not.
   assert.ok((await pixels(page, [0xa3, 0x4f, 0xe0])) > 20);
   // The tool's blue, and near black for the other.
-  const [blue, dark] = [[0x0b, 0x61, 0xa4], [0x11, 0x1a, 0x22]];
+  const [blue, dark] = [[0x00, 0x96, 0xff], [0x11, 0x1a, 0x22]];
   const shown = [await pixels(page, blue), await pixels(page, dark)];
   assert.ok(shown[0] > 100 && shown[1] > 100, String(shown));
   await picture(page, "compare-light");

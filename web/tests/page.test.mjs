@@ -93,7 +93,7 @@ test("an edit makes an error and clears it, and only a save writes the file", as
   assert.match(await page.locator("#panel-problems").innerText(), /error/);
   await page.locator(".problem.error").first().click();
   assert.equal(readFileSync(path, "utf8"), before);
-  assert.match(await page.locator(".dirty").innerText(), /not saved/);
+  assert.match(await page.locator(".dirty").innerText(), /Not saved/);
   // Undo mends it.
   await page.locator(".cm-content").click();
   for (let times = 0; times < 12; times++) await page.keyboard.press("Control+z");
@@ -208,7 +208,7 @@ test("a distance between two places of the path is told in the program's units",
   // From X-3.4585 Z-1.618 to X-2.9928 Z-.952.
   const text = await page.locator(".measured").innerText();
   assert.match(text, /^0\.8127 in/);
-  assert.match(text, /X 0\.4657 +Y 0 +Z 0\.666/);
+  assert.match(text, /X 0\.4657 +Y 0 +Z 0\.666 in/);
   await picture(page, "measure");
   await page.locator("#measure").click();
   assert.equal(await page.locator(".measured").innerText(), "");
@@ -384,14 +384,14 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
   assert.ok(tool.up[1] < -0.95 && tool.at[1] < -19, JSON.stringify(tool));
   await page.evaluate(() => window.chordal.view.fit());
   // What is read is what the program says.
-  assert.match(await page.locator(".readout").innerText(), /Y 0\.000  Z 20\.000  A 45\d\.\d+°/);
+  assert.match(await page.locator(".readout").innerText(), /Y 0\.000  Z 20\.000 mm  A 45\d\.\d+°/);
   await picture(page, "rotary");
   assert.equal(await page.locator(".turns").isVisible(), false);
   assert.deepEqual(complaints, []);
   await page.close();
   // A machine whose file does not say what A turns: drawn without, and told.
   const plain = await show(path, "--machine", "linuxcnc-mill");
-  assert.match(await plain.page.locator(".turns").innerText(), /^A: not known what it turns/);
+  assert.match(await plain.page.locator(".turns").innerText(), /^What A turns is not known/);
   await picture(plain.page, "rotary-unknown");
   await plain.page.close();
   rmSync(folder, { recursive: true, force: true });

@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 use chordal::Machine;
+use chordal::control::table;
 use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::{Program, Setup};
@@ -195,13 +196,27 @@ impl Shown {
             None => self.loader.again(),
         };
         let loaded = loader.load_text(Text::of(&self.name(), text)?, &self.input)?;
-        let title = loaded.machine().title.clone();
+        // Of a machine that nobody named only the control is known: its axes and its maker are those of the
+        // file that stands in for it.
+        let is_guess = loaded.chosen.is_guess();
+        let foreign = loaded.not_read().and(loaded.chosen.recognition());
+        let title = match foreign {
+            Some(found) => found.chosen().title.to_string(),
+            None if is_guess => table(loaded.machine().control).title.to_string(),
+            None => loaded.machine().title.clone(),
+        };
         let why = match &loaded.chosen {
-            Chosen::Folder(path) => Some(format!("{} says so", path.display())),
-            chosen => chosen.why(&title),
+            Chosen::Folder(path) => Some(self.named_in(path)),
+            chosen if foreign.is_some() => chosen.why(&title),
+            chosen => chosen
+                .why(&title)
+                .map(|why| format!("{why}; machine not named, its limits are typical")),
         };
         let program = loaded.program;
-        let (mut texts, machine, options) = loaded.into_parts();
+        let (mut texts, mut machine, options) = loaded.into_parts();
+        if is_guess {
+            machine.title = title;
+        }
         // The first is the text itself.
         let beside = texts.split_off(1);
         let (name, text) = texts.pop().unwrap_or_default();
@@ -212,6 +227,20 @@ impl Shown {
                 format!("{errors:?}"),
             )
         })
+    }
+}
+
+impl Shown {
+    /// Where the machine is named: a file of the program's own folder without the folder.
+    fn named_in(&self, file: &Path) -> String {
+        let folder = self.input.path.as_deref().and_then(|path| path.canonicalize().ok());
+        let own = folder.as_deref().and_then(Path::parent);
+        match (file.file_name(), file.parent()) {
+            (Some(name), Some(parent)) if Some(parent) == own => {
+                format!("named in {} of the same folder", name.to_string_lossy())
+            }
+            _ => format!("named in {}", file.display()),
+        }
     }
 }
 

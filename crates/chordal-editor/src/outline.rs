@@ -112,8 +112,10 @@ impl Program {
         let upper = text.to_ascii_uppercase();
         let upper = String::from_utf8_lossy(&upper).into_owned();
         let (label, word) = upper.trim().rsplit_once([' ', '>', '\t'])?;
-        let close = if upper.contains('>') { ">" } else { "" };
-        let name = format!("{}{close}", label.trim().to_ascii_lowercase());
+        let label = label.trim().to_ascii_lowercase();
+        // `o<part>sub` is split at its bracket, `o<part> sub` is not.
+        let is_open = label.contains('<') && !label.ends_with('>');
+        let name = if is_open { format!("{label}>") } else { label };
         (word == "SUB").then(|| (PROGRAM, self.make(block, EntryKind::Subroutine, name)))
     }
 

@@ -93,6 +93,14 @@ fn the_state_behind_a_line_is_the_controls() {
 }
 
 #[test]
+fn the_outline_names_subroutines_as_the_program_does() {
+    let text = "o<Lift> sub\nG0 Z5\no<lift> endsub\no<deep>sub\no<deep>endsub\no100 sub\no100 endsub\nM2\n";
+    let outline = on("linuxcnc-mill", text).outline();
+    let names: Vec<&str> = outline.iter().map(|entry| entry.name.as_str()).collect();
+    assert_eq!(names, ["o<lift>", "o<deep>", "o100"]);
+}
+
+#[test]
 fn the_outline_goes_by_program_tool_and_operation() {
     let program = haas(
         "%\nO1 (PLATE)\nT1 M6 (DRILL)\n(SPOT)\nG0 X1.\n(DEEP)\nG0 X2.\nT2\nM6\n(***)\n(BORE)\nM30\nO2\nM99\n%\n",

@@ -75,7 +75,8 @@ pub use digest::sha256_hex;
 pub use dxf::Dxf;
 pub use machine_error::machine_error_text;
 pub use plot::{
-    MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png, figure_svg,
+    MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
+    figure_svg, palette_typescript,
 };
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};

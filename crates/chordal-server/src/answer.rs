@@ -2,7 +2,7 @@
 
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::{Axis, ToolShape, Turns};
+use chordal::machine::{Axis, Solid, ToolShape, Turns};
 use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
@@ -118,6 +118,13 @@ pub fn machine(job: &Job) -> Value {
             "diameter_mm": tool.diameter_mm,
             "length_mm": tool.length_mm(),
             "corner_radius_mm": tool.corner_radius_mm,
+            "shape": tool.shape.map(ToolShape::as_str),
+            "point_angle_rad": tool.point_angle_rad,
+            "tip_diameter_mm": tool.tip_diameter_mm,
+            "flute_length_mm": tool.flute_length_mm,
+            "profile_mm": tool.profile,
+            "shank_mm": tool.shank.iter().map(solid).collect::<Vec<_>>(),
+            "holder_mm": tool.holder.iter().map(solid).collect::<Vec<_>>(),
             "kind": tool.description.as_deref().or(tool.shape.map(ToolShape::as_str)),
             "comment": tool.comment,
         })
@@ -130,6 +137,11 @@ pub fn machine(job: &Job) -> Value {
         "rotary": rotary,
         "tools": tools.collect::<Vec<_>>(),
     })
+}
+
+/// Height, lower and upper diameter, mm.
+fn solid(solid: &Solid) -> [f64; 3] {
+    [solid.height_mm, solid.lower_mm, solid.upper_mm]
 }
 
 /// Where the time goes.

@@ -1,7 +1,7 @@
 //! The chords that stand for arcs within a tolerance, as the library cuts them.
 
 use chordal::Job;
-use chordal::geometry::{ChordError, Curve, ParamCurve, Placement, Vec3};
+use chordal::geometry::{Arc, ChordError, Curve, ParamCurve, Placement, Vec3};
 use serde_json::{Value, json};
 
 use crate::frame::Frame;
@@ -38,6 +38,10 @@ struct Gathered {
     curves: u64,
     chords: u64,
     left_out: u64,
+    /// How far a chord of an arc is from it at most, mm.
+    error_mm: f64,
+    /// There are curves that are no arcs: their chords are within the tolerance, and how far is not known.
+    others: u64,
 }
 
 impl Gathered {
@@ -56,6 +60,10 @@ impl Gathered {
             return Ok(());
         }
         let origin = *self.origin.get_or_insert(curve.start());
+        match curve {
+            Curve::Arc(arc) => self.error_mm = self.error_mm.max(error_of(arc, corners.clone())),
+            _ => self.others += 1,
+        }
         let mut before: Option<[f32; 3]> = None;
         for corner in corners {
             let d = corner - origin;
@@ -78,8 +86,58 @@ impl Gathered {
             "curves": self.curves,
             "chords": self.chords,
             "left_out": self.left_out,
+            "error_mm": (self.others == 0 && self.curves > 0).then_some(self.error_mm),
             "origin": crate::answer::point(origin),
         });
         frame.finish(header)
+    }
+}
+
+/// How far the corners of an arc's chords, and their middles, are from its circle at most, mm.
+fn error_of(arc: &Arc, corners: impl Iterator<Item = Vec3>) -> f64 {
+    let distance = |at: Vec3| {
+        let arm = at - arc.center;
+        let along = arc.w * arm.dot(arc.w);
+        ((arm - along).length() - arc.radius).abs()
+    };
+    let mut before: Option<Vec3> = None;
+    let mut most = 0.0_f64;
+    for corner in corners {
+        most = most.max(distance(corner));
+        if let Some(before) = before.replace(corner) {
+            most = most.max(distance((before + corner) * 0.5));
+        }
+    }
+    most
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_of_a_quarter_in_two_chords_is_that_of_their_middles() {
+        let arc = Arc::through(
+            Vec3::new(10.0, 0.0, 0.0),
+            Vec3::new(7.071_067_811_865_476, 7.071_067_811_865_476, 0.0),
+            Vec3::new(0.0, 10.0, 0.0),
+        )
+        .expect("three points of a circle");
+        let corners = [arc.start, arc.point_at(arc.length() / 2.0), arc.end];
+        // r − r·cos(45°/2) = 0.761 mm
+        let error = error_of(&arc, corners.into_iter());
+        assert!((error - 0.761_204_67).abs() < 1e-6, "{error}");
+    }
+
+    #[test]
+    fn balanced_chords_leave_the_circle_by_the_tolerance_on_both_sides() {
+        let (start, end) = (Vec3::new(10.0, 0.0, 0.0), Vec3::new(0.0, 10.0, 0.0));
+        let via = Vec3::new(7.071_067_811_865_476, 7.071_067_811_865_476, 0.0);
+        let arc = Arc::through(start, via, end).expect("three points of a circle");
+        for placement in [Placement::Inscribed, Placement::Balanced] {
+            let corners = Curve::Arc(arc).chords(0.01, placement).expect("chords");
+            let error = error_of(&arc, corners);
+            assert!(error > 0.005 && error <= 0.01 + 1e-9, "{placement:?}: {error}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use chordal::control::{
     Command, CommandKind, Control, Coolant, FeedMode, Overrides, PathMode, Side, SpindleState,
-    Units, WorkName,
+    Units, WorkName, initial_work_offset,
 };
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::Frame;
@@ -79,7 +79,7 @@ impl ModalTrack {
             length: None,
             side: Side::Off,
             cutter: None,
-            work: None,
+            work: Some(initial_work_offset(control)),
             path: None,
             overrides: Overrides::ON,
             shift: Vec3::ZERO,

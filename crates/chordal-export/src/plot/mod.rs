@@ -130,6 +130,11 @@ impl Plot {
     }
 }
 
+/// The colours of the drawings as TypeScript: the page of `chordal view` shows the same ones.
+pub fn palette_typescript() -> String {
+    palette::typescript()
+}
+
 /// Draws an SVG of this size as PNG; it is asked for only when the size can be drawn.
 fn render(width: u32, height: u32, svg: impl FnOnce() -> String) -> Result<Vec<u8>, PlotError> {
     let size = PlotError::Size(width, height);

@@ -1,4 +1,6 @@
-//! Colours of the two sheets.
+//! Colours of the two sheets, and of the page of `chordal view`, which shows the same ones.
+
+use std::fmt::Write;
 
 /// The colours of a sheet.
 #[derive(Debug)]
@@ -12,11 +14,18 @@ pub(super) struct Palette {
     pub faint: &'static str,
     pub rapid: &'static str,
     pub start: &'static str,
-    tools: [&'static str; 7],
+    tools: [&'static str; TOOLS],
+    /// From the least to the most, of a feed or a height: from one lightness to another, so that the order
+    /// shows without colours, too.
+    ramp: [&'static str; 5],
 }
 
-/// After Okabe and Ito: distinguished by the colour-blind, and by their grey in print. Yellow is
-/// left out, because it does not show on white.
+/// Tools that have a colour of their own.
+const TOOLS: usize = 10;
+
+/// One of each family of hues, with the lightness of each chosen so that any two stay apart for those
+/// who do not see red, green or blue, and each from the sheet and the rapids. The tests of the page
+/// measure it.
 static LIGHT: Palette = Palette {
     sheet: "#ffffff",
     panel: "#fcfcfb",
@@ -27,7 +36,11 @@ static LIGHT: Palette = Palette {
     faint: "#68707a",
     rapid: "#8d949c",
     start: "#1d2227",
-    tools: ["#0072b2", "#d55e00", "#008a63", "#b0487f", "#5b4bb5", "#b87d00", "#30353b"],
+    tools: [
+        "#0096ff", "#ff5a00", "#780096", "#2da55a", "#87000f", "#007887", "#ff1ee1", "#875a00",
+        "#0000e1", "#3c3c4b",
+    ],
+    ramp: ["#1c0055", "#46218f", "#7a3fae", "#c0568f", "#e8730c"],
 };
 
 static DARK: Palette = Palette {
@@ -40,7 +53,11 @@ static DARK: Palette = Palette {
     faint: "#98a1ab",
     rapid: "#7b8590",
     start: "#ffffff",
-    tools: ["#56b4e9", "#ff8b3d", "#2fc79a", "#e58fbd", "#a79cf5", "#f0c04a", "#dfe3e8"],
+    tools: [
+        "#0069b4", "#f09600", "#9600ff", "#87ff00", "#ff1e69", "#4bc3b4", "#ffa5ff", "#78690f",
+        "#8787ff", "#e1e1d2",
+    ],
+    ramp: ["#6a5acd", "#a65fd0", "#e56fae", "#ffa07a", "#fff3a0"],
 };
 
 /// Names for the page that the drawing stands in, which gives each its colour.
@@ -62,7 +79,12 @@ static PAGE: Palette = Palette {
         "var(--plot-tool-5)",
         "var(--plot-tool-6)",
         "var(--plot-tool-7)",
+        "var(--plot-tool-8)",
+        "var(--plot-tool-9)",
+        "var(--plot-tool-10)",
     ],
+    // No drawing of a report is coloured by it.
+    ramp: [""; 5],
 };
 
 impl Palette {
@@ -80,7 +102,8 @@ impl Palette {
     }
 
     fn all(&self) -> Vec<&'static str> {
-        let Palette { sheet, panel, border, grid, zero, text, faint, rapid, start, tools } = self;
+        let Palette { sheet, panel, border, grid, zero, text, faint, rapid, start, tools, ramp: _ } =
+            self;
         let one = [sheet, panel, border, grid, zero, text, faint, rapid, start];
         one.into_iter().chain(tools).copied().collect()
     }
@@ -99,4 +122,24 @@ impl Palette {
     pub fn round(&self, index: usize) -> usize {
         index / self.tools.len()
     }
+}
+
+/// The colours as TypeScript, for the page of `chordal view`.
+pub(super) fn typescript() -> String {
+    let mut text = String::from(
+        "// Written by `cargo run -p chordal-export --example palette`: the colours of the picture files.\n",
+    );
+    for (name, colors) in [("LIGHT_SHEET", &LIGHT), ("DARK_SHEET", &DARK)] {
+        let list = |colors: &[&str]| format!("[\"{}\"]", colors.join("\", \""));
+        let Palette { sheet, text: ink, rapid, tools, ramp, .. } = colors;
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "\nexport const {name} = {{\n  sheet: \"{sheet}\",\n  text: \"{ink}\",\n  rapid: \"{rapid}\",\n  \
+             tools: {},\n  ramp: {},\n}};\n",
+            list(tools),
+            list(ramp)
+        );
+    }
+    text
 }
