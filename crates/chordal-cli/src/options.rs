@@ -71,7 +71,7 @@ impl Common {
 #[derive(clap::Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Problems")]
 pub struct Showing {
-    /// Shows so many places of each code in full; without it three of errors and one of the rest
+    /// Shows so many places of each code in full; without it as many as fit a screen
     #[arg(long, value_name = "N", conflicts_with_all = ["quiet", "verbose"])]
     max: Option<usize>,
 

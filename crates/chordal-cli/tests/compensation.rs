@@ -60,10 +60,10 @@ fn the_range_names_what_limits_it() {
     folder.run(&arguments).ends(0).says(&[
         "contour 1: lines 6 to 10, G41 in XY",
         "line 7: inside radius 0.25 in is smaller than the offset",
-        "gouge    up to 0.5 in: line 8: the tool runs inside this arc",
-        "leads    up to 0.25 in: line 7: the lead-in or lead-out arc",
+        "gouge    radius up to 0.5 in: line 8: the tool runs inside this arc",
+        "leads    radius up to 0.25 in: line 7: the lead-in or lead-out arc",
         "passes its centre at 0.1768 in",
-        "offset 1 = 0.175 in: fits",
+        "offset 1 has the radius 0.175 in: fits",
     ]);
     let large = ["-m", "haas-vf2", "--set", "tools.1.diameter=\"0.6 in\""];
     let mut arguments = vec!["comp-range", "thread.nc", "--format", "json"];

@@ -17,7 +17,8 @@ const MOST_CALLS: usize = 6;
 pub enum Detail {
     /// One line for each code, without the words of the program.
     Lines,
-    /// The first places of each code in full, of the others the lines: of errors three, of the rest one.
+    /// What fits a screen: the first place of a code in full, of the others the lines. Of a few errors three
+    /// places; after some codes one line each.
     #[default]
     First,
     /// So many places of each code in full.
@@ -26,12 +27,19 @@ pub enum Detail {
     All,
 }
 
+/// So many errors together are few.
+const FEW_ERRORS: u64 = 6;
+
+/// Codes with a place in full, of those that fit a screen.
+const MOST_CODES: usize = 4;
+
 impl Detail {
-    fn places(self, severity: Severity) -> usize {
+    /// How many places of a code are shown in full: of the code with this index, in a run with so many errors.
+    fn places(self, severity: Severity, index: usize, errors: u64) -> usize {
         match (self, severity) {
             (Detail::Lines, _) => 0,
-            (Detail::First, Severity::Error) => 3,
-            (Detail::First, Severity::Warning | Severity::Note) => 1,
+            (Detail::First, Severity::Error) if errors <= FEW_ERRORS => 3,
+            (Detail::First, _) => usize::from(index < MOST_CODES),
             (Detail::Places(most), _) => most.max(1),
             (Detail::All, _) => usize::MAX,
         }
@@ -42,11 +50,18 @@ impl Detail {
 /// there are. Empty when there are none.
 pub fn text(report: &Report, sources: &SourceMap, color: bool, detail: Detail) -> String {
     let mut out = String::new();
-    for group in groups(report) {
-        match detail {
-            Detail::Lines => out.push_str(&line(&group, sources)),
-            _ => out.push_str(&group_text(&group, sources, color, detail.places(group.severity))),
+    let mut brief = 0;
+    for (index, group) in groups(report).into_iter().enumerate() {
+        match detail.places(group.severity, index, report.counts.errors) {
+            0 => {
+                out.push_str(&line(&group, sources));
+                brief += 1;
+            }
+            most => out.push_str(&group_text(&group, sources, color, most)),
         }
+    }
+    if brief > 0 && detail == Detail::First {
+        out.push('\n');
     }
     out.push_str(&closing(&report.counts));
     if let Some((file, line)) = report.not_verified_line(sources) {
