@@ -125,6 +125,11 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
     if parser.take_text("BPRNT") {
         return output(parser, start, Output::Binary);
     }
+    // Names for variables on the screen: `SETVN500[DEPTH,WIDTH]`.
+    if parser.take_text("SETVN") {
+        parser.at = parser.end;
+        return Statement::Empty;
+    }
     unknown(parser, start, "no macro statement of this control begins like this")
 }
 
