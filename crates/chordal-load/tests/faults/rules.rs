@@ -1,0 +1,344 @@
+//! How faults are planted in a line. Each gives the line with the fault, or nothing where the line has no place
+//! for it or it would be no fault there.
+
+use super::{Line, Part, Word};
+
+type Planted = Option<String>;
+
+pub fn same_line(_: &Part, line: &Line) -> Option<usize> {
+    Some(line.number)
+}
+
+fn axis(line: &Line) -> Option<&Word> {
+    b"XYZ".iter().find_map(|letter| line.word(*letter))
+}
+
+/// A line that only moves: its axis words are places.
+fn moves(line: &Line) -> bool {
+    let special = ["4", "10", "28", "29", "30", "31", "38.2", "43", "50", "51", "52", "53", "65", "66", "68", "92"];
+    (line.done.rapid || line.done.cuts) && line.g(&special).is_none() && line.m(&["98"]).is_none()
+}
+
+fn last_number(word: &Word) -> String {
+    word.value.trim_start_matches(['-', '+']).into()
+}
+
+// Slips of the fingers.
+
+pub fn letter_o(_: &Part, line: &Line) -> Planted {
+    let word = line.words.iter().find(|word| {
+        b"XYZF".contains(&word.letter) && last_number(word).len() > 1 && word.value.contains('0')
+    })?;
+    let new = word.value.replacen('0', "O", 1);
+    moves(line).then(|| line.with(word, &format!("{}{new}", word.letter as char)))
+}
+
+pub fn word_twice(_: &Part, line: &Line) -> Planted {
+    let word = axis(line).filter(|_| moves(line))?;
+    line.and(&format!(" {}1.5", word.letter as char))
+}
+
+pub fn bare_axis(_: &Part, line: &Line) -> Planted {
+    let word = axis(line).filter(|_| moves(line))?;
+    Some(line.with(word, &format!("{} ", word.letter as char)))
+}
+
+pub fn two_points(_: &Part, line: &Line) -> Planted {
+    let word = axis(line).filter(|word| moves(line) && word.value.contains('.'))?;
+    Some(line.with(word, &format!("{}{}.5", word.letter as char, word.value)))
+}
+
+pub fn comma(_: &Part, line: &Line) -> Planted {
+    let fraction = |word: &&Word| {
+        word.value.split_once('.').is_some_and(|(whole, rest)| {
+            whole.ends_with(|digit: char| digit.is_ascii_digit()) && !rest.is_empty()
+        })
+    };
+    let word = axis(line).filter(|_| moves(line)).filter(fraction)?;
+    Some(line.with(word, &format!("{}{}", word.letter as char, word.value.replace('.', ","))))
+}
+
+pub fn lost_letter(_: &Part, line: &Line) -> Planted {
+    let word = axis(line).filter(|_| moves(line))?;
+    // After another word its number would be a part of that one.
+    let before = line.text[..word.range.start].trim_end_matches(' ');
+    let apart = before.len() < word.range.start;
+    apart.then(|| line.with(word, &word.value))
+}
+
+pub fn open_comment(_: &Part, line: &Line) -> Planted {
+    let code = line.text.trim_end();
+    (code.ends_with(')') && code.matches('(').count() == 1 && !line.words.is_empty())
+        .then(|| code[..code.len() - 1].into())
+}
+
+pub fn lost_point(_: &Part, line: &Line) -> Planted {
+    let words = line.words.iter().filter(|word| b"XY".contains(&word.letter));
+    let mut whole = words.filter(|word| {
+        word.value.strip_suffix('.').is_some_and(|rest| rest.trim_start_matches('-') != "0")
+    });
+    let word = whole.next().filter(|_| moves(line))?;
+    Some(line.with(word, &format!("{}{}", word.letter as char, &word.value[..word.value.len() - 1])))
+}
+
+// Codes.
+
+pub fn unknown_g(_: &Part, line: &Line) -> Planted {
+    let word = line.g(&["0", "1", "2", "3", "17", "54", "90"])?;
+    Some(line.with(word, "G223"))
+}
+
+pub fn unknown_m(_: &Part, line: &Line) -> Planted {
+    let word = line.m(&["3", "5", "8", "9"])?;
+    Some(line.with(word, "M477"))
+}
+
+pub fn two_motions(_: &Part, line: &Line) -> Planted {
+    let word = line.g(&["0", "1"]).filter(|_| moves(line))?;
+    Some(line.with(word, "G0 G1"))
+}
+
+pub fn two_offsets(_: &Part, line: &Line) -> Planted {
+    let word = line.g(&["54", "55", "56"])?;
+    Some(line.with(word, "G54 G55"))
+}
+
+// Arcs.
+
+/// An arc in XY with centre words, that ends elsewhere than it begins.
+fn arc_of_xy(line: &Line) -> bool {
+    let known = line.done.arc && !line.done.cycle && line.word(b'R').is_none();
+    let centre = line.word(b'I').is_some() && line.word(b'J').is_some() && line.word(b'K').is_none();
+    known && centre && line.word(b'P').is_none()
+}
+
+/// The line before in the program with the same end: a full circle.
+fn is_full_circle(part: &Part, line: &Line) -> bool {
+    let value = |line: &Line, letter| {
+        line.word(letter).and_then(|word| word.value.parse::<f64>().ok())
+    };
+    let before = |letter| {
+        let lines = part.lines[..line.number - 1].iter().rev();
+        lines.filter(|line| line.done.ran).find_map(|line| value(line, letter))
+    };
+    let same = |letter| value(line, letter).is_none_or(|end| before(letter) == Some(end));
+    same(b'X') && same(b'Y')
+}
+
+pub fn arc_end(_: &Part, line: &Line) -> Planted {
+    let word = axis(line).filter(|word| arc_of_xy(line) && word.letter != b'Z')?;
+    let value: f64 = word.value.parse().ok()?;
+    Some(line.with(word, &format!("{}{:.3}", word.letter as char, value + 0.35)))
+}
+
+pub fn short_radius(part: &Part, line: &Line) -> Planted {
+    if !arc_of_xy(line) || is_full_circle(part, line) {
+        return None;
+    }
+    let text = line.with(line.word(b'I')?, "R.01");
+    let at = text.find(&line.text[line.word(b'J')?.range.clone()])?;
+    let length = line.word(b'J')?.range.len();
+    Some(format!("{}{}", &text[..at], &text[at + length..]))
+}
+
+pub fn no_centre(part: &Part, line: &Line) -> Planted {
+    if !arc_of_xy(line) || is_full_circle(part, line) {
+        return None;
+    }
+    let text = line.without(line.word(b'J')?);
+    let range = line.word(b'I')?.range.clone();
+    Some(format!("{}{}", &text[..range.start], &text[range.end..]))
+}
+
+pub fn other_plane(_: &Part, line: &Line) -> Planted {
+    let word = line.word(b'J').filter(|_| arc_of_xy(line))?;
+    Some(line.with(word, &format!("K{}", word.value)))
+}
+
+// Cutter compensation.
+
+/// The program never compensates: a first G41 can be planted.
+fn compensates(part: &Part) -> bool {
+    part.lines.iter().any(|line| line.done.compensated || line.g(&["41", "42"]).is_some())
+}
+
+pub fn starts_in_arc(part: &Part, line: &Line) -> Planted {
+    (arc_of_xy(line) && !compensates(part)).then(|| line.and(" G41 D1"))?
+}
+
+pub fn no_d(part: &Part, line: &Line) -> Planted {
+    let first = part.lines.iter().find(|line| line.word(b'D').is_some())?;
+    let word = line.word(b'D').filter(|_| line.number == first.number)?;
+    line.g(&["41", "42"])?;
+    Some(line.without(word))
+}
+
+pub fn no_g40(_: &Part, line: &Line) -> Planted {
+    let word = line.g(&["40"])?;
+    // Not those of the first line, where nothing is on.
+    line.g(&["17", "80", "49"]).is_none().then(|| line.without(word))
+}
+
+/// The first line after it that returns, changes the tool or ends.
+pub fn end_of_compensation(part: &Part, line: &Line) -> Option<usize> {
+    let ends = |line: &&Line| {
+        line.g(&["28", "53"]).is_some() || line.m(&["2", "6", "30"]).is_some()
+    };
+    part.lines[line.number..].iter().find(ends).map(|line| line.number)
+}
+
+pub fn other_length(_: &Part, line: &Line) -> Planted {
+    line.g(&["43"])?;
+    let word = line.word(b'H')?;
+    let number: u32 = word.value.parse().ok()?;
+    Some(line.with(word, &format!("H{}", number + 1)))
+}
+
+// Feed and spindle.
+
+pub fn no_feed(part: &Part, line: &Line) -> Planted {
+    let first = part.lines.iter().find(|line| line.word(b'F').is_some())?;
+    let word = line.word(b'F').filter(|_| line.number == first.number && line.done.cuts)?;
+    Some(line.without(word))
+}
+
+pub fn zero_feed(_: &Part, line: &Line) -> Planted {
+    let word = line.word(b'F').filter(|_| line.done.cuts)?;
+    Some(line.with(word, "F0"))
+}
+
+pub fn no_spindle(part: &Part, line: &Line) -> Planted {
+    let starts = |line: &&Line| line.m(&["3", "4"]).is_some();
+    let first = part.lines.iter().find(starts)?;
+    let word = line.m(&["3", "4"]).filter(|_| line.number == first.number)?;
+    Some(line.without(word))
+}
+
+/// The first line after it that cuts.
+pub fn first_cut(part: &Part, line: &Line) -> Option<usize> {
+    let lines = &part.lines[line.number - 1..];
+    // Another start of the spindle comes first: the fault is mended there.
+    let next = lines[1..].iter().find(|line| line.m(&["3", "4", "6"]).is_some());
+    let cut = lines.iter().find(|line| line.done.cuts)?.number;
+    next.is_none_or(|next| cut < next.number).then_some(cut)
+}
+
+pub fn rapid_plunge(part: &Part, line: &Line) -> Planted {
+    let word = line.g(&["1"]).filter(|_| line.done.cuts && !line.done.incremental)?;
+    let depth: f64 = line.word(b'Z')?.value.parse().ok()?;
+    // A cut below the part's top must follow, so that the rapid is one into it.
+    let next = part.lines.get(line.number)?;
+    let cuts = next.done.cuts && next.word(b'Z').is_none() && next.g(&["1", "2", "3"]).is_none();
+    (depth < 0.0 && cuts && axis(line)?.letter == b'Z').then(|| line.with(word, "G0"))
+}
+
+// Cycles.
+
+fn starts_cycle(line: &Line) -> bool {
+    let cycles = ["73", "74", "76", "81", "82", "83", "84", "85", "86", "87", "88", "89"];
+    line.g(&cycles).is_some()
+}
+
+/// The first cycle of the program: nothing is kept from another one.
+fn first_cycle(part: &Part, line: &Line) -> bool {
+    part.lines.iter().find(|line| starts_cycle(line)).is_some_and(|first| first.number == line.number)
+}
+
+pub fn cycle_no_r(part: &Part, line: &Line) -> Planted {
+    let word = line.word(b'R').filter(|_| first_cycle(part, line))?;
+    Some(line.without(word))
+}
+
+pub fn cycle_no_z(part: &Part, line: &Line) -> Planted {
+    let word = line.word(b'Z').filter(|_| first_cycle(part, line))?;
+    Some(line.without(word))
+}
+
+pub fn cycle_no_q(part: &Part, line: &Line) -> Planted {
+    line.g(&["73", "83"])?;
+    let word = line.word(b'Q').filter(|_| first_cycle(part, line))?;
+    Some(line.without(word))
+}
+
+pub fn cycle_r_below(_: &Part, line: &Line) -> Planted {
+    let word = line.word(b'R').filter(|_| starts_cycle(line))?;
+    line.word(b'Z').filter(|depth| depth.value.starts_with('-'))?;
+    Some(line.with(word, "R-90."))
+}
+
+// Programs.
+
+pub fn lost_program(_: &Part, line: &Line) -> Planted {
+    let call = line.m(&["97", "98"]).is_some() || line.g(&["65"]).is_some();
+    let word = line.word(b'P').filter(|_| call)?;
+    Some(line.with(word, "P7654"))
+}
+
+pub fn call_without_number(_: &Part, line: &Line) -> Planted {
+    let call = line.m(&["97", "98"]).is_some() || line.g(&["65"]).is_some();
+    let word = line.word(b'P').filter(|_| call)?;
+    Some(line.without(word))
+}
+
+pub fn no_end(part: &Part, line: &Line) -> Planted {
+    let word = line.m(&["2", "30"])?;
+    let more = part.lines[line.number..].iter().any(|line| !line.words.is_empty());
+    (!more).then(|| line.without(word))
+}
+
+/// The last line with words before it, or itself where a word is left.
+pub fn last_line(part: &Part, line: &Line) -> Option<usize> {
+    let words = |own: &&Line| own.words.len() > usize::from(own.number == line.number);
+    part.lines[..line.number].iter().rev().find(words).map(|line| line.number)
+}
+
+// Macros.
+
+fn is_macro(line: &Line) -> bool {
+    line.words.is_empty() && line.done.ran && !line.text.trim_start().starts_with(['(', ';', '%'])
+}
+
+pub fn lost_label(_: &Part, line: &Line) -> Planted {
+    let at = line.text.find("GOTO").filter(|_| line.done.ran && !line.text.contains("IF"))?;
+    let rest = &line.text[at + 4..];
+    let digits = rest.trim_start().chars().take_while(char::is_ascii_digit).count();
+    (digits > 0).then(|| format!("{}GOTO 7654", &line.text[..at]))
+}
+
+pub fn open_bracket(_: &Part, line: &Line) -> Planted {
+    let code = line.text.split('(').next()?;
+    let at = code.rfind(']').filter(|_| is_macro(line))?;
+    Some(format!("{}{}", &line.text[..at], &line.text[at + 1..]))
+}
+
+pub fn division_by_zero(_: &Part, line: &Line) -> Planted {
+    let code = line.text.split(['(', ';']).next()?.trim_end();
+    let (target, value) = code.split_once('=').filter(|_| is_macro(line))?;
+    if target.contains(['I', 'W']) || value.contains("GOTO") || value.trim().is_empty() {
+        return None;
+    }
+    let (open, close) = if target.contains('V') { ('(', ')') } else { ('[', ']') };
+    Some(format!("{target}={open}{}{close}/0", value.trim()))
+}
+
+pub fn open_loop(_: &Part, line: &Line) -> Planted {
+    let code = line.text.trim();
+    let digits = code.strip_prefix("END")?;
+    digits.parse::<u32>().ok().map(|_| "(END)".into())
+}
+
+/// The WHILE of the loop that ends there.
+pub fn loop_head(part: &Part, line: &Line) -> Option<usize> {
+    let number = line.text.trim().strip_prefix("END")?;
+    let head = format!("DO{number}");
+    let mut before = part.lines[..line.number].iter().rev();
+    before.find(|line| line.text.trim_end().ends_with(&head)).map(|line| line.number)
+}
+
+pub fn bad_variable(_: &Part, line: &Line) -> Planted {
+    let at = line.text.find('#').filter(|_| is_macro(line))?;
+    let rest = &line.text[at + 1..];
+    let digits = rest.chars().take_while(char::is_ascii_digit).count();
+    let assigns = rest[digits..].trim_start().starts_with('=');
+    (at == 0 && digits > 0 && assigns).then(|| format!("#99999{}", &rest[digits..]))
+}
