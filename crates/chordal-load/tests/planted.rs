@@ -53,7 +53,8 @@ fn plants(kind: &Kind, part: &Part) -> Vec<(usize, String, usize)> {
     let most = most.unwrap_or(USUAL).max(1);
     if all.len() > most {
         let step = all.len() as f64 / most as f64;
-        let chosen: BTreeSet<usize> = (0..most).map(|index| (index as f64 * step) as usize).collect();
+        let chosen: BTreeSet<usize> =
+            (0..most).map(|index| (index as f64 * step) as usize).collect();
         let mut index = 0;
         all.retain(|_| {
             index += 1;
@@ -77,7 +78,9 @@ fn every_planted_fault_is_found_in_its_line() {
                 let text = part.planted(line, &new);
                 let after = said(&part.check(&text), &text);
                 let right = after.iter().any(|&(at, id, _)| {
-                    at == place && kind.codes.contains(&id) && !before.iter().any(|b| b.0 == at && b.1 == id)
+                    at == place
+                        && kind.codes.contains(&id)
+                        && !before.iter().any(|b| b.0 == at && b.1 == id)
                 });
                 planted += 1;
                 hits += usize::from(right);

@@ -54,8 +54,23 @@ fn right_programs_have_no_error() {
         for each in problems(&report) {
             let line = line_of(&program.text, each.primary.span);
             let words = program.text.lines().nth(line - 1).unwrap_or_default();
-            println!("{:?} {}|{}|{}|{}|{}|{}", each.severity, program.control, program.title, each.code.info().id, line, words, each.message);
-            errors += usize::from(each.severity == chordal::Severity::Error && !matches!(each.code, Code::MissingSubprogram | Code::NotFollowed | Code::PocketWithoutDiameter));
+            println!(
+                "{:?} {}|{}|{}|{}|{}|{}",
+                each.severity,
+                program.control,
+                program.title,
+                each.code.info().id,
+                line,
+                words,
+                each.message
+            );
+            errors += usize::from(
+                each.severity == chordal::Severity::Error
+                    && !matches!(
+                        each.code,
+                        Code::MissingSubprogram | Code::NotFollowed | Code::PocketWithoutDiameter
+                    ),
+            );
         }
         clean += usize::from(errors == 0);
     }

@@ -43,12 +43,14 @@ pub const KINDS: &[Kind] = &[
     kind("an axis without its number", bare_axis, &["CH109"]),
     kind("two decimal points", two_points, &["CH101"]),
     kind("comma for the decimal point", comma, &["CH102", "CH105", "CH109"]),
-    kind("an axis letter lost", lost_letter, &["CH102"]),
+    // With blanks in its numbers, `G0 15.` is G15 there.
+    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&["linuxcnc"]),
     kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
     kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&["fadal", "linuxcnc"]),
     // Codes.
     kind("unknown G code", unknown_g, &["CH301"]),
-    kind("unknown M code", unknown_m, &["CH301"]),
+    // Where M codes are the machine builder's, an unknown one is a note.
+    kind("unknown M code", unknown_m, &["CH301"]).not_on(&["fanuc", "mitsubishi"]),
     kind("G0 and G1 in one block", two_motions, &["CH302"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
     // Arcs.
@@ -57,23 +59,24 @@ pub const KINDS: &[Kind] = &[
     kind("neither centre nor radius", no_centre, &["CH405"]),
     kind("centre letter of another plane", other_plane, &["CH404"]),
     // Cutter compensation.
-    kind("compensation starts in an arc", starts_in_arc, &["CH501"]),
+    kind("compensation starts in an arc", starts_in_arc, &["CH501"]).not_on(&["linuxcnc"]),
     kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc"]),
     kind("G40 forgotten", no_g40, &["CH505", "CH522", "CH523"]).at(end_of_compensation),
     kind("length of another tool", other_length, &["CH604"]),
     // Feed and spindle.
-    kind("no feed", no_feed, &["CH406"]),
-    kind("feed of zero", zero_feed, &["CH303", "CH406"]),
+    kind("no feed", no_feed, &["CH406", "CH745"]),
+    kind("feed of zero", zero_feed, &["CH303", "CH406", "CH745", "CH814"]),
     kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut),
-    kind("rapid instead of feed, into the part", rapid_plunge, &["CH602"]),
+    kind("rapid instead of feed in a contour", rapid_cut, &["CH602", "CH417"]),
     // Cycles.
-    kind("cycle without R", cycle_no_r, &["CH800"]).not_on(&["fadal"]),
+    // There the feed begins where the tool is.
+    kind("cycle without R", cycle_no_r, &["CH800"]).not_on(&["fadal", "haas"]),
     kind("cycle without Z", cycle_no_z, &["CH801"]),
     kind("pecks without Q", cycle_no_q, &["CH802"]),
     kind("R below Z", cycle_r_below, &["CH805"]),
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
-    kind("call without its number", call_without_number, &["CH308"]),
+    kind("call without its number", call_without_number, &["CH202", "CH308"]),
     kind("no end of program", no_end, &["CH205"]).at(last_line),
     // Macros.
     kind("jump to a number that is not there", lost_label, &["CH202"]),

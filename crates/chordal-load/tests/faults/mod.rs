@@ -31,6 +31,9 @@ pub struct Done {
     /// Cutter compensation is on after it.
     pub compensated: bool,
     pub incremental: bool,
+    pub tool: u32,
+    /// Where the tool is after it, mm.
+    pub place: [f64; 3],
 }
 
 pub struct Line {
@@ -108,8 +111,7 @@ impl Part {
     /// The program with one line changed.
     pub fn planted(&self, line: usize, new: &str) -> String {
         let lines = self.lines.iter();
-        let lines =
-            lines.map(|own| if own.number == line { new } else { own.text.as_str() });
+        let lines = lines.map(|own| if own.number == line { new } else { own.text.as_str() });
         lines.map(|text| format!("{text}\n")).collect()
     }
 
@@ -203,6 +205,8 @@ impl RunSink for Trace {
             done.ran = true;
             done.compensated = modal.side != chordal::control::Side::Off;
             done.incremental = modal.incremental;
+            done.tool = modal.tool;
+            done.place = [modal.position[0], modal.position[1], modal.position[2]];
         }
     }
 }

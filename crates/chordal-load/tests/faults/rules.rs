@@ -15,7 +15,10 @@ fn axis(line: &Line) -> Option<&Word> {
 
 /// A line that only moves: its axis words are places.
 fn moves(line: &Line) -> bool {
-    let special = ["4", "10", "28", "29", "30", "31", "38.2", "43", "50", "51", "52", "53", "65", "66", "68", "92"];
+    let special = [
+        "4", "10", "28", "29", "30", "31", "38.2", "43", "50", "51", "52", "53", "65", "66", "68",
+        "92",
+    ];
     (line.done.rapid || line.done.cuts) && line.g(&special).is_none() && line.m(&["98"]).is_none()
 }
 
@@ -78,7 +81,9 @@ pub fn lost_point(_: &Part, line: &Line) -> Planted {
         word.value.strip_suffix('.').is_some_and(|rest| rest.trim_start_matches('-') != "0")
     });
     let word = whole.next().filter(|_| moves(line))?;
-    Some(line.with(word, &format!("{}{}", word.letter as char, &word.value[..word.value.len() - 1])))
+    Some(
+        line.with(word, &format!("{}{}", word.letter as char, &word.value[..word.value.len() - 1])),
+    )
 }
 
 // Codes.
@@ -108,15 +113,15 @@ pub fn two_offsets(_: &Part, line: &Line) -> Planted {
 /// An arc in XY with centre words, that ends elsewhere than it begins.
 fn arc_of_xy(line: &Line) -> bool {
     let known = line.done.arc && !line.done.cycle && line.word(b'R').is_none();
-    let centre = line.word(b'I').is_some() && line.word(b'J').is_some() && line.word(b'K').is_none();
+    let centre =
+        line.word(b'I').is_some() && line.word(b'J').is_some() && line.word(b'K').is_none();
     known && centre && line.word(b'P').is_none()
 }
 
 /// The line before in the program with the same end: a full circle.
 fn is_full_circle(part: &Part, line: &Line) -> bool {
-    let value = |line: &Line, letter| {
-        line.word(letter).and_then(|word| word.value.parse::<f64>().ok())
-    };
+    let value =
+        |line: &Line, letter| line.word(letter).and_then(|word| word.value.parse::<f64>().ok());
     let before = |letter| {
         let lines = part.lines[..line.number - 1].iter().rev();
         lines.filter(|line| line.done.ran).find_map(|line| value(line, letter))
@@ -125,14 +130,20 @@ fn is_full_circle(part: &Part, line: &Line) -> bool {
     same(b'X') && same(b'Y')
 }
 
+/// Along X and along Y: one of them goes away from the centre.
 pub fn arc_end(_: &Part, line: &Line) -> Planted {
-    let word = axis(line).filter(|word| arc_of_xy(line) && word.letter != b'Z')?;
-    let value: f64 = word.value.parse().ok()?;
-    Some(line.with(word, &format!("{}{:.3}", word.letter as char, value + 0.35)))
+    let (x, y) = (line.word(b'X')?, line.word(b'Y')?);
+    let (x_end, y_end): (f64, f64) = (x.value.parse().ok()?, y.value.parse().ok()?);
+    if !arc_of_xy(line) || x.range.end > y.range.start {
+        return None;
+    }
+    let (x_new, y_new) = (x_end + 0.35, y_end + 0.2);
+    let text = line.with(y, &format!("Y{y_new:.3}"));
+    Some(format!("{}X{x_new:.3}{}", &text[..x.range.start], &text[x.range.end..]))
 }
 
 pub fn short_radius(part: &Part, line: &Line) -> Planted {
-    if !arc_of_xy(line) || is_full_circle(part, line) {
+    if !arc_of_xy(line) || is_full_circle(part, line) || line.done.incremental {
         return None;
     }
     let text = line.with(line.word(b'I')?, "R.01");
@@ -152,7 +163,9 @@ pub fn no_centre(part: &Part, line: &Line) -> Planted {
 
 pub fn other_plane(_: &Part, line: &Line) -> Planted {
     let word = line.word(b'J').filter(|_| arc_of_xy(line))?;
-    Some(line.with(word, &format!("K{}", word.value)))
+    // K0 is what the control assumes.
+    let value: f64 = word.value.parse().ok()?;
+    (value != 0.0).then(|| line.with(word, &format!("K{}", word.value)))
 }
 
 // Cutter compensation.
@@ -179,16 +192,17 @@ pub fn no_g40(_: &Part, line: &Line) -> Planted {
     line.g(&["17", "80", "49"]).is_none().then(|| line.without(word))
 }
 
-/// The first line after it that returns, changes the tool or ends.
+/// The first line after it that returns in X or Y, changes the tool or ends.
 pub fn end_of_compensation(part: &Part, line: &Line) -> Option<usize> {
     let ends = |line: &&Line| {
-        line.g(&["28", "53"]).is_some() || line.m(&["2", "6", "30"]).is_some()
+        let plane = line.word(b'X').is_some() || line.word(b'Y').is_some();
+        line.g(&["28"]).is_some() && plane || line.m(&["2", "6", "30"]).is_some()
     };
     part.lines[line.number..].iter().find(ends).map(|line| line.number)
 }
 
 pub fn other_length(_: &Part, line: &Line) -> Planted {
-    line.g(&["43"])?;
+    line.g(&["43"]).filter(|_| line.done.tool != 0)?;
     let word = line.word(b'H')?;
     let number: u32 = word.value.parse().ok()?;
     Some(line.with(word, &format!("H{}", number + 1)))
@@ -219,17 +233,24 @@ pub fn first_cut(part: &Part, line: &Line) -> Option<usize> {
     let lines = &part.lines[line.number - 1..];
     // Another start of the spindle comes first: the fault is mended there.
     let next = lines[1..].iter().find(|line| line.m(&["3", "4", "6"]).is_some());
-    let cut = lines.iter().find(|line| line.done.cuts)?.number;
-    next.is_none_or(|next| cut < next.number).then_some(cut)
+    let cut = lines.iter().find(|line| line.done.cuts)?;
+    // Rigid tapping turns the spindle itself.
+    let taps = cut.g(&["74", "84", "84.1", "33.1"]).is_some();
+    (!taps && next.is_none_or(|next| cut.number < next.number)).then_some(cut.number)
 }
 
-pub fn rapid_plunge(part: &Part, line: &Line) -> Planted {
+/// Between two cuts at the same depth below zero.
+pub fn rapid_cut(part: &Part, line: &Line) -> Planted {
     let word = line.g(&["1"]).filter(|_| line.done.cuts && !line.done.incremental)?;
-    let depth: f64 = line.word(b'Z')?.value.parse().ok()?;
-    // A cut below the part's top must follow, so that the rapid is one into it.
-    let next = part.lines.get(line.number)?;
-    let cuts = next.done.cuts && next.word(b'Z').is_none() && next.g(&["1", "2", "3"]).is_none();
-    (depth < 0.0 && cuts && axis(line)?.letter == b'Z').then(|| line.with(word, "G0"))
+    let level = line.done.place[2];
+    let cuts = |number: usize| {
+        let line = part.lines.get(number - 1)?;
+        (line.done.cuts && line.done.place[2] == level && line.word(b'Z').is_none()).then_some(line)
+    };
+    let next = cuts(line.number + 1)?;
+    cuts(line.number - 1)?;
+    next.g(&["1", "2", "3"])?;
+    (level < 0.0 && line.word(b'Z').is_none()).then(|| line.with(word, "G0"))
 }
 
 // Cycles.
@@ -241,7 +262,8 @@ fn starts_cycle(line: &Line) -> bool {
 
 /// The first cycle of the program: nothing is kept from another one.
 fn first_cycle(part: &Part, line: &Line) -> bool {
-    part.lines.iter().find(|line| starts_cycle(line)).is_some_and(|first| first.number == line.number)
+    let first = part.lines.iter().find(|line| starts_cycle(line));
+    first.is_some_and(|first| first.number == line.number) && line.done.cycle
 }
 
 pub fn cycle_no_r(part: &Part, line: &Line) -> Planted {
@@ -261,7 +283,7 @@ pub fn cycle_no_q(part: &Part, line: &Line) -> Planted {
 }
 
 pub fn cycle_r_below(_: &Part, line: &Line) -> Planted {
-    let word = line.word(b'R').filter(|_| starts_cycle(line))?;
+    let word = line.word(b'R').filter(|_| starts_cycle(line) && line.done.cycle)?;
     line.word(b'Z').filter(|depth| depth.value.starts_with('-'))?;
     Some(line.with(word, "R-90."))
 }
@@ -282,14 +304,21 @@ pub fn call_without_number(_: &Part, line: &Line) -> Planted {
 
 pub fn no_end(part: &Part, line: &Line) -> Planted {
     let word = line.m(&["2", "30"])?;
-    let more = part.lines[line.number..].iter().any(|line| !line.words.is_empty());
-    (!more).then(|| line.without(word))
+    let after = &part.lines[line.number..];
+    // A percent sign may end a program there.
+    let by_percent = part.control == "linuxcnc" && after.iter().any(|line| line.text.contains('%'));
+    let more = after.iter().any(|line| !line.words.is_empty());
+    (!more && !by_percent).then(|| line.without(word))
 }
 
-/// The last line with words before it, or itself where a word is left.
+/// The percent sign after it, or the last line with words.
 pub fn last_line(part: &Part, line: &Line) -> Option<usize> {
-    let words = |own: &&Line| own.words.len() > usize::from(own.number == line.number);
-    part.lines[..line.number].iter().rev().find(words).map(|line| line.number)
+    let after = part.lines[line.number..].iter().find(|line| line.text.trim() == "%");
+    let words = |own: &&Line| {
+        !own.text.trim().is_empty() && (own.number != line.number || own.words.len() > 1)
+    };
+    let last = || part.lines[..line.number].iter().rev().find(words);
+    after.or_else(last).map(|line| line.number)
 }
 
 // Macros.
@@ -311,14 +340,19 @@ pub fn open_bracket(_: &Part, line: &Line) -> Planted {
     Some(format!("{}{}", &line.text[..at], &line.text[at + 1..]))
 }
 
-pub fn division_by_zero(_: &Part, line: &Line) -> Planted {
+pub fn division_by_zero(part: &Part, line: &Line) -> Planted {
     let code = line.text.split(['(', ';']).next()?.trim_end();
     let (target, value) = code.split_once('=').filter(|_| is_macro(line))?;
     if target.contains(['I', 'W']) || value.contains("GOTO") || value.trim().is_empty() {
         return None;
     }
     let (open, close) = if target.contains('V') { ('(', ')') } else { ('[', ']') };
-    Some(format!("{target}={open}{}{close}/0", value.trim()))
+    let divided = format!("{open}{}{close}/0", value.trim());
+    Some(match part.control {
+        // Operators stand in brackets there.
+        "linuxcnc" => format!("{target}=[{divided}]"),
+        _ => format!("{target}={divided}"),
+    })
 }
 
 pub fn open_loop(_: &Part, line: &Line) -> Planted {
