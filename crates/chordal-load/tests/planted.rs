@@ -13,7 +13,7 @@ use faults::kinds::{KINDS, Kind};
 use labelled::{check, line_of, programs};
 
 /// Plants of a kind in one program.
-const USUAL: usize = 2;
+const USUAL: usize = 1;
 
 /// So many faults are planted at least, of so many kinds.
 const FEWEST: usize = 500;

@@ -39,6 +39,7 @@ mod excess;
 mod frame;
 pub mod gouge;
 mod rapid;
+mod contour_rapid;
 mod rapid_check;
 mod segment;
 mod side_check;

@@ -67,7 +67,7 @@ pub const KINDS: &[Kind] = &[
     kind("no feed", no_feed, &["CH406", "CH745"]),
     kind("feed of zero", zero_feed, &["CH303", "CH406", "CH745", "CH814"]),
     kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut),
-    kind("rapid instead of feed in a contour", rapid_cut, &["CH602", "CH417"]),
+    kind("rapid instead of feed in a contour", rapid_cut, &["CH602"]),
     // Cycles.
     // There the feed begins where the tool is.
     kind("cycle without R", cycle_no_r, &["CH800"]).not_on(&["fadal", "haas"]),

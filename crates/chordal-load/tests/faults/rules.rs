@@ -75,12 +75,14 @@ pub fn open_comment(_: &Part, line: &Line) -> Planted {
         .then(|| code[..code.len() - 1].into())
 }
 
-pub fn lost_point(_: &Part, line: &Line) -> Planted {
+pub fn lost_point(part: &Part, line: &Line) -> Planted {
     let words = line.words.iter().filter(|word| b"XY".contains(&word.letter));
+    // With G16 they may be angles, which have no least increment of length.
+    let polar = part.lines.iter().any(|line| line.g(&["16"]).is_some());
     let mut whole = words.filter(|word| {
         word.value.strip_suffix('.').is_some_and(|rest| rest.trim_start_matches('-') != "0")
     });
-    let word = whole.next().filter(|_| moves(line))?;
+    let word = whole.next().filter(|_| moves(line) && !polar)?;
     Some(
         line.with(word, &format!("{}{}", word.letter as char, &word.value[..word.value.len() - 1])),
     )
@@ -212,6 +214,13 @@ pub fn other_length(_: &Part, line: &Line) -> Planted {
 
 pub fn no_feed(part: &Part, line: &Line) -> Planted {
     let first = part.lines.iter().find(|line| line.word(b'F').is_some())?;
+    // Blocks that may be deleted have one, too; that of a tap is its speed there.
+    let deleted = part.lines[..line.number].iter().any(|line| line.text.starts_with('/'));
+    let speed = part.control == "fadal" && line.g(&["84", "84.1"]).is_some();
+    let macros = part.lines.iter().any(|line| line.text.contains('#') && line.text.contains('F'));
+    if deleted || speed || macros {
+        return None;
+    }
     let word = line.word(b'F').filter(|_| line.number == first.number && line.done.cuts)?;
     Some(line.without(word))
 }
@@ -235,21 +244,22 @@ pub fn first_cut(part: &Part, line: &Line) -> Option<usize> {
     let next = lines[1..].iter().find(|line| line.m(&["3", "4", "6"]).is_some());
     let cut = lines.iter().find(|line| line.done.cuts)?;
     // Rigid tapping turns the spindle itself.
-    let taps = cut.g(&["74", "84", "84.1", "33.1"]).is_some();
+    let codes = ["G74", "G84", "G33.1"];
+    let until = lines.iter().take_while(|line| line.number <= cut.number);
+    let taps = until.flat_map(|line| codes.map(|code| line.text.contains(code))).any(|tap| tap);
     (!taps && next.is_none_or(|next| cut.number < next.number)).then_some(cut.number)
 }
 
-/// Between two cuts at the same depth below zero.
+/// Between two arcs at the same depth below zero: a rapid beside the part has corners.
 pub fn rapid_cut(part: &Part, line: &Line) -> Planted {
     let word = line.g(&["1"]).filter(|_| line.done.cuts && !line.done.incremental)?;
     let level = line.done.place[2];
-    let cuts = |number: usize| {
+    let arc = |number: usize| {
         let line = part.lines.get(number - 1)?;
-        (line.done.cuts && line.done.place[2] == level && line.word(b'Z').is_none()).then_some(line)
+        (line.done.arc && !line.done.cycle && line.done.place[2] == level).then_some(line)
     };
-    let next = cuts(line.number + 1)?;
-    cuts(line.number - 1)?;
-    next.g(&["1", "2", "3"])?;
+    arc(line.number - 1)?;
+    arc(line.number + 1)?.g(&["2", "3"])?;
     (level < 0.0 && line.word(b'Z').is_none()).then(|| line.with(word, "G0"))
 }
 
@@ -315,7 +325,8 @@ pub fn no_end(part: &Part, line: &Line) -> Planted {
 pub fn last_line(part: &Part, line: &Line) -> Option<usize> {
     let after = part.lines[line.number..].iter().find(|line| line.text.trim() == "%");
     let words = |own: &&Line| {
-        !own.text.trim().is_empty() && (own.number != line.number || own.words.len() > 1)
+        let left = own.number != line.number || own.text.trim_end().len() > 3;
+        !own.text.trim().is_empty() && left
     };
     let last = || part.lines[..line.number].iter().rev().find(words);
     after.or_else(last).map(|line| line.number)
