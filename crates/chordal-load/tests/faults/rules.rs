@@ -41,8 +41,12 @@ pub fn word_twice(_: &Part, line: &Line) -> Planted {
     line.and(&format!(" {}1.5", word.letter as char))
 }
 
-pub fn bare_axis(_: &Part, line: &Line) -> Planted {
+pub fn bare_axis(part: &Part, line: &Line) -> Planted {
     let word = axis(line).filter(|_| moves(line))?;
+    // `X R1` takes the number of a register there.
+    if part.control == "fadal" && line.word(b'R').is_some() {
+        return None;
+    }
     Some(line.with(word, &format!("{} ", word.letter as char)))
 }
 
@@ -79,10 +83,14 @@ pub fn lost_point(part: &Part, line: &Line) -> Planted {
     let words = line.words.iter().filter(|word| b"XY".contains(&word.letter));
     // With G16 they may be angles, which have no least increment of length.
     let polar = part.lines.iter().any(|line| line.g(&["16"]).is_some());
+    // Where a program has no points at all, the number is meant as it stands.
+    let before = part.lines[..line.number - 1].iter().rev();
+    let mut before = before.take_while(|line| line.word(b'O').is_none());
+    let points = before.any(|line| line.words.iter().any(|word| word.value.contains('.')));
     let mut whole = words.filter(|word| {
         word.value.strip_suffix('.').is_some_and(|rest| rest.trim_start_matches('-') != "0")
     });
-    let word = whole.next().filter(|_| moves(line) && !polar)?;
+    let word = whole.next().filter(|_| moves(line) && points && !polar)?;
     Some(
         line.with(word, &format!("{}{}", word.letter as char, &word.value[..word.value.len() - 1])),
     )
@@ -357,7 +365,7 @@ pub fn division_by_zero(part: &Part, line: &Line) -> Planted {
     if target.contains(['I', 'W']) || value.contains("GOTO") || value.trim().is_empty() {
         return None;
     }
-    let (open, close) = if target.contains('V') { ('(', ')') } else { ('[', ']') };
+    let (open, close) = if part.control == "fadal" { ('(', ')') } else { ('[', ']') };
     let divided = format!("{open}{}{close}/0", value.trim());
     Some(match part.control {
         // Operators stand in brackets there.

@@ -9,8 +9,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::diagnostics::{Diagnostic, Span};
-use chordal::{Report, Severity};
+use chordal::Report;
+use chordal::diagnostics::Span;
 use chordal_load::{Loaded, Request, text};
 
 /// A program of the set.
@@ -36,12 +36,6 @@ pub fn load(program: &str) -> Loaded {
 /// What a check of a loaded text says.
 pub fn check(loaded: &Loaded) -> Report {
     loaded.job().expect("a job").check()
-}
-
-/// Errors and warnings: what a machinist must look at.
-pub fn problems(report: &Report) -> impl Iterator<Item = &Diagnostic> {
-    let asks = |each: &&Diagnostic| each.severity != Severity::Note;
-    report.diagnostics.iter().filter(asks)
 }
 
 /// The number of the line in which a place begins, from 1.
