@@ -2,6 +2,8 @@
 //!
 //! `CHORDAL_PLANTS=N` plants N of each kind in a program instead of the usual number.
 
+#![allow(clippy::disallowed_methods, reason = "the number of plants can be given from outside")]
+
 mod faults;
 mod labelled;
 
