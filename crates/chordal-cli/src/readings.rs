@@ -28,7 +28,7 @@ struct Reading {
 /// A few lines that ask for the control, with the reading under each; nothing where the control is known.
 /// `problems`: the program has some on the control that was assumed.
 pub fn asked(loaded: &Loaded, problems: bool) -> Option<String> {
-    let Chosen::Recognized(found) = &loaded.chosen else { return None };
+    let Chosen::Recognized(found, _) = &loaded.chosen else { return None };
     if found.strength() != Strength::Assumed || loaded.size() > LONGEST {
         return None;
     }

@@ -135,14 +135,14 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &Chosen) {
             sheet.row("control", &format!("{}, because of the file extension", table.title));
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found) if found.strength() == Strength::Assumed => {
+        Chosen::Recognized(found, _) if found.strength() == Strength::Assumed => {
             sheet.row(
                 "control",
                 &format!("{}, assumed: nothing in the text says which control", table.title),
             );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        Chosen::Recognized(found) => recognized(sheet, found, table.title, &known),
+        Chosen::Recognized(found, _) => recognized(sheet, found, table.title, &known),
     }
 }
 

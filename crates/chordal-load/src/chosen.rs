@@ -7,6 +7,8 @@ use chordal::control::{Recognition, Strength, not_read};
 use chordal::diagnostics::{FileId, Span};
 use chordal::{Code, Diagnostic};
 
+use crate::assumed::MovedAxes;
+
 /// Signs that a message about a language lists.
 const MOST_SIGNS: usize = 4;
 
@@ -19,8 +21,9 @@ pub enum Chosen {
     Folder(PathBuf),
     /// Nothing in the text says so, and the file extension is LinuxCNC's own.
     Ending,
-    /// The program looks like one of this control.
-    Recognized(Recognition),
+    /// The program looks like one of this control. It may move axes that the control's usual machine
+    /// does not have.
+    Recognized(Recognition, Option<MovedAxes>),
 }
 
 impl Chosen {
@@ -30,14 +33,18 @@ impl Chosen {
         Some(match self {
             Chosen::Given | Chosen::Folder(_) => return None,
             Chosen::Ending => format!("assumed {title} because of the file extension"),
-            Chosen::Recognized(found) => why(found, title),
+            Chosen::Recognized(found, None) => why(found, title),
+            Chosen::Recognized(found, Some(moved)) => {
+                let (why, machine) = (why(found, title), &moved.machine);
+                format!("{why}; {machine} is assumed because the program moves {}", moved.list())
+            }
         })
     }
 
     /// What was recognized, where it was.
     pub fn recognition(&self) -> Option<&Recognition> {
         match self {
-            Chosen::Recognized(found) => Some(found),
+            Chosen::Recognized(found, _) => Some(found),
             Chosen::Given | Chosen::Folder(_) | Chosen::Ending => None,
         }
     }
@@ -48,13 +55,13 @@ impl Chosen {
             Chosen::Given => "given",
             Chosen::Folder(_) => "folder",
             Chosen::Ending => "extension",
-            Chosen::Recognized(_) => "text",
+            Chosen::Recognized(..) => "text",
         }
     }
 
     /// Nobody named the machine, so its limits are a guess.
     pub fn is_guess(&self) -> bool {
-        matches!(self, Chosen::Ending | Chosen::Recognized(_))
+        matches!(self, Chosen::Ending | Chosen::Recognized(..))
     }
 
     /// What is said of a text in a language that is not read.

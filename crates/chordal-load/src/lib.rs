@@ -26,6 +26,7 @@
     reason = "a shell: files are its business, so that they are nobody else's"
 )]
 
+mod assumed;
 mod chosen;
 mod error;
 mod input;
@@ -39,6 +40,7 @@ mod trial;
 
 use std::path::Path;
 
+pub use assumed::MovedAxes;
 pub use chosen::Chosen;
 pub use error::{LoadError, reason};
 pub use input::{Input, find, has_other_ending, looks_like_program};

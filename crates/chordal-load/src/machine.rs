@@ -12,6 +12,7 @@ use chordal::control::{COMMON_SETTINGS, Control, SettingError, Strength, Units, 
 use chordal::machine::{ControlName, Location, MachineError, builtin, read_tool_tbl};
 use toml::de::{DeTable, DeValue};
 
+use crate::assumed::assume;
 use crate::chosen::Chosen;
 use crate::error::LoadError;
 use crate::input::Input;
@@ -46,20 +47,21 @@ pub(crate) fn choose(
     }
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());
-    let (control, chosen) = match ending {
+    let (machine, chosen) = match ending {
         // Other endings mean nothing.
         Some(ending)
             if recognition.strength() == Strength::Assumed
                 && ending.eq_ignore_ascii_case("ngc") =>
         {
-            (ControlName::Linuxcnc, Chosen::Ending)
+            (typical(ControlName::Linuxcnc), Chosen::Ending)
         }
         _ => {
             let settled = settle(recognition, text, typical);
-            (settled.control(), Chosen::Recognized(settled))
+            let (machine, moved) = assume(settled.control(), text);
+            (machine, Chosen::Recognized(settled, moved))
         }
     };
-    Ok((finish(typical(control), request)?, chosen))
+    Ok((finish(machine, request)?, chosen))
 }
 
 /// The machine of a built-in name or, where there is none of it, of a file.

@@ -4,6 +4,8 @@ use chordal::control::{Candidate, Recognition, RunOptions, Strength};
 use chordal::machine::ControlName;
 use chordal::{Code, Job, Machine, Severity, Source, SourceMap};
 
+use crate::text::whole_lines;
+
 /// So much of the beginning is run, bytes: some thousand blocks.
 const HEAD: usize = 32 << 10;
 
@@ -24,7 +26,7 @@ pub fn settle(
         return found;
     }
     let weak = found.strength() == Strength::Weak;
-    let head = head(text);
+    let head = whole_lines(text, HEAD);
     let first = errors_of(&mut found.ranking[0], head, typical);
     // With no error there is nothing to save: most programs end here.
     if first == 0 {
@@ -46,15 +48,6 @@ pub fn settle(
         found.choose(name);
     }
     found
-}
-
-/// Whole lines of the beginning.
-fn head(text: &[u8]) -> &[u8] {
-    if text.len() <= HEAD {
-        return text;
-    }
-    let end = text[..HEAD].iter().rposition(|byte| matches!(byte, b'\n' | b'\r'));
-    &text[..end.map_or(HEAD, |end| end + 1)]
 }
 
 fn errors_of(candidate: &mut Candidate, text: &[u8], typical: fn(ControlName) -> Machine) -> u64 {

@@ -70,3 +70,55 @@ fn programs_of_a_memory_are_judged_each_alone() {
     let at = report.diagnostics[0].primary.span.range.start as usize;
     assert!(wide[at..].starts_with("O0002"), "{at}");
 }
+
+/// Indexed by B and C, on a Haas that nobody named: a VF-2 has neither.
+const FIVE_AXES: &str = "\
+%
+O05200 (BRACKET)
+(HAAS)
+G20 G90 G17
+T3 M6
+S5000 M3
+G54 G0 B0. C0.
+G43 H3 Z4.
+B90. C180.
+G1 Z1.9 F40.
+G0 Z4.
+M30
+%
+";
+
+#[test]
+fn the_assumed_machine_has_the_axes_that_move() {
+    let loaded = text("part", FIVE_AXES.into(), &Request::default()).expect("a program");
+    assert_eq!(loaded.machine().name, "haas-umc750");
+    let counts = loaded.job().expect("a job").check().counts;
+    assert_eq!((counts.errors, counts.warnings), (0, 0));
+    let why = loaded.chosen.why("Haas NGC mill").expect("nobody named it");
+    assert_eq!(
+        why,
+        "recognized as Haas NGC mill by line 3 (a comment names a Haas); Haas UMC-750 is assumed because the \
+         program moves B and C"
+    );
+    // With A it is the usual machine.
+    let fourth = FIVE_AXES.replace("B0. C0.", "A0.").replace("B90. C180.", "A90.");
+    let loaded = text("part", fourth.into(), &Request::default()).expect("a program");
+    assert_eq!(loaded.machine().name, "haas-vf2");
+    // Arguments of a macro are no axes.
+    let called = FIVE_AXES.replace("B90. C180.", "G65 P9000 B90. C180.").replace("B0. C0.", "A0.");
+    let loaded = text("part", called.into(), &Request::default()).expect("a program");
+    assert_eq!(loaded.machine().name, "haas-vf2");
+}
+
+#[test]
+fn an_axis_that_no_built_in_machine_has_is_a_warning() {
+    let program = "N1 O1 (FADAL\nN2 G20 G90 S900 M3\nN3 G0 X0 Y0 C0 E1\nN4 C90.\nN5 M2\n";
+    let report = check(program, &Request::default());
+    assert_eq!(ids(&report), ["CH309"]);
+    let warning = &report.diagnostics[0];
+    assert_eq!(warning.severity, Severity::Warning);
+    assert_eq!(warning.message, "the assumed machine (Fadal VMC 4020) has no C axis");
+    // Of a machine that somebody named it is an error.
+    let named = check(program, &on("fadal-4020"));
+    assert_eq!(named.diagnostics[0].severity, Severity::Error);
+}

@@ -10,6 +10,7 @@ use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::builder::duration_s;
 use crate::compensation::PathCommand;
+use crate::contour_rapid::{ContourRapid, OpenRapid};
 use crate::excess::Excess;
 use crate::frame::Frame;
 use crate::rapid_check::{LowRapid, RapidLog, Way};
@@ -58,6 +59,7 @@ pub struct ChecksMemory {
     at_depth: bool,
     /// Rapids sideways at depth, until the next motion shows where they led.
     legs: Vec<LowRapid>,
+    contour: ContourRapid,
     told_axes: AxisMask,
 }
 
@@ -101,7 +103,7 @@ impl ChecksMemory {
         for leg in &mut self.legs {
             leg.origin = leg.origin.shifted(shift)?;
         }
-        Some(())
+        self.contour.shift(shift)
     }
 }
 
@@ -120,6 +122,7 @@ impl<'a> Checks<'a> {
             last: None,
             at_depth: false,
             legs: Vec::new(),
+            contour: ContourRapid::default(),
             told_axes: AxisMask::NONE,
         };
         Checks { machine, assumed: false, start: now.clone(), now, seen: Seen::default() }
@@ -159,6 +162,20 @@ impl<'a> Checks<'a> {
     /// coordinates are the programmer's, the corners of the tool centre are not.
     #[inline]
     pub fn programmed(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
+        match &command.kind {
+            CommandKind::Rapid { motion, .. } => {
+                self.now.contour.rapid(motion, self.clearance_mm() - ON_PLANE_MM, command.origin);
+            }
+            CommandKind::Arc { motion, shape, .. } => {
+                if let Some(rapid) = self.now.contour.arc(motion, shape) {
+                    report(self.rapid_in_contour(&rapid));
+                }
+            }
+            CommandKind::Line { .. } | CommandKind::Spiral { .. } | CommandKind::Spline { .. } => {
+                self.now.contour.other();
+            }
+            _ => {}
+        }
         match &command.kind {
             CommandKind::Compensation { side, .. } => self.now.compensated = *side != Side::Off,
             CommandKind::Line { motion, .. } if self.now.compensated => {
@@ -414,6 +431,21 @@ impl<'a> Checks<'a> {
         Diagnostic::new(Code::RapidIntoPart, rapid.origin.span, message)
             .label(format!("below {given} clearance plane"))
             .help("use G1 if this is a cut, or lift the tool first")
+    }
+
+    #[cold]
+    fn rapid_in_contour(&self, rapid: &OpenRapid) -> Diagnostic {
+        let length = self.now.units.length_text((rapid.to - rapid.from).length());
+        let depth = self.now.units.length_text(self.clearance_mm() - rapid.to.z);
+        Diagnostic::new(
+            Code::RapidIntoPart,
+            rapid.origin.span,
+            format!(
+                "a rapid of {length} in a contour: it joins the arcs before and after it without a corner, {depth} below the clearance plane"
+            ),
+        )
+        .label("the contour goes on at rapid speed")
+        .help("write G1 in this block")
     }
 
     fn joint_of_line(

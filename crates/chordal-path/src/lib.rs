@@ -35,6 +35,7 @@ mod checks;
 pub mod compensation;
 mod contour_check;
 mod contour_level;
+mod contour_rapid;
 mod excess;
 mod frame;
 pub mod gouge;

@@ -478,6 +478,11 @@ impl<'a> BlockReader<'a> {
     /// out to be a macro statement.
     #[cold]
     fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<Value> {
+        if letter == b'N'
+            && let Some(number) = self.number_of_packed_block()
+        {
+            return Some(Value::Number(number));
+        }
         let text = &self.text[..self.end];
         let rest = &text[self.at..];
         let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));

@@ -125,6 +125,10 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> Statement {
     if parser.take_text("BPRNT") {
         return output(parser, start, Output::Binary);
     }
+    // Names for variables on the screen: `SETVN500[DEPTH,WIDTH]`.
+    if parser.take_text("SETVN") {
+        return names_of_variables(parser, start);
+    }
     unknown(parser, start, "no macro statement of this control begins like this")
 }
 
@@ -241,6 +245,17 @@ fn output(
         }
     }
     unknown(parser, start, "the bracket of this text is not closed")
+}
+
+fn names_of_variables(parser: &mut ExpressionParser<'_>, start: u32) -> Statement {
+    let names = &parser.text[parser.at..parser.end];
+    match names.iter().position(|byte| *byte == b']') {
+        Some(close) if names.contains(&b'[') => {
+            parser.at += close + 1;
+            Statement::Empty
+        }
+        _ => unknown(parser, start, "the names belong in brackets: `SETVN500[DEPTH,WIDTH]`"),
+    }
 }
 
 /// Passes over the rest of the line.

@@ -11,7 +11,8 @@ not known, the program as a whole needs more travel than the axis has."#;
     RapidIntoPart = 602, "rapid-into-part", Warning;
     "a rapid move runs below the clearance plane";
     r#"A rapid goes below the clearance plane into a place that no cut before it has cleared: sideways between two
-cuts, down at an angle, or straight down inside the region that is cut next. Often a G0 should have been a G1.
+cuts, down at an angle, or straight down inside the region that is cut next; or it joins two arcs of a contour
+without a corner. Often a G0 should have been a G1.
 What a cut clears is taken as the box of its moves from one rapid to the next, down to their lowest point; there is
 no stock yet. A rapid through what is cleared, or outside of all that the program cuts, is not reported. The
 clearance plane is Z0 of the work coordinates unless the machine file's `[program] clearance` says otherwise."#;

@@ -1,7 +1,7 @@
 //! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
 
 use chordal_command::{AxisMask, FeedMode, Position, Units};
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::MotionModality;
 use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::Direction;
@@ -70,18 +70,30 @@ impl Interpreter<'_> {
             self.reported.axes.insert(index);
             let letter = axis.letter();
             let span = self.words_span(block, Letters(1 << (letter as u8 - b'A')));
-            let machine = &self.machine.name;
-            self.kernel.report(
-                Diagnostic::new(
-                    Code::NoSuchAxis,
-                    span,
-                    format!("the machine {machine} has no {letter} axis"),
-                )
-                .label("this word is skipped")
-                .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine")),
-            );
+            let said = self.no_such_axis(letter, span);
+            self.kernel.report(said);
         }
         *named = named.and(self.control.axes());
+    }
+
+    /// A machine that somebody named is as its file says. One that nobody named is a guess: the
+    /// program is right, and the guess is wrong.
+    fn no_such_axis(&self, letter: char, span: Span) -> Diagnostic {
+        let machine = self.machine;
+        if self.options.assumed_machine {
+            let message = format!("the assumed machine ({}) has no {letter} axis", machine.title);
+            let help = format!(
+                "name your machine with --machine, or give it the axis: `--set axes.{letter}=…`"
+            );
+            return Diagnostic::new(Code::NoSuchAxis, span, message)
+                .severity(Severity::Warning)
+                .label("this word is skipped")
+                .help(help);
+        }
+        let message = format!("the machine {} has no {letter} axis", machine.name);
+        Diagnostic::new(Code::NoSuchAxis, span, message)
+            .label("this word is skipped")
+            .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine"))
     }
 
     /// A block without a motion code of its own, or with one: `explicit`.

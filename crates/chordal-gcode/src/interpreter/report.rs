@@ -298,7 +298,9 @@ impl Interpreter<'_> {
         if !self.carried_out || refused && self.ended_by_percent {
             return;
         }
-        let end = self.kernel.origin.span;
+        // Where the last block ran a called program, it is the call.
+        let last = self.kernel.origin;
+        let end = self.kernel.calls.resolve(last.call).last().copied().unwrap_or(last.span);
         let title = self.control.table.title;
         self.kernel.report(
             Diagnostic::new(Code::ProgramWithoutEnd, end, "the program ends without M30 or M2")

@@ -126,6 +126,11 @@ impl Kernel<'_> {
             let help = format!("give the bottom of the hole with {depth}");
             return missing(Code::CycleWithoutDepth, &format!("its depth {depth}"), help);
         }
+        let by_speed = rules.tap.feed == TapFeed::SpeedWithLeadQ;
+        if by_speed && words.kind.is_tap() && words.tap_rpm == Some(0.0) {
+            let help = "here F is the spindle speed of the tap, and Q its lead".to_string();
+            return missing(Code::CycleSpindle, "a spindle speed", help);
+        }
         let peck_by_vector = rules.peck.decreasing && words.vector[0].is_some();
         if words.kind.is_peck() && words.q.is_none() && !peck_by_vector {
             let help = "give the depth of a peck with Q".to_string();

@@ -35,6 +35,30 @@ impl BlockReader<'_> {
         line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
     }
 
+    /// The number of an N word with a statement or the head of a program right after it:
+    /// `N900#3000=1`, `N10[#1EQ2]M99`, `N1O75(BOX)`.
+    #[cold]
+    pub(super) fn number_of_packed_block(&mut self) -> Option<Decimal> {
+        let rest = &self.text[self.at..self.end];
+        let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+        let number = Decimal::parse(&rest[..digits])?;
+        let packed = match rest.get(digits)? {
+            b'#' | b'[' => true,
+            // With words after it, `N1O0 G1` is a slip of the finger.
+            b'O' | b'o' => {
+                let after = &rest[digits + 1..];
+                let head = after.iter().take_while(|b| b.is_ascii_digit()).count();
+                let mut next = after[head..].iter().filter(|b| !matches!(b, b' ' | b'\t'));
+                head > 0 && matches!(next.next(), None | Some(b'(' | b';' | b'*' | b'\n' | b'\r'))
+            }
+            _ => false,
+        };
+        packed.then(|| {
+            self.at += digits;
+            number
+        })
+    }
+
     /// Keywords of macro languages, by the letters from `start`.
     pub(super) fn keyword(&self, start: usize) -> bool {
         const KEYWORDS: [&str; 27] = [

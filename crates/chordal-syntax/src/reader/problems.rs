@@ -16,7 +16,8 @@ impl BlockReader<'_> {
         let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
         // A keyword or an O word after a blank is not a slip of the finger.
         let next = rest.get(token.len()).copied().unwrap_or(b'\n');
-        if letters.next().is_none() || next.is_ascii_alphabetic() {
+        let in_packed_words = next.is_ascii_alphabetic() && is_packed_slip(&token);
+        if letters.next().is_none() || next.is_ascii_alphabetic() && !in_packed_words {
             return None;
         }
         let mended: Vec<u8> = token
@@ -150,4 +151,13 @@ impl BlockReader<'_> {
             block.problems.push(make());
         }
     }
+}
+
+/// `1O.` in `X1O.Y5.`: a digit, the letter O, and a point or a digit after it.
+fn is_packed_slip(token: &[u8]) -> bool {
+    token.windows(3).any(|part| {
+        part[0].is_ascii_digit()
+            && matches!(part[1], b'O' | b'o')
+            && (part[2].is_ascii_digit() || part[2] == b'.')
+    })
 }

@@ -145,6 +145,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(970, Group::Auxiliary, NoEffect, "", "constant surface speed off"),
     row(980, Group::ReturnLevel, Mode(ReturnInitial), "", "cycles return to the initial level"),
     row(990, Group::ReturnLevel, Mode(ReturnToR), "", "cycles return to the R level"),
+    row(1000, Group::Auxiliary, NotFollowed, ANY_WORDS, "tool change and approach of a Brother"),
 ];
 
 pub(super) const M_CODES: &[CodeRow] = &[

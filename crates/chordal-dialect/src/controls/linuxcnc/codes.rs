@@ -70,6 +70,13 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(431, Group::ToolLength, Length(FromAxes), AXIS_LETTERS, "tool offsets from the words"),
     row(432, Group::ToolLength, Length(Add), "H", "offsets of a further tool are added"),
     row(490, Group::ToolLength, Length(Cancel), "", "tool length off"),
+    row(
+        500,
+        Group::Auxiliary,
+        NotSimulated,
+        "",
+        "scaling off; PathPilot has it, LinuxCNC itself does not",
+    ),
     row(520, Group::OneShot, Once(LocalShift), "", "shift of the work coordinates"),
     row(530, Group::OneShot, Once(MachineCoordinates), "", "this block in machine coordinates"),
     row(540, Group::WorkOffset, Mode(WorkOffset(54)), "", "work offset 1"),

@@ -80,9 +80,7 @@ impl<'a> Interpreter<'a> {
                 Flow::Next
             }
             None => {
-                let message = format!("DO{number} has no END{number} below it");
-                let help = "write END and the number after the last block of the loop";
-                self.report_loop(Code::LoopMismatch, range, message, help);
+                self.report_open_loop(range, number);
                 Flow::End(EndReason::LostJump)
             }
         }
@@ -101,9 +99,19 @@ impl<'a> Interpreter<'a> {
             let help = "put the inner loops into a subprogram";
             self.report_loop(Code::BadLoopNumber, range, message, help);
         }
+        // Also where the condition holds and the end would never be looked for.
+        if self.loop_end(entry.head, number).is_none() {
+            self.report_open_loop(range, number);
+        }
         if self.macros.loops.len() < MOST_LOOPS {
             self.macros.loops.push(entry);
         }
+    }
+
+    fn report_open_loop(&mut self, range: TextRange, number: u32) {
+        let message = format!("DO{number} has no END{number} below it");
+        let help = "write END and the number after the last block of the loop";
+        self.report_loop(Code::LoopMismatch, range, message, help);
     }
 
     /// END.

@@ -144,7 +144,7 @@ impl<'a> Interpreter<'a> {
         if size < LARGEST && (size >= SMALLEST || size == 0.0) {
             return Some(value);
         }
-        let shown = if size < 1.0 { format!("{value:e}") } else { format!("{value}") };
+        let shown = if size < 1.0 { format!("{value:.3e}") } else { format!("{value}") };
         let what = if size < 1.0 { "nearer to zero than 0.0001" } else { "too large" };
         self.report_once(
             Diagnostic::new(

@@ -1,0 +1,87 @@
+//! The kinds of faults: how each is planted, what must be reported, and where.
+
+use super::rules::*;
+use super::{Line, Part};
+
+/// A kind of fault.
+pub struct Kind {
+    pub name: &'static str,
+    /// The line with the fault in it; nothing where it cannot be planted there, or would be none.
+    pub plant: fn(&Part, &Line) -> Option<String>,
+    /// The line in which it must be reported.
+    pub place: fn(&Part, &Line) -> Option<usize>,
+    /// One of these codes.
+    pub codes: &'static [&'static str],
+    /// Controls on which it is no fault, or another one.
+    pub not_on: &'static [&'static str],
+    /// It is found where the program is read, whether the line is run or not.
+    pub anywhere: bool,
+}
+
+const fn kind(
+    name: &'static str,
+    plant: fn(&Part, &Line) -> Option<String>,
+    codes: &'static [&'static str],
+) -> Kind {
+    Kind { name, plant, place: same_line, codes, not_on: &[], anywhere: false }
+}
+
+impl Kind {
+    const fn not_on(self, not_on: &'static [&'static str]) -> Kind {
+        Kind { not_on, ..self }
+    }
+
+    const fn at(self, place: fn(&Part, &Line) -> Option<usize>) -> Kind {
+        Kind { place, ..self }
+    }
+}
+
+pub const KINDS: &[Kind] = &[
+    // Slips of the fingers.
+    kind("letter O for zero", letter_o, &["CH103"]),
+    kind("a word twice", word_twice, &["CH106"]),
+    kind("an axis without its number", bare_axis, &["CH109"]),
+    kind("two decimal points", two_points, &["CH101"]),
+    kind("comma for the decimal point", comma, &["CH102", "CH105", "CH109"]),
+    // With blanks in its numbers, `G0 15.` is G15 there.
+    kind("an axis letter lost", lost_letter, &["CH102"]).not_on(&["linuxcnc"]),
+    kind("comment not closed", open_comment, &["CH104"]).not_on(&["fadal"]),
+    kind("decimal point forgotten", lost_point, &["CH305"]).not_on(&["fadal", "linuxcnc"]),
+    // Codes.
+    kind("unknown G code", unknown_g, &["CH301"]),
+    // Where M codes are the machine builder's, an unknown one is a note.
+    kind("unknown M code", unknown_m, &["CH301"]).not_on(&["fanuc", "mitsubishi"]),
+    kind("G0 and G1 in one block", two_motions, &["CH302"]),
+    kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
+    // Arcs.
+    kind("end of an arc moved", arc_end, &["CH401"]),
+    kind("radius that does not reach", short_radius, &["CH402"]),
+    kind("neither centre nor radius", no_centre, &["CH405"]),
+    kind("centre letter of another plane", other_plane, &["CH404"]),
+    // Cutter compensation.
+    kind("compensation starts in an arc", starts_in_arc, &["CH501"]).not_on(&["linuxcnc"]),
+    kind("compensation without D", no_d, &["CH503"]).not_on(&["fadal", "linuxcnc"]),
+    kind("G40 forgotten", no_g40, &["CH505", "CH522", "CH523"]).at(end_of_compensation),
+    kind("length of another tool", other_length, &["CH604"]),
+    // Feed and spindle.
+    kind("no feed", no_feed, &["CH406", "CH745"]),
+    kind("feed of zero", zero_feed, &["CH303", "CH406", "CH745", "CH814"]),
+    kind("spindle not started", no_spindle, &["CH413", "CH814"]).at(first_cut),
+    kind("rapid instead of feed in a contour", rapid_cut, &["CH602"]),
+    // Cycles.
+    // There the feed begins where the tool is.
+    kind("cycle without R", cycle_no_r, &["CH800"]).not_on(&["fadal", "haas"]),
+    kind("cycle without Z", cycle_no_z, &["CH801"]),
+    kind("pecks without Q", cycle_no_q, &["CH802"]),
+    kind("R below Z", cycle_r_below, &["CH805"]),
+    // Programs.
+    kind("called program is not there", lost_program, &["CH201", "CH202"]),
+    kind("call without its number", call_without_number, &["CH202", "CH308"]),
+    kind("no end of program", no_end, &["CH205"]).at(last_line),
+    // Macros.
+    kind("jump to a number that is not there", lost_label, &["CH202"]),
+    kind("bracket not closed", open_bracket, &["CH701", "CH700", "CH704"]),
+    kind("division by zero", division_by_zero, &["CH707"]),
+    kind("loop without its end", open_loop, &["CH712"]).at(loop_head),
+    kind("variable that there is not", bad_variable, &["CH705"]),
+];

@@ -1,0 +1,105 @@
+//! Faults that are planted in the right programs of the labelled set: each must be found, with its line.
+//!
+//! `CHORDAL_PLANTS=N` plants N of each kind in a program instead of the usual number.
+
+#![allow(clippy::disallowed_methods, reason = "the number of plants can be given from outside")]
+
+mod faults;
+mod labelled;
+
+use std::collections::BTreeSet;
+
+use chordal::{Report, Severity};
+use faults::Part;
+use faults::kinds::{KINDS, Kind};
+use labelled::{check, line_of, programs};
+
+/// Plants of a kind in one program.
+const USUAL: usize = 1;
+
+/// So many faults are planted at least, of so many kinds.
+const FEWEST: usize = 500;
+const FEWEST_KINDS: usize = 15;
+
+/// The right programs: those of the five controls of which a check reports no error.
+fn parts() -> Vec<Part> {
+    let programs = programs();
+    let parts = programs.iter().filter_map(|program| {
+        let loaded = program.load();
+        let right = loaded.not_read().is_none() && check(&loaded).counts.errors == 0;
+        right.then(|| Part::new(&program.title, &loaded))
+    });
+    parts.collect()
+}
+
+/// Codes with their lines.
+fn said(report: &Report, text: &str) -> BTreeSet<(usize, &'static str, bool)> {
+    let said = report.diagnostics.iter().map(|each| {
+        let line = line_of(text, each.primary.span);
+        (line, each.code.info().id, each.severity != Severity::Note)
+    });
+    said.collect()
+}
+
+/// The plants of a kind in a program: line and new text of each, and the line that must be reported.
+fn plants(kind: &Kind, part: &Part) -> Vec<(usize, String, usize)> {
+    let most = std::env::var("CHORDAL_PLANTS").ok().and_then(|text| text.parse().ok());
+    let lines = part.lines.iter().filter(|line| line.done.ran || kind.anywhere);
+    let all = lines.filter_map(|line| {
+        let new = (kind.plant)(part, line)?;
+        let place = (kind.place)(part, line)?;
+        Some((line.number, new, place))
+    });
+    let mut all: Vec<_> = all.collect();
+    // Evenly over the program.
+    let most = most.unwrap_or(USUAL).max(1);
+    if all.len() > most {
+        let step = all.len() as f64 / most as f64;
+        let chosen: BTreeSet<usize> =
+            (0..most).map(|index| (index as f64 * step) as usize).collect();
+        let mut index = 0;
+        all.retain(|_| {
+            index += 1;
+            chosen.contains(&(index - 1))
+        });
+    }
+    all
+}
+
+#[test]
+fn every_planted_fault_is_found_in_its_line() {
+    let parts = parts();
+    let mut missed = Vec::new();
+    let (mut all, mut found) = (0, 0);
+    for kind in KINDS {
+        let (mut planted, mut hits) = (0, 0);
+        for part in parts.iter().filter(|part| !kind.not_on.contains(&part.control)) {
+            let text = part.planted(0, "");
+            let before = said(&part.check(&text), &text);
+            for (line, new, place) in plants(kind, part) {
+                let text = part.planted(line, &new);
+                let after = said(&part.check(&text), &text);
+                let right = after.iter().any(|&(at, id, _)| {
+                    at == place
+                        && kind.codes.contains(&id)
+                        && !before.iter().any(|b| b.0 == at && b.1 == id)
+                });
+                planted += 1;
+                hits += usize::from(right);
+                if !right {
+                    let fresh: Vec<_> = after.difference(&before).collect();
+                    missed.push(format!(
+                        "{}: {}, {}, line {line}: `{new}` must be reported in line {place}; new: {fresh:?}",
+                        kind.name, part.control, part.title
+                    ));
+                }
+            }
+        }
+        println!("{:<44} {hits:>4} of {planted:>4}", kind.name);
+        assert!(planted > 0, "{} is nowhere planted", kind.name);
+        (all, found) = (all + planted, found + hits);
+    }
+    println!("{:<44} {found:>4} of {all:>4}, in {} programs", "together", parts.len());
+    assert!(all >= FEWEST && KINDS.len() >= FEWEST_KINDS, "{all} plants");
+    assert!(missed.is_empty(), "{} missed:\n{}", missed.len(), missed.join("\n"));
+}

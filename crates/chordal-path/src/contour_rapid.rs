@@ -1,0 +1,76 @@
+//! A rapid in a contour: between two arcs, at depth, joined to both of them without a corner. Nobody positions a
+//! tool like this; a G0 stands where a G1 was meant.
+
+use chordal_command::{ArcShape, Move, Origin};
+use chordal_diagnostics::Shift;
+use chordal_geometry::{ParamCurve, Vec3};
+
+use crate::segment::{curve_of, is_known, point};
+
+/// Directions that differ by less are the same, rad (0.5°).
+const SAME_RAD: f64 = 0.008_73;
+
+/// What is remembered from one move to the next.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContourRapid {
+    /// The move before was this arc.
+    arc: Option<(Move, ArcShape)>,
+    /// The move before was a rapid that went on from an arc.
+    rapid: Option<OpenRapid>,
+}
+
+/// A rapid that goes on from an arc.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OpenRapid {
+    pub from: Vec3,
+    pub to: Vec3,
+    pub origin: Origin,
+}
+
+impl ContourRapid {
+    /// An arc; the rapid before it, where that joins it without a corner.
+    #[inline]
+    pub fn arc(&mut self, motion: &Move, shape: &ArcShape) -> Option<OpenRapid> {
+        self.arc = Some((*motion, *shape));
+        let rapid = self.rapid.take()?;
+        let curve = curve_of(motion, Some(shape));
+        let direction = rapid.to - rapid.from;
+        let joined = curve.start() == rapid.to && is_same(direction, curve.tangent_at(0.0));
+        joined.then_some(rapid)
+    }
+
+    /// A rapid below `plane`.
+    #[inline]
+    pub fn rapid(&mut self, motion: &Move, plane: f64, origin: Origin) {
+        self.rapid = None;
+        let Some((before, shape)) = self.arc.take() else { return };
+        let (from, to) = (point(&motion.from), point(&motion.to));
+        let level = from.z == to.z && to.z < plane;
+        if origin.cycle || from == to || !level || !is_known(motion) {
+            return;
+        }
+        let curve = curve_of(&before, Some(&shape));
+        if curve.end() == from && is_same(to - from, curve.tangent_at(curve.length())) {
+            self.rapid = Some(OpenRapid { from, to, origin });
+        }
+    }
+
+    /// Any other motion.
+    #[inline]
+    pub fn other(&mut self) {
+        (self.arc, self.rapid) = (None, None);
+    }
+
+    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    pub fn shift(&mut self, shift: &Shift) -> Option<()> {
+        if let Some(rapid) = &mut self.rapid {
+            rapid.origin = rapid.origin.shifted(shift)?;
+        }
+        Some(())
+    }
+}
+
+fn is_same(first: Vec3, second: Vec3) -> bool {
+    let size = first.length() * second.length();
+    first.dot(second) > 0.0 && first.cross(second).length() < size * SAME_RAD
+}
