@@ -1,10 +1,9 @@
 //! The machine that is assumed when only its control is known.
 
 use chordal::control::RunOptions;
-use chordal::machine::{AXIS_LETTERS, ControlName, builtin_names};
+use chordal::machine::{AXIS_LETTERS, builtin_names};
 use chordal::{Code, Job, Machine, Source, SourceMap};
 
-use crate::machine::typical;
 use crate::text::whole_lines;
 
 /// So much of the beginning is run to see which axes move, bytes.
@@ -36,8 +35,7 @@ impl MovedAxes {
 
 /// The machine of a control that nobody named: the usual one or, where the program moves axes that
 /// this one does not have, a built-in one that has them.
-pub(crate) fn assume(control: ControlName, text: &[u8]) -> (Machine, Option<MovedAxes>) {
-    let usual = typical(control);
+pub(crate) fn assume(usual: Machine, text: &[u8]) -> (Machine, Option<MovedAxes>) {
     let head = whole_lines(text, HEAD);
     if !names_missing_axis(&usual, head) {
         return (usual, None);
@@ -47,7 +45,7 @@ pub(crate) fn assume(control: ControlName, text: &[u8]) -> (Machine, Option<Move
         return (usual, None);
     }
     let built_in = builtin_names().iter().filter_map(|name| Machine::from_builtin(name).ok());
-    let mut same = built_in.filter(|machine| machine.control == control);
+    let mut same = built_in.filter(|machine| machine.control == usual.control);
     match same.find(|machine| letters.iter().all(|letter| has(machine, *letter))) {
         Some(machine) => {
             let moved = MovedAxes { letters, machine: machine.title.clone() };

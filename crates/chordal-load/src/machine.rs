@@ -57,7 +57,7 @@ pub(crate) fn choose(
         }
         _ => {
             let settled = settle(recognition, text, typical);
-            let (machine, moved) = assume(settled.control(), text);
+            let (machine, moved) = assume(typical(settled.control()), text);
             (machine, Chosen::Recognized(settled, moved))
         }
     };
