@@ -5,13 +5,14 @@ use std::ops::RangeInclusive;
 use chordal::Code;
 use chordal::control::Field;
 use chordal::control::table::{
-    ArcTurns, CodeRow, ControlTable, DataTarget, DwellWord, Group, MotionModality, code_name,
+    ArcTurns, CodeRow, ControlTable, DataTarget, Group, MotionModality, code_name,
 };
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{CycleKind, ToolValue};
 use chordal::syntax::Letters;
 
 use crate::meaning::form::{example, word_rows};
+use crate::meaning::word::dwell_text;
 use crate::meaning::{Facts, View, own_value, sections, settings, some, without_places};
 
 /// The codes of a table under a letter.
@@ -191,18 +192,6 @@ fn facts_of_action(action: Action, view: &View, several: bool, facts: &mut Facts
             ArcTurns::Extra => facts.add("turns", "P: full turns in addition to the arc itself"),
             ArcTurns::Total => facts.add("turns", "P: all turns, the arc itself counted as one"),
         }
-    }
-}
-
-/// `P1 is 0.001 s, P1. is 1 s`.
-pub fn dwell_text(word: &DwellWord) -> String {
-    let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
-    if !word.takes_point {
-        format!("{letter}1 is {whole} s; a point is an alarm")
-    } else if whole == point {
-        format!("{letter}1 is {whole} s, with a point or without")
-    } else {
-        format!("{letter}1 is {whole} s, {letter}1. is {point} s")
     }
 }
 

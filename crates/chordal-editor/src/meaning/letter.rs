@@ -4,7 +4,8 @@ use chordal::control::Action;
 use chordal::control::Field;
 use chordal::control::table::{ArcTurns, LineRepeat, Subroutines, code_name};
 
-use crate::meaning::code::{codes, dwell_text};
+use crate::meaning::code::codes;
+use crate::meaning::word::dwell_text;
 use crate::meaning::{View, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.

@@ -1,6 +1,6 @@
 //! What a word means in the block of a G or M code: Q of G83 is a peck, Q of G76 a shift.
 
-use chordal::control::table::{ArcTurns, CodeRow, DataTarget};
+use chordal::control::table::{ArcTurns, CodeRow, DataTarget, DwellWord};
 use chordal::control::{
     Action, BeforeCode, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, PathCode,
 };
@@ -10,7 +10,6 @@ use chordal::control::{BackBore, CycleRules, PeckDwell, ShiftWords, SpiralForm, 
 use chordal::machine::AXIS_LETTERS;
 
 use crate::meaning::View;
-use crate::meaning::code::dwell_text;
 
 /// The meaning of a letter in the block of a code; `None` where it is accepted and does nothing to the path.
 pub fn word_meaning(row: &CodeRow, letter: u8, view: &View) -> Option<String> {
@@ -253,6 +252,18 @@ fn called(code: CallCode, letter: u8, view: &View) -> Option<String> {
         CallCode::SubroutineEnd => return None,
     };
     Some(text.into())
+}
+
+/// `P1 is 0.001 s, P1. is 1 s`.
+pub fn dwell_text(word: &DwellWord) -> String {
+    let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
+    if !word.takes_point {
+        format!("{letter}1 is {whole} s; a point is an alarm")
+    } else if whole == point {
+        format!("{letter}1 is {whole} s, with a point or without")
+    } else {
+        format!("{letter}1 is {whole} s, {letter}1. is {point} s")
+    }
 }
 
 fn dwell(letter: u8, view: &View) -> Option<String> {
