@@ -123,6 +123,8 @@ impl Session {
             over: Arc::default(),
             held: Mutex::new(held),
         });
+        // Before anything is read: what changes from here on is a change.
+        let watched = shared.watched();
         let (requests, asked) = channel();
         let (runs, to_run) = channel();
         let (plans, to_plan) = channel();
@@ -133,7 +135,7 @@ impl Session {
         spawn("paths", &shared, move |shared| shared.run_all(&to_run, &plans, &after_runs))?;
         spawn("times", &shared, move |shared| shared.plan_all(&to_plan))?;
         spawn("others", &shared, move |shared| shared.compare_all(&to_compare))?;
-        spawn("watch", &shared, move |shared| shared.watch(&comparisons))?;
+        spawn("watch", &shared, move |shared| shared.watch(watched, &comparisons))?;
         Ok(Session { shared, requests })
     }
 
@@ -147,6 +149,18 @@ impl Session {
     pub fn end(self) {
         self.shared.over.store(true, Ordering::Relaxed);
     }
+}
+
+/// The files that may change, as they were at the beginning.
+struct Watched {
+    path: Option<PathBuf>,
+    other: Option<PathBuf>,
+    seen: Option<Stamp>,
+    other_seen: Option<Stamp>,
+}
+
+fn stamp(path: &Option<PathBuf>) -> Option<Stamp> {
+    path.as_deref().and_then(Stamp::of)
 }
 
 fn spawn(
@@ -528,17 +542,21 @@ impl Shared {
         }
     }
 
-    /// Says when the file holds something else than was read or written last, and compares anew when the
-    /// other one does.
-    fn watch(&self, comparisons: &Sender<u64>) {
+    fn watched(&self) -> Watched {
         let path = self.programs.path();
         let against = self.programs.against().filter(|against| !against.own_text);
         let other = against.and_then(|against| against.programs.path());
+        let (seen, other_seen) = (stamp(&path), stamp(&other));
+        Watched { path, other, seen, other_seen }
+    }
+
+    /// Says when the file holds something else than was read or written last, and compares anew when the
+    /// other one does.
+    fn watch(&self, watched: Watched, comparisons: &Sender<u64>) {
+        let Watched { path, other, mut seen, mut other_seen } = watched;
         if path.is_none() && other.is_none() {
             return;
         }
-        let stamp = |path: &Option<PathBuf>| path.as_deref().and_then(Stamp::of);
-        let (mut seen, mut other_seen) = (stamp(&path), stamp(&other));
         while !self.is_over() {
             thread::sleep(LOOK_EVERY);
             let other_now = stamp(&other);
