@@ -292,6 +292,7 @@ class Program:
         chords: float | None = None,
         simplify: float | None = None,
         fit: float | None = None,
+        feed_tolerance: float = 0.01,
         renumber: tuple[int, int] | None = None,
         no_numbers: bool = False,
         strip_comments: bool = False,
@@ -316,6 +317,7 @@ class Program:
         ``chords``: arcs and spirals as chords within this distance, mm.
         ``simplify``: fewer chords, the path within this distance, mm.
         ``fit``: chords as lines and tangent arcs within this distance, mm.
+        ``feed_tolerance``: feeds of chords that ``fit`` takes together may differ by this part of them.
         ``renumber``: first N number and step.
         ``no_numbers``: ``True`` takes out the N numbers that nothing refers to.
         ``strip_comments``: ``True`` takes out comments.
@@ -343,6 +345,7 @@ class Program:
             chords,
             simplify,
             fit,
+            feed_tolerance,
             renumber,
             no_numbers,
             strip_comments,

@@ -62,7 +62,12 @@ fn benches(criterion: &mut Criterion) {
         });
     });
     group.bench_function("fit within 0.01 mm", |bench| {
-        bench.iter(|| black_box(transform(&job, &[Step::Fit(0.01)]).expect("rows")));
+        bench.iter(|| {
+            black_box(
+                transform(&job, &[Step::Fit { tolerance: 0.01, feed_tolerance: 0.01 }])
+                    .expect("rows"),
+            )
+        });
     });
     group.finish();
 }

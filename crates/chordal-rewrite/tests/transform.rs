@@ -53,6 +53,10 @@ fn job(text: Vec<u8>, machine: &str) -> Job<'static> {
     Job::new(sources, machine).unwrap().options(options)
 }
 
+fn fit(tolerance: f64) -> Step {
+    Step::Fit { tolerance, feed_tolerance: 0.01 }
+}
+
 /// Each with how many of the programs must come out proved; the others are refused, or differ in a way
 /// that is reported (a travel that is exceeded, a printed position, a clearance that a parameter holds).
 fn steps() -> Vec<(&'static str, Step, usize)> {
@@ -71,7 +75,7 @@ fn steps() -> Vec<(&'static str, Step, usize)> {
         ("radius", Step::Arcs(ArcForm::Radius), 182),
         ("center", Step::Arcs(ArcForm::Center), 181),
         ("chords", Step::Chords(0.01), 132),
-        ("fit", Step::Fit(0.02), 183),
+        ("fit", fit(0.02), 183),
         ("simplify", Step::Simplify(0.02), 183),
         ("renumber", Step::Renumber { first: 10, step: 5 }, 170),
         ("no numbers", Step::NoNumbers, 174),
@@ -223,7 +227,7 @@ fn chords_become_arcs_again() {
     let chords = haas(PART, &[Step::Chords(0.001)]);
     let text = String::from_utf8(chords.text).unwrap();
     assert!(text.lines().count() > 60 && !text.contains("G2 ") && !text.contains("G3 "), "{text}");
-    let fitted = haas(&text, &[Step::Fit(0.01)]);
+    let fitted = haas(&text, &[fit(0.01)]);
     let text = String::from_utf8(fitted.text).unwrap();
     let arcs = text.lines().filter(|line| line.contains("G2 ") || line.contains("G3 ")).count();
     assert!(arcs >= 1 && text.lines().count() < 25, "{text}");
@@ -245,7 +249,7 @@ fn a_surfacing_program_becomes_tangent_arcs() {
     }
     text += "G0 Z5\nM30\n";
     let source = job(text.clone().into_bytes(), "linuxcnc-mill");
-    let done = transform(&source, &[Step::Fit(0.01)]).unwrap();
+    let done = transform(&source, &[fit(0.01)]).unwrap();
     assert!(done.certificate.holds(), "{:?}", done.certificate.comparison.differences);
     assert!(done.certificate.comparison.max_distance_mm.unwrap() <= 0.01);
     let new = String::from_utf8(done.text).unwrap();
@@ -255,6 +259,60 @@ fn a_surfacing_program_becomes_tangent_arcs() {
     // 97.4 is the asymptotic minimum of the five rows.
     assert!((90..=110).contains(&arcs), "{arcs}\n{new}");
     assert!(lines < 20, "{new}");
+}
+
+/// A wave of chords, with what a row of CAM output has behind each.
+fn wave(behind: impl Fn(usize, f64) -> String) -> String {
+    let mut text = String::from("G21 G90 G17\nT1 M6\nS12000 M3\nG0 X0 Y0 Z5.\nG1 Z0. F3000.\n");
+    for step in 0..200 {
+        let x = 0.25 * step as f64;
+        text += &format!("G1 X{x:.3} Y{:.3}{}\n", 8.0 * (0.2 * x).sin(), behind(step, x));
+    }
+    text + "X60.\nG0 Z5.\nM30\n"
+}
+
+fn feeds(text: &str) -> Vec<&str> {
+    text.lines().filter_map(|line| line.split(' ').find(|word| word.starts_with('F'))).collect()
+}
+
+/// Feeds within the tolerance are one feed, the slowest; what holds after the row is said again.
+#[test]
+fn a_feed_in_every_block_is_no_obstacle() {
+    let same = haas(&wave(|_, _| " F900.".into()), &[fit(0.01)]);
+    let text = String::from_utf8(same.text).unwrap();
+    assert!(text.lines().count() < 40, "{text}");
+    assert_eq!(feeds(&text), ["F3000.", "F900."]);
+
+    let near = wave(|step, _| format!(" F{}.", 900 + step % 7));
+    let text = String::from_utf8(haas(&near, &[fit(0.01)]).text).unwrap();
+    assert!(text.lines().count() < 40, "{text}");
+    // 199 % 7 is 3: so fast the last block was, and so fast the next one is to go on.
+    assert_eq!(feeds(&text), ["F3000.", "F900.", "F903."]);
+
+    // The least of 7 that are 2 % apart is not the feed of all: rows end where the tolerance does.
+    let apart = wave(|step, _| format!(" F{}.", if step < 100 { 900 } else { 1000 }));
+    let text = String::from_utf8(haas(&apart, &[fit(0.01)]).text).unwrap();
+    assert_eq!(feeds(&text), ["F3000.", "F900.", "F1000."]);
+    let exact = Step::Fit { tolerance: 0.01, feed_tolerance: 0.0 };
+    let kept = String::from_utf8(haas(&near, &[exact]).text).unwrap();
+    assert_eq!(kept, near);
+}
+
+/// In a helix F is the feed in the plane: where the chords fall steeply, that is another motion.
+#[test]
+fn a_row_whose_proof_fails_stays_and_is_told() {
+    let flat = wave(|_, _| String::new());
+    let steep = wave(|_, x| format!(" Z{:.3}", -x));
+    let (head, _) = flat.split_once("X60.").unwrap();
+    let (_, second) = steep.split_once("F3000.\n").unwrap();
+    let text = format!("{head}G0 Z5.\nX0. Y0.\nG1 Z0. F3000.\n{second}");
+    let done = transform(&job(text.clone().into_bytes(), "fanuc-30i"), &[fit(0.01)]).unwrap();
+    assert!(done.certificate.holds());
+    let new = String::from_utf8(done.text).unwrap();
+    assert!(new.ends_with(second), "{new}");
+    assert!(new.lines().count() < text.lines().count() - 150, "{new}");
+    let said = done.notes.iter().find(|note| note.contains("stays as it is"));
+    assert!(said.is_some_and(|note| note.contains("feed")), "{:?}", done.notes);
 }
 
 /// A path of which no place is known is not proved, whatever its text.

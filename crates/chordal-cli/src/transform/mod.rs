@@ -93,6 +93,10 @@ pub struct Args {
     #[arg(long, value_name = "LENGTH")]
     fit: Option<String>,
 
+    /// Chords whose feeds differ by at most this part become one line or arc of --fit, at the slowest of them
+    #[arg(long, value_name = "PART", requires = "fit", default_value = "1%", value_parser = part)]
+    feed_tolerance: f64,
+
     /// Removes chords, as long as the path stays within this length
     #[arg(long, value_name = "LENGTH")]
     simplify: Option<String>,
@@ -168,6 +172,15 @@ fn factor(text: &str) -> Result<f64, String> {
     }
 }
 
+/// `1%`, `0.01`: from nothing to less than the whole.
+fn part(text: &str) -> Result<f64, String> {
+    let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
+    match number.trim().parse::<f64>().map(|value| value / part) {
+        Ok(value) if (0.0..1.0).contains(&value) => Ok(value),
+        _ => Err("write a part from 0 to less than 1, such as 1% or 0.01".into()),
+    }
+}
+
 /// `32000`, `32k`, `tool`.
 fn parted(text: &str) -> Result<By, String> {
     let lower = text.trim().to_ascii_lowercase();
@@ -234,7 +247,10 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
     };
     steps.extend(tolerance(&args.chords)?.map(Step::Chords));
     steps.extend(tolerance(&args.simplify)?.map(Step::Simplify));
-    steps.extend(tolerance(&args.fit)?.map(Step::Fit));
+    steps.extend(
+        tolerance(&args.fit)?
+            .map(|tolerance| Step::Fit { tolerance, feed_tolerance: args.feed_tolerance }),
+    );
     steps.extend(args.arcs.map(|form| {
         Step::Arcs(if form == Arcs::Radius { ArcForm::Radius } else { ArcForm::Center })
     }));

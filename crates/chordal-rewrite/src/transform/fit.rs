@@ -1,12 +1,14 @@
 //! Rows of chords as arcs and lines, and as fewer chords.
 
+use std::collections::HashMap;
+
 use chordal::Job;
 use chordal::control::table::MotionModality;
 use chordal::control::{Action, ModeCode, MotionCode};
 use chordal::control::{ArcShape, Units};
 use chordal::diagnostics::TextRange;
 use chordal::geometry::{Curve, FitOptions, FitPiece, Plane, Vec2, Vec3, fit_path, simplify};
-use chordal::syntax::Block;
+use chordal::syntax::{Block, Word};
 
 use super::Outcome;
 use super::arcs::center_words;
@@ -23,13 +25,14 @@ const LEAST: usize = 3;
 /// Steps of the last digit that rounding the ends and the centre of an arc may take it off.
 const ROUNDING: f64 = 2.0;
 
-/// The edits that write rows of chords as lines and arcs within a tolerance, mm.
-pub(super) fn fit(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
+/// Rows of chords as lines and arcs within a tolerance, mm, each cut at the slowest of its feeds, which may
+/// be apart by a part of the fastest. A row that would not make the same motion stays as it is.
+pub(super) fn fit(job: &Job, tolerance: f64, feed_tolerance: f64) -> Result<Outcome, Refusal> {
     let writer = Writer::new(job);
     let record = Record::of(job);
-    let mut outcome = Outcome { tolerance_mm: tolerance, ..Outcome::default() };
-    let (mut chords, mut pieces, mut rough) = (0, 0, 0);
-    rows(&writer, &record, LEAST, |row, behind| {
+    let mut outcome = Outcome { tolerance_mm: tolerance, feed_tolerance, ..Outcome::default() };
+    let (mut rows_of, mut rough) = (HashMap::new(), 0);
+    rows(&writer, &record, LEAST, feed_tolerance, |row, behind| {
         let units = row[0].run.context.units;
         let step = unit_mm(units) * 0.1f64.powi(i32::from(writer.style.digits(units)));
         let left = tolerance - ROUNDING * step;
@@ -47,9 +50,13 @@ pub(super) fn fit(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
         if fitted.len() >= row.len() {
             return;
         }
-        (chords, pieces) = (chords + row.len(), pieces + fitted.len());
-        outcome.edits.push(replace(&writer, row, behind, &fitted));
+        let edit = replace(&writer, row, behind, &fitted);
+        rows_of.insert(edit.range.start, [row.len(), fitted.len()]);
+        outcome.edits.push(edit);
     });
+    outcome.keep_proved(job);
+    let counts = outcome.edits.iter().filter_map(|edit| rows_of.get(&edit.range.start));
+    let [chords, pieces] = counts.fold([0, 0], |[chords, pieces], [a, b]| [chords + a, pieces + b]);
     if rough > 0 {
         outcome.notes.push(format!(
             "{rough} chords stay: the tolerance is not larger than the rounding of the program's last digit"
@@ -85,14 +92,31 @@ fn replace(writer: &Writer, row: &[Cut], behind: Option<&Block>, fitted: &[FitPi
             numbered = Some(block);
         }
         typist.piece(piece, &mut words);
-        if let Some(feed) = first.word(b'F').filter(|_| index == 0) {
+        if let Some(feed) = slowest(row).filter(|_| index == 0) {
             words.push(writer.word(feed));
         }
         lines.push(words.join(writer.style.gap()));
     }
-    lines.extend(typist.restore(context.plane, behind));
+    let feed = last_feed(row).filter(|_| behind.is_none_or(|block| block.word(b'F').is_none()));
+    lines.extend(typist.restore(context.plane, behind, feed));
     let range = TextRange::new(first.range.start, last.range.end);
     Edit::new(range, lines.join(&separator), "chords as lines and arcs")
+}
+
+/// The F word of the slowest feed of a row; nothing where it is the one that was active before.
+fn slowest(row: &[Cut]) -> Option<&Word> {
+    let feed = row.iter().filter_map(|cut| cut.run.feed).min_by(f64::total_cmp);
+    let slow = || row.iter().filter(|cut| cut.run.feed == feed);
+    // Where no block of that feed says it, it was active before the row, and so at its first block.
+    slow().find_map(|cut| cut.block.word(b'F'))
+}
+
+/// The F word that holds after a row, where it is not the one that the row is written with.
+fn last_feed(row: &[Cut]) -> Option<&Word> {
+    let feed = |cut: &Cut| cut.run.feed;
+    let slow = row.iter().filter_map(feed).min_by(f64::total_cmp);
+    let last = row.last().filter(|cut| feed(cut) != slow)?;
+    row.iter().rev().filter(|cut| feed(cut) == feed(last)).find_map(|cut| cut.block.word(b'F'))
 }
 
 /// Writes moves, each with the words that change.
@@ -187,7 +211,12 @@ impl Typist<'_> {
     }
 
     /// What brings back what the blocks after rely on.
-    fn restore(&mut self, plane: Plane, behind: Option<&Block>) -> Option<String> {
+    fn restore(
+        &mut self,
+        plane: Plane,
+        behind: Option<&Block>,
+        feed: Option<&Word>,
+    ) -> Option<String> {
         let mut words = Words::default();
         let is_changed = self.plane != plane;
         self.plane(plane, &mut words);
@@ -210,7 +239,10 @@ impl Typist<'_> {
         if is_arc {
             self.motion(Action::Motion(MotionCode::Linear), &mut words);
         }
-        (is_changed || is_arc).then(|| words.join(self.writer.style.gap()))
+        if let Some(feed) = feed {
+            words.push(self.writer.word(feed));
+        }
+        (is_changed || is_arc || feed.is_some()).then(|| words.join(self.writer.style.gap()))
     }
 }
 
@@ -231,7 +263,7 @@ pub(super) fn thin(job: &Job, tolerance: f64) -> Result<Outcome, Refusal> {
     let record = Record::of(job);
     let mut outcome = Outcome { tolerance_mm: tolerance, ..Outcome::default() };
     let (mut chords, mut left) = (0, 0);
-    rows(&writer, &record, LEAST, |row, _| {
+    rows(&writer, &record, LEAST, 0.0, |row, _| {
         // The first block has the words that all others rely on: it stays.
         let points: Vec<Vec3> = row.iter().map(Cut::to).collect();
         let Ok(kept) = simplify(&points, tolerance) else { return };

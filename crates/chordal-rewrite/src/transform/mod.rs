@@ -11,6 +11,7 @@ mod fit;
 mod lines;
 mod map;
 mod number;
+mod proved;
 mod rates;
 mod record;
 mod roles;
@@ -71,8 +72,13 @@ pub enum Step {
     Arcs(ArcForm),
     /// Writes arcs and spirals as chords within so many mm.
     Chords(f64),
-    /// Writes rows of chords as tangent lines and arcs within so many mm.
-    Fit(f64),
+    /// Writes rows of chords as tangent lines and arcs.
+    Fit {
+        /// So far off the chords at most, mm.
+        tolerance: f64,
+        /// Feeds of one row may differ by this part of the fastest; the slowest is written.
+        feed_tolerance: f64,
+    },
     /// Leaves out chords, so that the path stays within so many mm.
     Simplify(f64),
     /// Numbers anew the blocks that have numbers.
@@ -115,7 +121,11 @@ impl Step {
             ("arcs-radius", []) => Step::Arcs(ArcForm::Radius),
             ("arcs-center", []) => Step::Arcs(ArcForm::Center),
             ("chords", [tolerance]) if is_length(*tolerance) => Step::Chords(*tolerance),
-            ("fit", [tolerance]) if is_length(*tolerance) => Step::Fit(*tolerance),
+            ("fit", [tolerance, feed_tolerance])
+                if is_length(*tolerance) && (0.0..1.0).contains(feed_tolerance) =>
+            {
+                Step::Fit { tolerance: *tolerance, feed_tolerance: *feed_tolerance }
+            }
             ("simplify", [tolerance]) if is_length(*tolerance) => Step::Simplify(*tolerance),
             ("renumber", [first, step]) if is_count(*first) && is_count(*step) => {
                 Step::Renumber { first: *first as u32, step: *step as u32 }
@@ -138,7 +148,7 @@ impl Step {
             | Step::Units(_)
             | Step::Arcs(_)
             | Step::Chords(_)
-            | Step::Fit(_)
+            | Step::Fit { .. }
             | Step::Simplify(_) => true,
             Step::Renumber { .. }
             | Step::NoNumbers
@@ -164,7 +174,7 @@ impl Step {
             Step::Units(to) => units::units(job, to),
             Step::Arcs(form) => arcs::form(job, form),
             Step::Chords(tolerance) => arcs::chords(job, tolerance),
-            Step::Fit(tolerance) => fit::fit(job, tolerance),
+            Step::Fit { tolerance, feed_tolerance } => fit::fit(job, tolerance, feed_tolerance),
             Step::Simplify(tolerance) => fit::thin(job, tolerance),
             Step::Renumber { first, step } => text::renumber(job, first, step),
             Step::NoNumbers => Ok(text::no_numbers(job)),
@@ -214,6 +224,8 @@ struct Outcome {
     feed_tolerance: f64,
     /// Differences that no writing can take away.
     expected: Vec<Category>,
+    /// The proof of the edits, where it was made already.
+    certificate: Option<Certificate>,
 }
 
 impl Outcome {
@@ -267,6 +279,7 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             all.tolerance_mm * outcome.mapping.path.scale_factor() + outcome.tolerance_mm;
         all.expected.append(&mut outcome.expected);
         all.feed_tolerance = all.feed_tolerance.max(outcome.feed_tolerance);
+        all.certificate = outcome.certificate.filter(|_| steps.len() == 1);
         all.mapping = Mapping {
             path: all.mapping.path.then(&outcome.mapping.path),
             feed: all.mapping.feed * outcome.mapping.feed,
@@ -280,7 +293,8 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
         ..Options::default()
     };
     let new = job.with_text(text.clone());
-    let mut certificate = prove_mapped(job, &new, &options, &all.expected, &all.mapping);
+    let prove = || prove_mapped(job, &new, &options, &all.expected, &all.mapping);
+    let mut certificate = all.certificate.unwrap_or_else(prove);
     let comparison = &mut certificate.comparison;
     let moves = comparison.moves.iter().any(|moves| *moves > 0);
     if comparison.max_distance_mm.is_none() && moves && text != first_text(job) {

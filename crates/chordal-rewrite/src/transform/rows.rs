@@ -28,16 +28,41 @@ impl Cut {
     }
 }
 
-/// Emits each row of at least `least` cuts in one go, and the block after it.
+/// The slowest and the fastest feed of a row, mm/s; none where no feed is active.
+#[derive(Clone, Copy, Debug)]
+struct Feeds(Option<[f64; 2]>);
+
+impl Feeds {
+    fn of(run: &Run) -> Feeds {
+        Feeds(run.feed.map(|feed| [feed, feed]))
+    }
+
+    /// With those of one more cut; nothing where they are further apart than `tolerance` of the fastest.
+    fn with(self, run: &Run, tolerance: f64) -> Option<Feeds> {
+        match (self.0, run.feed) {
+            (None, None) => Some(self),
+            (Some([slow, fast]), Some(feed)) => {
+                let both = [slow.min(feed), fast.max(feed)];
+                (both[0] >= both[1] * (1.0 - tolerance)).then_some(Feeds(Some(both)))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Emits each row of at least `least` cuts in one go, and the block after it. Feeds of one row differ by no
+/// more than `feed_tolerance` of the fastest.
 pub(super) fn rows(
     writer: &Writer,
     record: &Record,
     least: usize,
+    feed_tolerance: f64,
     mut see: impl FnMut(&[Cut], Option<&Block>),
 ) {
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
     let mut row: Vec<Cut> = Vec::new();
+    let mut feeds = Feeds(None);
     let mut order = 0;
     let mut flush = |row: &mut Vec<Cut>, behind: Option<&Block>| {
         if row.len() >= least {
@@ -46,32 +71,25 @@ pub(super) fn rows(
         row.clear();
     };
     while reader.read(&mut block) {
-        let cut = cut(writer, record, &block, row.last());
-        match cut {
-            Some((cut, its)) if row.is_empty() || its == order + 1 => {
-                order = its;
-                row.push(cut);
-            }
-            _ => {
-                flush(&mut row, Some(&block));
-                // It may begin a row of its own.
-                if let Some((cut, its)) = self::cut(writer, record, &block, None) {
-                    order = its;
-                    row.push(cut);
-                }
-            }
+        let cut = cut(writer, record, &block);
+        let goes_on = cut.as_ref().zip(row.last()).and_then(|((cut, its), last)| {
+            let follows = *its == order + 1 && follows(&last.run, &cut.run);
+            feeds.with(&cut.run, feed_tolerance).filter(|_| follows)
+        });
+        if goes_on.is_none() {
+            flush(&mut row, Some(&block));
+        }
+        if let Some((cut, its)) = cut {
+            feeds = goes_on.unwrap_or(Feeds::of(&cut.run));
+            order = its;
+            row.push(cut);
         }
     }
     flush(&mut row, None);
 }
 
 /// A block that is nothing but one straight cut between known places, and which block of the run it is.
-fn cut(
-    writer: &Writer,
-    record: &Record,
-    block: &Block,
-    before: Option<&Cut>,
-) -> Option<(Cut, u32)> {
+fn cut(writer: &Writer, record: &Record, block: &Block) -> Option<(Cut, u32)> {
     let is_plain = block.kind == BlockKind::Words
         && block.comments.is_empty()
         && block.delete.is_none()
@@ -91,20 +109,20 @@ fn cut(
         && context.feed_mode == FeedMode::PerTime
         && run.known.iter().all(|known| (0..3).all(|axis| known.has(axis)));
     let words = block.words.iter().all(|word| {
-        let is_first = before.is_none();
         word.number().is_some()
             && !word.comma
             && word.register.is_none()
-            && (b"XYZNG".contains(&word.letter) || (word.letter == b'F' && is_first))
+            && b"XYZNGF".contains(&word.letter)
     });
     let codes = actions(block, writer.control)
         .all(|(_, action)| action == Action::Motion(MotionCode::Linear))
         && block.all(b'G').count() == actions(block, writer.control).count();
-    let follows = before.is_none_or(|before| {
-        before.run.to == run.from
-            && before.run.feed == run.feed
-            && before.run.context.plane == context.plane
-            && before.run.context.units == context.units
-    });
-    (is_cut && words && codes && follows).then(|| (Cut { block: block.clone(), run }, runs.order))
+    (is_cut && words && codes).then(|| (Cut { block: block.clone(), run }, runs.order))
+}
+
+/// A cut goes on where the one before it ended, in the same plane and units.
+fn follows(before: &Run, run: &Run) -> bool {
+    before.to == run.from
+        && before.context.plane == run.context.plane
+        && before.context.units == run.context.units
 }
