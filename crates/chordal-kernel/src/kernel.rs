@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::corner_queue::Corners;
-use crate::rules::Rules;
+use crate::rules::{ArcCenter, Rules};
 use crate::sink::RunSink;
 use crate::state::State;
 
@@ -37,6 +37,8 @@ pub struct Reported {
     pub offsets: Vec<String>,
     /// Routines whose path is a choice.
     pub assumed_paths: Vec<String>,
+    /// The other rule for arc centres under which an arc was right.
+    pub other_center: Option<ArcCenter>,
 }
 
 /// What is remembered of a run, and may be taken up again later.

@@ -354,45 +354,63 @@ impl Kernel<'_> {
             format!("the end is {error} off the arc; this control allows {allowed}"),
         )
         .label(format!("radius {from} at the start, {to} at the end"))
-        .note(format!("the end lies {place} the circle through the start"))
-        .help(
-            "check the end point and the centre words of this block, and the end point of the \
-             block before, where the arc starts",
-        );
+        .note(format!("the end lies {place} the circle through the start"));
         diagnostic.alarm = alarm;
-        if let Some(hint) = self.center_hint(fit, arc, target) {
-            diagnostic = diagnostic.note(hint);
-        }
+        diagnostic = match self.other_center(fit, arc, target) {
+            Some((rule, radius)) => self.with_other_center(diagnostic, rule, radius),
+            None => diagnostic.help(
+                "check the end point and the centre words of this block, and the end point of the \
+                 block before, where the arc starts",
+            ),
+        };
         self.report(diagnostic);
     }
 
-    /// Says when the same words make a true arc under another rule for the centre.
-    fn center_hint(&self, fit: &ArcSweep, arc: &ArcWords, target: &Position) -> Option<String> {
+    /// Says that the same words make a true arc under another rule for the centre; with the setting, at the
+    /// first arc that has the same.
+    fn with_other_center(
+        &mut self,
+        diagnostic: Diagnostic,
+        rule: ArcCenter,
+        radius: f64,
+    ) -> Diagnostic {
+        let (words, value) = match rule {
+            ArcCenter::FromStart => ("from the start to the centre", "from-start"),
+            ArcCenter::Absolute => ("as the centre's coordinates", "absolute"),
+            ArcCenter::FromCenter => ("from the centre to the start", "from-center"),
+        };
+        let radius = self.length_text(radius);
+        let diagnostic = diagnostic
+            .note(format!("the radii agree ({radius}) when the centre words are read {words}"));
+        if self.reported.other_center.replace(rule) == Some(rule) {
+            return diagnostic.help("as at the first arc with this problem");
+        }
+        diagnostic.help(format!(
+            "if all centres of this program are meant so, --set settings.arc_center={value}; \
+             otherwise check the end point and the centre words of this block"
+        ))
+    }
+
+    /// The other rule for the centre under which the same words make a true arc, and its radius, mm.
+    fn other_center(
+        &self,
+        fit: &ArcSweep,
+        arc: &ArcWords,
+        target: &Position,
+    ) -> Option<(ArcCenter, f64)> {
         let (a, b, _) = self.state.plane.axes();
         let in_force = self.state.arc_center;
         let (start, end) =
             ((self.state.position[a], self.state.position[b]), (target[a], target[b]));
-        let rules = [
-            (ArcCenter::FromStart, "from the start to the centre"),
-            (ArcCenter::Absolute, "as the centre's coordinates"),
-            (ArcCenter::FromCenter, "from the centre to the start"),
-        ];
-        for (rule, words) in rules {
-            if rule == in_force {
-                continue;
-            }
+        let rules = [ArcCenter::FromStart, ArcCenter::Absolute, ArcCenter::FromCenter];
+        rules.into_iter().filter(|rule| *rule != in_force).find_map(|rule| {
             let center = self.center(arc.center, rule);
             let radius =
                 |p: (f64, f64)| ((p.0 - center.0).powi(2) + (p.1 - center.1).powi(2)).sqrt();
             let (from, to) = (radius(start), radius(end));
-            if from > 1e-6 && (from - to).abs() < 0.01 * fit.radius_error().abs() {
-                return Some(format!(
-                    "the radii agree ({}) when the centre words are read {words}",
-                    self.length_text(from)
-                ));
-            }
-        }
-        None
+            let is_true = from > 1e-6 && (from - to).abs() < 0.01 * fit.radius_error().abs();
+            is_true.then_some((rule, from))
+        })
     }
 
     fn check_radius_limit(&mut self, at: &dyn Statement, radius: f64) {
