@@ -26,7 +26,7 @@ from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait
 from ._summary import AxisTravel, Summary, ToolUse
 from ._table import Chords, Moves, Table, Trajectory
 from ._time import BlockTime, Time, ToolTime
-from ._transform import Change, Part, Split, Transformed
+from ._transform import Change, Part, Restarted, Split, Transformed
 from .diagnostics import Diagnostic, Fix, Label, Place, codes
 from .errors import ChordalError, MachineError, MachineProblem, ProgramError, UsageError
 
@@ -50,6 +50,7 @@ __all__ = [
     "Program",
     "ProgramError",
     "Refusal",
+    "Restarted",
     "ShopAnswer",
     "ShopCall",
     "ShopCodes",

@@ -15,7 +15,7 @@ from ._shop import ShopCodes
 from ._summary import Summary
 from ._table import Chords, Moves, Trajectory
 from ._time import Time
-from ._transform import Split, Transformed
+from ._transform import Restarted, Split, Transformed
 from .diagnostics import Diagnostic
 from .errors import ProgramError, UsageError
 
@@ -362,6 +362,19 @@ class Program:
         if most != "tool" and (isinstance(most, str) or most <= 0):
             raise UsageError(f"{most!r} is not a size", 'give a number of bytes, or "tool"')
         return _transform.parts(*self._program.split(None if most == "tool" else int(most)))
+
+    def restart(self, line: int) -> Restarted:
+        """The program that begins at a line, from 1: the head that the control needs there, then the text as it
+        is. Both are run, and from the line on they do the same.
+
+        Where the program cannot begin, :class:`~chordal.UsageError` says why and where it can.
+
+        >>> import chordal
+        >>> text = "G21 G90 S900 M3\\nG0 X0 Y0 Z5.\\nG1 Z-1. F50.\\nX9.\\nX20.\\nM30\\n"
+        >>> chordal.loads(text, "haas-vf2").restart(5).put_in[-1]
+        'G1 Z-1. F50.'
+        """
+        return _transform.restarted(*self._program.restart(line))
 
     def compare(
         self,

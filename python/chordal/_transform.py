@@ -12,7 +12,7 @@ from .errors import UsageError
 if TYPE_CHECKING:
     from . import _chordal
 
-__all__ = ["Change", "Part", "Split", "Transformed"]
+__all__ = ["Change", "Part", "Restarted", "Split", "Transformed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +81,24 @@ class Split:
     certificate: Mapping[str, Any]
 
 
+@dataclass(frozen=True, slots=True)
+class Restarted:
+    """A program that begins at a line of another; from there on both do the same."""
+
+    #: Its text.
+    text: bytes
+    #: The line of the whole program that it begins at.
+    line: int
+    #: The lines that were put in before it.
+    put_in: tuple[str, ...]
+    #: So many moves follow, the same in both.
+    moves: int
+    #: What follows goes to its first place by itself: retract the spindle before the start.
+    goes_to_first_place_itself: bool
+    #: The lines repeat G92: the machine must stand where the whole program starts.
+    from_the_start_of_the_whole: bool
+
+
 _Steps = list[tuple[str, list[float]]]
 
 
@@ -135,6 +153,21 @@ def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
     changes = tuple(Change(**change) for change in document["changes"])
     proved = document["verdict"] == "proved"
     return Transformed(bytes(text), proved, changes, tuple(document["notes"]), document["certificate"])
+
+
+def restarted(text: bytes | None, told: str) -> Restarted:
+    """The program that begins at a line; a refusal is a ``UsageError`` that says why."""
+    document = json.loads(told)
+    if text is None:
+        raise UsageError(f"line {document['line']}: {document['message']}", document["help"])
+    return Restarted(
+        bytes(text),
+        document["line"],
+        tuple(document["put_in"]),
+        document["moves"],
+        document["goes_to_first_place_itself"],
+        document["from_the_start_of_the_whole"],
+    )
 
 
 def parts(texts: list[bytes], told: str) -> Split:

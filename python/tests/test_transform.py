@@ -64,3 +64,26 @@ def test_what_cannot_be_parted_names_the_lines() -> None:
         program.split(50)
     with pytest.raises(chordal.UsageError, match="is not a size"):
         program.split(0)
+
+
+def test_a_program_begins_at_a_line() -> None:
+    text = "G21 G90 S900 M3\nG0 X0 Y0 Z5.\nG1 Z-1. F50.\nX9.\nX20.\nM30\n"
+    program = chordal.loads(text, "haas-vf2")
+    done = program.restart(5)
+    assert done.line == 5 and done.moves == 1
+    assert done.text.endswith(b"\nX20.\nM30\n")
+    assert "G1 Z-1. F50." in done.put_in
+    with pytest.raises(chordal.UsageError, match="no line 50"):
+        program.restart(50)
+
+
+def test_feeds_within_a_tolerance_are_fitted_together() -> None:
+    import math
+
+    rows = "".join(f"X{i / 4:.3f} Y{8 * math.sin(i / 20):.3f} F{900 + i % 7}.\n" for i in range(200))
+    text = f"G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nG1 Z0. F300.\n{rows}G0 Z5.\nM30\n"
+    program = chordal.loads(text, "haas-vf2")
+    near = program.transform(fit=0.01)
+    exact = program.transform(fit=0.01, feed_tolerance=0.0)
+    assert near.proved and exact.proved
+    assert len(near.text) < len(exact.text) / 4

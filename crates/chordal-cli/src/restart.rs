@@ -3,12 +3,13 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use chordal_export::restart_json;
 use chordal_rewrite::Refusal;
 use chordal_rewrite::restart::{Restart, restart};
 
 use crate::failure::{Failure, Verdict};
 use crate::numbers::counted;
-use crate::options::Common;
+use crate::options::{AnswerFormat, Common};
 use crate::out::{Out, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{Terminal, say};
@@ -41,6 +42,10 @@ pub struct Args {
     #[arg(long, short, value_name = "OUT")]
     output: Option<PathBuf>,
 
+    /// Format of the answer
+    #[arg(long, value_enum, default_value = "text")]
+    format: AnswerFormat,
+
     #[command(flatten)]
     common: Common,
 }
@@ -53,7 +58,10 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let done = match restart(&job, args.line) {
         Ok(done) => done,
         Err(refused) => {
-            let answer = refused_text(&refused.refusal, loaded.name());
+            let answer = match args.format {
+                AnswerFormat::Text => refused_text(&refused.refusal, loaded.name()),
+                AnswerFormat::Json => restart_json(Err(&refused), loaded.name(), None),
+            };
             if streams {
                 terminal.tell(&answer)
             } else {
@@ -69,7 +77,11 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
-    let answer = text(&done, path);
+    let written = path.filter(|_| !streams).map(|path| path.display().to_string());
+    let answer = match args.format {
+        AnswerFormat::Text => text(&done, path),
+        AnswerFormat::Json => restart_json(Ok(&done), loaded.name(), written.as_deref()),
+    };
     if streams {
         terminal.tell(&answer)
     } else {
@@ -106,6 +118,10 @@ fn text(done: &Restart, path: Option<&Path>) -> String {
     }
     if done.approaches {
         text += "note: the program itself goes to its first place; retract the spindle before you start\n";
+    }
+    if done.from_the_start {
+        text +=
+            "note: the head repeats G92; the machine must stand where the whole program starts\n";
     }
     let moves = counted(done.moves, "move", "moves");
     text += &format!("proof: from this line on both programs do the same, {moves}\n");

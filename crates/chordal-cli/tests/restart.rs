@@ -53,3 +53,20 @@ fn a_line_that_is_not_there_is_refused_and_none_is_wrong_use() {
     folder.run(&["restart", "part.nc", "-m", "haas-vf2", "--line", "0"]).ends(2);
     folder.run(&["restart", "part.nc", "-m", "haas-vf2"]).ends(2);
 }
+
+#[test]
+fn json_says_what_is_put_in_or_why_not() {
+    let folder = folder();
+    let line = ["restart", "part.nc", "-m", "haas-vf2", "--format", "json", "--line"];
+    folder.run(&[&line[..], &["6"]].concat()).ends(0).says(&[
+        "\"schema\": \"chordal.restart/1\"",
+        "\"verdict\": \"proved\"",
+        "\"G01 Z-1. F100.\"",
+        "\"written\": null",
+    ]);
+    folder.run(&[&line[..], &["8"]].concat()).ends(1).says(&[
+        "\"verdict\": \"refused\"",
+        "\"reason\": \"compensation\"",
+        "begin at line 7",
+    ]);
+}

@@ -81,5 +81,5 @@ pub use plot::{
 pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 pub use time::{TimeDocument, comment_text, level_word, time_json};
-pub use transformed::{refusal_json, split_json, transformed_json};
+pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
 pub use worked::{worked_json, worked_text};

@@ -2,6 +2,7 @@
 
 use chordal::Job;
 use chordal::diagnostics::FileId;
+use chordal_rewrite::restart::{Refused, Restart};
 use chordal_rewrite::{Change, Refusal, Split, Transformed};
 use serde_json::{Value, json};
 
@@ -88,5 +89,34 @@ pub fn refusal_json(refusal: &Refusal, file: &str) -> String {
         "message": refusal.what,
         "help": refusal.help,
     });
+    format!("{document:#}\n")
+}
+
+/// A program that begins at a line, or why it cannot: schema `chordal.restart/1`. `written` is the name of
+/// the file that was written, if one was.
+pub fn restart_json(done: Result<&Restart, &Refused>, file: &str, written: Option<&str>) -> String {
+    let document = match done {
+        Ok(done) => json!({
+            "schema": "chordal.restart/1",
+            "verdict": "proved",
+            "file": file,
+            "line": done.line,
+            "put_in": done.head,
+            "moves": done.moves,
+            "goes_to_first_place_itself": done.approaches,
+            "from_the_start_of_the_whole": done.from_the_start,
+            "written": written,
+        }),
+        Err(refused) => json!({
+            "schema": "chordal.restart/1",
+            "verdict": "refused",
+            "reason": refused.reason.word(),
+            "file": file,
+            "line": refused.refusal.line,
+            "text": refused.refusal.text,
+            "message": refused.refusal.what,
+            "help": refused.refusal.help,
+        }),
+    };
     format!("{document:#}\n")
 }

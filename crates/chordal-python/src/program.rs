@@ -14,7 +14,7 @@ use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, TimeDocument, comparison_json, conversion_json, refusal_json,
-    report, sha256_hex, split_json, time_json, transformed_json,
+    report, restart_json, sha256_hex, split_json, time_json, transformed_json,
 };
 use chordal_load::{Given, LoadError, Loaded, Request, file};
 use chordal_report::{About, gather, html};
@@ -416,6 +416,18 @@ impl Program {
                 Ok((done.parts.into_iter().map(|part| part.text).collect(), told))
             }
             Err(refusal) => Ok((Vec::new(), refusal_json(&refusal, self.loaded.name()))),
+        })
+    }
+
+    /// The text that begins at a line, and what is to be said of it as JSON; only the JSON where it is refused.
+    fn restart(&self, py: Python<'_>, line: u32) -> PyResult<(Option<Vec<u8>>, String)> {
+        let name = self.loaded.name();
+        self.ask(py, |job| match rewrite::restart::restart(job, line) {
+            Ok(done) => {
+                let told = restart_json(Ok(&done), name, None);
+                Ok((Some(done.text), told))
+            }
+            Err(refused) => Ok((None, restart_json(Err(&refused), name, None))),
         })
     }
 

@@ -132,6 +132,8 @@ impl Head<'_, '_> {
         let mut lines = vec![self.safe_line(codes)];
         lines.extend(said.lines.values().cloned());
         lines.extend(said.data.iter().cloned());
+        lines.extend(self.before.shift.presets.iter().cloned());
+        lines.extend(self.before.shift.lines.iter().cloned());
         lines
     }
 
@@ -253,12 +255,23 @@ impl Head<'_, '_> {
 
     /// G91 and the motion code, so that words without a code mean the same.
     fn ending(&self) -> Result<Vec<String>, Lack> {
-        let modal = &self.before.modal;
+        let Before { modal, cycle, .. } = self.before;
         let mut lines: Vec<String> = self.radius().into_iter().collect();
-        if modal.incremental {
-            lines.push(self.needed(Action::Reading(ReadingCode::Incremental), "increments")?);
+        let increments = match modal.incremental {
+            true => Some(self.needed(Action::Reading(ReadingCode::Incremental), "increments")?),
+            false => None,
+        };
+        if modal.cycle.is_none() {
+            lines.extend(increments);
+            lines.extend(self.motion(modal)?);
+            return Ok(lines);
         }
-        lines.extend(self.motion(modal)?);
+        let cycle_lines = cycle.lines(modal, self.control, self.gap())?;
+        let [first, last] = match cycle.by_distance {
+            true => [increments, None],
+            false => [None, increments],
+        };
+        lines.extend(first.into_iter().chain(cycle_lines).chain(last));
         Ok(lines)
     }
 

@@ -3,7 +3,9 @@
 //! `watch` finds what holds before the line and what is open there, `head` writes it, `trace` holds what both
 //! programs do from the line on against each other. Nothing comes out that does not do the same.
 
+mod cycle;
 mod head;
+mod shift;
 mod trace;
 mod watch;
 
@@ -33,11 +35,11 @@ pub enum Reason {
     Repeated,
     /// Cutter compensation is on.
     Compensation,
-    /// A canned cycle is in force.
+    /// A canned cycle is in force that a head cannot say again.
     Cycle,
     /// A rotation, scaling, mirror or polar coordinates are in force.
     Frame,
-    /// The zero was moved by G92 or G52.
+    /// The zero was moved by G92 or G52 in a way that a head cannot say again.
     Shift,
     /// A code is in force that a head cannot say again.
     Open,
@@ -49,6 +51,27 @@ pub enum Reason {
     Form,
     /// The new program would not do the same.
     Unproved,
+}
+
+impl Reason {
+    /// The word for programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Reason::NoBlock => "no-block",
+            Reason::Beginning => "beginning",
+            Reason::Called => "called",
+            Reason::Repeated => "repeated",
+            Reason::Compensation => "compensation",
+            Reason::Cycle => "cycle",
+            Reason::Frame => "frame",
+            Reason::Shift => "shift",
+            Reason::Open => "open",
+            Reason::Position => "position",
+            Reason::Unsure => "unsure",
+            Reason::Form => "form",
+            Reason::Unproved => "unproved",
+        }
+    }
 }
 
 /// A refusal and its kind.
@@ -74,6 +97,8 @@ pub struct Restart {
     /// What follows goes to its first place by itself (after a tool change, or from a place that is not known):
     /// the head does not go there, and the spindle must be retracted.
     pub approaches: bool,
+    /// The head says the program's G92 again: the machine must stand where the whole program starts.
+    pub from_the_start: bool,
 }
 
 /// Writes the main program of a job's first text so that it begins at a line, and proves it.
@@ -102,7 +127,8 @@ pub fn restart(job: &Job, line: u32) -> Result<Restart, Refused> {
     };
     let lines = lines.map_err(|lack| asked.lack(lack))?;
     let approaches = changes || !is_known;
-    let done = asked.prove(Draft { first, at, ran, lines, approaches });
+    let from_the_start = !before.shift.presets.is_empty();
+    let done = asked.prove(Draft { first, at, ran, lines, approaches, from_the_start });
     done.map_err(
         |refused| if is_known || changes { refused } else { asked.position(&before.modal) },
     )
@@ -125,6 +151,7 @@ struct Draft {
     ran: u64,
     lines: Vec<String>,
     approaches: bool,
+    from_the_start: bool,
 }
 
 impl Asked<'_, '_> {
@@ -225,15 +252,18 @@ impl Asked<'_, '_> {
             let what = "cutter compensation is on";
             return Err(self.begun(Reason::Compensation, what, open.compensation));
         }
-        if modal.cycle.is_some() {
-            return Err(self.begun(Reason::Cycle, "a canned cycle is in force", open.cycle));
+        let control = self.job.control();
+        if modal.cycle.is_some()
+            && let Err(Lack(what)) = before.cycle.lines(modal, control, "")
+        {
+            return Err(self.begun(Reason::Cycle, what, open.cycle));
         }
         if modal.frames.any() {
             let what = "the coordinates are rotated, scaled, mirrored or polar";
             return Err(self.begun(Reason::Frame, what, open.frame));
         }
         if open.shift.is_some() {
-            let what = "the zero was moved (G92 or G52)";
+            let what = "the zero was moved (G92 after a move, or by a value that is no number)";
             return Err(self.begun(Reason::Shift, what, open.shift));
         }
         if open.call.is_some() {
@@ -313,8 +343,8 @@ impl Asked<'_, '_> {
             return Err(unproved(what));
         }
         let text = source.text.to_vec();
-        let Draft { lines: head, approaches, .. } = draft;
-        Ok(Restart { text, line: self.line, head, moves: old.moves, approaches })
+        let Draft { lines: head, approaches, from_the_start, .. } = draft;
+        Ok(Restart { text, line: self.line, head, moves: old.moves, approaches, from_the_start })
     }
 
     /// The text, and where the old one goes on: in the old text and in the new one.

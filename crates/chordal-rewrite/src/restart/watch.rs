@@ -6,6 +6,8 @@ use chordal::control::{Action, CallCode, CallPath, Modal, ModeCode, OnceCode, Or
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Diagnostic, Job, RunSink, Sink};
 
+use super::cycle::Cycle;
+use super::shift::Shift;
 use crate::source::Source;
 use crate::split::standing::Said;
 
@@ -18,6 +20,8 @@ pub(super) struct Before {
     pub(super) highest: f64,
     /// The lines of the blocks that began what may still be open.
     pub(super) open: Open,
+    pub(super) cycle: Cycle,
+    pub(super) shift: Shift,
 }
 
 /// Lines of blocks that opened something which a head cannot say again; nothing where it is closed.
@@ -114,8 +118,11 @@ pub(super) fn before(job: &Job, source: &Source, ran: u64) -> Option<Before> {
         ran: 0,
         said: Said::default(),
         open: Open::default(),
+        cycle: Cycle::default(),
+        shift: Shift::default(),
         highest: None,
         is_machine: false,
+        moved: false,
         before: None,
     };
     job.run(&mut walk);
@@ -129,8 +136,12 @@ struct Walk<'s, 'a> {
     ran: u64,
     said: Said,
     open: Open,
+    cycle: Cycle,
+    shift: Shift,
     highest: Option<f64>,
     is_machine: bool,
+    /// A move was made.
+    moved: bool,
     before: Option<Before>,
 }
 
@@ -142,7 +153,7 @@ impl Walk<'_, '_> {
         for word in &block.words {
             let Some(row) = self.control.row_of(word) else { continue };
             match row.action {
-                Action::Once(code) => self.follow_once(code, block.line),
+                Action::Once(code) => self.follow_once(code, block),
                 Action::Cycle(_) => self.open.cycle = line,
                 Action::Call(CallCode::ModalMacroCall { .. })
                 | Action::Mode(ModeCode::ModalSubroutine) => self.open.call = line,
@@ -179,12 +190,26 @@ impl Walk<'_, '_> {
         }
     }
 
-    fn follow_once(&mut self, code: OnceCode, line: u32) {
+    fn follow_once(&mut self, code: OnceCode, block: &Block) {
+        let line = block.line;
         match code {
-            OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset => {
+            OnceCode::LocalShift => {
+                if !self.shift.take(self.source, block) {
+                    self.open.shift = Some(line);
+                }
+            }
+            OnceCode::PresetPosition => {
+                if self.moved || !self.shift.take_preset(self.source, block) {
+                    self.open.shift = Some(line);
+                }
+            }
+            OnceCode::RestorePreset => {
                 self.open.shift = Some(line);
             }
-            OnceCode::ClearPreset { .. } => self.open.shift = None,
+            OnceCode::ClearPreset { .. } => {
+                self.open.shift = None;
+                self.shift.presets.clear();
+            }
             OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. } => {
                 self.open.frame = Some(line);
             }
@@ -224,6 +249,7 @@ impl Sink for Walk<'_, '_> {
             | CommandKind::WorkOffset { .. } => self.highest = None,
             kind => {
                 let Some(motion) = kind.motion() else { return };
+                self.moved = true;
                 self.is_machine = self.is_to_machine(&command.origin);
                 if motion.to_known.has(2) && !self.is_machine {
                     let height = self.highest.unwrap_or(f64::NEG_INFINITY);
@@ -249,13 +275,15 @@ impl RunSink for Walk<'_, '_> {
             let block = &self.source.blocks[at];
             self.said.follow(self.source, self.control, block);
             self.follow(block);
+            self.cycle.follow(self.source, self.control, block);
         }
         self.ran += 1;
         if self.ran == self.until {
             let modal = modal();
             let highest = self.highest.unwrap_or(f64::NEG_INFINITY).max(modal.position[2]);
             let (said, open) = (self.said.clone(), self.open.clone());
-            self.before = Some(Before { modal, said, highest, open });
+            let (cycle, shift) = (std::mem::take(&mut self.cycle), std::mem::take(&mut self.shift));
+            self.before = Some(Before { modal, said, highest, open, cycle, shift });
         }
     }
 }
