@@ -6,7 +6,6 @@ use chordal::control::{CycleKind, DefinitionFires, ZeroRepeats};
 use chordal::geometry::Plane;
 use chordal::syntax::Block;
 
-use super::head::Lack;
 use crate::source::Source;
 
 /// A cycle as the program has said it.
@@ -38,7 +37,7 @@ impl Cycle {
             String::from_utf8_lossy(word.range.slice(source.text)).into_owned()
         };
         let rows = || block.words.iter().filter_map(|word| Some((word, control.row_of(word)?)));
-        let motion = rows().filter(|(_, row)| matches!(row.action, Action::Motion(_))).last();
+        let motion = rows().rfind(|(_, row)| matches!(row.action, Action::Motion(_)));
         self.motion = motion.map(|(word, _)| text(word)).or(self.motion.take());
         for (_, row) in rows() {
             if row.action == Action::Reading(ReadingCode::Absolute) {
@@ -77,13 +76,13 @@ impl Cycle {
         }
     }
 
-    /// The lines that put it in force where the tool stands, without a hole.
+    /// The lines that put it in force where the tool stands, without a hole; or what stands in the way.
     pub(super) fn lines(
         &self,
         modal: &Modal,
         control: &Control,
         gap: &str,
-    ) -> Result<Vec<String>, Lack> {
+    ) -> Result<Vec<String>, String> {
         let rules = &control.parameters.rules.cycles;
         if let Some(word) = &self.unclear {
             return Err(Lack(format!(
@@ -107,7 +106,7 @@ impl Cycle {
             if rules.zero_repeats == ZeroRepeats::Refused {
                 let what =
                     "a canned cycle is in force, and this control cannot begin one without a hole";
-                return Err(Lack(what.into()));
+                return Err(what.into());
             }
             words.push(format!("{}0", char::from(rules.repeat_letter)));
         }

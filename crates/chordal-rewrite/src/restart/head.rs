@@ -266,7 +266,7 @@ impl Head<'_, '_> {
             lines.extend(self.motion(modal)?);
             return Ok(lines);
         }
-        let cycle_lines = cycle.lines(modal, self.control, self.gap())?;
+        let cycle_lines = cycle.lines(modal, self.control, self.gap()).map_err(Lack)?;
         let [first, last] = match cycle.by_distance {
             true => [increments, None],
             false => [None, increments],

@@ -254,7 +254,7 @@ impl Asked<'_, '_> {
         }
         let control = self.job.control();
         if modal.cycle.is_some()
-            && let Err(Lack(what)) = before.cycle.lines(modal, control, "")
+            && let Err(what) = before.cycle.lines(modal, control, "")
         {
             return Err(self.begun(Reason::Cycle, what, open.cycle));
         }
