@@ -85,9 +85,7 @@ impl Cycle {
     ) -> Result<Vec<String>, String> {
         let rules = &control.parameters.rules.cycles;
         if let Some(word) = &self.unclear {
-            return Err(Lack(format!(
-                "the cycle in force has the word {word}, which is no number"
-            )));
+            return Err(format!("the cycle in force has the word {word}, which is no number"));
         }
         let mut words = vec![self.code.clone()];
         let depth = b"ZYX"[match modal.plane {
