@@ -60,6 +60,35 @@ fn a_chain_that_comes_back_to_a_vertex_is_the_part_between_the_visits() {
     assert!(material.is_closed());
 }
 
+/// A contour that is run three microns past its start: the last block begins and ends at one place, and is
+/// no wall that would take the place of the real one.
+#[test]
+fn a_block_as_short_as_the_grain_closes_nothing() {
+    let curves = [
+        line(0.0, 0.0, 10.0, 0.0),
+        line(10.0, 0.0, 10.0, 10.0),
+        line(10.0, 10.0, 0.0, 10.0),
+        line(0.0, 10.0, 0.0, 0.0),
+        line(0.0, 0.0, 0.003, 0.0),
+    ];
+    let material = Material::of(&contour(&curves, Side::Left, 0.5), &Options::default());
+    assert_eq!(material.tags, [0, 1, 2, 3]);
+    assert!(material.is_closed());
+}
+
+/// A lead arc is never of the same circle as its neighbour: that is the wall, in two blocks.
+#[test]
+fn an_arc_that_goes_on_along_the_same_circle_is_no_lead() {
+    let quarter = |from: Vec2, to: Vec2| PlaneCurve::arc(v(0.0, 0.0), from, to, true);
+    let curves = [
+        quarter(v(6.0, 0.0), v(0.0, 6.0)),
+        quarter(v(0.0, 6.0), v(-6.0, 0.0)),
+        quarter(v(-6.0, 0.0), v(0.0, -6.0)),
+    ];
+    let material = Material::of(&contour(&curves, Side::Left, 0.5), &Options::default());
+    assert_eq!(material.tags, [0, 1, 2]);
+}
+
 #[test]
 fn a_lead_arc_of_an_open_chain_is_not_the_part() {
     // A quarter turn of radius 4 onto the wall Y0 with the tool inside it, and off again.

@@ -11,6 +11,7 @@ mod distance;
 mod material;
 mod nested;
 mod open_chain;
+mod outside;
 mod range;
 mod search;
 mod shape;
@@ -211,7 +212,8 @@ pub fn check_against(
         };
         let hit = deepest.unwrap_or(hit);
         let told = gouge(&hit, material, contour, path);
-        // The lead at the mouth of a slot may hide that the slot itself is too narrow.
+        // The lead at the mouth of a slot may hide that the slot itself is too narrow, or that the lead cuts
+        // its other wall.
         if told.kind == GougeKind::AtLead
             && let Some(hit) = search.nearest(limit, &clusters, Aim::DeepestOfPart(around(&hit)))
         {

@@ -91,8 +91,11 @@ fn strip_lead_arcs(chain: &mut Vec<Block>, contour: &Contour, options: &Options)
         PlaneCurve::Line { .. } => false,
     };
     let leads = |block: &Block| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
-    let smooth =
-        |before: &Block, after: &Block| turn(&before.curve, &after.curve).abs() <= options.tangent;
+    // Tangent to the wall, and not the wall's own circle, which goes on in another block.
+    let smooth = |before: &Block, after: &Block| {
+        turn(&before.curve, &after.curve).abs() <= options.tangent
+            && !same_course(&before.curve, &after.curve, options.vertex)
+    };
     let [before, after] = passing(contour);
     let mut lead_arcs = Vec::new();
     if let Some(first) = chain.first().copied()

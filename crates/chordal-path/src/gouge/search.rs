@@ -5,6 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use super::chain::turn;
 use super::distance::{Near, nearest};
 use super::material::Material;
+use super::outside::outside;
 use super::shape::PlaneCurve;
 use super::tree::{Bounds, BoxTree, Hull, TurnTree, hulls, unwrapped_tangents};
 use super::{Contour, Move};
@@ -82,7 +83,7 @@ pub(super) enum Aim {
     Any,
     /// The deepest gouge of a stretch.
     DeepestIn(Cluster),
-    /// The deepest gouge of a stretch that a block of the part makes, not a lead.
+    /// The deepest gouge of a stretch that is none of a lead at an open end.
     DeepestOfPart(Cluster),
 }
 
@@ -94,6 +95,8 @@ pub(super) struct Search<'a> {
     path_boxes: BoxTree,
     hulls: Vec<Hull>,
     turns: TurnTree,
+    /// Of the tool, mm.
+    radius: f64,
     /// Pairs of nodes and of curves that may still be looked at.
     pub(super) budget: u64,
 }
@@ -119,6 +122,7 @@ impl<'a> Search<'a> {
             path_boxes: BoxTree::over(path.iter().map(|m| &m.curve)),
             hulls: hulls(&of_moves),
             turns: TurnTree::over(&tangents, &broken),
+            radius: contour.radius,
             budget,
         }
     }
@@ -232,9 +236,8 @@ impl<'a> Search<'a> {
             if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
                 continue;
             }
-            if matches!(aim, Aim::DeepestOfPart(_)) && !self.material.has(self.path[p].tag) {
-                continue;
-            }
+            let spares_ends =
+                matches!(aim, Aim::DeepestOfPart(_)) && !self.material.has(self.path[p].tag);
             for c in first..end {
                 if bounds.gap_square(&self.boxes.elements[c]) >= *limit
                     || is_beyond(curve, &self.boxes.elements[c], *limit)
@@ -243,13 +246,27 @@ impl<'a> Search<'a> {
                     continue;
                 }
                 self.budget = self.budget.saturating_sub(1);
-                let near = nearest(curve, &self.material.curves[c]);
-                if near.square < *limit {
+                let wall = &self.material.curves[c];
+                let near = match spares_ends {
+                    false => Some(nearest(curve, wall)),
+                    true => self.nearest_off_ends(curve, wall),
+                };
+                if let Some(near) = near
+                    && near.square < *limit
+                {
                     *limit = near.square;
                     *best = Some(Hit { of_path: p, of_contour: c, near });
                 }
             }
         }
+    }
+}
+
+impl Search<'_> {
+    /// The nearest of a curve of the path and what of a wall is farther from the open ends than the radius.
+    fn nearest_off_ends(&self, curve: &PlaneCurve, wall: &PlaneCurve) -> Option<Near> {
+        let parts = outside(wall, &self.material.open_ends, self.radius);
+        parts.iter().map(|part| nearest(curve, part)).min_by(|a, b| a.square.total_cmp(&b.square))
     }
 }
 

@@ -15,6 +15,9 @@ use super::chain::{Walls, turn};
 use super::closing::{Closing, LONGEST_LEAD, Lies};
 use super::{Block, Contour, Options, nested, open_chain};
 
+/// A closed stretch is longer than so many grains.
+const SHORTEST: f64 = 4.0;
+
 /// Finds the walls.
 pub(super) fn of(contour: &Contour, chain: Vec<Block>, options: &Options) -> Walls {
     let mut loops = Loops::of(chain, contour.side.sign(), options);
@@ -132,6 +135,10 @@ impl Loops {
     fn verdict(&self, stack: &[usize], body: &[usize], next: usize) -> Verdict {
         if body.iter().any(|at| self.lead[*at]) {
             return Verdict::Nothing;
+        }
+        // A block as short as the grain ends where it begins, and closes nothing.
+        if self.length_of(body) <= SHORTEST * self.grain {
+            return Verdict::Stretch;
         }
         let neighbours = self.neighbours(stack, body, next);
         if !self.lies(body, neighbours).contains(&Lies::FarSide) {

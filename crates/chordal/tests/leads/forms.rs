@@ -22,6 +22,8 @@ pub struct Program {
     pub wall: Vec<PlaneCurve>,
     /// The ends of an open wall.
     pub open_ends: Vec<Vec2>,
+    /// An open wall begins or ends as a lead does: the text does not say which of the two it is.
+    pub undecided: bool,
 }
 
 /// Directions at the start of a curve: along it, and to the tool.
@@ -244,7 +246,29 @@ pub fn program(dice: &mut Dice) -> Option<Program> {
         end,
         wall: wall.curves,
         open_ends: Vec::new(),
+        undecided: false,
     })
+}
+
+/// The first or last block of an open wall is an arc of up to half a turn about the tool, tangent to the next
+/// and of another circle: the same words roll a tool onto the next block and off it.
+fn ends_as_a_lead_does(wall: &[PlaneCurve], side: Side, radius: f64) -> bool {
+    let is_one = |end: &PlaneCurve, next: &PlaneCurve, sign: f64| {
+        let PlaneCurve::Arc { center, radius: of_end, sweep, .. } = *end else { return false };
+        let same_circle = matches!(*next, PlaneCurve::Arc { center: about, radius: other, .. }
+            if about.distance(center) < 0.01 && (other - of_end).abs() < 0.01);
+        let leaves = frame(&end.reversed(), 1.0).0 * -1.0;
+        let bend = leaves.cross(frame(next, 1.0).0).abs();
+        let is_tangent = bend < 0.03 && leaves.dot(frame(next, 1.0).0) > 0.0;
+        sweep * sign > 0.0
+            && sweep.abs() <= PI + 1e-6
+            && of_end >= radius - 0.01
+            && is_tangent
+            && !same_circle
+    };
+    let count = wall.len();
+    let [last, before] = [wall[count - 1].reversed(), wall[count - 2].reversed()];
+    is_one(&wall[0], &wall[1], side.sign()) || is_one(&last, &before, -side.sign())
 }
 
 /// A few blocks of a closed wall, entered and left by a line or an arc.
@@ -274,6 +298,7 @@ fn open_wall(dice: &mut Dice) -> Option<Program> {
         chain,
         end: lead_out.start,
         open_ends: vec![first.from(), last.from()],
+        undecided: ends_as_a_lead_does(&wall, side, radius),
         wall,
     })
 }
@@ -299,6 +324,6 @@ fn pocket_with_island(dice: &mut Dice) -> Program {
     chain.extend(&island);
     let out = (island[0].from() - center).normalized().unwrap();
     let end = island[0].from() + out * (2.0 * radius);
-    let name = "pocket with island".into();
-    Program { name, side: Side::Left, radius, start, chain, end, wall, open_ends: Vec::new() }
+    let (name, open_ends) = ("pocket with island".into(), Vec::new());
+    Program { name, side: Side::Left, radius, start, chain, end, wall, open_ends, undecided: false }
 }
