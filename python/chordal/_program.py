@@ -363,6 +363,34 @@ class Program:
             raise UsageError(f"{most!r} is not a size", 'give a number of bytes, or "tool"')
         return _transform.parts(*self._program.split(None if most == "tool" else int(most)))
 
+    def bend(
+        self,
+        heights: bytes | str,
+        *,
+        units: Literal["mm", "inch"] = "mm",
+        zero: tuple[float, float] | None = None,
+        tolerance: float = 0.01,
+        clamp: bool = False,
+    ) -> Transformed:
+        """The program raised by a surface that was measured, and the proof that each cut follows it.
+
+        ``heights``: the map as CSV text, X, Y and Z of a full grid of points.
+        ``units``: of the map.
+        ``zero``: X and Y of the place where Z was set, mm; without it heights count as measured.
+        ``tolerance``: the new path is within this distance of the surface, mm.
+        ``clamp``: beyond the map its edge goes on; otherwise a cut there raises :class:`~chordal.UsageError`.
+
+        >>> import chordal
+        >>> text = "G21 G90 S900 M3\\nG0 X0 Y0\\nZ5.\\nG1 Z-1. F50.\\nX9.\\nM30\\n"
+        >>> slope = "x,y,z\\n0,0,0\\n10,0,0.1\\n0,10,0\\n10,10,0.1\\n"
+        >>> bent = chordal.loads(text, "haas-vf2").bend(slope)
+        >>> bent.proved, bent.text.splitlines()[4]
+        (True, b'X9. Z-0.91')
+        """
+        text = heights.encode() if isinstance(heights, str) else bytes(heights)
+        unit = 25.4 if units == "inch" else 1.0
+        return _transform.proved_text(*self._program.bend(text, unit, zero, float(tolerance), clamp))
+
     def restart(self, line: int) -> Restarted:
         """The program that begins at a line, from 1: the head that the control needs there, then the text as it
         is. Both are run, and from the line on they do the same.

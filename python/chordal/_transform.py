@@ -146,7 +146,11 @@ def steps(
 
 def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
     """Carries the steps out; a refusal is a ``UsageError`` that names the line."""
-    text, told = program.transform(wanted)
+    return proved_text(*program.transform(wanted))
+
+
+def proved_text(text: bytes | None, told: str) -> Transformed:
+    """The changed text and its proof; a refusal is a ``UsageError`` that names the line."""
     document = json.loads(told)
     if text is None:
         raise UsageError(f"line {document['line']}: {document['message']}", document["help"])

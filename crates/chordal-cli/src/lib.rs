@@ -112,7 +112,7 @@ enum Command {
     Archive(archive::Args),
     Compare(compare::Args),
     Convert(convert::Args),
-    Transform(transform::Args),
+    Transform(Box<transform::Args>),
     Restart(restart::Args),
     Commands(commands::Args),
     Path(path::Args),

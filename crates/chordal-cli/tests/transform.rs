@@ -112,3 +112,53 @@ fn wrong_use() {
     folder.run(&["transform", "part.nc", "-m", "haas-vf2", "--fit", "-1"]).ends(2);
     folder.run(&["transform", "part.nc", "-m", "haas-vf2", "--split", "0"]).ends(2);
 }
+
+const HEIGHTS: &str = "x,y,z\n-5,-5,0.1\n30,-5,0.1\n-5,30,0.1\n30,30,0.1\n";
+
+#[test]
+fn a_map_of_heights_raises_the_cuts() {
+    let folder = folder();
+    folder.write("map.csv", HEIGHTS);
+    let line = ["transform", "part.nc", "-m", "haas-vf2", "--heights", "map.csv", "-o", "new.nc"];
+    folder.run(&line).ends(0).says(&[
+        "the map has 2 by 2 points",
+        "heights under the cuts: 0.1 to 0.1 mm",
+        "written: new.nc",
+    ]);
+    let text = std::fs::read_to_string(folder.path("new.nc")).unwrap();
+    assert!(text.contains("Z2.1\nG1 Z-0.9 F100.\nX10.\nG3 X20. Y10. R10.\n"), "{text}");
+    // Z was set on this surface: nothing is to be raised.
+    let set = folder.run(&[&line[..], &["--heights-zero", "0,0"]].concat()).ends(0);
+    assert!(set.out.contains("nothing changes"), "{}", set.out);
+    // Steps come first, each proved; the map lies where it was measured.
+    folder
+        .run(&[&line[..], &["--shift", "X5"]].concat())
+        .ends(0)
+        .says(&["+X15.", "proved by itself"]);
+    let inches = folder.run(&[&line[..], &["--heights-units", "inch"]].concat()).ends(0);
+    assert!(
+        inches.out.contains("the file is in in") || inches.out.contains("Z4.54"),
+        "{}",
+        inches.out
+    );
+}
+
+#[test]
+fn a_cut_beyond_the_map_and_a_bad_map_are_told() {
+    let folder = folder();
+    folder.write("small.csv", HEIGHTS.replace("30", "15"));
+    let line = ["transform", "part.nc", "-m", "haas-vf2", "-o", "new.nc", "--heights"];
+    folder
+        .run(&[&line[..], &["small.csv"]].concat())
+        .ends(1)
+        .says(&["part.nc:6: the cut goes 5.0000 mm beyond the map", "--heights-outside clamp"]);
+    assert!(!folder.path("new.nc").exists());
+    folder.run(&[&line[..], &["small.csv", "--heights-outside", "clamp"]].concat()).ends(0);
+    folder.write("bad.csv", "0,0,0\n0,10,oops\n");
+    folder
+        .run(&[&line[..], &["bad.csv"]].concat())
+        .ends(2)
+        .complains(&["bad.csv:2: `oops` in column 3 is no number for Z", "write a point as X, Y and Z"]);
+    folder.run(&[&line[..], &["none.csv"]].concat()).ends(2).complains(&["none.csv"]);
+    folder.run(&["transform", "part.nc", "-m", "haas-vf2", "--heights-zero", "0,0"]).ends(2);
+}

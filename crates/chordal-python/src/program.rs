@@ -406,6 +406,33 @@ impl Program {
         })
     }
 
+    /// The text raised by a map of heights in units of so many mm, and what is to be said of it as JSON; only the
+    /// JSON where it is refused.
+    fn bend(
+        &self,
+        py: Python<'_>,
+        map: Vec<u8>,
+        unit_mm: f64,
+        zero: Option<[f64; 2]>,
+        tolerance_mm: f64,
+        clamp: bool,
+    ) -> PyResult<(Option<Vec<u8>>, String)> {
+        let map = rewrite::HeightMap::read(&map, unit_mm).map_err(|wrong| {
+            let place = wrong.line.map_or(String::new(), |line| format!("line {line}: "));
+            error::usage(py, &format!("{place}{}", wrong.what), Some(&wrong.help))
+        })?;
+        let map = zero.map_or(map.clone(), |at| map.with_zero_at(at));
+        let how = rewrite::Warp { tolerance_mm, clamp };
+        self.ask(py, |job| match rewrite::warp(job, &map, &how) {
+            Ok(warped) => {
+                let new = job.with_text(warped.done.text.clone());
+                let told = transformed_json(&warped.done, [job, &new], None);
+                Ok((Some(warped.done.text), told))
+            }
+            Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
+        })
+    }
+
     /// The program in parts of at most so many bytes, or one for each tool: their texts, and what is to be
     /// said of them as JSON.
     fn split(&self, py: Python<'_>, most: Option<usize>) -> PyResult<(Vec<Vec<u8>>, String)> {

@@ -34,4 +34,6 @@ mod transform;
 pub use change::Change;
 pub use proof::{Certificate, prove, prove_contour, prove_mapped};
 pub use split::{By, Part, Split, split};
-pub use transform::{ArcForm, Refusal, Step, Transformed, transform};
+pub use transform::{
+    ArcForm, HeightMap, MapError, Refusal, Step, Transformed, Warp, Warped, transform, warp,
+};

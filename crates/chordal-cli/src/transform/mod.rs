@@ -1,5 +1,6 @@
 //! `chordal transform`: a program changed in place, with a proof.
 
+mod heights;
 mod split;
 
 use std::io::Write;
@@ -32,11 +33,12 @@ Examples:
   chordal transform part.nc --mirror x -o left.nc       swaps G2 and G3, G41 and G42
   chordal transform part.nc --units mm --feed 90% -o metric.nc
   chordal transform surface.nc --fit 0.01mm -o arcs.nc  chords as tangent arcs and lines
+  chordal transform part.nc --heights probed.csv -o bent.nc   onto a surface that was measured
   chordal transform part.nc --shrink 8000 -o small.nc   for a control with little memory
   chordal transform part.nc --split 32k -o part.nc      part-1.nc, part-2.nc, …: each runs by itself
 
 Steps are made in the order: units, mirror, rotate, scale, shift, feed and speed, chords, simplify,
-fit, arcs, comments, numbers, shrink, split. Lengths without a unit are in the units of the program.
+fit, arcs, comments, numbers, shrink, heights, split. Lengths without a unit are in the units of the program.
 Each word is changed by its meaning in its block. The new program is run and compared with the old path
 after the same changes; if they differ, nothing is written.
 
@@ -96,6 +98,13 @@ pub struct Args {
     /// Chords whose feeds differ by at most this part become one line or arc of --fit, at the slowest of them
     #[arg(long, value_name = "PART", requires = "fit", default_value = "1%", value_parser = part)]
     feed_tolerance: f64,
+
+    /// Raises every cut by the heights of a measured map: a CSV file with X, Y and Z of a full grid of points
+    #[arg(long, value_name = "MAP")]
+    heights: Option<PathBuf>,
+
+    #[command(flatten)]
+    map: heights::MapArgs,
 
     /// Removes chords, as long as the path stays within this length
     #[arg(long, value_name = "LENGTH")]
@@ -267,7 +276,7 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
         steps.push(Step::Renumber { first, step });
     }
     steps.extend(args.shrink.map(Step::Shrink));
-    if steps.is_empty() && args.split.is_none() {
+    if steps.is_empty() && args.split.is_none() && args.heights.is_none() {
         return Err(Failure::wrong(
             "there is nothing to do",
             "give a change, such as --shift X5; `chordal transform --help` lists them",
@@ -297,10 +306,17 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     terminal.tell(&recognized(&loaded));
     let units = Units::of(job.report().summary.inch);
     let steps = steps(args, units)?;
-    if let (Some(by), true) = (args.split, steps.is_empty()) {
+    let bent = args.heights.as_ref().map(|path| heights::Bent::read(path, &args.map, units));
+    let bent = bent.transpose()?;
+    if let (Some(by), true, None) = (args.split, steps.is_empty(), &bent) {
         return split::run(&job, by, &Asked { args, loaded: &loaded }, None);
     }
-    let done = match transform(&job, &steps) {
+    let changed = match (&bent, steps.is_empty()) {
+        (Some(bent), true) => bent.warp(&job),
+        (Some(bent), false) => transform(&job, &steps).and_then(|done| bent.warp_on(&job, done)),
+        (None, _) => transform(&job, &steps),
+    };
+    let done = match changed {
         Ok(done) => done,
         Err(refusal) => {
             match args.format {

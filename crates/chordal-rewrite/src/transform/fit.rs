@@ -248,7 +248,7 @@ impl Typist<'_> {
 
 /// The centre of an arc that turns by `sweep` between two places: both are on it, however they were
 /// rounded.
-fn center(plane: Plane, from: [f64; 3], to: [f64; 3], sweep: f64) -> [f64; 2] {
+pub(super) fn center(plane: Plane, from: [f64; 3], to: [f64; 3], sweep: f64) -> [f64; 2] {
     let [from, to] = [from, to].map(|at| plane.project(Vec3::from_array(at)));
     let (chord, middle) = (to - from, (from + to) * 0.5);
     let left: Vec2 = chord.turned_left();

@@ -8,6 +8,7 @@
 mod arcs;
 mod edit;
 mod fit;
+mod heights;
 mod lines;
 mod map;
 mod number;
@@ -31,6 +32,11 @@ use crate::source::first_text;
 use crate::{Certificate, Change, prove_mapped};
 
 pub use edit::Refusal;
+pub use heights::{HeightMap, MapError, Warp, Warped, warp};
+
+/// Said where a proof ends at something that is not followed.
+const NOT_FOLLOWED: &str = "the program does something that is not followed, so nothing can be proved: \
+                            `chordal check` says from which line on";
 
 /// How arcs are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -307,11 +313,7 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
         );
     }
     if comparison.verdict == Verdict::NotVerified {
-        all.notes.push(
-            "the program does something that is not followed, so nothing can be proved: \
-             `chordal check` says from which line on"
-                .into(),
-        );
+        all.notes.push(NOT_FOLLOWED.into());
     }
     Ok(Transformed { text, changes, notes: all.notes, certificate })
 }

@@ -1,0 +1,155 @@
+//! `--heights`: the map, and what is said of it.
+
+use std::path::Path;
+
+use chordal::Job;
+use chordal_rewrite::{HeightMap, MapError, Refusal, Transformed, Warp, Warped, warp};
+use clap::ValueEnum;
+
+use super::{Unit, length};
+use crate::failure::Failure;
+use crate::numbers::{Units, grouped};
+
+/// How the map of `--heights` is used.
+#[derive(clap::Args)]
+pub(super) struct MapArgs {
+    /// Units of the map; without it, those of the program
+    #[arg(long, value_enum, requires = "heights")]
+    heights_units: Option<Unit>,
+
+    /// The place whose height is taken for zero, where Z was set; without it, heights count as measured
+    #[arg(long, value_name = "X,Y", requires = "heights", allow_hyphen_values = true)]
+    heights_zero: Option<String>,
+
+    /// How far the new path may be off the surface; 0.01 mm or 0.0005 in if not given
+    #[arg(long, value_name = "LENGTH", requires = "heights")]
+    heights_tolerance: Option<String>,
+
+    /// A cut beyond the map: refused, or the edge of the map goes on
+    #[arg(long, value_enum, default_value = "refuse", requires = "heights")]
+    heights_outside: Outside,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Outside {
+    Refuse,
+    Clamp,
+}
+
+/// A map that was read, and how to use it.
+pub(super) struct Bent {
+    map: HeightMap,
+    how: Warp,
+    /// Of the program.
+    units: Units,
+    /// Of the map.
+    map_units: Units,
+}
+
+impl Bent {
+    pub(super) fn read(path: &Path, args: &MapArgs, units: Units) -> Result<Bent, Failure> {
+        let map_units = args.heights_units.map_or(units, |unit| Units::of(unit == Unit::Inch));
+        let bytes = std::fs::read(path).map_err(|error| {
+            Failure::wrong(format!("{}: {error}", path.display()), "name a file that can be read")
+        })?;
+        let map =
+            HeightMap::read(&bytes, map_units.length_mm()).map_err(|error| wrong(path, error))?;
+        let map = match &args.heights_zero {
+            None => map,
+            Some(text) => {
+                let Some((x, y)) = text.split_once(',') else {
+                    return Err(Failure::wrong(
+                        format!("`{text}` is not a position"),
+                        "write X and Y with a comma between them, such as 10,20",
+                    ));
+                };
+                let at = [length(x, units)?, length(y, units)?];
+                let outside = map.outside(at);
+                if outside > 0.0 {
+                    let far = outside / units.length_mm();
+                    return Err(Failure::wrong(
+                        format!("`{text}` lies {far:.3} {} beyond the map", units.length_unit()),
+                        "name a place of the map",
+                    ));
+                }
+                map.with_zero_at(at)
+            }
+        };
+        let usual = if units.length_mm() == 1.0 { 0.01 } else { 0.0127 };
+        let tolerance_mm = match &args.heights_tolerance {
+            None => usual,
+            Some(text) => length(text, units)?,
+        };
+        if tolerance_mm <= 0.0 {
+            return Err(Failure::wrong(
+                "the tolerance is not above zero",
+                "write a length above zero, such as 0.01mm",
+            ));
+        }
+        let how = Warp { tolerance_mm, clamp: args.heights_outside == Outside::Clamp };
+        Ok(Bent { map, how, units, map_units })
+    }
+
+    /// A program bent over the map.
+    pub(super) fn warp(&self, job: &Job) -> Result<Transformed, Refusal> {
+        let warped = warp(job, &self.map, &self.how)?;
+        Ok(self.told(warped))
+    }
+
+    /// The same for a program that was changed before; where that is not proved it is left so.
+    pub(super) fn warp_on(&self, job: &Job, mut done: Transformed) -> Result<Transformed, Refusal> {
+        if !done.certificate.holds() {
+            return Ok(done);
+        }
+        let bent = self.warp(&job.with_text(done.text.clone()))?;
+        done.changes.extend(bent.changes);
+        done.notes.extend(bent.notes);
+        done.notes.push(
+            "what was changed before is proved by itself; the proof below is that of the map"
+                .into(),
+        );
+        Ok(Transformed { text: bent.text, certificate: bent.certificate, ..done })
+    }
+
+    fn told(&self, warped: Warped) -> Transformed {
+        let Warped { mut done, heights_mm, moves } = warped;
+        let unit = self.units.length_mm();
+        let name = self.units.length_unit();
+        let number = |mm: f64, digits: usize| {
+            let text = format!("{:.digits$}", mm / unit);
+            let text = text.trim_end_matches('0').trim_end_matches('.').to_string();
+            if text == "-0" { "0".to_string() } else { text }
+        };
+        let [columns, rows] = self.map.size();
+        let [x, y] = self.map.bounds();
+        let [low, high] = self.map.range();
+        let digits = if unit == 1.0 { 3 } else { 4 };
+        let mut map = format!(
+            "the map has {columns} by {rows} points, X{} to {}, Y{} to {}, heights {} to {} {name}",
+            number(x[0], digits),
+            number(x[1], digits),
+            number(y[0], digits),
+            number(y[1], digits),
+            number(low, digits),
+            number(high, digits)
+        );
+        map += &format!("; the file is in {}", self.map_units.length_unit());
+        done.notes.insert(0, map);
+        if let Some([low, high]) = heights_mm {
+            done.notes.push(format!(
+                "heights under the cuts: {} to {} {name}; {} moves, {} before",
+                number(low, digits),
+                number(high, digits),
+                grouped(moves[1]),
+                grouped(moves[0])
+            ));
+        }
+        done
+    }
+}
+
+fn wrong(path: &Path, error: MapError) -> Failure {
+    let place = error.line.map_or(String::new(), |line| format!(":{line}"));
+    let words = if error.text.is_empty() { String::new() } else { format!(" in `{}`", error.text) };
+    Failure::wrong(format!("{}{place}: {}{words}", path.display(), error.what), error.help)
+}

@@ -1,0 +1,394 @@
+//! The blocks of a program with the heights in their Z words.
+//!
+//! Rapids go to the Z of the program and as much above it as the map is high anywhere: they are never nearer to
+//! the surface than they were. Cuts follow the surface.
+
+use std::collections::{HashMap, HashSet};
+
+use chordal::Job;
+use chordal::control::{Action, ArcShape, MotionCode};
+use chordal::diagnostics::FileId;
+use chordal::diagnostics::TextRange;
+use chordal::geometry::Plane;
+use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+
+use super::super::arcs::center_words;
+use super::super::edit::{Edit, Refusal, line_end, with_number};
+use super::super::fit::center;
+use super::super::lines::{Words, newline};
+use super::super::number::unit_mm;
+use super::super::record::{Did, Record, Run, Runs};
+use super::super::roles::{Role, actions, roles};
+use super::super::writer::Writer;
+use super::Warp;
+use super::checks;
+use super::grid::HeightMap;
+use super::levels::{Level, is_machine, levels};
+use super::way::Way;
+
+const REASON: &str = "the height of the map";
+/// Steps of the last digit that rounding the ends of a piece may take it off.
+const ROUNDING: f64 = 2.0;
+
+/// What was written, for the proof: by the first byte of an old block.
+#[derive(Debug, Default)]
+pub(super) struct Trail {
+    /// Blocks that became several, and how many.
+    pub(super) pieces: HashMap<u32, u32>,
+    /// Blocks that go to places of the machine, or aside from one: they stay.
+    pub(super) level: HashSet<u32>,
+}
+
+pub(super) struct Written {
+    pub(super) edits: Vec<Edit>,
+    pub(super) notes: Vec<String>,
+    pub(super) trail: Trail,
+}
+
+/// The edits that bend a program over a map.
+pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, Refusal> {
+    let writer = Writer::new(job);
+    let record = Record::of(job);
+    if let Some((file, line)) = record.elsewhere {
+        let name = job.sources().get(file).map_or("", |source| source.name());
+        return Err(Refusal {
+            line,
+            text: String::new(),
+            what: format!("line {line} of {name} moves, and only the first file is changed"),
+            help: "copy the subprogram into the program".into(),
+        });
+    }
+    let blocks = blocks(&writer);
+    let levels = levels(&writer, &record, &blocks);
+    let written = Written { edits: Vec::new(), notes: Vec::new(), trail: Trail::default() };
+    let mut bender = Bender { writer, map, warp, levels, written, work: None };
+    let mut idle = Vec::new();
+    for (index, block) in blocks.iter().enumerate() {
+        let alone = blocks.get(index + 1).is_none_or(|next| next.line > block.line);
+        match record.blocks.get(&block.range.start) {
+            Some(runs) => bender.block(block, runs, alone)?,
+            None if b"XYZ".iter().any(|axis| block.letters().has(*axis)) => idle.push(block.line),
+            None => {}
+        }
+    }
+    if let [first, ..] = idle[..] {
+        let count = idle.len();
+        let note = format!("{count} blocks never run, left unchanged, the first on line {first}");
+        bender.written.notes.push(note);
+    }
+    Ok(bender.written)
+}
+
+fn blocks(writer: &Writer) -> Vec<Block> {
+    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
+    let mut block = Block::new();
+    let mut blocks = Vec::new();
+    while reader.read(&mut block) {
+        if block.kind == BlockKind::Words {
+            blocks.push(block.clone());
+        }
+    }
+    blocks
+}
+
+struct Bender<'a> {
+    writer: Writer<'a>,
+    map: &'a HeightMap,
+    warp: &'a Warp,
+    levels: HashMap<u32, Level>,
+    written: Written,
+    /// The work offset of the program.
+    work: Option<String>,
+}
+
+/// The end of a piece: as it is written.
+struct Piece {
+    to: [f64; 3],
+    sweep: f64,
+}
+
+impl Bender<'_> {
+    fn refuse(&self, block: &Block, what: impl Into<String>, help: &str) -> Refusal {
+        Refusal::new(self.writer.text, block, what, help)
+    }
+
+    fn block(&mut self, block: &Block, runs: &Runs, alone: bool) -> Result<(), Refusal> {
+        let start = block.range.start;
+        let run = &runs.first;
+        checks::codes(&self.writer, block, &mut self.work)?;
+        if run.context.did == Did::Nothing || run.moves == 0 {
+            return Ok(());
+        }
+        if is_machine(&self.writer, block) {
+            self.written.trail.level.insert(start);
+            return Ok(());
+        }
+        checks::of_move(&self.writer, block, runs)?;
+        let level = self.levels.get(&start).copied().unwrap_or_default();
+        if run.context.did == Did::Rapid {
+            self.rapid(block, run, level);
+            return Ok(());
+        }
+        let moves_aside = run.from[..2] != run.to[..2] || run.context.did == Did::Arc;
+        let knows = (0..3).all(|axis| run.known[1].has(axis));
+        if !knows || (moves_aside && level == Level::Machine) {
+            return Err(self.refuse(
+                block,
+                "the height that the cut begins at is not given by the program",
+                "program X and Y, then Z, before the first cut",
+            ));
+        }
+        self.cut(block, run, level, alone)
+    }
+
+    fn number(&self, run: &Run, mm: f64) -> (String, f64) {
+        let units = run.context.units;
+        let number = self.writer.length(mm, units, None, 0);
+        let value = number.parse::<f64>().unwrap_or(f64::NAN) * unit_mm(units);
+        (number, value)
+    }
+
+    /// The Z of a cut at a place, as it is written, mm.
+    fn on_surface(&self, run: &Run, at: [f64; 3]) -> f64 {
+        self.number(run, at[2] + self.map.height([at[0], at[1]])).1
+    }
+
+    /// A rapid: its Z above the whole map; aside from a cut it is lifted to there before.
+    fn rapid(&mut self, block: &Block, run: &Run, level: Level) {
+        let rise = self.map.rise();
+        let aside = run.from[..2] != run.to[..2] || !run.known[0].has(0) || !run.known[0].has(1);
+        if level == Level::Cut && aside {
+            let (number, value) = self.number(run, run.from[2] + rise);
+            if value != self.on_surface(run, [run.from[0], run.from[1], run.from[2]]) {
+                let rows = self.writer.control.table.g_codes;
+                let code = rows.iter().find(|row| row.action == Action::Motion(MotionCode::Rapid));
+                let code = code.map_or(String::new(), |row| row.name(b'G'));
+                let gap = self.writer.style.gap();
+                let line = format!("{code}{gap}Z{number}{}", newline(self.writer.text));
+                self.written.edits.push(Edit::insert(block.range.start, line, REASON));
+                self.written.trail.pieces.insert(block.range.start, 2);
+            }
+        }
+        match block.last(b'Z') {
+            Some(word) => self.put_z(run, word, run.to[2] + rise),
+            None if level == Level::Machine => {
+                self.written.trail.level.insert(block.range.start);
+            }
+            None => {}
+        }
+    }
+
+    /// Another Z in the place of one that is written.
+    fn put_z(&mut self, run: &Run, word: &Word, mm: f64) {
+        if self.number(run, mm).1 == run.to[2] {
+            return;
+        }
+        let number = self.writer.length(mm, run.context.units, word.number(), 0);
+        let text = with_number(self.writer.text, word, &number);
+        self.written.edits.push(Edit::new(word.range, text, REASON));
+    }
+
+    fn cut(&mut self, block: &Block, run: &Run, level: Level, alone: bool) -> Result<(), Refusal> {
+        let way = way(run);
+        if !self.warp.clamp {
+            checks::inside(&self.writer, self.map, block, run, &way)?;
+        }
+        let step = unit_mm(run.context.units)
+            * 0.1f64.powi(i32::from(self.writer.style.digits(run.context.units)));
+        let left = self.warp.tolerance_mm - ROUNDING * step;
+        if left < step {
+            return Err(self.refuse(
+                block,
+                "the tolerance is not larger than the rounding of the program's last digit",
+                "allow a larger tolerance",
+            ));
+        }
+        let ends = way.pieces(self.map, left).map_err(|_| {
+            self.refuse(block, "the move crosses too many points of the map", "use fewer points")
+        })?;
+        let mut pieces = self.rounded(run, &way, &ends);
+        let begin = [run.from[0], run.from[1], self.on_surface(run, point(run))];
+        let is_aside = run.from[..2] != run.to[..2] || run.context.did == Did::Arc;
+        if level == Level::Rapid
+            && is_aside
+            && begin[2] != self.number(run, run.from[2] + self.map.rise()).1
+        {
+            if run.context.did == Did::Arc {
+                return Err(self.refuse(
+                    block,
+                    "the arc begins at the height of a rapid",
+                    "go down to its height with G1 before",
+                ));
+            }
+            // From the level of rapids down to the surface first, at the feed of the cut.
+            pieces.insert(0, Piece { to: begin, sweep: 0.0 });
+        }
+        if let [only] = &pieces[..] {
+            self.one(block, run, only.to[2], begin[2]);
+            return Ok(());
+        }
+        checks::several(&self.writer, block, run, alone)?;
+        self.several(block, run, &pieces);
+        Ok(())
+    }
+
+    /// The ends of pieces as they are written; those that come to nothing are left out.
+    fn rounded(&self, run: &Run, way: &Way, ends: &[f64]) -> Vec<Piece> {
+        let sweep = run.shape.map_or(0.0, |shape| shape.sweep);
+        let mut pieces: Vec<Piece> = Vec::new();
+        let (mut at, mut before) = (point(run), 0.0);
+        for (index, end) in ends.iter().enumerate() {
+            let is_last = index + 1 == ends.len();
+            let [x, y] = match is_last {
+                true => [run.to[0], run.to[1]],
+                false => way.at(*end).map(|value| self.number(run, value).1),
+            };
+            if [x, y] == at[..2] && !is_last {
+                continue;
+            }
+            let rise = (run.to[2] - run.from[2]) * end;
+            let to = [x, y, self.on_surface(run, [x, y, run.from[2] + rise])];
+            pieces.push(Piece { to, sweep: sweep * (end - before) });
+            (at, before) = (to, *end);
+        }
+        pieces
+    }
+
+    /// A cut that stays one block, from one Z to another.
+    fn one(&mut self, block: &Block, run: &Run, z: f64, before: f64) {
+        if let Some(word) = block.last(b'Z') {
+            self.put_z(run, word, z);
+            return;
+        }
+        if z == before {
+            return;
+        }
+        let (number, _) = self.number(run, z);
+        let gap = self.writer.style.gap();
+        let last = block.words.iter().rposition(|word| b"XY".contains(&word.letter));
+        let edit = match last {
+            Some(at) => Edit::insert(block.words[at].range.end, format!("{gap}Z{number}"), REASON),
+            None => {
+                let center = block.words.iter().find(|word| b"IJKR".contains(&word.letter));
+                let Some(word) = center else { return };
+                Edit::insert(word.range.start, format!("Z{number}{gap}"), REASON)
+            }
+        };
+        self.written.edits.push(edit);
+    }
+
+    fn several(&mut self, block: &Block, run: &Run, pieces: &[Piece]) {
+        let text = self.writer.text;
+        let lines = self.lines(run, pieces);
+        let roles = roles(block, &run.context, self.writer.control);
+        let is_shape = |(word, role): &(&Word, &Role)| {
+            matches!(role, Role::Place(_) | Role::Center(_) | Role::Spoke(_))
+                || (word.letter == b'R' && **role == Role::Length)
+        };
+        let both = block.words.iter().zip(&roles).filter(is_shape);
+        let old: Vec<Word> = both.map(|(word, _)| *word).collect();
+        self.replace(&old, &lines[0]);
+        let end = line_end(text, block.range.end);
+        let rest = TextRange::new(block.range.end, end).slice(text);
+        let tail = if rest.trim_ascii_end().ends_with(b";") { ";" } else { "" };
+        let line_feed = newline(text);
+        let code = self.code_of(block, run);
+        let gap = self.writer.style.gap();
+        let more: String = lines[1..]
+            .iter()
+            .map(|line| match &code {
+                Some(code) => format!("{line_feed}{code}{gap}{line}{tail}"),
+                None => format!("{line_feed}{line}{tail}"),
+            })
+            .collect();
+        self.written.edits.push(Edit::insert(end, more, REASON));
+        self.written.trail.pieces.insert(block.range.start, pieces.len() as u32);
+    }
+
+    /// The code that each further piece begins with: not every control goes on with an arc.
+    fn code_of(&self, block: &Block, run: &Run) -> Option<String> {
+        if run.context.did != Did::Arc {
+            return None;
+        }
+        let own = actions(block, self.writer.control)
+            .find(|(_, action)| matches!(action, Action::Motion(_)))
+            .map(|(word, _)| self.writer.word(word));
+        own.or_else(|| {
+            let is_ccw = run.shape.is_some_and(|shape| shape.sweep > 0.0);
+            let code = if is_ccw { MotionCode::ArcCcw } else { MotionCode::ArcCw };
+            let rows = self.writer.control.table.g_codes;
+            rows.iter().find(|row| row.action == Action::Motion(code)).map(|row| row.name(b'G'))
+        })
+    }
+
+    /// The words of each piece.
+    fn lines(&self, run: &Run, pieces: &[Piece]) -> Vec<String> {
+        let mut at = [run.from[0], run.from[1], f64::NAN];
+        let units = run.context.units;
+        let gap = self.writer.style.gap();
+        let mut lines = Vec::new();
+        for piece in pieces {
+            let mut words = Words::default();
+            for (axis, (to, from)) in piece.to.into_iter().zip(at).enumerate() {
+                let is_arc_end = run.shape.is_some() && axis < 2;
+                if is_arc_end || to != from {
+                    let number = self.writer.length(to, units, None, 0);
+                    words.push(format!("{}{number}", char::from(b"XYZ"[axis])));
+                }
+            }
+            if let Some(shape) = run.shape {
+                let shape = ArcShape {
+                    center: center(Plane::Xy, at, piece.to, piece.sweep),
+                    sweep: piece.sweep,
+                    ..shape
+                };
+                let from = [at[0], at[1], at[2], 0.0, 0.0, 0.0];
+                let rule = run.context.arc_center;
+                words.push(center_words(&self.writer, &shape, from, rule, units).join(gap));
+            }
+            lines.push(words.join(gap));
+            at = piece.to;
+        }
+        lines
+    }
+
+    /// Puts words in the place of others.
+    fn replace(&mut self, old: &[Word], new: &str) {
+        let text = self.writer.text;
+        for (index, word) in old.iter().enumerate() {
+            if index == 0 {
+                self.written.edits.push(Edit::new(word.range, new, REASON));
+                continue;
+            }
+            let before = &text[..word.range.start as usize];
+            let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
+            let range = TextRange::new(word.range.start - blanks, word.range.end);
+            self.written.edits.push(Edit::new(range, "", REASON));
+        }
+    }
+}
+
+/// Where a move begins.
+fn point(run: &Run) -> [f64; 3] {
+    [run.from[0], run.from[1], run.from[2]]
+}
+
+/// The way of a cut in X and Y.
+fn way(run: &Run) -> Way {
+    let [from, to] = [run.from, run.to].map(|at| [at[0], at[1]]);
+    match run.shape.filter(|_| run.context.did == Did::Arc) {
+        Some(shape) => arc(&shape, from),
+        None => Way::Line { from, to },
+    }
+}
+
+/// The way of an arc from a place.
+pub(super) fn arc(shape: &ArcShape, from: [f64; 2]) -> Way {
+    let out = [from[0] - shape.center[0], from[1] - shape.center[1]];
+    Way::Arc {
+        center: shape.center,
+        radius: out[0].hypot(out[1]),
+        start: libm::atan2(out[1], out[0]),
+        sweep: shape.sweep,
+    }
+}
