@@ -155,10 +155,10 @@ fn a_cut_beyond_the_map_and_a_bad_map_are_told() {
     assert!(!folder.path("new.nc").exists());
     folder.run(&[&line[..], &["small.csv", "--heights-outside", "clamp"]].concat()).ends(0);
     folder.write("bad.csv", "0,0,0\n0,10,oops\n");
-    folder
-        .run(&[&line[..], &["bad.csv"]].concat())
-        .ends(2)
-        .complains(&["bad.csv:2: `oops` in column 3 is no number for Z", "write a point as X, Y and Z"]);
+    folder.run(&[&line[..], &["bad.csv"]].concat()).ends(2).complains(&[
+        "bad.csv:2: `oops` in column 3 is no number for Z",
+        "write a point as X, Y and Z",
+    ]);
     folder.run(&[&line[..], &["none.csv"]].concat()).ends(2).complains(&["none.csv"]);
     folder.run(&["transform", "part.nc", "-m", "haas-vf2", "--heights-zero", "0,0"]).ends(2);
 }

@@ -39,30 +39,7 @@ pub(super) fn codes(
     work: &mut Option<String>,
 ) -> Result<(), Refusal> {
     for (word, action) in actions(block, writer.control) {
-        let word = writer.word(word);
-        let makes_moves = |code: OnceCode| code.is_pocket() || matches!(code, OnceCode::Pattern(_));
-        let reason = match action {
-            Action::Once(OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. })
-            | Action::Mode(ModeCode::Polar { on: true }) => Some((
-                format!("under `{word}` the words are no places on the map"),
-                "write the moves out in plain coordinates",
-            )),
-            Action::Once(
-                OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset,
-            ) => Some((
-                format!("`{word}` moves the zero, and the map lies in one place"),
-                "write the program from one zero",
-            )),
-            Action::Once(OnceCode::Probe { .. }) => Some((
-                format!("`{word}` measures a place itself"),
-                "take the probing out of the program",
-            )),
-            Action::Once(code) if makes_moves(code) => {
-                Some((format!("`{word}` makes moves of its own"), "write the moves out"))
-            }
-            _ => None,
-        };
-        told(writer, block, reason)?;
+        told(writer, block, of_code(&writer.word(word), action))?;
     }
     let Some(chosen) = work_offset(writer, block) else { return Ok(()) };
     let first = work.get_or_insert_with(|| chosen.clone());
@@ -73,6 +50,32 @@ pub(super) fn codes(
         )
     });
     told(writer, block, reason)
+}
+
+/// Why a code does not go with a map; nothing where it does.
+fn of_code(word: &str, action: Action) -> Option<Reason> {
+    let once = action.once();
+    let is = |codes: fn(OnceCode) -> bool| once.is_some_and(codes);
+    let turns = action == Action::Mode(ModeCode::Polar { on: true })
+        || is(|code| {
+            matches!(code, OnceCode::Rotation | OnceCode::Scaling | OnceCode::Mirror { .. })
+        });
+    let shifts = is(|code| {
+        matches!(code, OnceCode::LocalShift | OnceCode::PresetPosition | OnceCode::RestorePreset)
+    });
+    if turns {
+        let what = format!("under `{word}` the words are no places on the map");
+        Some((what, "write the moves out in plain coordinates"))
+    } else if shifts {
+        let what = format!("`{word}` moves the zero, and the map lies in one place");
+        Some((what, "write the program from one zero"))
+    } else if is(|code| matches!(code, OnceCode::Probe { .. })) {
+        Some((format!("`{word}` measures a place itself"), "take the probing out of the program"))
+    } else if is(|code| code.is_pocket() || matches!(code, OnceCode::Pattern(_))) {
+        Some((format!("`{word}` makes moves of its own"), "write the moves out"))
+    } else {
+        None
+    }
 }
 
 /// A move that the map says nothing of.
