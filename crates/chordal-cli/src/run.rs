@@ -134,7 +134,10 @@ fn text(loaded: &Loaded, job: &Job, done: &Done, showing: Showing, terminal: Ter
     let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
     for path in written {
         let row = style(terminal.out, BOLD, "written   ");
-        text.push_str(&format!("  {row:10}{}\n", path.display()));
+        // A program in inches is drawn in mm, too, and not every reader looks for the unit in the file.
+        let is_dxf = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dxf"));
+        let unit = if is_dxf { ", in millimetres" } else { "" };
+        text.push_str(&format!("  {row:10}{}{unit}\n", path.display()));
     }
     if let Some(asked) = readings::asked(loaded, report.worst() >= Some(Severity::Warning)) {
         text.push('\n');

@@ -47,11 +47,15 @@ impl Units {
         }
     }
 
-    /// A length of way: nobody reads the last digits.
+    /// A length of way, with commas between the thousands: nobody reads the last digits.
     pub fn length(self, mm: f64) -> String {
-        match self {
+        let text = match self {
             Units::Inch => fixed(mm / 25.4, 2),
             Units::Millimetre => fixed(mm, 1),
+        };
+        match text.split_once('.').map(|(whole, part)| (whole.parse::<u64>(), part)) {
+            Some((Ok(whole), part)) => format!("{}.{part}", grouped(whole)),
+            _ => text,
         }
     }
 

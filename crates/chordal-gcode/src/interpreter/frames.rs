@@ -6,7 +6,7 @@ use chordal_dialect::code_number;
 use chordal_kernel::PolarWords;
 use chordal_kernel::frames::Factors;
 use chordal_machine::AXES;
-use chordal_syntax::{Block, Letters, Word};
+use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
@@ -92,8 +92,7 @@ impl Interpreter<'_> {
 
     /// An angle in degrees.
     pub(super) fn angle_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
-        let number = self.literal(block.last(letter)?)?;
-        Some(self.scale.degrees(number))
+        self.word_degrees(block.last(letter)?)
     }
 
     /// The end point that the words give while they are a radius and an angle on the axes of the plane.
@@ -127,9 +126,5 @@ impl Interpreter<'_> {
             named.insert(b);
         }
         (target, named)
-    }
-
-    fn word_degrees(&self, word: &Word) -> Option<f64> {
-        Some(self.scale.degrees(self.literal(word)?))
     }
 }

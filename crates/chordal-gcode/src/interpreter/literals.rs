@@ -159,14 +159,28 @@ impl Interpreter<'_> {
         let limit =
             if self.reported.points_seen { SUSPICIOUS_AMONG_POINTS } else { SUSPICIOUS_INCREMENTS };
         if size < limit {
-            self.report_missing_point(word, number);
+            let meant = self.kernel.length_text(self.scale.length(number));
+            self.report_missing_point(word, number, &meant);
         }
     }
 
+    /// A word that is an angle, such as that of polar coordinates, in degrees.
+    pub(super) fn word_degrees(&mut self, word: &Word) -> Option<f64> {
+        let number = self.literal(word)?;
+        let degrees = self.scale.degrees(number);
+        // Whole degrees, written without a point, where the control counts in thousandths.
+        if !number.has_point && self.reported.points_seen && degrees != number.to_f64() {
+            let size = number.mantissa.unsigned_abs();
+            if size > 0 && size < SUSPICIOUS_AMONG_POINTS {
+                self.report_missing_point(word, number, &format!("{degrees}°"));
+            }
+        }
+        Some(degrees)
+    }
+
     #[cold]
-    fn report_missing_point(&mut self, word: &Word, number: Decimal) {
+    fn report_missing_point(&mut self, word: &Word, number: Decimal, meant: &str) {
         let letter = word.letter as char;
-        let meant = self.kernel.length_text(self.scale.length(number));
         let span = self.span(word.range);
         let with_point = format!("{letter}{number}.");
         self.kernel.report(

@@ -214,11 +214,14 @@ pub fn check_against(
         let told = gouge(&hit, material, contour, path);
         // The lead at the mouth of a slot may hide that the slot itself is too narrow, or that the lead cuts
         // its other wall.
-        if told.kind == GougeKind::AtLead
-            && let Some(hit) = search.nearest(limit, &clusters, Aim::DeepestOfPart(around(&hit)))
-        {
-            report.gouges.push(gouge(&hit, material, contour, path));
-            clusters.push(around(&hit));
+        if told.kind == GougeKind::AtLead {
+            for aim in [Aim::DeepestOfPart, Aim::DeepestOffEnds] {
+                let Some(hit) = search.nearest(limit, &clusters, aim(around(&hit))) else {
+                    continue;
+                };
+                report.gouges.push(gouge(&hit, material, contour, path));
+                clusters.push(around(&hit));
+            }
         }
         clusters.push(around(&hit));
         report.gouges.push(told);

@@ -83,8 +83,11 @@ pub(super) enum Aim {
     Any,
     /// The deepest gouge of a stretch.
     DeepestIn(Cluster),
-    /// The deepest gouge of a stretch that is none of a lead at an open end.
+    /// The deepest gouge of a stretch that a block of the part makes, not a lead.
     DeepestOfPart(Cluster),
+    /// The deepest that a lead makes in it, farther from the open ends than the diameter: nearer it is part of what
+    /// it does at the end.
+    DeepestOffEnds(Cluster),
 }
 
 /// The trees over a contour and a path.
@@ -171,7 +174,8 @@ impl<'a> Search<'a> {
             return true;
         }
         let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
-        if let Aim::DeepestIn(stretch) | Aim::DeepestOfPart(stretch) = aim
+        if let Aim::DeepestIn(stretch) | Aim::DeepestOfPart(stretch) | Aim::DeepestOffEnds(stretch) =
+            aim
             && !stretch.meets(path_span, span)
         {
             return true;
@@ -236,8 +240,11 @@ impl<'a> Search<'a> {
             if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
                 continue;
             }
-            let spares_ends =
-                matches!(aim, Aim::DeepestOfPart(_)) && !self.material.has(self.path[p].tag);
+            let of_part = self.material.has(self.path[p].tag);
+            let spares_ends = matches!(aim, Aim::DeepestOffEnds(_));
+            if matches!(aim, Aim::DeepestOfPart(_)) && !of_part || spares_ends && of_part {
+                continue;
+            }
             for c in first..end {
                 if bounds.gap_square(&self.boxes.elements[c]) >= *limit
                     || is_beyond(curve, &self.boxes.elements[c], *limit)
@@ -263,9 +270,9 @@ impl<'a> Search<'a> {
 }
 
 impl Search<'_> {
-    /// The nearest of a curve of the path and what of a wall is farther from the open ends than the radius.
+    /// The nearest of a curve of the path and what of a wall is farther from the open ends than the diameter.
     fn nearest_off_ends(&self, curve: &PlaneCurve, wall: &PlaneCurve) -> Option<Near> {
-        let parts = outside(wall, &self.material.open_ends, self.radius);
+        let parts = outside(wall, &self.material.open_ends, 2.0 * self.radius);
         parts.iter().map(|part| nearest(curve, part)).min_by(|a, b| a.square.total_cmp(&b.square))
     }
 }
