@@ -20,8 +20,8 @@ pub struct Program {
     /// Where the lead-out ends.
     pub end: Vec2,
     pub wall: Vec<PlaneCurve>,
-    /// The ends of an open wall.
-    pub open_ends: Vec<Vec2>,
+    /// The wall does not come back to its start.
+    pub is_open: bool,
     /// The wall without the ends that are also read as leads: the text does not say which of the two
     /// they are.
     pub sure: Vec<PlaneCurve>,
@@ -247,7 +247,7 @@ pub fn program(dice: &mut Dice) -> Option<Program> {
         end,
         sure: wall.curves.clone(),
         wall: wall.curves,
-        open_ends: Vec::new(),
+        is_open: false,
     })
 }
 
@@ -304,7 +304,7 @@ fn open_wall(dice: &mut Dice) -> Option<Program> {
         start: lead_in.start,
         chain,
         end: lead_out.start,
-        open_ends: vec![first.from(), last.from()],
+        is_open: true,
         sure: sure_of(&wall, side.sign(), radius, led),
         wall,
     })
@@ -331,7 +331,7 @@ fn pocket_with_island(dice: &mut Dice) -> Program {
     chain.extend(&island);
     let out = (island[0].from() - center).normalized().unwrap();
     let end = island[0].from() + out * (2.0 * radius);
-    let (name, open_ends) = ("pocket with island".into(), Vec::new());
+    let name = "pocket with island".into();
     let sure = wall.clone();
-    Program { name, side: Side::Left, radius, start, chain, end, wall, open_ends, sure }
+    Program { name, side: Side::Left, radius, start, chain, end, wall, is_open: false, sure }
 }

@@ -161,6 +161,16 @@ enum Answer {
     Missed,
 }
 
+/// An open wall is cut near its ends only, and that a lead cuts there is told.
+fn told_at_ends(wall: &[PlaneCurve], program: &Program, seen: &Seen) -> bool {
+    let (Some(first), Some(last)) = (wall.first(), wall.last()) else { return false };
+    let away = || {
+        let ends = [first.from(), last.to()];
+        sampled(&Walls::of(wall), &seen.path, program.radius, &ends)
+    };
+    program.is_open && !seen.at_leads.is_empty() && away() >= program.radius - SURE_MM
+}
+
 fn answer(program: &Program, seen: &Seen) -> Answer {
     let walls = Walls::of(&program.wall);
     let radius = program.radius;
@@ -180,16 +190,16 @@ fn answer(program: &Program, seen: &Seen) -> Answer {
         };
     }
     if cut {
-        let away = sampled(&walls, &seen.path, radius, &program.open_ends);
-        let at_end = !program.open_ends.is_empty() && away >= radius - SURE_MM;
-        if at_end && !seen.at_leads.is_empty() {
+        if told_at_ends(&program.wall, program, seen) {
             return Answer::AtEnd;
         }
-        // Only a cut into nothing but the ends that may as well be leads is excused.
-        let of_sure = sampled(&Walls::of(&program.sure), &seen.path, radius, &[]);
-        return match of_sure < radius - SURE_MM {
-            true => Answer::Missed,
-            false => Answer::Undecided,
+        // The other reading has to answer for all that is cut: nothing is, or it is told at the ends.
+        let is_clean = sampled(&Walls::of(&program.sure), &seen.path, radius, &[]);
+        let is_clean = is_clean >= radius - SURE_MM;
+        let reads_both_ways = program.sure.len() < program.wall.len();
+        return match reads_both_ways && (is_clean || told_at_ends(&program.sure, program, seen)) {
+            true => Answer::Undecided,
+            false => Answer::Missed,
         };
     }
     match surely_beyond(&walls, &seen.path, radius - LEAST_DEPTH_MM + 1e-5) {
