@@ -2,18 +2,16 @@
 //! offsets of a polygon library. Random closed contours of lines and arcs, with islands of
 //! short segments, run through the whole of Chordal as programs.
 
-#[path = "../../chordal-path/tests/support/mod.rs"]
-mod support;
-
-use std::fmt::Write;
+mod random_contour;
 
 use cavalier_contours::polyline::PlineSource;
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
 use chordal::path::gouge::{self, PlaneCurve, Side};
 use chordal::path::{ContourLevel, ContourPiece, PathCommand, PathSink};
-use chordal::{Diagnostic, Job, Machine, Role, Severity, Source, SourceMap};
-use support::{Dice, closed_contour, curves_of, point_distance, polyline};
+use chordal::{Diagnostic, Role, Severity};
+use random_contour::support::{self, Dice, closed_contour, curves_of, point_distance, polyline};
+use random_contour::{run, text_of};
 
 /// The control's alarms and the pieces of the contour.
 #[derive(Default)]
@@ -51,45 +49,10 @@ fn begun_on_a_line(curves: &[PlaneCurve]) -> Option<Vec<PlaneCurve>> {
 }
 
 fn program(chain: &[PlaneCurve], side: Side) -> String {
-    let code = if side == Side::Left { "G41" } else { "G42" };
     let first = chain[0];
     let along = (first.to() - first.from()).normalized().unwrap();
     let away = first.from() + along.turned_left() * (side.sign() * 20.0);
-    let mut text = String::from("G21 G90 G17 G40\nT1 M6\nS1000 M3\n");
-    let at = |p: Vec2| format!("X{:.9} Y{:.9}", p.a, p.b);
-    writeln!(text, "G0 {}\nG1 {code} D1 {} F100.", at(away), at(first.from())).unwrap();
-    for curve in chain {
-        match *curve {
-            PlaneCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
-            PlaneCurve::Arc { center, sweep, .. } => {
-                let arm = center - curve.from();
-                let g = if sweep > 0.0 { "G3" } else { "G2" };
-                writeln!(text, "{g} {} I{:.9} J{:.9}", at(curve.to()), arm.a, arm.b)
-            }
-        }
-        .unwrap();
-    }
-    writeln!(text, "G1 G40 {}\nM30", at(away)).unwrap();
-    text
-}
-
-fn run(text: &str, radius: f64) -> Seen {
-    let mut machine = Machine::from_builtin("fanuc-30i").unwrap();
-    for assignment in [
-        format!("tools.1.diameter={} mm", 2.0 * radius),
-        "settings.outside_corner=arc".into(),
-        // The contours have more decimals than the control.
-        "settings.excess_decimals=exact".into(),
-        "settings.most_digits=0".into(),
-    ] {
-        machine.set(&assignment).unwrap();
-    }
-    let mut sources = SourceMap::new();
-    sources.add(Source::new("random.nc", text.as_bytes()));
-    let job = Job::new(sources, machine).unwrap();
-    let mut seen = Seen::default();
-    job.compensated(None, &mut seen);
-    seen
+    text_of(side, away, chain, away)
 }
 
 /// The moves of the tool centre along the contour, leads left out.
@@ -113,7 +76,7 @@ fn a_second_method_agrees() {
         let Some(chain) = begun_on_a_line(&closed_contour(&mut dice)) else { continue };
         let side = if dice.unit() < 0.5 { Side::Left } else { Side::Right };
         let radius = dice.between(0.2, 4.0);
-        let seen = run(&program(&chain, side), radius);
+        let seen: Seen = run(&program(&chain, side), radius);
         let path = along(&seen.pieces);
         let alarmed = !seen.alarms.is_empty();
         assert!(alarmed || path.len() >= chain.len(), "seed {seed}");

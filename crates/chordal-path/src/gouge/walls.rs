@@ -219,5 +219,16 @@ fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
         count += 1;
         count - 1
     };
-    chain.iter().map(|block| (number(block.curve.from()), number(block.curve.to()))).collect()
+    // Most blocks begin exactly where the one before them ends: that place has its number.
+    let mut last: Option<(Vec2, usize)> = None;
+    chain
+        .iter()
+        .map(|block| {
+            let (from, to) = (block.curve.from(), block.curve.to());
+            let from = last.filter(|(p, _)| *p == from).map_or_else(|| number(from), |p| p.1);
+            let number_of_end = number(to);
+            last = Some((to, number_of_end));
+            (from, number_of_end)
+        })
+        .collect()
 }

@@ -20,10 +20,11 @@ pub struct Program {
     /// Where the lead-out ends.
     pub end: Vec2,
     pub wall: Vec<PlaneCurve>,
-    /// The ends of an open wall.
-    pub open_ends: Vec<Vec2>,
-    /// An open wall begins or ends as a lead does: the text does not say which of the two it is.
-    pub undecided: bool,
+    /// The wall does not come back to its start.
+    pub is_open: bool,
+    /// The wall without the ends that are also read as leads: the text does not say which of the two
+    /// they are.
+    pub sure: Vec<PlaneCurve>,
 }
 
 /// Directions at the start of a curve: along it, and to the tool.
@@ -244,31 +245,36 @@ pub fn program(dice: &mut Dice) -> Option<Program> {
         start,
         chain,
         end,
+        sure: wall.curves.clone(),
         wall: wall.curves,
-        open_ends: Vec::new(),
-        undecided: false,
+        is_open: false,
     })
 }
 
-/// The first or last block of an open wall is an arc of up to half a turn about the tool, tangent to the next
+/// Whether the end block of an open wall is an arc of up to half a turn about the tool, tangent to the next
 /// and of another circle: the same words roll a tool onto the next block and off it.
-fn ends_as_a_lead_does(wall: &[PlaneCurve], side: Side, radius: f64) -> bool {
-    let is_one = |end: &PlaneCurve, next: &PlaneCurve, sign: f64| {
-        let PlaneCurve::Arc { center, radius: of_end, sweep, .. } = *end else { return false };
-        let same_circle = matches!(*next, PlaneCurve::Arc { center: about, radius: other, .. }
-            if about.distance(center) < 0.01 && (other - of_end).abs() < 0.01);
-        let leaves = frame(&end.reversed(), 1.0).0 * -1.0;
-        let bend = leaves.cross(frame(next, 1.0).0).abs();
-        let is_tangent = bend < 0.03 && leaves.dot(frame(next, 1.0).0) > 0.0;
-        sweep * sign > 0.0
-            && sweep.abs() <= PI + 1e-6
-            && of_end >= radius - 0.01
-            && is_tangent
-            && !same_circle
-    };
+fn is_as_a_lead(end: &PlaneCurve, next: &PlaneCurve, side: f64, radius: f64) -> bool {
+    let PlaneCurve::Arc { center, radius: of_end, sweep, .. } = *end else { return false };
+    let same_circle = matches!(*next, PlaneCurve::Arc { center: about, radius: other, .. }
+        if about.distance(center) < 0.01 && (other - of_end).abs() < 0.01);
+    let leaves = frame(&end.reversed(), 1.0).0 * -1.0;
+    let bend = leaves.cross(frame(next, 1.0).0).abs();
+    let is_tangent = bend < 0.03 && leaves.dot(frame(next, 1.0).0) > 0.0;
+    sweep * side > 0.0
+        && sweep.abs() <= PI + 1e-6
+        && of_end >= radius - 0.01
+        && is_tangent
+        && !same_circle
+}
+
+/// The blocks of an open wall that can be nothing but wall. An end beyond which there is a lead with the
+/// offset on is one of them: then that lead is the end of the chain.
+fn sure_of(wall: &[PlaneCurve], side: f64, radius: f64, led: [bool; 2]) -> Vec<PlaneCurve> {
     let count = wall.len();
     let [last, before] = [wall[count - 1].reversed(), wall[count - 2].reversed()];
-    is_one(&wall[0], &wall[1], side.sign()) || is_one(&last, &before, -side.sign())
+    let first_may_lead = !led[0] && is_as_a_lead(&wall[0], &wall[1], side, radius);
+    let last_may_lead = !led[1] && is_as_a_lead(&last, &before, -side, radius);
+    wall[usize::from(first_may_lead)..count - usize::from(last_may_lead)].to_vec()
 }
 
 /// A few blocks of a closed wall, entered and left by a line or an arc.
@@ -287,6 +293,7 @@ fn open_wall(dice: &mut Dice) -> Option<Program> {
     maker.side = -maker.side;
     let last = wall[count - 1].reversed();
     let lead_out = if maker.dice.unit() < 0.5 { maker.line(&last) } else { maker.rolled(&last) };
+    let led = [!lead_in.blocks.is_empty(), !lead_out.blocks.is_empty()];
     let mut chain = lead_in.blocks;
     chain.extend(&wall);
     chain.extend(reversed(&lead_out.blocks));
@@ -297,8 +304,8 @@ fn open_wall(dice: &mut Dice) -> Option<Program> {
         start: lead_in.start,
         chain,
         end: lead_out.start,
-        open_ends: vec![first.from(), last.from()],
-        undecided: ends_as_a_lead_does(&wall, side, radius),
+        is_open: true,
+        sure: sure_of(&wall, side.sign(), radius, led),
         wall,
     })
 }
@@ -324,6 +331,7 @@ fn pocket_with_island(dice: &mut Dice) -> Program {
     chain.extend(&island);
     let out = (island[0].from() - center).normalized().unwrap();
     let end = island[0].from() + out * (2.0 * radius);
-    let (name, open_ends) = ("pocket with island".into(), Vec::new());
-    Program { name, side: Side::Left, radius, start, chain, end, wall, open_ends, undecided: false }
+    let name = "pocket with island".into();
+    let sure = wall.clone();
+    Program { name, side: Side::Left, radius, start, chain, end, wall, is_open: false, sure }
 }

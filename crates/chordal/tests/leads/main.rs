@@ -4,22 +4,22 @@
 //!
 //! A longer run: `CHORDAL_ROUNDS=100000 cargo test --release -p chordal --test leads`.
 
-#[path = "../../../chordal-path/tests/support/mod.rs"]
-mod support;
+#[path = "../random_contour/mod.rs"]
+mod random_contour;
 
 mod forms;
 mod walls;
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 use chordal::control::Origin;
 use chordal::geometry::Vec2;
-use chordal::path::gouge::{PlaneCurve, Side};
+use chordal::path::gouge::PlaneCurve;
 use chordal::path::{ContourCheck, ContourLevel, ContourPiece, PathCommand, PathSink};
-use chordal::{Code, Diagnostic, Job, Machine, Source, SourceMap};
+use chordal::{Code, Diagnostic};
 use forms::Program;
-use support::{Dice, point_distance};
+use random_contour::support::{self, Dice, point_distance};
+use random_contour::{run, text_of};
 
 /// What is deeper by less than this on a few samples may be missed by either method, mm.
 const SURE_MM: f64 = 0.004;
@@ -65,45 +65,14 @@ impl PathSink for Seen {
     }
 }
 
-fn text_of(program: &Program) -> String {
-    let code = if program.side == Side::Left { "G41" } else { "G42" };
-    let mut text = String::from("G21 G90 G17 G40\nT1 M6\nS1000 M3\n");
-    let at = |p: Vec2| format!("X{:.9} Y{:.9}", p.a, p.b);
-    let first = program.chain[0].from();
-    writeln!(text, "G0 {}\nG1 {code} D1 {} F100.", at(program.start), at(first)).unwrap();
-    for curve in &program.chain {
-        match *curve {
-            PlaneCurve::Line { to, .. } => writeln!(text, "G1 {}", at(to)),
-            PlaneCurve::Arc { center, sweep, .. } => {
-                let arm = center - curve.from();
-                let g = if sweep > 0.0 { "G3" } else { "G2" };
-                writeln!(text, "{g} {} I{:.9} J{:.9}", at(curve.to()), arm.a, arm.b)
-            }
-        }
-        .unwrap();
-    }
-    writeln!(text, "G1 G40 {}\nM30", at(program.end)).unwrap();
-    text
-}
-
-fn run(text: &str, radius: f64) -> Seen {
-    let mut machine = Machine::from_builtin("fanuc-30i").unwrap();
-    for assignment in [
-        format!("tools.1.diameter={} mm", 2.0 * radius),
-        "settings.outside_corner=arc".into(),
-        // The contours have more decimals than the control.
-        "settings.excess_decimals=exact".into(),
-        "settings.most_digits=0".into(),
-    ] {
-        machine.set(&assignment).unwrap();
-    }
-    let mut sources = SourceMap::new();
-    sources.add(Source::new("random.nc", text.as_bytes()));
-    let job = Job::new(sources, machine).unwrap();
-    let mut seen = Seen::default();
-    job.compensated(None, &mut seen);
+fn seen_of(program: &Program) -> Seen {
+    let mut seen: Seen = run(&text(program), program.radius);
     seen.finish();
     seen
+}
+
+fn text(program: &Program) -> String {
+    text_of(program.side, program.start, &program.chain, program.end)
 }
 
 /// Walls that are looked at from one point after the other.
@@ -192,6 +161,16 @@ enum Answer {
     Missed,
 }
 
+/// An open wall is cut near its ends only, and that a lead cuts there is told.
+fn told_at_ends(wall: &[PlaneCurve], program: &Program, seen: &Seen) -> bool {
+    let (Some(first), Some(last)) = (wall.first(), wall.last()) else { return false };
+    let away = || {
+        let ends = [first.from(), last.to()];
+        sampled(&Walls::of(wall), &seen.path, program.radius, &ends)
+    };
+    program.is_open && !seen.at_leads.is_empty() && away() >= program.radius - SURE_MM
+}
+
 fn answer(program: &Program, seen: &Seen) -> Answer {
     let walls = Walls::of(&program.wall);
     let radius = program.radius;
@@ -211,12 +190,16 @@ fn answer(program: &Program, seen: &Seen) -> Answer {
         };
     }
     if cut {
-        let away = sampled(&walls, &seen.path, radius, &program.open_ends);
-        let at_end = !program.open_ends.is_empty() && away >= radius - SURE_MM;
-        return match (at_end && !seen.at_leads.is_empty(), program.undecided) {
-            (true, _) => Answer::AtEnd,
-            (false, true) => Answer::Undecided,
-            (false, false) => Answer::Missed,
+        if told_at_ends(&program.wall, program, seen) {
+            return Answer::AtEnd;
+        }
+        // The other reading has to answer for all that is cut: nothing is, or it is told at the ends.
+        let is_clean = sampled(&Walls::of(&program.sure), &seen.path, radius, &[]);
+        let is_clean = is_clean >= radius - SURE_MM;
+        let reads_both_ways = program.sure.len() < program.wall.len();
+        return match reads_both_ways && (is_clean || told_at_ends(&program.sure, program, seen)) {
+            true => Answer::Undecided,
+            false => Answer::Missed,
         };
     }
     match surely_beyond(&walls, &seen.path, radius - LEAST_DEPTH_MM + 1e-5) {
@@ -234,7 +217,7 @@ fn leads_are_no_walls_and_walls_are_no_leads() {
     for seed in 0..rounds {
         let mut dice = Dice::new(seed + 900_000);
         let Some(program) = forms::program(&mut dice) else { continue };
-        let seen = run(&text_of(&program), program.radius);
+        let seen = seen_of(&program);
         let answer = answer(&program, &seen);
         *counts.entry(answer).or_default() += 1;
         if matches!(answer, Answer::False | Answer::Missed) {
@@ -260,9 +243,8 @@ fn one_round() {
     };
     let mut dice = Dice::new(seed + 900_000);
     let Some(program) = forms::program(&mut dice) else { return };
-    let text = text_of(&program);
-    let seen = run(&text, program.radius);
-    println!("({}, radius {})\n{text}", program.name, program.radius);
+    let seen = seen_of(&program);
+    println!("({}, radius {})\n{}", program.name, program.radius, text(&program));
     println!("{:?} {:?} {:?}", answer(&program, &seen), seen.gouges, seen.at_leads);
     let least = sampled(&Walls::of(&program.wall), &seen.path, program.radius, &[]);
     println!("{least} of {}", program.radius);
