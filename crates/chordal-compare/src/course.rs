@@ -11,6 +11,7 @@ use chordal::{Job, PathCommand, Report, Segment, Watch};
 use crate::Mapping;
 use crate::Options;
 use crate::machine_places::MachinePlaces;
+use crate::pecks::Pecks;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
 #[derive(Debug)]
@@ -21,6 +22,8 @@ pub(crate) struct Course {
     /// Rotary axes A B C at both ends of a move, rad, by the numbers that moves have.
     pub(crate) turns: Vec<[[f64; 3]; 2]>,
     pub(crate) report: Report,
+    /// Holes whose steps are one cut here.
+    pub(crate) pecks: Vec<Pecks>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +120,8 @@ impl Course {
         } else {
             job.report_watched(&mut gather)
         };
-        Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
+        let Gather { steps, states, turns, .. } = gather;
+        Course { steps, states, turns, report, pecks: Vec::new() }
     }
 
     /// The run was given up before its end.

@@ -76,8 +76,13 @@ pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Compari
 fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
     let mut a = Course::of(whole, options, None);
     let begins = begins(&a, parts);
-    let mut b =
-        Course { steps: Vec::new(), states: Vec::new(), turns: Vec::new(), report: empty() };
+    let mut b = Course {
+        steps: Vec::new(),
+        states: Vec::new(),
+        turns: Vec::new(),
+        report: empty(),
+        pecks: Vec::new(),
+    };
     for (part, of_a) in parts.iter().zip(begins) {
         let of_b = b.steps.len();
         join(&mut b, part, options);

@@ -2,6 +2,7 @@
 
 mod documents;
 mod forms;
+mod kept;
 mod random;
 mod suite;
 
