@@ -464,6 +464,7 @@ impl Program {
         tolerance_mm: f64,
         digits: Option<usize>,
         despite_errors: bool,
+        exact_cycles: bool,
     ) -> PyResult<String> {
         let options =
             rewrite::convert::Options { tolerance_mm, digits, despite_errors, exact_cycles };

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chordal::control::{Action, Modal, Origin};
 use chordal::{Command, Diagnostic, Job, RunSink, Sink};
 
 use super::{MACHINES, converted, job_of, text_of};
@@ -26,12 +27,9 @@ impl RunSink for Drilled {
         true
     }
 
-    fn block_done(
-        &mut self,
-        _: &chordal::control::Origin,
-        _: &dyn Fn() -> chordal::control::Modal,
-    ) {
-        self.blocks += u32::from(std::mem::take(&mut self.open));
+    fn block_done(&mut self, _: &Origin, modal: &dyn Fn() -> Modal) {
+        let in_cycle = modal().motion.is_some_and(|motion| Action::from(motion).cycle().is_some());
+        self.blocks += u32::from(std::mem::take(&mut self.open) && in_cycle);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Programs of one control carried over to the others.
 
+mod cycles;
 mod documents;
 mod forms;
 mod kept;

@@ -9,6 +9,8 @@ use chordal::control::table::DwellWord;
 use chordal::control::{Action, AfterCode, ModeCode, OnceCode};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
 
+use chordal::geometry::Plane;
+
 use super::codes;
 use super::context::Context;
 use super::draft::{Draft, Expand};
@@ -53,6 +55,7 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
     count(context, draft, run);
     let letters = draft.block.letters();
     return_level(context, draft, at);
+    levels(context, draft, run);
     first_hole(context, draft, run)?;
     if kind.is_tap() {
         if draft.block.words.iter().any(|word| word.comma) {
@@ -71,6 +74,38 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
 
 fn needs_p(control: &Control) -> bool {
     control.parameters.rules.cycles.needs_p
+}
+
+/// R and the depth, where the new control does not take the level of the tool for R, or forgets both when
+/// another cycle begins.
+fn levels(context: &Context, draft: &mut Draft, run: &Exec) {
+    let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
+    let forgets = one.keeps_words && !other.keeps_words;
+    let wants_r = forgets || (one.missing_r != other.missing_r);
+    let cuts: Vec<_> = context
+        .trace
+        .commands_of(run)
+        .iter()
+        .filter_map(|command| match &command.kind {
+            CommandKind::Line { motion, .. } if command.origin.cycle => Some(motion),
+            _ => None,
+        })
+        .collect();
+    let is_known = run.after.plane == Plane::Xy && !run.after.incremental;
+    let Some(first) = cuts.first().filter(|_| is_known) else { return };
+    let bottom = cuts.iter().map(|cut| cut.to[2]).fold(first.to[2], f64::min);
+    let letters = draft.block.letters();
+    let title = context.to.table.title;
+    let digits = numbers::digits(context.to, run.after.units);
+    let text = |mm| numbers::length(mm, run.after.units, digits, context.style());
+    if forgets && !letters.has(b'Z') {
+        let reason = format!("{title} forgets the depth when another cycle begins");
+        draft.append(format!("Z{}", text(bottom)), reason);
+    }
+    if wants_r && !letters.has(b'R') && !context.to.table.lexicon.registers {
+        let reason = format!("{title} needs R here");
+        draft.append(format!("R{}", text(first.from[2])), reason);
+    }
 }
 
 /// G98 or G99 where the program relies on the one that its own control begins with.
