@@ -70,7 +70,7 @@ const FORMS: &[Form] = &[
 
 fn code(kind: CycleKind, table: &ControlTable) -> Option<String> {
     let row = table.g_codes.iter().find(|row| row.action == Action::Cycle(kind))?;
-    Some(row.name('G' as u8))
+    Some(row.name(b'G'))
 }
 
 fn program(on: &str, form: &Form) -> Option<String> {
@@ -85,7 +85,7 @@ fn program(on: &str, form: &Form) -> Option<String> {
     ))
 }
 
-/// How many holes were drilled by canned cycles, and how many cuts they took.
+/// How many cuts canned cycles made.
 #[derive(Default)]
 struct Cuts(u32);
 
@@ -106,15 +106,12 @@ fn cuts(job: &Job) -> u32 {
     cuts.0
 }
 
-fn became(old: &Job, found: &Conversion) -> String {
+fn became(found: &Conversion) -> String {
     if !found.holds() {
         return verdict(found);
     }
     let new = found.job("new").expect("a job");
-    match (cuts(&new), cuts(old)) {
-        (0, _) => "written out".into(),
-        _ => "kept".into(),
-    }
+    if cuts(&new) == 0 { "written out".into() } else { "kept".into() }
 }
 
 fn each(mut look: impl FnMut(&Form, &str, &Job, &str)) {
@@ -141,8 +138,9 @@ fn each_cycle_on_each_control() {
             table += &format!("{head}\n");
             last = head;
         }
-        table += &format!("    {on} to {to}: {}\n", became(old, &found));
-        for change in &found.pecks {
+        table += &format!("    {on} to {to}: {}\n", became(&found));
+        // The other blocks are as the first.
+        if let Some(change) = found.pecks.first() {
             let side = |side: usize| {
                 let one = &change.readings[side];
                 let length = |mm: Option<f64>| mm.map_or("-".into(), |mm| format!("{mm:.3}"));
@@ -224,8 +222,11 @@ fn exact_cycles_make_the_same_moves() {
         assert!(found.pecks.is_empty());
         let default = convert(old, &machine(to), &Options::default());
         assert_eq!(found.holds(), default.holds(), "{on} to {to}: {:?} {}", form.kind, form.words);
-        // What needs no word about its pecks is the same text with and without.
-        if default.holds() && default.pecks.is_empty() {
+        // What needs no word about its pecks is the same text with and without; of pecks this is known before
+        // the run only where the settings are the same.
+        let has_same_lifts = [on, to].iter().all(|name| [FANUC, MITSUBISHI].contains(name));
+        let is_settled = !form.kind.is_peck() || has_same_lifts;
+        if default.holds() && default.pecks.is_empty() && is_settled {
             assert_eq!(found.text, default.text, "{on} to {to}: {:?} {}", form.kind, form.words);
         }
     });
