@@ -6,6 +6,7 @@
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
+mod arcs;
 pub(crate) mod codes;
 mod comments;
 mod context;
@@ -18,6 +19,7 @@ mod initial;
 mod layout;
 mod macros;
 pub(crate) mod numbers;
+mod offsets;
 mod pecks;
 mod plan;
 mod rendered;
