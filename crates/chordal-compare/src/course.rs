@@ -11,7 +11,6 @@ use chordal::{Job, PathCommand, Report, Segment, Watch};
 use crate::Mapping;
 use crate::Options;
 use crate::machine_places::MachinePlaces;
-use crate::pecks::Pecks;
 
 /// A run: its moves, each with the state that it is made in, and what happens between them.
 #[derive(Debug)]
@@ -22,8 +21,6 @@ pub(crate) struct Course {
     /// Rotary axes A B C at both ends of a move, rad, by the numbers that moves have.
     pub(crate) turns: Vec<[[f64; 3]; 2]>,
     pub(crate) report: Report,
-    /// Holes whose steps are one cut here.
-    pub(crate) pecks: Vec<Pecks>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +118,7 @@ impl Course {
             job.report_watched(&mut gather)
         };
         let Gather { steps, states, turns, .. } = gather;
-        Course { steps, states, turns, report, pecks: Vec::new() }
+        Course { steps, states, turns, report }
     }
 
     /// The run was given up before its end.

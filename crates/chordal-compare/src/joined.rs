@@ -76,13 +76,8 @@ pub fn compare_joined(whole: &Job, parts: &[Part], options: &Options) -> Compari
 fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
     let mut a = Course::of(whole, options, None);
     let begins = begins(&a, parts);
-    let mut b = Course {
-        steps: Vec::new(),
-        states: Vec::new(),
-        turns: Vec::new(),
-        report: empty(),
-        pecks: Vec::new(),
-    };
+    let mut b =
+        Course { steps: Vec::new(), states: Vec::new(), turns: Vec::new(), report: empty() };
     for (part, of_a) in parts.iter().zip(begins) {
         let of_b = b.steps.len();
         join(&mut b, part, options);
@@ -90,7 +85,7 @@ fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
             arrive([&mut a, &mut b], [of_a, of_b], options.tolerance_mm.max(SAME_MM));
         }
     }
-    conclude([whole, whole], a, b, options)
+    conclude([whole, whole], a, b, &Default::default(), options)
 }
 
 /// The steps of the whole at which its parts begin: after the last one that a block before them makes.

@@ -185,10 +185,9 @@ pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) ->
     if *mapping != Mapping::default() {
         a.map(mapping);
     }
-    for (course, lines) in [&mut a, &mut b].into_iter().zip(&options.free_pecks) {
-        course.join_pecks(lines);
-    }
-    conclude(jobs, a, b, options)
+    let [lines_a, lines_b] = &options.free_pecks;
+    let holes = [pecks::join(&mut a, lines_a), pecks::join(&mut b, lines_b)];
+    conclude(jobs, a, b, &holes, options)
 }
 
 /// Walks along two runs.
@@ -196,6 +195,7 @@ fn conclude(
     jobs: [&Job; 2],
     a: course::Course,
     b: course::Course,
+    holes: &[Vec<Pecks>; 2],
     options: &Options,
 ) -> Comparison {
     if [&a, &b].into_iter().any(course::Course::was_interrupted) {
@@ -209,7 +209,7 @@ fn conclude(
     walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
-    let pecks = pecks::compare([&a.pecks, &b.pecks], options.tolerance_mm, &mut found);
+    let pecks = pecks::compare(holes, options.tolerance_mm, &mut found.differences);
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);

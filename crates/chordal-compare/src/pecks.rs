@@ -12,7 +12,6 @@ use chordal::geometry::{Curve, Line, Vec3};
 use crate::SAME_MM;
 use crate::course::{Course, Moved, Speed, Step, Way};
 use crate::difference::{Blocks, Category, Difference, Place};
-use crate::walk::Found;
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
 const SAME_STEP_MM: f64 = 1e-6;
@@ -85,14 +84,14 @@ impl Pecks {
 /// The holes of two runs that are drilled in other steps. Holes that do not belong together are a
 /// difference of the paths.
 pub(crate) fn compare(
-    holes: [&[Pecks]; 2],
+    holes: &[Vec<Pecks>; 2],
     tolerance_mm: f64,
-    found: &mut Found,
+    differences: &mut Vec<Difference>,
 ) -> Vec<[Pecks; 2]> {
     let tolerance_mm = tolerance_mm.max(SAME_STEP_MM);
     let mut others = Vec::new();
     for at in 0..holes[0].len().max(holes[1].len()) {
-        let [one, other] = holes.map(|holes| holes.get(at));
+        let [one, other] = holes.each_ref().map(|holes| holes.get(at));
         match (one, other) {
             (Some(one), Some(other)) if one.is_hole(other, tolerance_mm) => {
                 if !one.has_same_steps(other) {
@@ -102,7 +101,7 @@ pub(crate) fn compare(
             _ => {
                 let blocks = [one, other].map(|hole| hole.map(|hole| Blocks::at(hole.place)));
                 let steps = blocks.map(|at| u64::from(at.is_some()));
-                found.differences.push(Difference::new(Category::Path, blocks, steps, None));
+                differences.push(Difference::new(Category::Path, blocks, steps, None));
                 break;
             }
         }
@@ -110,29 +109,29 @@ pub(crate) fn compare(
     others
 }
 
-impl Course {
-    /// Joins the steps of the holes that canned cycles of these lines drill.
-    pub(crate) fn join_pecks(&mut self, lines: &BTreeSet<u32>) {
-        if lines.is_empty() {
-            return;
-        }
-        let old = std::mem::take(&mut self.steps);
-        let mut at = 0;
-        while at < old.len() {
-            let hole = match &old[at] {
-                Step::Move(moved) if lines.contains(&moved.origin.line) => hole(&old, at, moved),
-                _ => None,
-            };
-            let Some((pecks, joined, next)) = hole else {
-                self.steps.push(old[at].clone());
-                at += 1;
-                continue;
-            };
-            self.steps.push(Step::Move(joined));
-            self.pecks.push(pecks);
-            at = next;
-        }
+/// Joins the steps of the holes that canned cycles of these lines drill, and says what they were.
+pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
+    let mut holes = Vec::new();
+    if lines.is_empty() {
+        return holes;
     }
+    let old = std::mem::take(&mut course.steps);
+    let mut at = 0;
+    while at < old.len() {
+        let found = match &old[at] {
+            Step::Move(moved) if lines.contains(&moved.origin.line) => hole(&old, at, moved),
+            _ => None,
+        };
+        let Some((pecks, joined, next)) = found else {
+            course.steps.push(old[at].clone());
+            at += 1;
+            continue;
+        };
+        course.steps.push(Step::Move(joined));
+        holes.push(pecks);
+        at = next;
+    }
+    holes
 }
 
 /// The hole whose first cut is a step, that cut down to its bottom, and the step after it.
