@@ -55,6 +55,9 @@ class Conversion:
     refusals: tuple[Refusal, ...]
     #: The old program on its machine against the new one on the other.
     proof: Comparison | None
+    #: Cycles that stay although the new control makes their pecks in other steps, as in the JSON of
+    #: ``chordal convert``; none with ``exact_cycles``.
+    pecks: tuple[Mapping[str, Any], ...] = ()
 
 
 def comparison(document: Mapping[str, Any]) -> Comparison:
@@ -72,4 +75,5 @@ def conversion(document: Mapping[str, Any]) -> Conversion:
         tuple(Change(**change) for change in document["changes"]),
         tuple(Refusal(**refusal) for refusal in document["refusals"]),
         None if proof is None else comparison(proof),
+        tuple(document["pecks"]),
     )

@@ -434,10 +434,12 @@ class Program:
         tolerance: float = 0.005,
         digits: int | None = None,
         despite_errors: bool = False,
+        exact_cycles: bool = False,
     ) -> Conversion:
         """The program for another machine, each change with its reason, and the new program held against this
         one: see ``holds``. Where a form must be written out, the path is within ``tolerance`` mm; ``digits``
-        are those behind the point of computed words.
+        are those behind the point of computed words. A cycle stays where only its pecks differ, which
+        ``pecks`` tells; ``exact_cycles`` writes it out as moves.
 
         >>> import chordal
         >>> fadal = chordal.loads("G0 G90 E1 X1. Y1.\\nM2\\n", "fadal-4020")
@@ -445,7 +447,7 @@ class Program:
         G54
         """
         told = self._program.convert(
-            machine_of(to)._machine, float(tolerance), digits, despite_errors
+            machine_of(to)._machine, float(tolerance), digits, despite_errors, exact_cycles
         )
         return _held.conversion(json.loads(told))
 

@@ -74,6 +74,10 @@ pub struct Args {
     #[arg(long)]
     despite_errors: bool,
 
+    /// Writes cycles out as moves where the new machine makes their pecks in other steps
+    #[arg(long)]
+    exact_cycles: bool,
+
     /// Writes the program even if the motion is not the same
     #[arg(long)]
     unproved: bool,
@@ -95,6 +99,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         tolerance_mm: args.tolerance,
         digits: args.digits.map(usize::from),
         despite_errors: args.despite_errors,
+        exact_cycles: args.exact_cycles,
     };
     let found = convert(&job, &target, &options);
     if let Some(path) = &args.certificate {
@@ -171,9 +176,12 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     let within = found.certificate.as_ref().is_some_and(|certificate| {
         certificate.comparison.verdict == chordal_compare::Verdict::Within
     });
+    let but = if found.pecks.is_empty() { "" } else { " except for pecks" };
     text += &match (found.holds(), found.refusals.is_empty()) {
-        (true, _) if within => format!("{changes}; the motion is the same within the tolerance\n"),
-        (true, _) => format!("{changes}; the motion is the same\n"),
+        (true, _) if within => {
+            format!("{changes}; the motion is the same within the tolerance{but}\n")
+        }
+        (true, _) => format!("{changes}; the motion is the same{but}\n"),
         (false, true) => format!("{changes}; the motion is not the same\n"),
         (false, false) => format!("{refused} cannot be converted\n"),
     };
@@ -188,6 +196,8 @@ fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -
     }
     if let Some(certificate) = &found.certificate {
         text += &proof(found, certificate, job);
+        let units = Units::of(certificate.comparison.reports[0].summary.inch);
+        text += &crate::pecks::text(&found.pecks, [from, to], units);
     }
     let Some(path) = output.filter(|path| *path != Path::new("-")) else { return text };
     text += &match may_write {

@@ -35,6 +35,7 @@ mod options;
 mod out;
 mod output;
 mod path;
+mod pecks;
 mod programs;
 mod readings;
 mod report;

@@ -60,3 +60,29 @@ fn what_is_not_proved_is_not_written() {
     assert!(!folder.names().contains(&"out.nc".to_string()));
     folder.run(&["convert", "part.nc", "--to", "no-such-machine"]).ends(2);
 }
+
+#[test]
+fn pecks_of_a_kept_cycle_are_told_and_exact_cycles_are_written_out() {
+    let folder = folder();
+    let text = "G20 G90 E1\nT1 M6\nS1000 M3\nG0 X0 Y0\nH1 Z1.\nG83 G98 X1. Y0 Z-1. R0+.1 Q.3 F10.\nX2.\n\
+                G80\nM2\n";
+    folder.write("holes.nc", text);
+    let line = ["convert", "holes.nc", "-m", "fadal-4020", "--to", "haas-vf2"];
+    folder.run(&[&line[..], &["-o", "kept.nc"]].concat()).ends(0).says(&[
+        "the motion is the same except for pecks",
+        "G83 in 2 blocks (2 holes), first in line 6: the holes are the same, their pecks are not",
+        "fadal-4020: 4 pecks of 0.3 in at most; the rapid back stops 0.05 in above the last depth",
+        "haas-vf2: 4 pecks of 0.3 in at most; the rapid back stops 0.02 in above the last depth (Setting 22)",
+    ]);
+    assert!(folder.read("kept.nc").contains("\nG83 G98 X1. Y0 Z-1. R.1 Q.3 F10.\nX2.\n"));
+    let json = folder.run(&[&line[..], &["--format", "json"]].concat()).ends(0);
+    let found: Value = serde_json::from_str(&json.out).unwrap();
+    let places: Vec<_> =
+        found["pecks"].as_array().unwrap().iter().map(|one| &one["line"]).collect();
+    assert_eq!(places, [6, 7]);
+    assert_eq!(found["pecks"][0]["new"]["clearance_setting"], "Setting 22");
+    let exact = [&line[..], &["--exact-cycles", "-o", "exact.nc"]].concat();
+    let done = folder.run(&exact).ends(0).says(&["the motion is the same\n"]);
+    assert!(!done.out.contains("pecks"), "{}", done.out);
+    assert!(!folder.read("exact.nc").contains("\nG83"), "{}", folder.read("exact.nc"));
+}

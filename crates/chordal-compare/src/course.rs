@@ -117,7 +117,8 @@ impl Course {
         } else {
             job.report_watched(&mut gather)
         };
-        Course { steps: gather.steps, states: gather.states, turns: gather.turns, report }
+        let Gather { steps, states, turns, .. } = gather;
+        Course { steps, states, turns, report }
     }
 
     /// The run was given up before its end.

@@ -85,7 +85,7 @@ fn joined(whole: &Job, parts: &[Part], options: &Options) -> Comparison {
             arrive([&mut a, &mut b], [of_a, of_b], options.tolerance_mm.max(SAME_MM));
         }
     }
-    conclude([whole, whole], a, b, options)
+    conclude([whole, whole], a, b, &Default::default(), options)
 }
 
 /// The steps of the whole at which its parts begin: after the last one that a block before them makes.

@@ -34,15 +34,19 @@ mod difference;
 mod frechet;
 mod joined;
 mod machine_places;
+mod pecks;
 mod problems;
 mod steps;
 mod walk;
+
+use std::collections::BTreeSet;
 
 use chordal::geometry::Transform;
 use chordal::{Job, Machine, Report};
 
 pub use difference::{Blocks, Category, Difference, Place, Value};
 pub use joined::{Kept, Part, compare_joined};
+pub use pecks::Pecks;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
 /// computed from a radius; no control computes as finely.
@@ -70,6 +74,9 @@ pub struct Options {
     /// The two are meant to make the same moves: where both make as many of the same kinds, they are held
     /// against each other one by one in their order, and moves between places that are not known not at all.
     pub in_step: bool,
+    /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
+    /// cut from R to its bottom, and how the steps differ is told apart ([`Comparison::pecks`]).
+    pub free_pecks: [BTreeSet<u32>; 2],
 }
 
 impl Default for Options {
@@ -83,6 +90,7 @@ impl Default for Options {
             ignored: Vec::new(),
             kept: 1000,
             in_step: false,
+            free_pecks: Default::default(),
         }
     }
 }
@@ -138,6 +146,8 @@ pub struct Comparison {
     pub dropped: u64,
     /// How many moves each has.
     pub moves: [u64; 2],
+    /// Holes that the two drill in other steps, where they may.
+    pub pecks: Vec<[Pecks; 2]>,
     /// What the runs themselves found.
     pub reports: [Report; 2],
 }
@@ -168,14 +178,16 @@ fn have_same_places(a: &Machine, b: &Machine) -> bool {
 pub fn compare_mapped(a: &Job, b: &Job, options: &Options, mapping: &Mapping) -> Comparison {
     let jobs = [a, b];
     let is_moved = mapping.path != Transform::identity();
-    let [mut a, b] = jobs.map(|job| {
+    let [mut a, mut b] = jobs.map(|job| {
         let places = is_moved.then(|| machine_places::MachinePlaces::of(job));
         course::Course::of(job, options, places)
     });
     if *mapping != Mapping::default() {
         a.map(mapping);
     }
-    conclude(jobs, a, b, options)
+    let [lines_a, lines_b] = &options.free_pecks;
+    let holes = [pecks::join(&mut a, lines_a), pecks::join(&mut b, lines_b)];
+    conclude(jobs, a, b, &holes, options)
 }
 
 /// Walks along two runs.
@@ -183,6 +195,7 @@ fn conclude(
     jobs: [&Job; 2],
     a: course::Course,
     b: course::Course,
+    holes: &[Vec<Pecks>; 2],
     options: &Options,
 ) -> Comparison {
     if [&a, &b].into_iter().any(course::Course::was_interrupted) {
@@ -196,6 +209,7 @@ fn conclude(
     walk.along(&in_step.unwrap_or_else(|| align::align(&a, &b, grid_mm)));
     let mut found = walk.finish();
     problems::compare(jobs, [&a.report, &b.report], &mut found);
+    let pecks = pecks::compare(holes, options.tolerance_mm, &mut found.differences);
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let verified = a.report.verified() && b.report.verified();
     let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
@@ -216,6 +230,7 @@ fn conclude(
         differences: found.differences,
         dropped,
         moves: [&a, &b].map(course::Course::move_count),
+        pecks,
         reports: [a.report, b.report],
     }
 }
@@ -230,6 +245,7 @@ fn interrupted(courses: [course::Course; 2]) -> Comparison {
         differences: Vec::new(),
         dropped: 0,
         moves: courses.each_ref().map(course::Course::move_count),
+        pecks: Vec::new(),
         reports: courses.map(|course| course.report),
     }
 }

@@ -4,7 +4,7 @@ use chordal::Job;
 use chordal::control::PathMode;
 use chordal::diagnostics::{FileId, Span};
 use chordal_compare::{Blocks, Comparison, Difference, Place, Value as Had};
-use chordal_rewrite::convert::Conversion;
+use chordal_rewrite::convert::{Conversion, PeckChange, PeckReading};
 use serde_json::{Value, json};
 
 use crate::motion::spindle_word;
@@ -45,10 +45,32 @@ pub fn conversion_json(found: &Conversion, old: &Job) -> String {
         "holds": found.holds(),
         "refusals": refusals.collect::<Vec<Value>>(),
         "changes": changes.collect::<Vec<Value>>(),
+        "pecks": found.pecks.iter().map(peck_change).collect::<Vec<Value>>(),
         "proof": proof,
         "text": found.text,
     });
     format!("{document:#}\n")
+}
+
+fn peck_change(change: &PeckChange) -> Value {
+    let reading = |reading: &PeckReading| {
+        json!({
+            "pecks": reading.pecks,
+            "largest_step_mm": reading.largest_step_mm,
+            "clearance_mm": reading.clearance_mm,
+            "clearance_setting": reading.clearance_setting,
+            "above_r_mm": reading.above_r_mm,
+            "above_r_setting": reading.above_r_setting,
+        })
+    };
+    json!({
+        "line": change.lines[0],
+        "new_line": change.lines[1],
+        "cycle": change.cycle,
+        "holes": change.holes,
+        "old": reading(&change.readings[0]),
+        "new": reading(&change.readings[1]),
+    })
 }
 
 pub(crate) fn comparison(found: &Comparison, jobs: [&Job; 2], tolerance_mm: f64) -> Value {

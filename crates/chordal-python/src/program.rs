@@ -491,8 +491,10 @@ impl Program {
         tolerance_mm: f64,
         digits: Option<usize>,
         despite_errors: bool,
+        exact_cycles: bool,
     ) -> PyResult<String> {
-        let options = rewrite::convert::Options { tolerance_mm, digits, despite_errors };
+        let options =
+            rewrite::convert::Options { tolerance_mm, digits, despite_errors, exact_cycles };
         self.ask(py, |job| {
             let found = rewrite::convert::convert(job, &to.0, &options);
             Ok(conversion_json(&found, job))

@@ -19,6 +19,8 @@ pub(crate) struct Context<'a> {
     pub keeps_rotations: bool,
     /// Every rounding and chamfer of the program is the same on both.
     pub keeps_corners: bool,
+    /// Cycles stay only where their pecks are the same too.
+    pub exact_cycles: bool,
 }
 
 impl<'a> Context<'a> {

@@ -6,6 +6,7 @@
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
+mod arcs;
 pub(crate) mod codes;
 mod comments;
 mod context;
@@ -18,6 +19,8 @@ mod initial;
 mod layout;
 mod macros;
 pub(crate) mod numbers;
+mod offsets;
+mod pecks;
 mod plan;
 mod rendered;
 mod spiral;
@@ -26,7 +29,7 @@ mod tap;
 mod trace;
 mod translate;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::control::{RapidPath, Side};
 use chordal::machine::{AXIS_LETTERS, RapidShape, WorkOffset, work_offset_name};
@@ -37,6 +40,7 @@ use chordal_compare::{Category, Difference, Value};
 use self::context::Context;
 use self::layout::Layout;
 use self::macros::Macros;
+pub use self::pecks::{PeckChange, PeckReading};
 use self::plan::Plan;
 use self::rendered::Rendered;
 use self::structure::Structure;
@@ -53,11 +57,14 @@ pub struct Options {
     pub digits: Option<usize>,
     /// Problems that the program has on its own control do not keep it from being converted.
     pub despite_errors: bool,
+    /// A cycle whose pecks the new control makes in other steps is written out as moves; without it,
+    /// the cycle stays and what differs is reported.
+    pub exact_cycles: bool,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance_mm: 0.005, digits: None, despite_errors: false }
+        Options { tolerance_mm: 0.005, digits: None, despite_errors: false, exact_cycles: false }
     }
 }
 
@@ -83,6 +90,8 @@ pub struct Conversion {
     pub refusals: Vec<Refusal>,
     /// The new program on its machine compared with the old one on its own.
     pub certificate: Option<Certificate>,
+    /// Cycles that were kept although the new control makes their pecks in other steps.
+    pub pecks: Vec<PeckChange>,
     /// The job of the new text: the target machine with the tools and work offsets of the old one.
     pub machine: Machine,
 }
@@ -123,6 +132,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         changes: Vec::new(),
         refusals: own_problems(old, options),
         certificate: None,
+        pecks: Vec::new(),
         machine,
     };
     let Some(empty) = job("", String::new(), &conversion.machine) else {
@@ -151,6 +161,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         macros: &macros,
         keeps_rotations: frames::keeps_rotations(&source, from, to),
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
+        exact_cycles: options.exact_cycles,
     };
     let compensates = trace.commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != Side::Off)
@@ -163,7 +174,11 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
         let Rendered { lines, changes, refusals, printed, unwritten } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
-        let certificate = proof(old, &new, options, compensates, printed);
+        let free_pecks = match options.exact_cycles {
+            true => Default::default(),
+            false => pecks::lines(&context, &plan, &layout),
+        };
+        let certificate = proof(old, &new, options, free_pecks, compensates, printed);
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
             && round + 1 < MOST_ROUNDS
@@ -177,6 +192,7 @@ pub fn convert(old: &Job, target: &Machine, options: &Options) -> Conversion {
             conversion.text = layout.text;
             conversion.changes = changes;
             conversion.refusals = refusals;
+            conversion.pecks = pecks::changes(&context, &certificate);
             conversion.certificate = Some(certificate);
         }
         if !more {
@@ -204,12 +220,20 @@ fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, Refusal>) {
     conversion.refusals = tried.into_values().filter(differs).collect();
 }
 
-fn proof(old: &Job, new: &Job, options: &Options, compensates: bool, printed: bool) -> Certificate {
+fn proof(
+    old: &Job,
+    new: &Job,
+    options: &Options,
+    free_pecks: [BTreeSet<u32>; 2],
+    compensates: bool,
+    printed: bool,
+) -> Certificate {
     let compare = chordal_compare::Options {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
+        free_pecks,
         kept: 100_000,
         ..chordal_compare::Options::default()
     };

@@ -84,6 +84,11 @@ impl<'c, 'a> Plan<'c, 'a> {
         any
     }
 
+    /// A block that keeps its words.
+    pub fn is_kept(&self, at: usize) -> bool {
+        self.expand[at].is_none() && !self.is_flat(at)
+    }
+
     fn main_of(&self, at: usize) -> Option<usize> {
         self.context.source.mains.iter().position(|main| main.contains(&at))
     }

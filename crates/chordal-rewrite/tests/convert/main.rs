@@ -1,7 +1,9 @@
 //! Programs of one control carried over to the others.
 
+mod cycles;
 mod documents;
 mod forms;
+mod kept;
 mod random;
 mod suite;
 

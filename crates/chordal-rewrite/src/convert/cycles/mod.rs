@@ -1,10 +1,15 @@
 //! Canned cycles: the same words where both controls have the cycle.
 
+mod bores;
+mod meaning;
+mod pecks;
+
 use chordal::CommandKind;
-use chordal::control::CycleKind;
 use chordal::control::table::DwellWord;
 use chordal::control::{Action, AfterCode, ModeCode, OnceCode};
 use chordal::control::{Control, DefinitionFires, IncrementalLevels, TapFeed, Units};
+
+use chordal::geometry::Plane;
 
 use super::codes;
 use super::context::Context;
@@ -17,31 +22,40 @@ use crate::source::code_action;
 pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Result<(), Expand> {
     ending(context, draft, at);
     apart_from_motion(context, draft, at);
-    let kind = context.source.blocks[at].words.iter().find_map(|word| {
-        let action = code_action(word, context.from)?;
-        let pocket = action.once().is_some_and(OnceCode::is_pocket) && !context.same_control();
-        action.cycle().or(pocket.then_some(CycleKind::BackBore))
-    });
+    let codes = || {
+        let words = context.source.blocks[at].words.iter();
+        words.filter_map(|word| code_action(word, context.from))
+    };
+    let kind = codes().find_map(Action::cycle);
+    let pocket = codes().any(|action| action.once().is_some_and(OnceCode::is_pocket));
     let Some(run) = context.run(at) else { return Ok(()) };
     if places_alone(context, draft, at, run)? {
         return Ok(());
     }
-    count(context, draft, run);
-    let Some(kind) = kind else { return hole(context, run) };
     let title = context.to.table.title;
+    if pocket && !context.same_control() {
+        return Err(Expand(format!("{title} mills a pocket in another way")));
+    }
+    let Some(kind) = kind else {
+        count(context, draft, run);
+        return hole(context, run);
+    };
     if context.same_control() {
         return Ok(());
     }
-    let own = format!("{} works differently on {title}", kind.name());
-    if !same_cycle(kind, context.from, context.to) {
-        return Err(Expand(own));
-    }
+    meaning::is_kept(context, kind, run)?;
     if run.before.incremental
         && context.to.parameters.rules.cycles.incremental == IncrementalLevels::Refused
     {
         return Err(Expand(format!("{title} accepts cycles only in absolute coordinates")));
     }
+    if kind.is_peck() {
+        pecks::words(context, draft, kind, run)?;
+    }
+    count(context, draft, run);
     let letters = draft.block.letters();
+    return_level(context, draft, at);
+    levels(context, draft, run);
     first_hole(context, draft, run)?;
     if kind.is_tap() {
         if draft.block.words.iter().any(|word| word.comma) {
@@ -49,49 +63,76 @@ pub(crate) fn translate(context: &Context, draft: &mut Draft, at: usize) -> Resu
         }
         tap(context, draft, run)?;
     }
+    bores::words(context, draft, kind, run)?;
     if letters.has(b'P') {
         dwell(context, draft);
+    } else if kind.dwells() && needs_p(context.to) && !needs_p(context.from) {
+        draft.append("P0", format!("{title} needs P in this cycle"));
     }
     Ok(())
 }
 
-/// Cycles whose moves do not depend on how a control carries them out.
-fn same_cycle(kind: CycleKind, from: &Control, to: &Control) -> bool {
-    let [one, other] = [from, to].map(|control| control.parameters.rules.cycles);
-    let parameters = [&from.parameters, &to.parameters];
-    let approaches = one.axis == other.axis && one.approach == other.approach;
-    if codes::row(Action::Cycle(kind), to).is_none() || !(approaches || kind.is_tap()) {
-        return false;
+fn needs_p(control: &Control) -> bool {
+    control.parameters.rules.cycles.needs_p
+}
+
+/// R and the depth, where the new control does not take the level of the tool for R, or forgets both when
+/// another cycle begins.
+fn levels(context: &Context, draft: &mut Draft, run: &Exec) {
+    let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
+    let forgets = one.keeps_words && !other.keeps_words;
+    let wants_r = forgets || (one.missing_r != other.missing_r);
+    let cuts: Vec<_> = context
+        .trace
+        .commands_of(run)
+        .iter()
+        .filter_map(|command| match &command.kind {
+            CommandKind::Line { motion, .. } if command.origin.cycle => Some(motion),
+            _ => None,
+        })
+        .collect();
+    let is_known = run.after.plane == Plane::Xy && !run.after.incremental;
+    let Some(first) = cuts.first().filter(|_| is_known) else { return };
+    let bottom = cuts.iter().map(|cut| cut.to[2]).fold(first.to[2], f64::min);
+    let letters = draft.block.letters();
+    let title = context.to.table.title;
+    let digits = numbers::digits(context.to, run.after.units);
+    let text = |mm| numbers::length(mm, run.after.units, digits, context.style());
+    if forgets && !letters.has(b'Z') {
+        let reason = format!("{title} forgets the depth when another cycle begins");
+        draft.append(format!("Z{}", text(bottom)), reason);
     }
-    match kind {
-        CycleKind::Drill | CycleKind::DrillDwell => true,
-        // A tap cannot be written out: the spindle would not follow. The proof says what differs.
-        CycleKind::Tap | CycleKind::LeftTap => true,
-        CycleKind::BoreFeedOut | CycleKind::BoreDwell => {
-            one.bore.dwell_out_to_clear == other.bore.dwell_out_to_clear
-        }
-        CycleKind::ChipBreak => {
-            parameters[0].rules.chip_break_mm == parameters[1].rules.chip_break_mm
-                && one.peck.p_is_lift == other.peck.p_is_lift
-        }
-        CycleKind::Peck => {
-            parameters[0].rules.peck_clearance_mm == parameters[1].rules.peck_clearance_mm
-        }
-        CycleKind::BoreStop | CycleKind::BoreManual => true,
-        _ => false,
+    if wants_r && !letters.has(b'R') && !context.to.table.lexicon.registers {
+        let reason = format!("{title} needs R here");
+        draft.append(format!("R{}", text(first.from[2])), reason);
+    }
+}
+
+/// G98 or G99 where the program relies on the one that its own control begins with.
+fn return_level(context: &Context, draft: &mut Draft, at: usize) {
+    let [one, other] =
+        context.controls().map(|control| control.parameters.rules.cycles.starts_at_r);
+    let is_level = |action: Action| {
+        matches!(action, Action::Mode(ModeCode::ReturnInitial | ModeCode::ReturnToR))
+    };
+    let is_said = (0..=at).any(|block| context.source.has_action(block, context.from, is_level));
+    if one == other || is_said {
+        return;
+    }
+    let level = if one { ModeCode::ReturnToR } else { ModeCode::ReturnInitial };
+    if let Some(code) = codes::name(Action::Mode(level), context.to, context.style()) {
+        let title = context.to.table.title;
+        draft.lead(code, format!("{title} begins with the other level of return"));
     }
 }
 
 /// A hole of a cycle that a block before set up.
 fn hole(context: &Context, run: &Exec) -> Result<(), Expand> {
     let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(()) };
-    let makes_holes = context.in_cycle(run);
-    let same = context.same_control();
-    if !same && makes_holes && !same_cycle(kind, context.from, context.to) {
-        let title = context.to.table.title;
-        return Err(Expand(format!("{} works differently on {title}", kind.name())));
+    if context.same_control() || !context.in_cycle(run) {
+        return Ok(());
     }
-    Ok(())
+    meaning::is_kept(context, kind, run)
 }
 
 /// Holes on a circle or a line, or where the tool stands, as places: the cycle stays.
@@ -117,7 +158,7 @@ fn places_alone(
     }
     let Some(Action::Cycle(kind)) = run.after.motion else { return Ok(false) };
     let others = context.source.has_action(at, context.from, |action| !is_pattern(action));
-    if !same_cycle(kind, context.from, context.to) || others {
+    if meaning::is_kept(context, kind, run).is_err() || others {
         let title = context.to.table.title;
         return Err(Expand(format!("{title} has no code for these holes")));
     }
@@ -199,7 +240,7 @@ fn count(context: &Context, draft: &mut Draft, run: &Exec) {
     if one == other || !matches!(run.after.motion, Some(Action::Cycle(_))) {
         return;
     }
-    if let Some(word) = draft.place(one) {
+    if let Some(word) = draft.place(one).filter(|word| !draft.is_changed(*word)) {
         let new = format!("{}{}", char::from(other), &draft.written(word)[1..]);
         draft.replace(
             word,
@@ -257,7 +298,7 @@ fn tap(context: &Context, draft: &mut Draft, run: &Exec) -> Result<(), Expand> {
 /// P of a cycle.
 fn dwell(context: &Context, draft: &mut Draft) {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles);
-    let Some(p) = draft.place(b'P') else { return };
+    let Some(p) = draft.place(b'P').filter(|p| !draft.is_gone(*p)) else { return };
     let Some(number) = draft.block.words[p].number() else { return };
     let [one, other] = [one, other].map(|rules| DwellWord {
         letter: b'P',

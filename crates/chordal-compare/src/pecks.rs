@@ -1,0 +1,209 @@
+//! Holes drilled in steps: the steps as one cut from R to the bottom, and what they were.
+//!
+//! The steps of a hole are joined only if they take away the same as one cut: all on one line, each
+//! deeper than the one before, with rapids between that never go below what is drilled already, at one
+//! feed, with one state of spindle and coolant, and with nothing else between. What is not so stays as it
+//! is, and is compared move by move.
+
+use std::collections::BTreeSet;
+
+use chordal::geometry::{Curve, Line, Vec3};
+
+use crate::SAME_MM;
+use crate::course::{Course, Moved, Speed, Step, Way};
+use crate::difference::{Blocks, Category, Difference, Place};
+
+/// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
+const SAME_STEP_MM: f64 = 1e-6;
+
+/// The steps in which one hole is drilled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pecks {
+    /// The block.
+    pub place: Place,
+    /// Where the first cut begins (R), in the frame of the run, mm.
+    pub from_mm: [f64; 3],
+    /// The bottom.
+    pub to_mm: [f64; 3],
+    /// How deep below R each cut ends, mm.
+    pub depths_mm: Vec<f64>,
+    /// After each cut but the last, how deep below R the tool is at its highest, mm.
+    pub highest_mm: Vec<f64>,
+    /// After each cut but the last, how deep below R the next one begins, mm.
+    pub again_mm: Vec<f64>,
+}
+
+impl Pecks {
+    fn of(moved: &Moved, line: Line) -> Pecks {
+        Pecks {
+            place: Place::from(&moved.origin),
+            from_mm: line.start.to_array(),
+            to_mm: line.end.to_array(),
+            depths_mm: vec![moved.length_mm],
+            highest_mm: Vec::new(),
+            again_mm: Vec::new(),
+        }
+    }
+
+    /// The deepest step, mm.
+    pub fn largest_step_mm(&self) -> f64 {
+        let before = std::iter::once(&0.0).chain(&self.depths_mm);
+        before.zip(&self.depths_mm).map(|(from, to)| to - from).fold(0.0, f64::max)
+    }
+
+    /// How far above the last depth the rapid back stops at most, mm; nothing for a hole in one cut.
+    pub fn clearance_mm(&self) -> Option<f64> {
+        let ends = self.depths_mm.iter().zip(&self.again_mm);
+        ends.map(|(depth, again)| depth - again).reduce(f64::max)
+    }
+
+    /// How far above R the tool goes between cuts, mm: less than nothing where it stays below R.
+    pub fn above_r_mm(&self) -> Option<f64> {
+        self.highest_mm.iter().map(|depth| -depth).reduce(f64::max)
+    }
+
+    /// The same hole, whatever its steps.
+    fn is_hole(&self, other: &Pecks, tolerance_mm: f64) -> bool {
+        let is_near = |one: [f64; 3], other: [f64; 3]| {
+            Vec3::from_array(one).distance(Vec3::from_array(other)) <= tolerance_mm
+        };
+        is_near(self.from_mm, other.from_mm) && is_near(self.to_mm, other.to_mm)
+    }
+
+    fn has_same_steps(&self, other: &Pecks) -> bool {
+        let is_same = |one: &[f64], other: &[f64]| {
+            one.len() == other.len()
+                && one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SAME_STEP_MM)
+        };
+        is_same(&self.depths_mm, &other.depths_mm)
+            && is_same(&self.highest_mm, &other.highest_mm)
+            && is_same(&self.again_mm, &other.again_mm)
+    }
+}
+
+/// The holes of two runs that are drilled in other steps. Holes that do not belong together are a
+/// difference of the paths.
+pub(crate) fn compare(
+    holes: &[Vec<Pecks>; 2],
+    tolerance_mm: f64,
+    differences: &mut Vec<Difference>,
+) -> Vec<[Pecks; 2]> {
+    let tolerance_mm = tolerance_mm.max(SAME_STEP_MM);
+    let mut others = Vec::new();
+    for at in 0..holes[0].len().max(holes[1].len()) {
+        let [one, other] = holes.each_ref().map(|holes| holes.get(at));
+        match (one, other) {
+            (Some(one), Some(other)) if one.is_hole(other, tolerance_mm) => {
+                if !one.has_same_steps(other) {
+                    others.push([one.clone(), other.clone()]);
+                }
+            }
+            _ => {
+                let blocks = [one, other].map(|hole| hole.map(|hole| Blocks::at(hole.place)));
+                let steps = blocks.map(|at| u64::from(at.is_some()));
+                differences.push(Difference::new(Category::Path, blocks, steps, None));
+                break;
+            }
+        }
+    }
+    others
+}
+
+/// Joins the steps of the holes that canned cycles of these lines drill, and says what they were.
+pub(crate) fn join(course: &mut Course, lines: &BTreeSet<u32>) -> Vec<Pecks> {
+    let mut holes = Vec::new();
+    if lines.is_empty() {
+        return holes;
+    }
+    let old = std::mem::take(&mut course.steps);
+    let mut at = 0;
+    while at < old.len() {
+        let found = match &old[at] {
+            Step::Move(moved) if lines.contains(&moved.origin.line) => hole(&old, at, moved),
+            _ => None,
+        };
+        let Some((pecks, joined, next)) = found else {
+            course.steps.push(old[at].clone());
+            at += 1;
+            continue;
+        };
+        course.steps.push(Step::Move(joined));
+        holes.push(pecks);
+        at = next;
+    }
+    holes
+}
+
+/// The hole whose first cut is a step, that cut down to its bottom, and the step after it.
+fn hole(steps: &[Step], at: usize, first: &Moved) -> Option<(Pecks, Moved, usize)> {
+    let is_cut = first.origin.cycle && first.way == Way::Cut && first.length_mm > 0.0;
+    let line = line_of(first).filter(|_| is_cut)?;
+    let down = (line.end - line.start).normalized()?;
+    let depth = |point: Vec3| {
+        let depth = (point - line.start).dot(down);
+        let aside = (point - line.start - down * depth).length();
+        (aside <= SAME_MM).then_some(depth)
+    };
+    let mut pecks = Pecks::of(first, line);
+    let mut bottom = line.end;
+    let mut next = at + 1;
+    while let Some((again, cut, after)) = step(steps, next, first) {
+        let deepest = *pecks.depths_mm.last()?;
+        let levels: Option<Vec<f64>> = again.iter().map(|point| depth(*point)).collect();
+        let (Some(levels), Some(end)) = (levels, depth(cut.end)) else { break };
+        let lowest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let highest = levels.iter().copied().fold(f64::INFINITY, f64::min);
+        let Some(begin) = depth(cut.start) else { break };
+        if lowest > deepest + SAME_MM || end <= deepest + SAME_MM {
+            break;
+        }
+        pecks.depths_mm.push(end);
+        pecks.highest_mm.push(highest);
+        pecks.again_mm.push(begin);
+        bottom = cut.end;
+        next = after;
+    }
+    pecks.to_mm = bottom.to_array();
+    let curve = Curve::Line(Line { start: line.start, end: bottom });
+    let length_mm = line.start.distance(bottom);
+    Some((pecks, Moved { curve, length_mm, ..first.clone() }, next))
+}
+
+/// Rapids and the cut after them, in the same block and in the same state as the first cut: the ends of the
+/// rapids, the cut, and the step after it.
+fn step(steps: &[Step], from: usize, first: &Moved) -> Option<(Vec<Vec3>, Line, usize)> {
+    let mut ends = Vec::new();
+    for (at, step) in steps.iter().enumerate().skip(from) {
+        let Step::Move(moved) = step else { return None };
+        let is_of_hole = moved.origin.cycle
+            && moved.origin.span == first.origin.span
+            && moved.origin.call == first.origin.call
+            && (moved.state, moved.turn, moved.known) == (first.state, first.turn, first.known);
+        let line = line_of(moved).filter(|_| is_of_hole)?;
+        match moved.way {
+            Way::Rapid => ends.push(line.end),
+            Way::Cut if !ends.is_empty() && is_feed(moved.feed, first.feed) => {
+                return Some((ends, line, at + 1));
+            }
+            _ => return None,
+        }
+    }
+    None
+}
+
+fn line_of(moved: &Moved) -> Option<Line> {
+    match moved.curve {
+        Curve::Line(line) => Some(line),
+        _ => None,
+    }
+}
+
+/// Feeds come from lengths and times: the same F differs by what rounding leaves.
+fn is_feed(one: Option<Speed>, other: Option<Speed>) -> bool {
+    match (one, other) {
+        (Some(Speed::Path(one)), Some(Speed::Path(other))) => {
+            (one - other).abs() <= 1e-9 * one.abs().max(other.abs())
+        }
+        (one, other) => one == other,
+    }
+}

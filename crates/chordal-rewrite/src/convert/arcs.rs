@@ -1,0 +1,93 @@
+//! Arcs: centres and turns as the new control reads them, and the feed of a helix.
+
+use chordal::CommandKind;
+use chordal::control::{FeedAlong, FeedMode, Units};
+use chordal::syntax::Letters;
+
+use super::context::Context;
+use super::draft::{Draft, Expand};
+use super::numbers;
+use super::spiral;
+use super::trace::Exec;
+
+impl Context<'_> {
+    /// Centres and radii as the new control reads them, and forms that it does not have.
+    pub(super) fn arc(&self, draft: &mut Draft, at: usize) -> Result<(), Expand> {
+        let Some(run) = self.run(at) else { return Ok(()) };
+        let shapes = self.trace.commands_of(run).iter().filter(|command| !command.origin.cycle);
+        let Some(shape) = shapes.filter_map(|command| command.kind.shape()).next() else {
+            return Ok(());
+        };
+        let letters = draft.block.letters();
+        let spiral = (shape.radius_to - shape.radius_from).abs();
+        let parameters = &self.to.parameters;
+        if spiral > parameters.rules.arc.radius_error_tolerance_mm {
+            return Err(Expand(format!(
+                "the radius changes by {} on the arc",
+                run.after.units.length_text(spiral)
+            )));
+        }
+        let turns = Letters::of("PQL");
+        let same_turns = self.from.table.arc_turns == self.to.table.arc_turns
+            && self.from.parameters.rules.arc.spiral == parameters.rules.arc.spiral;
+        let repeats = self.line_repeat(draft, at).is_some();
+        if letters.without(Letters::of(if repeats { "L" } else { "" })).meets(turns) && !same_turns
+        {
+            return Err(Expand(format!("{} counts turns in another way", self.to.table.title)));
+        }
+        self.helix_feed(draft, at, run)?;
+        if self.from.parameters.rules.arc.arc_center != parameters.rules.arc.arc_center
+            && letters.meets(Letters::of("IJK"))
+        {
+            return Err(Expand(format!("{} reads centres in another way", self.to.table.title)));
+        }
+        let (a, b, _) = shape.plane.axes();
+        if self.to.table.strict_center_words {
+            for word in 0..draft.block.words.len() {
+                let letter = draft.block.words[word].letter;
+                let outside = matches!(letter, b'I' | b'J' | b'K')
+                    && letter != b"IJK"[a]
+                    && letter != b"IJK"[b];
+                if outside {
+                    draft.remove(word, "a centre word outside the plane");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// F of a helix, where the new control measures it along something else.
+    fn helix_feed(&self, draft: &mut Draft, at: usize, run: &Exec) -> Result<(), Expand> {
+        let helix = self.trace.commands_of(run).iter().find_map(|command| match &command.kind {
+            CommandKind::Arc { motion, shape, feed } => Some((motion, shape, feed)),
+            _ => None,
+        });
+        let Some((motion, shape, feed)) = helix else { return Ok(()) };
+        let new = self.to.parameters.rules.arc.helix_feed;
+        if feed.mode != FeedMode::PerTime || !feed.value.is_finite() {
+            return Ok(());
+        }
+        let scale = spiral::feed_scale(motion, shape, feed, new);
+        if (scale - 1.0).abs() < 1e-9 {
+            return Ok(());
+        }
+        let unit = if run.after.units == Units::Inch { 25.4 } else { 1.0 };
+        let value = feed.value * 60.0 / unit;
+        let text = |value: f64| format!("F{}", numbers::feed(value, self.style()));
+        let reason = format!(
+            "{} measures the feed of a helix {}",
+            self.to.table.title,
+            if new == FeedAlong::Plane { "in the plane of its arc" } else { "along the helix" }
+        );
+        if self.trace.facts[at].feed_varies {
+            return Err(Expand(reason));
+        }
+        let own = draft.place(b'F');
+        match own {
+            Some(own) => draft.replace(own, text(value * scale), reason),
+            None => draft.append(text(value * scale), reason),
+        }
+        draft.after.push(text(value));
+        Ok(())
+    }
+}
