@@ -137,7 +137,7 @@ fn a_map_of_heights_raises_the_cuts() {
         .says(&["+X15.", "proved by itself"]);
     let inches = folder.run(&[&line[..], &["--heights-units", "inch"]].concat()).ends(0);
     assert!(
-        inches.out.contains("the file is in in") || inches.out.contains("Z4.54"),
+        inches.out.contains("the file is in inches") || inches.out.contains("Z4.54"),
         "{}",
         inches.out
     );

@@ -10,6 +10,9 @@ use super::{Unit, length};
 use crate::failure::Failure;
 use crate::numbers::{Units, grouped};
 
+/// A surface that may be so far off is none.
+const MOST_TOLERANCE_MM: f64 = 10.0;
+
 /// How the map of `--heights` is used.
 #[derive(clap::Args)]
 pub(super) struct MapArgs {
@@ -80,10 +83,10 @@ impl Bent {
             None => usual,
             Some(text) => length(text, units)?,
         };
-        if tolerance_mm <= 0.0 {
+        if !(tolerance_mm > 0.0 && tolerance_mm <= MOST_TOLERANCE_MM) {
             return Err(Failure::wrong(
-                "the tolerance is not above zero",
-                "write a length above zero, such as 0.01mm",
+                format!("a tolerance lies above zero and within {MOST_TOLERANCE_MM} mm"),
+                "write a length, such as 0.01mm",
             ));
         }
         let how = Warp { tolerance_mm, clamp: args.heights_outside == Outside::Clamp };
@@ -133,7 +136,10 @@ impl Bent {
             number(low, digits),
             number(high, digits)
         );
-        map += &format!("; the file is in {}", self.map_units.length_unit());
+        map += match self.map_units {
+            Units::Inch => "; the file is in inches",
+            Units::Millimetre => "; the file is in millimetres",
+        };
         done.notes.insert(0, map);
         if let Some([low, high]) = heights_mm {
             done.notes.push(format!(

@@ -101,7 +101,7 @@ impl HeightMap {
         let [columns, rows] = [0, 1].map(|axis| places(points, axis));
         if columns.len() < 2 || rows.len() < 2 {
             let what = format!(
-                "the map has {} points, in {} columns and {} rows",
+                "a map of {} points, {} in X and {} in Y, is no surface",
                 points.len(),
                 columns.len(),
                 rows.len()
@@ -116,7 +116,8 @@ impl HeightMap {
             points.iter().map(|point| (place_of(point), *point)).collect();
         placed.sort_by_key(|(place, point)| (*place, point.line));
         if let Some(pair) = placed.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            let what = format!("the point stands in line {} already", pair[0].1.line);
+            let [x, y, _] = pair[1].1.at.map(|value| plain(value / unit_mm));
+            let what = format!("the point X{x} Y{y} stands in line {} already", pair[0].1.line);
             return Err(MapError::of_line(pair[1].1.line, "", what, "keep one of the two"));
         }
         let count = columns.len() * rows.len();
@@ -127,10 +128,13 @@ impl HeightMap {
                 .map_or(0, |(wanted, _)| wanted);
             let at = [columns[missing % columns.len()], rows[missing / columns.len()]];
             let what = format!(
-                "{} points of the grid of {} by {} are missing, the first at X{} Y{}",
-                count - placed.len(),
+                "the grid of {} by {} lacks {}, the first at X{} Y{}",
                 columns.len(),
                 rows.len(),
+                match count - placed.len() {
+                    1 => "1 point".to_string(),
+                    many => format!("{many} points"),
+                },
                 plain(at[0] / unit_mm),
                 plain(at[1] / unit_mm)
             );

@@ -177,7 +177,8 @@ impl Prover<'_> {
         };
         one.mode == other.mode
             && one.spindle_rev_per_s == other.spindle_rev_per_s
-            && (one.value == other.value
+            // A cut before any F has none in both.
+            && (one.value.to_bits() == other.value.to_bits()
                 || (one.value - other.value).abs() <= one.value * (slope() + 1e-6))
     }
 
@@ -354,10 +355,13 @@ impl Prover<'_> {
             (z - (old.from[2] + rise * t) - self.map.height(way.at(s))).abs()
         };
         let [low, high] = way.bounds();
+        let steepest = self.map.steepest(low.map(|at| at - aside), high.map(|at| at + aside));
         // How fast the difference can change along the piece.
-        let most = (new.to[2] - new.from[2] - rise * (part[1] - part[0])).abs()
-            + self.map.steepest(low, high) * length;
-        let allowed = (self.allowed * self.allowed - aside * aside).max(0.0).sqrt();
+        let most = (new.to[2] - new.from[2] - rise * (part[1] - part[0])).abs() + steepest * length;
+        // The place on the old move lies aside, where the surface has another height.
+        let slant = steepest * aside;
+        let apart = |off: f64| (off + slant).hypot(aside);
+        let allowed = (self.allowed * self.allowed - aside * aside).max(0.0).sqrt() - slant;
         let mut open = vec![(0.0, 1.0)];
         let (mut deepest, mut steps) = (off(0.0).max(off(1.0)), 0);
         let mut bound = deepest;
@@ -367,11 +371,17 @@ impl Prover<'_> {
             let here = off(middle);
             deepest = deepest.max(here);
             let upper = here + 0.5 * (high - low) * most;
-            if deepest > allowed * (1.0 + 1e-9) + 1e-9 || steps > MOST_STEPS {
+            if deepest > allowed + 1e-9 {
                 return Err(format!(
                     "the new path is {:.4} mm off, {:.4} mm is allowed",
-                    deepest.hypot(aside),
+                    apart(deepest),
                     self.allowed
+                ));
+            }
+            if steps > MOST_STEPS {
+                return Err(format!(
+                    "the move was looked at in {MOST_STEPS} places, and more would be needed; \
+                     allow a larger tolerance"
                 ));
             }
             // A hundredth of the tolerance tells enough.
@@ -388,7 +398,7 @@ impl Prover<'_> {
             heights.iter().copied().fold(low, f64::min),
             heights.iter().copied().fold(high, f64::max),
         ]);
-        let distance = bound.max(deepest).hypot(aside);
+        let distance = apart(bound.max(deepest));
         self.proved.deviation_mm = self.proved.deviation_mm.max(distance);
         Ok(())
     }

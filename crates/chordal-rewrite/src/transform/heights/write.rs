@@ -6,7 +6,7 @@
 use std::collections::{HashMap, HashSet};
 
 use chordal::Job;
-use chordal::control::{Action, ArcShape, MotionCode};
+use chordal::control::{Action, ArcShape, MotionCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::diagnostics::TextRange;
 use chordal::geometry::Plane;
@@ -61,7 +61,7 @@ pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, 
     let blocks = blocks(&writer);
     let levels = levels(&writer, &record, &blocks);
     let written = Written { edits: Vec::new(), notes: Vec::new(), trail: Trail::default() };
-    let mut bender = Bender { writer, map, warp, levels, written, work: None };
+    let mut bender = Bender { writer, map, warp, levels, written, work: None, units: None };
     let mut idle = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
         let alone = blocks.get(index + 1).is_none_or(|next| next.line > block.line);
@@ -73,7 +73,8 @@ pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, 
     }
     if let [first, ..] = idle[..] {
         let count = idle.len();
-        let note = format!("{count} blocks never run, left unchanged, the first on line {first}");
+        let runs = if count == 1 { "block never runs" } else { "blocks never run" };
+        let note = format!("{count} {runs}, left unchanged, the first on line {first}");
         bender.written.notes.push(note);
     }
     Ok(bender.written)
@@ -97,8 +98,9 @@ struct Bender<'a> {
     warp: &'a Warp,
     levels: HashMap<u32, Level>,
     written: Written,
-    /// The work offset of the program.
+    /// The work offset of the program, and its units.
     work: Option<String>,
+    units: Option<Units>,
 }
 
 /// The end of a piece: as it is written.
@@ -124,6 +126,14 @@ impl Bender<'_> {
             return Ok(());
         }
         checks::of_move(&self.writer, block, runs)?;
+        let units = *self.units.get_or_insert(run.context.units);
+        if units != run.context.units {
+            return Err(self.refuse(
+                block,
+                "the program moves in inches and in millimetres, and the map is in one of them",
+                "write it in one of them first: --units mm or --units inch in the same command",
+            ));
+        }
         let level = self.levels.get(&start).copied().unwrap_or_default();
         if run.context.did == Did::Rapid {
             self.rapid(block, run, level);
@@ -195,13 +205,19 @@ impl Bender<'_> {
         }
         let step = unit_mm(run.context.units)
             * 0.1f64.powi(i32::from(self.writer.style.digits(run.context.units)));
-        let left = self.warp.tolerance_mm - ROUNDING * step;
+        // On a slope a place that is rounded aside has another height as well.
+        let [low, high] = way.bounds();
+        let rounded = ROUNDING * step * (1.0 + self.map.steepest(low, high));
+        let left = self.warp.tolerance_mm - rounded;
         if left < step {
-            return Err(self.refuse(
-                block,
-                "the tolerance is not larger than the rounding of the program's last digit",
-                "allow a larger tolerance",
-            ));
+            let unit = unit_mm(run.context.units);
+            let what = format!(
+                "the numbers of the program are rounded to {}, which takes up {:.4} of the tolerance of {:.4}",
+                step / unit,
+                rounded / unit,
+                self.warp.tolerance_mm / unit
+            );
+            return Err(self.refuse(block, what, "allow a larger tolerance: --heights-tolerance"));
         }
         let ends = way.pieces(self.map, left).map_err(|_| {
             self.refuse(block, "the move crosses too many points of the map", "use fewer points")
