@@ -329,7 +329,8 @@ impl Sink for Points {
         }
         let length = match shape {
             Some(shape) => shape.radius_from * shape.sweep.abs(),
-            None => from.distance(to),
+            // In the plane: both paths have as many points wherever they rise.
+            None => (from.x - to.x).hypot(from.y - to.y),
         };
         let count = (length / 0.05).ceil().max(1.0);
         for k in 0..=count as u32 {

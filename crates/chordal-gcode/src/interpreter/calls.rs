@@ -4,6 +4,7 @@ use chordal_dialect::table::Subroutines;
 use chordal_dialect::{Action, AfterCode, code_number};
 use std::collections::HashMap;
 
+use chordal_command::SpindleState;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_syntax::{Block, Letters, Position as TextPosition, Word};
 
@@ -346,19 +347,31 @@ impl Interpreter<'_> {
             Some(label) => self.jump(block, at, label),
             None => {
                 let span = self.span(block.words[at].range);
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::EndlessLoop,
-                        span,
-                        "M99 in the main program starts it again without end",
-                    )
-                    .label("shown once")
-                    .severity(Severity::Warning)
-                    .help("end the program with M30, unless the repeat is intended"),
-                );
+                self.report_repeat(span);
                 Flow::End(EndReason::Repeats)
             }
         }
+    }
+
+    /// M99 in a main program. One that takes no tool and starts no spindle is a subprogram whose caller is elsewhere.
+    fn report_repeat(&mut self, span: Span) {
+        let state = &self.kernel.state;
+        let is_part = state.tool == 0 && state.spindle == SpindleState::Off && state.rpm == 0.0;
+        let said = Diagnostic::new(
+            Code::EndlessLoop,
+            span,
+            "M99 in the main program starts it again without end",
+        );
+        self.kernel.report(match is_part {
+            true => said
+                .label("shown once")
+                .severity(Severity::Note)
+                .help("nothing in this file calls it: if it is a subprogram, this is right"),
+            false => said
+                .label("shown once")
+                .severity(Severity::Warning)
+                .help("end the program with M30, unless the repeat is intended"),
+        });
     }
 
     /// A jump within the running program.
