@@ -159,9 +159,14 @@ impl Interpreter<'_> {
         let limit =
             if self.reported.points_seen { SUSPICIOUS_AMONG_POINTS } else { SUSPICIOUS_INCREMENTS };
         if size < limit {
-            let meant = self.kernel.length_text(self.scale.length(number));
-            self.report_missing_point(word, number, &meant);
+            self.report_length_without_point(word, number);
         }
+    }
+
+    #[cold]
+    fn report_length_without_point(&mut self, word: &Word, number: Decimal) {
+        let meant = self.kernel.length_text(self.scale.length(number));
+        self.report_missing_point(word, number, &meant);
     }
 
     /// A word that is an angle, such as that of polar coordinates, in degrees.
