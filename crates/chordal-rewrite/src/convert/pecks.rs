@@ -107,8 +107,9 @@ pub(crate) fn changes(context: &Context, certificate: &Certificate) -> Vec<PeckC
     let mut changes: Vec<PeckChange> = Vec::new();
     for pair in &certificate.comparison.pecks {
         let lines = pair.each_ref().map(|pecks| pecks.place.line);
-        let block = context.source.blocks_on(lines[0], lines[0]).next();
-        let Some(kind) = block.and_then(|at| peck_of(context, at)) else { continue };
+        // A line may hold other blocks, too.
+        let mut blocks = context.source.blocks_on(lines[0], lines[0]);
+        let Some(kind) = blocks.find_map(|at| peck_of(context, at)) else { continue };
         let [from, to] = context.controls();
         let readings = [PeckReading::of(&pair[0], kind, from), PeckReading::of(&pair[1], kind, to)];
         let same = |change: &&mut PeckChange| {
