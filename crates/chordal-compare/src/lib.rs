@@ -75,7 +75,7 @@ pub struct Options {
     /// against each other one by one in their order, and moves between places that are not known not at all.
     pub in_step: bool,
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
-    /// cut from R to its bottom, and how the steps differ is told apart ([`Comparison::pecks`]).
+    /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
 }
 

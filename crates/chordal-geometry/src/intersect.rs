@@ -3,6 +3,8 @@
 //! Differences of squares are taken as products, and everything is relative to one of the two
 //! shapes, so the digits that the distance from the origin would cost are kept.
 
+use core::f64::consts::TAU;
+
 use crate::Vec2;
 
 /// A line without ends: `point` (mm) and a `direction` of any length above zero.
@@ -57,6 +59,14 @@ impl Meeting {
             Meeting::Cross(a, b) => Some(if b.distance(p) < a.distance(p) { b } else { a }),
         }
     }
+}
+
+/// The fractions of an arc, from 0 to less than 1, at which it passes an angle (rad): one for each of its turns.
+pub fn fractions_at_angle(start: f64, sweep: f64, angle: f64) -> impl Iterator<Item = f64> {
+    let way = if sweep < 0.0 { start - angle } else { angle - start };
+    let (first, whole) = (way.rem_euclid(TAU), sweep.abs());
+    let turns = core::iter::successors(Some(first), |swept| Some(swept + TAU));
+    turns.take_while(move |swept| *swept < whole).map(move |swept| swept / whole)
 }
 
 /// Where two lines cross.

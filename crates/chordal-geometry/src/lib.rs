@@ -71,7 +71,10 @@ pub use fit::{
 };
 pub use fitting::{FitError, FitOptions, FitPiece, Measure, breaks, fit_path, simplify};
 pub use frame::Frame;
-pub use intersect::{Circle2, Line2, LineCrossing, Meeting, circle_circle, line_circle, line_line};
+pub use intersect::{
+    Circle2, Line2, LineCrossing, Meeting, circle_circle, fractions_at_angle, line_circle,
+    line_line,
+};
 pub use line::Line;
 pub use param_curve::{Nearest, ParamCurve};
 pub use plane::{Direction, Plane};

@@ -421,7 +421,10 @@ impl Program {
             let place = wrong.line.map_or(String::new(), |line| format!("line {line}: "));
             error::usage(py, &format!("{place}{}", wrong.what), Some(&wrong.help))
         })?;
-        let map = zero.map_or(map.clone(), |at| map.with_zero_at(at));
+        let map = match zero {
+            Some(at) => map.with_zero_at(at),
+            None => map,
+        };
         let how = rewrite::Warp { tolerance_mm, clamp };
         self.ask(py, |job| match rewrite::warp(job, &map, &how) {
             Ok(warped) => {

@@ -57,6 +57,13 @@ pub(crate) struct Style {
 }
 
 impl<'a> Source<'a> {
+    /// The words of a block as they are written, without its number.
+    pub fn words_of(&self, block: &Block) -> String {
+        let from = block.word(b'N').map_or(block.range.start, |word| word.range.end);
+        let words = &self.text[from as usize..block.range.end as usize];
+        String::from_utf8_lossy(words).trim().to_string()
+    }
+
     pub fn of(job: &'a Job) -> Source<'a> {
         let text = first_text(job);
         let control = job.control();

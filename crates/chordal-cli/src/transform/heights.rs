@@ -6,9 +6,9 @@ use chordal::Job;
 use chordal_rewrite::{HeightMap, MapError, Refusal, Transformed, Warp, Warped, warp};
 use clap::ValueEnum;
 
-use super::{Unit, length};
+use super::{Unit, length, position};
 use crate::failure::Failure;
-use crate::numbers::{Units, grouped};
+use crate::numbers::{Units, grouped, short};
 
 /// A surface that may be so far off is none.
 const MOST_TOLERANCE_MM: f64 = 10.0;
@@ -60,13 +60,7 @@ impl Bent {
         let map = match &args.heights_zero {
             None => map,
             Some(text) => {
-                let Some((x, y)) = text.split_once(',') else {
-                    return Err(Failure::wrong(
-                        format!("`{text}` is not a position"),
-                        "write X and Y with a comma between them, such as 10,20",
-                    ));
-                };
-                let at = [length(x, units)?, length(y, units)?];
+                let at = position(text, units)?;
                 let outside = map.outside(at);
                 if outside > 0.0 {
                     let far = outside / units.length_mm();
@@ -96,7 +90,7 @@ impl Bent {
     /// A program bent over the map.
     pub(super) fn warp(&self, job: &Job) -> Result<Transformed, Refusal> {
         let warped = warp(job, &self.map, &self.how)?;
-        Ok(self.told(warped))
+        Ok(self.described(warped))
     }
 
     /// The same for a program that was changed before; where that is not proved it is left so.
@@ -114,27 +108,23 @@ impl Bent {
         Ok(Transformed { text: bent.text, certificate: bent.certificate, ..done })
     }
 
-    fn told(&self, warped: Warped) -> Transformed {
+    fn described(&self, warped: Warped) -> Transformed {
         let Warped { mut done, heights_mm, moves } = warped;
         let unit = self.units.length_mm();
         let name = self.units.length_unit();
-        let number = |mm: f64, digits: usize| {
-            let text = format!("{:.digits$}", mm / unit);
-            let text = text.trim_end_matches('0').trim_end_matches('.').to_string();
-            if text == "-0" { "0".to_string() } else { text }
-        };
+        let digits = if unit == 1.0 { 3 } else { 4 };
+        let number = |mm: f64| short(mm / unit, digits);
         let [columns, rows] = self.map.size();
         let [x, y] = self.map.bounds();
         let [low, high] = self.map.range();
-        let digits = if unit == 1.0 { 3 } else { 4 };
         let mut map = format!(
             "the map has {columns} by {rows} points, X{} to {}, Y{} to {}, heights {} to {} {name}",
-            number(x[0], digits),
-            number(x[1], digits),
-            number(y[0], digits),
-            number(y[1], digits),
-            number(low, digits),
-            number(high, digits)
+            number(x[0]),
+            number(x[1]),
+            number(y[0]),
+            number(y[1]),
+            number(low),
+            number(high)
         );
         map += match self.map_units {
             Units::Inch => "; the file is in inches",
@@ -144,8 +134,8 @@ impl Bent {
         if let Some([low, high]) = heights_mm {
             done.notes.push(format!(
                 "heights under the cuts: {} to {} {name}; {} moves, {} before",
-                number(low, digits),
-                number(high, digits),
+                number(low),
+                number(high),
                 grouped(moves[1]),
                 grouped(moves[0])
             ));

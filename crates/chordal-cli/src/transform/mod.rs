@@ -172,22 +172,24 @@ enum Arcs {
     Center,
 }
 
+/// `90%` and `0.9` as the same number.
+fn share(text: &str) -> Option<f64> {
+    let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
+    number.trim().parse::<f64>().ok().map(|value| value / part)
+}
+
 /// `90%`, `0.9`: above zero.
 fn factor(text: &str) -> Result<f64, String> {
-    let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
-    match number.trim().parse::<f64>() {
-        Ok(value) if value > 0.0 && value.is_finite() => Ok(value / part),
-        _ => Err("write a factor above zero, such as 0.9 or 90%".into()),
-    }
+    share(text)
+        .filter(|value| *value > 0.0 && value.is_finite())
+        .ok_or_else(|| "write a factor above zero, such as 0.9 or 90%".into())
 }
 
 /// `1%`, `0.01`: from nothing to less than the whole.
 fn part(text: &str) -> Result<f64, String> {
-    let (number, part) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
-    match number.trim().parse::<f64>().map(|value| value / part) {
-        Ok(value) if (0.0..1.0).contains(&value) => Ok(value),
-        _ => Err("write a part from 0 to less than 1, such as 1% or 0.01".into()),
-    }
+    share(text)
+        .filter(|value| (0.0..1.0).contains(value))
+        .ok_or_else(|| "write a part from 0 to less than 1, such as 1% or 0.01".into())
 }
 
 /// `32000`, `32k`, `tool`.
@@ -215,6 +217,17 @@ fn length(text: &str, units: Units) -> Result<f64, Failure> {
     })
 }
 
+/// `X,Y`, each with its unit, or in those of the program; mm.
+fn position(text: &str, units: Units) -> Result<[f64; 2], Failure> {
+    let Some((x, y)) = text.split_once(',') else {
+        return Err(Failure::wrong(
+            format!("`{text}` is not a position"),
+            "write X and Y with a comma between them, such as 1.5,-2",
+        ));
+    };
+    Ok([length(x, units)?, length(y, units)?])
+}
+
 fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
     let mut steps = Vec::new();
     steps.extend(args.units.map(|unit| {
@@ -227,13 +240,7 @@ fn steps(args: &Args, units: Units) -> Result<Vec<Step>, Failure> {
     if let Some(degrees) = args.rotate {
         let mut about = [0.0; 2];
         if let Some(text) = &args.about {
-            let Some((x, y)) = text.split_once(',') else {
-                return Err(Failure::wrong(
-                    format!("`{text}` is not a position"),
-                    "write X and Y with a comma between them, such as 1.5,-2",
-                ));
-            };
-            about = [length(x, units)?, length(y, units)?];
+            about = position(text, units)?;
         }
         steps.push(Step::Rotate { angle: degrees.to_radians(), about });
     }

@@ -1,8 +1,6 @@
 //! The parts of a curve that lie outside of circles.
 
-use core::f64::consts::TAU;
-
-use chordal_geometry::Vec2;
+use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, fractions_at_angle, line_circle};
 
 use super::shape::{PlaneCurve, angle_of};
 
@@ -26,41 +24,25 @@ pub(super) fn outside(curve: &PlaneCurve, centers: &[Vec2], radius: f64) -> Vec<
 
 /// The fractions of a curve at which it crosses a circle.
 fn crossings(curve: &PlaneCurve, about: Vec2, radius: f64) -> Vec<f64> {
+    let circle = Circle2 { center: about, radius };
     match *curve {
         PlaneCurve::Line { from, to } => {
-            let (way, out) = (to - from, from - about);
-            let (a, b) = (way.dot(way), way.dot(out));
-            let root = b * b - a * (out.dot(out) - radius * radius);
-            if a == 0.0 || root <= 0.0 {
-                return Vec::new();
-            }
-            let root = root.sqrt();
-            vec![(-b - root) / a, (-b + root) / a]
+            let way = to - from;
+            let meeting = line_circle(Line2 { point: from, direction: way }, circle, 0.0);
+            meeting.points().map(|p| (p - from).dot(way) / way.dot(way)).collect()
         }
         PlaneCurve::Arc { center, radius: own, start, sweep } => {
-            let to_center = about - center;
-            let apart = to_center.dot(to_center).sqrt();
-            let cosine = (own * own + apart * apart - radius * radius) / (2.0 * own * apart);
-            if !cosine.is_finite() || cosine.abs() >= 1.0 {
-                return Vec::new();
-            }
-            let (middle, half) = (angle_of(to_center), libm::acos(cosine));
-            let mut found = Vec::new();
-            for angle in [middle - half, middle + half] {
-                let way = if sweep < 0.0 { start - angle } else { angle - start };
-                let mut swept = way.rem_euclid(TAU);
-                while swept < sweep.abs() {
-                    found.push(swept / sweep.abs());
-                    swept += TAU;
-                }
-            }
-            found
+            let meeting = circle_circle(Circle2 { center, radius: own }, circle, 0.0);
+            let angles = meeting.points().map(|p| angle_of(p - center));
+            angles.flat_map(|angle| fractions_at_angle(start, sweep, angle)).collect()
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::TAU;
+
     use super::*;
 
     #[test]

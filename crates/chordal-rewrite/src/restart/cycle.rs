@@ -123,7 +123,5 @@ fn readies(source: &Source, control: &Control, block: &Block) -> Option<String> 
     if moves || !block.words.iter().any(is_one) {
         return None;
     }
-    let from = block.word(b'N').map_or(block.range.start, |word| word.range.end);
-    let words = source.text.get(from as usize..block.range.end as usize)?;
-    Some(String::from_utf8_lossy(words).trim().to_string())
+    Some(source.words_of(block))
 }

@@ -27,7 +27,7 @@ impl Shift {
                 self.axes.push(word.letter);
             }
         }
-        self.lines.push(words(source, block));
+        self.lines.push(source.words_of(block));
         if self.axes.is_empty() {
             self.lines.clear();
         }
@@ -37,14 +37,7 @@ impl Shift {
     /// Takes a block with G92 that stands before the first move: at the place where the program starts it can
     /// be said again. False where a value is no plain number.
     pub(super) fn take_preset(&mut self, source: &Source, block: &Block) -> bool {
-        self.presets.push(words(source, block));
+        self.presets.push(source.words_of(block));
         block.words.iter().all(|word| word.number().is_some())
     }
-}
-
-/// The words of a block without its number.
-fn words(source: &Source, block: &Block) -> String {
-    let from = block.word(b'N').map_or(block.range.start, |word| word.range.end);
-    let words = &source.text[from as usize..block.range.end as usize];
-    String::from_utf8_lossy(words).trim().to_string()
 }

@@ -126,7 +126,7 @@ impl Said {
                 Action::After(code) => self.follow_after(code, control),
                 Action::Once(code) => {
                     if code == OnceCode::SetData {
-                        self.keep_data(source, block);
+                        self.data.push(source.words_of(block));
                     }
                 }
                 Action::Reading(_)
@@ -172,13 +172,6 @@ impl Said {
             | AfterCode::ShopCode
             | AfterCode::RunCycleHere => {}
         }
-    }
-
-    /// The words of a G10, to be said again.
-    fn keep_data(&mut self, source: &Source, block: &Block) {
-        let number = block.word(b'N').map_or(block.range.start, |word| word.range.end);
-        let words = &source.text[number as usize..block.range.end as usize];
-        self.data.push(String::from_utf8_lossy(words).trim().to_string());
     }
 }
 

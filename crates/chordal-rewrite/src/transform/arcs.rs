@@ -3,12 +3,12 @@
 use chordal::Job;
 use chordal::control::{Action, MotionCode};
 use chordal::control::{ArcCenter, ArcShape, FeedMode, Side, Units};
-use chordal::diagnostics::{FileId, TextRange};
+use chordal::diagnostics::FileId;
 use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
 use chordal::machine::PerAxis;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
-use super::edit::{Edit, Refusal};
+use super::edit::{Edit, Refusal, replace_words};
 use super::lines::{Words, newline, tail};
 use super::record::{Did, Record, Run, Runs};
 use super::roles::{Role, actions, roles};
@@ -55,7 +55,7 @@ pub(super) fn form(job: &Job, form: ArcForm) -> Result<Outcome, Refusal> {
             _ => return Ok(()),
         };
         arcs.same_arc(block, runs)?;
-        arcs.replace(&old, new, "the arc in its other form");
+        arcs.replace(&old, &new, "the arc in its other form");
         Ok(())
     })?;
     if let [first, ..] = kept[..] {
@@ -145,19 +145,8 @@ impl<'a> Arcs<'a> {
             .join(self.writer.style.gap()))
     }
 
-    /// Puts words in the place of others.
-    fn replace(&mut self, old: &[Word], new: String, reason: &'static str) {
-        let text = self.writer.text;
-        for (index, word) in old.iter().enumerate() {
-            if index == 0 {
-                self.outcome.edits.push(Edit::new(word.range, new.clone(), reason));
-                continue;
-            }
-            let before = &text[..word.range.start as usize];
-            let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
-            let range = TextRange::new(word.range.start - blanks, word.range.end);
-            self.outcome.edits.push(Edit::new(range, "", reason));
-        }
+    fn replace(&mut self, old: &[Word], new: &str, reason: &'static str) {
+        self.outcome.edits.extend(replace_words(self.writer.text, old, new, reason));
     }
 
     fn chords(&mut self, block: &Block, runs: &Runs, tolerance: f64) -> Result<(), Refusal> {
@@ -238,7 +227,7 @@ impl<'a> Arcs<'a> {
         } else {
             format!("{}{gap}{}", linear.name(b'G'), lines[0])
         };
-        self.replace(&words, first, REASON);
+        self.replace(&words, &first, REASON);
         let end = newline(self.writer.text);
         let at = block.range.end + tail.len() as u32;
         let more: String = lines[1..].iter().map(|line| format!("{end}{line}{tail}")).collect();

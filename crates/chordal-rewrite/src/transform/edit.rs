@@ -130,3 +130,21 @@ pub(super) fn with_number(text: &[u8], word: &Word, number: &str) -> String {
     }
     format!("{head}{number}")
 }
+
+/// New words in the place of the first of some, and nothing in the places of the others.
+pub(super) fn replace_words(
+    text: &[u8],
+    old: &[Word],
+    new: &str,
+    reason: &'static str,
+) -> Vec<Edit> {
+    let one = |(index, word): (usize, &Word)| {
+        if index == 0 {
+            return Edit::new(word.range, new, reason);
+        }
+        let before = &text[..word.range.start as usize];
+        let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
+        Edit::new(TextRange::new(word.range.start - blanks, word.range.end), "", reason)
+    };
+    old.iter().enumerate().map(one).collect()
+}

@@ -133,8 +133,7 @@ struct Typist<'a> {
 
 impl Typist<'_> {
     fn code(&self, action: Action) -> String {
-        let rows = self.writer.control.table.g_codes;
-        rows.iter().find(|row| row.action == action).map_or(String::new(), |row| row.name(b'G'))
+        self.writer.g_code(action).unwrap_or_default()
     }
 
     fn motion(&mut self, action: Action, words: &mut Words) {

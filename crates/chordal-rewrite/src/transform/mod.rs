@@ -235,6 +235,16 @@ struct Outcome {
 }
 
 impl Outcome {
+    /// How its proof compares.
+    fn options(&self) -> Options {
+        Options {
+            tolerance_mm: self.tolerance_mm,
+            feed_tolerance: self.feed_tolerance.max(Options::default().feed_tolerance),
+            in_step: true,
+            ..Options::default()
+        }
+    }
+
     /// Reports blocks that never ran.
     fn note_idle(&mut self, lines: &[u32]) {
         if let [first, ..] = lines {
@@ -292,12 +302,7 @@ pub fn transform(job: &Job, steps: &[Step]) -> Result<Transformed, Refusal> {
             speed: all.mapping.speed * outcome.mapping.speed,
         };
     }
-    let options = Options {
-        tolerance_mm: all.tolerance_mm,
-        feed_tolerance: all.feed_tolerance.max(Options::default().feed_tolerance),
-        in_step: true,
-        ..Options::default()
-    };
+    let options = all.options();
     let new = job.with_text(text.clone());
     let prove = || prove_mapped(job, &new, &options, &all.expected, &all.mapping);
     let mut certificate = all.certificate.unwrap_or_else(prove);

@@ -49,15 +49,8 @@ impl Outcome {
 
     fn prove(&mut self, job: &Job) -> Certificate {
         let new = apply(first_text(job), &mut self.edits);
-        let feed_tolerance = self.feed_tolerance.max(Options::default().feed_tolerance);
-        let options = Options {
-            tolerance_mm: self.tolerance_mm,
-            feed_tolerance,
-            in_step: true,
-            // Each of them takes back an edit.
-            kept: 100_000,
-            ..Options::default()
-        };
+        // Each difference takes back an edit.
+        let options = Options { kept: 100_000, ..self.options() };
         prove(job, &job.with_text(new), &options, &self.expected)
     }
 

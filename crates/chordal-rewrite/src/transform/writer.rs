@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use chordal::control::Units;
+use chordal::control::{Action, Units};
 use chordal::syntax::{Block, Decimal, Value, Word};
 use chordal::{Control, Job};
 
@@ -115,6 +115,12 @@ impl<'a> Writer<'a> {
                 if factor < 0.0 { format!("[{}]", number(factor)) } else { number(factor) }
             ))
         }
+    }
+
+    /// The G code that does something, as the control's own table names it.
+    pub(super) fn g_code(&self, action: Action) -> Option<String> {
+        let rows = self.control.table.g_codes;
+        rows.iter().find(|row| row.action == action).map(|row| row.name(b'G'))
     }
 
     /// A word as it is written.

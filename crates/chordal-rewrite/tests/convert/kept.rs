@@ -1,11 +1,9 @@
 //! How many blocks of canned cycles stay canned cycles, over all programs of the repository.
 
-use std::path::{Path, PathBuf};
-
 use chordal::control::{Action, Modal, Origin};
 use chordal::{Command, Diagnostic, Job, RunSink, Sink};
 
-use super::{MACHINES, converted, job_of, text_of};
+use super::{MACHINES, converted, job_of, suite_programs, text_of};
 
 /// How often a block drilled by a cycle.
 #[derive(Default)]
@@ -42,33 +40,23 @@ fn drilled(job: &Job) -> u32 {
 /// Blocks that drill by cycles in all programs, and how many of them do so after the conversion to another
 /// control, where it is proved.
 #[test]
-#[allow(clippy::disallowed_methods, reason = "tests read folders")]
 fn cycles_that_stay() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let (mut kept, mut out, mut refused) = (0, 0, 0);
-    for folder in ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc", "textbook"] {
-        let folder = format!("tests/suite/{folder}");
-        let entries = std::fs::read_dir(root.join(&folder)).expect("the suite");
-        let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-        files.sort();
-        for file in files {
-            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let old = job_of(&text_of(&format!("{folder}/{name}")), &[]);
-            let before = drilled(&old);
-            if before == 0 {
-                continue;
-            }
-            for to in
-                MACHINES.iter().filter(|to| super::machine(to).control != old.machine().control)
-            {
-                let found = converted(&old, to);
-                let new = found.job("new").filter(|_| found.holds());
-                match new.map(|new| drilled(&new).min(before)) {
-                    None => refused += before,
-                    Some(stay) => {
-                        kept += stay;
-                        out += before - stay;
-                    }
+    let folders = ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc", "textbook"];
+    for path in suite_programs(&folders) {
+        let old = job_of(&text_of(&path), &[]);
+        let before = drilled(&old);
+        if before == 0 {
+            continue;
+        }
+        for to in MACHINES.iter().filter(|to| super::machine(to).control != old.machine().control) {
+            let found = converted(&old, to);
+            let new = found.job("new").filter(|_| found.holds());
+            match new.map(|new| drilled(&new).min(before)) {
+                None => refused += before,
+                Some(stay) => {
+                    kept += stay;
+                    out += before - stay;
                 }
             }
         }

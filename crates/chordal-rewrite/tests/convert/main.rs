@@ -26,6 +26,23 @@ fn job(text: &str, machine: Machine) -> Job<'static> {
     Job::new(sources, machine).expect("good settings")
 }
 
+/// The paths of all programs of some folders of the suite, from the root of the project.
+#[allow(clippy::disallowed_methods, reason = "tests read folders")]
+fn suite_programs(folders: &[&str]) -> Vec<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut paths = Vec::new();
+    for folder in folders {
+        let folder = format!("tests/suite/{folder}");
+        let entries = std::fs::read_dir(root.join(&folder)).expect("the suite");
+        let names = entries.flatten().map(|entry| entry.file_name());
+        let mut names: Vec<String> =
+            names.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort();
+        paths.extend(names.into_iter().map(|name| format!("{folder}/{name}")));
+    }
+    paths
+}
+
 /// The text of a program of the repository.
 fn text_of(path: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

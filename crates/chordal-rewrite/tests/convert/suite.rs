@@ -1,40 +1,29 @@
 //! The programs of the suite, whatever they are about: what becomes of each on each control.
 
-use std::path::{Path, PathBuf};
-
 use chordal::RunOptions;
 use chordal_rewrite::convert::{Options, convert};
 
-use super::{MACHINES, converted, job_of, text_of, verdict};
+use super::{MACHINES, converted, job_of, suite_programs, text_of, verdict};
 
 #[test]
-#[allow(clippy::disallowed_methods, reason = "tests read folders")]
 fn all_programs() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut table = String::new();
     let (mut proved, mut all) = (0, 0);
-    for folder in ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc", "textbook", "five"] {
-        let folder = format!("tests/suite/{folder}");
-        let entries = std::fs::read_dir(root.join(&folder)).expect("the suite");
-        let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-        files.sort();
-        for file in files {
-            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let path = format!("{folder}/{name}");
-            let old = job_of(&text_of(&path), &[]);
-            let first = converted(&old, MACHINES[0]);
-            if first.text.is_empty() {
-                table += &format!("{path}\n    {}\n", verdict(&first));
-                assert!(!first.holds() && !first.refusals.is_empty(), "{path}");
-                continue;
-            }
-            table += &format!("{path}\n");
-            for to in MACHINES {
-                let found = converted(&old, to);
-                all += 1;
-                proved += usize::from(found.holds());
-                table += &format!("    {to}: {}\n", verdict(&found));
-            }
+    let folders = ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc", "textbook", "five"];
+    for path in suite_programs(&folders) {
+        let old = job_of(&text_of(&path), &[]);
+        let first = converted(&old, MACHINES[0]);
+        if first.text.is_empty() {
+            table += &format!("{path}\n    {}\n", verdict(&first));
+            assert!(!first.holds() && !first.refusals.is_empty(), "{path}");
+            continue;
+        }
+        table += &format!("{path}\n");
+        for to in MACHINES {
+            let found = converted(&old, to);
+            all += 1;
+            proved += usize::from(found.holds());
+            table += &format!("    {to}: {}\n", verdict(&found));
         }
     }
     table += &format!("\n{proved} of {all} proved\n");
@@ -43,9 +32,8 @@ fn all_programs() {
 
 /// Programs with a few bytes changed, errors and all: an answer for each, whatever it is.
 #[test]
-#[allow(clippy::disallowed_methods, reason = "tests read folders")]
+#[allow(clippy::disallowed_methods, reason = "the rounds are a variable of the environment")]
 fn changed_bytes_get_an_answer() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut seed = 0x2545_f491_4f6c_dd1d_u64;
     let mut next = |most: usize| {
         seed ^= seed << 13;
@@ -56,35 +44,29 @@ fn changed_bytes_get_an_answer() {
     let rounds =
         std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     let despite = Options { despite_errors: true, ..Options::default() };
-    for folder in ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"] {
-        let folder = format!("tests/suite/{folder}");
-        let entries = std::fs::read_dir(root.join(&folder)).expect("the suite");
-        let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-        files.sort();
-        for file in files.iter().flat_map(|file| std::iter::repeat_n(file, rounds)) {
-            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let whole = text_of(&format!("{folder}/{name}"));
-            let own = job_of(&whole, &[]);
-            let mut bytes = whole.clone().into_bytes();
-            for _ in 0..4 {
-                let at = next(bytes.len());
-                match next(4) {
-                    0 => bytes[at] = b"GMXYZIJKRLPNTH0123456789.-+#[]()=/;%\n "[next(38)],
-                    1 => drop(bytes.drain(at..(at + next(20)).min(bytes.len()))),
-                    2 => bytes.insert(at, b"0123456789.-LG"[next(14)]),
-                    _ => {
-                        let part = bytes[at..(at + next(60)).min(bytes.len())].to_vec();
-                        let to = next(bytes.len());
-                        bytes.splice(to..to, part);
-                    }
+    let paths = suite_programs(&["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc"]);
+    for path in paths.iter().flat_map(|path| std::iter::repeat_n(path, rounds)) {
+        let whole = text_of(path);
+        let own = job_of(&whole, &[]);
+        let mut bytes = whole.clone().into_bytes();
+        for _ in 0..4 {
+            let at = next(bytes.len());
+            match next(4) {
+                0 => bytes[at] = b"GMXYZIJKRLPNTH0123456789.-+#[]()=/;%\n "[next(38)],
+                1 => drop(bytes.drain(at..(at + next(20)).min(bytes.len()))),
+                2 => bytes.insert(at, b"0123456789.-LG"[next(14)]),
+                _ => {
+                    let part = bytes[at..(at + next(60)).min(bytes.len())].to_vec();
+                    let to = next(bytes.len());
+                    bytes.splice(to..to, part);
                 }
             }
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            let old = super::job(&text, own.machine().clone())
-                .options(RunOptions { max_repeated_blocks: 2000, ..RunOptions::default() });
-            let to = MACHINES[next(MACHINES.len())];
-            let found = convert(&old, &super::machine(to), &despite);
-            assert!(found.holds() || !verdict(&found).is_empty(), "{name}");
         }
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let old = super::job(&text, own.machine().clone())
+            .options(RunOptions { max_repeated_blocks: 2000, ..RunOptions::default() });
+        let to = MACHINES[next(MACHINES.len())];
+        let found = convert(&old, &super::machine(to), &despite);
+        assert!(found.holds() || !verdict(&found).is_empty(), "{path}");
     }
 }

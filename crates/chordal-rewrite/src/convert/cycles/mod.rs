@@ -115,8 +115,8 @@ fn return_level(context: &Context, draft: &mut Draft, at: usize) {
     let is_level = |action: Action| {
         matches!(action, Action::Mode(ModeCode::ReturnInitial | ModeCode::ReturnToR))
     };
-    let is_said = (0..=at).any(|block| context.source.has_action(block, context.from, is_level));
-    if one == other || is_said {
+    let is_said = || (0..=at).any(|block| context.source.has_action(block, context.from, is_level));
+    if one == other || is_said() {
         return;
     }
     let level = if one { ModeCode::ReturnToR } else { ModeCode::ReturnInitial };

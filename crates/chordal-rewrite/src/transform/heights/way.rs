@@ -1,6 +1,8 @@
 //! The way of a cut over the map: where the surface bends under it, and into how many pieces it is cut.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
+
+use chordal::geometry::fractions_at_angle;
 
 use super::grid::HeightMap;
 
@@ -39,11 +41,8 @@ impl Way {
         if let Way::Arc { start, sweep, .. } = *self {
             for quarter in 0..4 {
                 let angle = FRAC_PI_2 * f64::from(quarter);
-                let way = if sweep < 0.0 { start - angle } else { angle - start };
-                let swept = way.rem_euclid(TAU);
-                if swept < sweep.abs() {
-                    places.push(self.at(swept / sweep.abs()));
-                }
+                let mut passes = fractions_at_angle(start, sweep, angle);
+                places.extend(passes.next().map(|fraction| self.at(fraction)));
             }
         }
         places
@@ -147,12 +146,7 @@ impl Way {
                         let half = libm::acos(((edge - center[axis]) / radius).clamp(-1.0, 1.0));
                         let middle = if axis == 0 { 0.0 } else { FRAC_PI_2 };
                         for angle in [middle - half, middle + half] {
-                            let way = if sweep < 0.0 { start - angle } else { angle - start };
-                            let mut swept = way.rem_euclid(TAU);
-                            while swept < sweep.abs() {
-                                cuts.push(swept / sweep.abs());
-                                swept += TAU;
-                            }
+                            cuts.extend(fractions_at_angle(start, sweep, angle));
                         }
                     }
                 }

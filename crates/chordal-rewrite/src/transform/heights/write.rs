@@ -13,7 +13,7 @@ use chordal::geometry::Plane;
 use chordal::syntax::{Block, BlockKind, BlockReader, Word};
 
 use super::super::arcs::center_words;
-use super::super::edit::{Edit, Refusal, line_end, with_number};
+use super::super::edit::{Edit, Refusal, line_end, replace_words, with_number};
 use super::super::fit::center;
 use super::super::lines::{Words, newline};
 use super::super::number::unit_mm;
@@ -61,7 +61,8 @@ pub(super) fn write(job: &Job, map: &HeightMap, warp: &Warp) -> Result<Written, 
     let blocks = blocks(&writer);
     let levels = levels(&writer, &record, &blocks);
     let written = Written { edits: Vec::new(), notes: Vec::new(), trail: Trail::default() };
-    let mut bender = Bender { writer, map, warp, levels, written, work: None, units: None };
+    let mut bender =
+        Bender { writer, map, rise: map.rise(), warp, levels, written, work: None, units: None };
     let mut idle = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
         let alone = blocks.get(index + 1).is_none_or(|next| next.line > block.line);
@@ -95,6 +96,8 @@ fn blocks(writer: &Writer) -> Vec<Block> {
 struct Bender<'a> {
     writer: Writer<'a>,
     map: &'a HeightMap,
+    /// How far rapids are raised, mm.
+    rise: f64,
     warp: &'a Warp,
     levels: HashMap<u32, Level>,
     written: Written,
@@ -165,14 +168,13 @@ impl Bender<'_> {
 
     /// A rapid: its Z above the whole map; aside from a cut it is lifted to there before.
     fn rapid(&mut self, block: &Block, run: &Run, level: Level) {
-        let rise = self.map.rise();
+        let rise = self.rise;
         let aside = run.from[..2] != run.to[..2] || !run.known[0].has(0) || !run.known[0].has(1);
         if level == Level::Cut && aside {
             let (number, value) = self.number(run, run.from[2] + rise);
             if value != self.on_surface(run, [run.from[0], run.from[1], run.from[2]]) {
-                let rows = self.writer.control.table.g_codes;
-                let code = rows.iter().find(|row| row.action == Action::Motion(MotionCode::Rapid));
-                let code = code.map_or(String::new(), |row| row.name(b'G'));
+                let code =
+                    self.writer.g_code(Action::Motion(MotionCode::Rapid)).unwrap_or_default();
                 let gap = self.writer.style.gap();
                 let line = format!("{code}{gap}Z{number}{}", newline(self.writer.text));
                 self.written.edits.push(Edit::insert(block.range.start, line, REASON));
@@ -227,7 +229,7 @@ impl Bender<'_> {
         let is_aside = run.from[..2] != run.to[..2] || run.context.did == Did::Arc;
         if level == Level::Rapid
             && is_aside
-            && begin[2] != self.number(run, run.from[2] + self.map.rise()).1
+            && begin[2] != self.number(run, run.from[2] + self.rise).1
         {
             if run.context.did == Did::Arc {
                 return Err(self.refuse(
@@ -303,7 +305,7 @@ impl Bender<'_> {
         };
         let both = block.words.iter().zip(&roles).filter(is_shape);
         let old: Vec<Word> = both.map(|(word, _)| *word).collect();
-        self.replace(&old, &lines[0]);
+        self.written.edits.extend(replace_words(text, &old, &lines[0], REASON));
         let end = line_end(text, block.range.end);
         let rest = TextRange::new(block.range.end, end).slice(text);
         let tail = if rest.trim_ascii_end().ends_with(b";") { ";" } else { "" };
@@ -332,8 +334,7 @@ impl Bender<'_> {
         own.or_else(|| {
             let is_ccw = run.shape.is_some_and(|shape| shape.sweep > 0.0);
             let code = if is_ccw { MotionCode::ArcCcw } else { MotionCode::ArcCw };
-            let rows = self.writer.control.table.g_codes;
-            rows.iter().find(|row| row.action == Action::Motion(code)).map(|row| row.name(b'G'))
+            self.writer.g_code(Action::Motion(code))
         })
     }
 
@@ -366,21 +367,6 @@ impl Bender<'_> {
             at = piece.to;
         }
         lines
-    }
-
-    /// Puts words in the place of others.
-    fn replace(&mut self, old: &[Word], new: &str) {
-        let text = self.writer.text;
-        for (index, word) in old.iter().enumerate() {
-            if index == 0 {
-                self.written.edits.push(Edit::new(word.range, new, REASON));
-                continue;
-            }
-            let before = &text[..word.range.start as usize];
-            let blanks = before.iter().rev().take_while(|byte| **byte == b' ').count() as u32;
-            let range = TextRange::new(word.range.start - blanks, word.range.end);
-            self.written.edits.push(Edit::new(range, "", REASON));
-        }
     }
 }
 
