@@ -116,7 +116,11 @@ impl Material {
                 }
             }
         }
+        let mut entered = chain.iter().map(|block| block.tag).peekable();
         for block in again {
+            if entered.next_if_eq(&block.tag).is_some() {
+                continue;
+            }
             let key = Key::of(&block.curve, block.curve.from(), block.curve.to(), grain);
             let key_at = |at: u32| {
                 let curve = &self.curves[at as usize];

@@ -184,8 +184,7 @@ impl<'a> Search<'a> {
         if !hull.foreign && !matches!(aim, Aim::Clearance) {
             let low = (hull.first as usize).min(first);
             let high = (hull.last as usize).max(end - 1);
-            let span = self.turns.over_hull(low, high);
-            if !span.broken && span.most - span.least <= CONE {
+            if self.turns.is_within(low, high, CONE) {
                 return true;
             }
         }
@@ -240,9 +239,9 @@ impl<'a> Search<'a> {
             if bounds.gap_square(&whole) >= *limit || is_beyond(curve, &whole, *limit) {
                 continue;
             }
-            let of_part = self.material.has(self.path[p].tag);
+            let of_part = || self.material.has(self.path[p].tag);
             let spares_ends = matches!(aim, Aim::DeepestOffEnds(_));
-            if matches!(aim, Aim::DeepestOfPart(_)) && !of_part || spares_ends && of_part {
+            if matches!(aim, Aim::DeepestOfPart(_)) && !of_part() || spares_ends && of_part() {
                 continue;
             }
             for c in first..end {

@@ -175,8 +175,9 @@ impl TurnTree {
         TurnTree { nodes, leaves }
     }
 
-    /// What the leaves hold that cover the elements `first..=last`.
-    pub(super) fn over_hull(&self, first: usize, last: usize) -> Span {
+    /// Whether the leaves over the elements `first..=last` are unbroken and their tangents span no
+    /// more than `cone`.
+    pub(super) fn is_within(&self, first: usize, last: usize, cone: f64) -> bool {
         let (mut low, mut high) = (self.leaves + first / LEAF, self.leaves + last / LEAF + 1);
         let mut all = Span::EMPTY;
         while low < high {
@@ -188,10 +189,13 @@ impl TurnTree {
                 high -= 1;
                 all = all.join(self.nodes[high]);
             }
+            if all.broken || all.most - all.least > cone {
+                return false;
+            }
             low /= 2;
             high /= 2;
         }
-        all
+        true
     }
 }
 

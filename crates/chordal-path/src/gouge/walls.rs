@@ -192,22 +192,35 @@ impl Loops {
     }
 }
 
+/// Width of a cell of places, in grains. So wide that most places lie farther than a grain from
+/// the cell's edges, and few lie in one.
+const CELL: f64 = 64.0;
+
 /// Numbers the places where blocks begin and end: those nearer than the grain are one.
 fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
     let mut known: BTreeMap<(i64, i64), Vec<(Vec2, usize)>> = BTreeMap::new();
     let mut count = 0;
+    // The cell of a coordinate, and the next one where its edge is within a grain.
+    let cells = |x: f64| {
+        let at = x / (CELL * grain);
+        let cell = libm::floor(at) as i64;
+        let inside = at - cell as f64;
+        let beside = match inside * CELL {
+            near_low if near_low <= 1.0 => Some(cell - 1),
+            near_high if near_high >= CELL - 1.0 => Some(cell + 1),
+            _ => None,
+        };
+        (cell, beside)
+    };
     let mut number = |p: Vec2| {
-        // Cells of two grains: a place within one grain lies in this cell or in the nearer
-        // neighbour each way.
-        let (a, b) = (p.a / (2.0 * grain), p.b / (2.0 * grain));
-        let (cell_a, cell_b) = (libm::floor(a) as i64, libm::floor(b) as i64);
-        let beside = |x: f64, cell: i64| if x - cell as f64 > 0.5 { cell + 1 } else { cell - 1 };
-        for cell in [
-            (cell_a, cell_b),
-            (beside(a, cell_a), cell_b),
-            (cell_a, beside(b, cell_b)),
-            (beside(a, cell_a), beside(b, cell_b)),
-        ] {
+        let ((a, beside_a), (b, beside_b)) = (cells(p.a), cells(p.b));
+        let around = [
+            Some((a, b)),
+            beside_a.map(|beside| (beside, b)),
+            beside_b.map(|beside| (a, beside)),
+            beside_a.zip(beside_b),
+        ];
+        for cell in around.into_iter().flatten() {
             let near = known.get(&cell).and_then(|all| {
                 all.iter().find(|(other, _)| other.distance(p) <= grain).map(|found| found.1)
             });
@@ -215,7 +228,7 @@ fn places(chain: &[Block], grain: f64) -> Vec<(usize, usize)> {
                 return found;
             }
         }
-        known.entry((cell_a, cell_b)).or_default().push((p, count));
+        known.entry((a, b)).or_default().push((p, count));
         count += 1;
         count - 1
     };
