@@ -7,7 +7,7 @@ use std::hash::{BuildHasherDefault, Hasher};
 use super::report::{BlockTime, Reason};
 
 /// How many blocks are held while a program goes by. When there are more, those in the lower
-/// half of both rankings are forgotten: a block is lost to the lists only when it costs so
+/// three quarters of both rankings are forgotten: a block is lost to the lists only when it costs so
 /// little in each of its runs that thousands cost more in between.
 const HELD: usize = 1 << 15;
 
@@ -33,7 +33,12 @@ struct Open {
 /// Adds up runs of blocks and ranks them.
 #[derive(Debug, Default)]
 pub(super) struct Blocks {
-    held: HashMap<Key, BlockTime, BuildHasherDefault<KeyHasher>>,
+    /// Blocks that came after all before them, as most of a program do: in the order of their keys.
+    in_order: Vec<BlockTime>,
+    /// The others: of a subprogram further up, or in another file.
+    out_of_order: HashMap<Key, BlockTime, BuildHasherDefault<KeyHasher>>,
+    /// The largest key so far.
+    highest: Option<Key>,
     /// The run that goes on: several moves of one block, one after the other.
     open: Option<Open>,
 }
@@ -92,48 +97,54 @@ impl Blocks {
     }
 
     fn add(&mut self, done: &Open) {
-        let Open { run, worst, .. } = done;
-        if self.held.len() >= HELD && !self.held.contains_key(&key(&run.origin)) {
-            self.forget();
-        }
-        let block = self.held.entry(key(&run.origin)).or_insert(BlockTime {
-            origin: run.origin,
-            runs: 0,
-            time_s: 0.0,
-            lost_s: 0.0,
-            reason: run.reason,
-            longest_s: 0.0,
-            loses: worst.1,
-            largest_loss_s: 0.0,
-        });
-        block.runs += 1;
-        block.time_s += run.time_s;
-        block.lost_s += run.lost_s;
-        // The longest of its runs gives the reason.
-        if run.time_s > block.longest_s {
-            block.longest_s = run.time_s;
-            block.reason = run.reason;
-        }
-        if worst.0 > block.largest_loss_s {
-            (block.largest_loss_s, block.loses) = *worst;
+        let key = key(&done.run.origin);
+        if self.highest.is_none_or(|highest| key > highest) {
+            self.highest = Some(key);
+            self.make_room();
+            self.in_order.push(BlockTime::of(done));
+        } else if let Some(block) = self.find(key) {
+            block.add(done);
+        } else {
+            self.make_room();
+            self.out_of_order.insert(key, BlockTime::of(done));
         }
     }
 
-    /// Keeps the upper halves of both rankings, or less.
-    fn forget(&mut self) {
-        let middle = |value: fn(&BlockTime) -> f64| {
-            let mut values: Vec<f64> = self.held.values().map(value).collect();
-            let half = values.len() / 4 * 3;
-            *values.select_nth_unstable_by(half, f64::total_cmp).1
+    fn find(&mut self, wanted: Key) -> Option<&mut BlockTime> {
+        match self.in_order.binary_search_by_key(&wanted, |block| key(&block.origin)) {
+            Ok(at) => self.in_order.get_mut(at),
+            Err(_) => self.out_of_order.get_mut(&wanted),
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.in_order.len() + self.out_of_order.len()
+    }
+
+    fn all(&self) -> impl Iterator<Item = &BlockTime> {
+        self.in_order.iter().chain(self.out_of_order.values())
+    }
+
+    /// Keeps the upper quarters of both rankings, or less, where there are too many.
+    fn make_room(&mut self) {
+        if self.len() < HELD {
+            return;
+        }
+        let quarter = |value: fn(&BlockTime) -> f64| {
+            let mut values: Vec<f64> = self.all().map(value).collect();
+            let at = values.len() / 4 * 3;
+            *values.select_nth_unstable_by(at, f64::total_cmp).1
         };
-        let (time_s, lost_s) = (middle(|block| block.time_s), middle(|block| block.lost_s));
-        self.held.retain(|_, block| block.time_s > time_s || block.lost_s > lost_s);
+        let (time_s, lost_s) = (quarter(|block| block.time_s), quarter(|block| block.lost_s));
+        let keeps = |block: &BlockTime| block.time_s > time_s || block.lost_s > lost_s;
+        self.in_order.retain(keeps);
+        self.out_of_order.retain(|_, block| keeps(block));
     }
 
     /// The blocks with the most of a value above zero, most first, at most so many.
     fn top(&self, most: usize, value: fn(&BlockTime) -> f64) -> Vec<BlockTime> {
         let mut blocks: Vec<BlockTime> =
-            self.held.values().filter(|block| value(block) > 0.0).copied().collect();
+            self.all().filter(|block| value(block) > 0.0).copied().collect();
         blocks.sort_by(|a, b| {
             value(b).total_cmp(&value(a)).then(key(&a.origin).cmp(&key(&b.origin)))
         });
@@ -147,6 +158,37 @@ impl Blocks {
             self.add(&done);
         }
         (self.top(most, |block| block.time_s), self.top(most, |block| block.lost_s))
+    }
+}
+
+impl BlockTime {
+    fn of(done: &Open) -> BlockTime {
+        let mut block = BlockTime {
+            origin: done.run.origin,
+            runs: 0,
+            time_s: 0.0,
+            lost_s: 0.0,
+            reason: done.run.reason,
+            longest_s: 0.0,
+            loses: done.worst.1,
+            largest_loss_s: 0.0,
+        };
+        block.add(done);
+        block
+    }
+
+    fn add(&mut self, Open { run, worst, .. }: &Open) {
+        self.runs += 1;
+        self.time_s += run.time_s;
+        self.lost_s += run.lost_s;
+        // The longest of its runs gives the reason.
+        if run.time_s > self.longest_s {
+            self.longest_s = run.time_s;
+            self.reason = run.reason;
+        }
+        if worst.0 > self.largest_loss_s {
+            (self.largest_loss_s, self.loses) = *worst;
+        }
     }
 }
 
@@ -200,7 +242,7 @@ mod tests {
                 if line % 20_000 == 7 { 10.0 + f64::from(line) } else { 0.1 },
                 0.0,
             ));
-            assert!(blocks.held.len() <= HELD);
+            assert!(blocks.len() <= HELD);
         }
         let (longest, _) = blocks.finish(10);
         let lines: Vec<u32> = longest.iter().map(|block| block.origin.line).collect();
