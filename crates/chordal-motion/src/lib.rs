@@ -52,6 +52,9 @@
 mod bound;
 mod cell;
 mod cursor;
+mod curve;
+mod dense;
+mod law;
 mod limits;
 mod piece;
 mod planner;
@@ -69,6 +72,7 @@ mod verify;
 
 pub use bound::{Bound, Run, RunError, bound};
 pub use cursor::Cursor;
+pub use law::{Work, law};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};

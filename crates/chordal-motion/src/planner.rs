@@ -1,13 +1,16 @@
 //! The planner: takes moves, emits steps; its levels and options.
 
+use chordal_geometry::{AXES, Curve};
+
 use crate::Axes;
 use crate::bound::{Run, bound};
 use crate::cell::AxisArrays;
+use crate::dense::Dense;
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Cell, Solver};
 use crate::reference::{self, best, reference};
-use crate::segment::{Move, MoveError};
+use crate::segment::{Corner, Move, MoveError};
 use crate::smooth::span::{PathPart, Span, sealed::Keep};
 use crate::smooth::{End, Joint, Leg, Overlap, Passing, Row, Smoother, overlap_of};
 use crate::trajectory::{Step, Stretch};
@@ -74,23 +77,53 @@ pub struct Planner<P = Piece> {
     /// The same for the corner at which the run ends, where that is known.
     next_overlap: Option<Overlap>,
     last: Option<End>,
+    /// Lines that wait for their end at rest, where whole rows are planned.
+    group: Option<Box<Group>>,
 }
+
+/// Lines from rest on.
+#[derive(Debug)]
+struct Group {
+    moves: Vec<Move>,
+    /// Until the next rest moves are planned as they come: there is more than lines, or too much.
+    passes: bool,
+    dense: Dense,
+    /// Another planner, for the time that corners by themselves take.
+    other: Planner<Span>,
+}
+
+/// A group of fewer moves is planned corner by corner, as is one of more than a minute's memory.
+const FEW: usize = 8;
+const MANY: usize = 50_000;
+
+/// How near the least time a law is, by level.
+const GAPS: [f64; 2] = [0.005, 0.001];
 
 impl Planner {
     /// A planner for a machine at rest.
     pub fn new(limits: Limits, options: PlannerOptions) -> Planner {
-        Planner::at_rest(limits, options)
+        Planner::whole(limits, options)
     }
 }
 
 impl Planner<Span> {
     /// A planner that works out the times of level fast and keeps no path.
     pub fn of_times(limits: Limits) -> Planner<Span> {
-        Planner::at_rest(limits, PlannerOptions::new(Level::Fast))
+        Planner::whole(limits, PlannerOptions::new(Level::Fast))
     }
 }
 
 impl<P: PathPart> Planner<P> {
+    /// A planner that looks at whole groups of lines, unless somebody waits for each row.
+    fn whole(limits: Limits, options: PlannerOptions) -> Planner<P> {
+        let group = options.row_s.is_infinite().then(|| {
+            let other = Planner::at_rest(limits, PlannerOptions::new(Level::Fast));
+            let (moves, dense) = (Vec::new(), Dense::default());
+            Box::new(Group { moves, passes: false, dense, other })
+        });
+        Planner { group, ..Planner::at_rest(limits, options) }
+    }
+
     fn at_rest(limits: Limits, options: PlannerOptions) -> Planner<P> {
         Planner {
             arrays: AxisArrays::new(&limits),
@@ -106,6 +139,7 @@ impl<P: PathPart> Planner<P> {
             overlap: None,
             next_overlap: None,
             last: None,
+            group: None,
         }
     }
 
@@ -126,33 +160,105 @@ impl<P: PathPart> Planner<P> {
             return Ok(());
         }
         self.position = Some(motion.to());
-        let leg = Leg::new(motion, &start, &self.arrays);
+        if self.group.is_some() {
+            self.gather(motion, &start, &mut take);
+        } else {
+            self.corner_by_corner(motion, &start, &mut take);
+        }
+        Ok(())
+    }
+
+    /// Keeps a line for its group, or plans a move that is of none.
+    fn gather(&mut self, motion: &Move, start: &Axes, take: &mut impl FnMut(Step<'_, P>)) {
+        let Some(group) = &mut self.group else { return };
+        let rests = motion.corner == Corner::Stop;
+        let fits = matches!(motion.curve, Curve::Line(_)) && motion.corner != Corner::Exact;
+        if group.passes || !fits || group.moves.len() >= MANY {
+            group.passes = !rests;
+            self.plan_moves(take);
+            return self.corner_by_corner(motion, start, take);
+        }
+        group.moves.push(*motion);
+        if rests {
+            self.plan_group(take);
+        }
+    }
+
+    /// Plans the kept lines corner by corner.
+    fn plan_moves(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+        let Some(group) = &mut self.group else { return };
+        let moves = std::mem::take(&mut group.moves);
+        let mut at = moves.first().map_or([0.0; AXES], Move::from);
+        for motion in &moves {
+            self.corner_by_corner(motion, &at, take);
+            at = motion.to();
+        }
+        if let Some(group) = &mut self.group {
+            group.moves = moves;
+            group.moves.clear();
+        }
+    }
+
+    /// Plans the kept lines, which end at rest, as smooth curves or corner by corner, whichever is
+    /// quicker.
+    fn plan_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+        let Some(mut group) = self.group.take() else { return };
+        if group.moves.len() >= FEW {
+            let limit_s = group.corners_s();
+            let gap = GAPS[usize::from(self.options.level == Level::Best)];
+            let stretches = group.curves(&self.limits, gap, limit_s);
+            if let Some(stretches) = stretches {
+                // What was planned before has ended at rest.
+                self.release(take);
+                self.end_run(take);
+                (self.overlap, self.last) = (None, None);
+                for stretch in &stretches {
+                    self.stretch.pieces.clear();
+                    self.stretch.pieces.extend(stretch.pieces.iter().map(P::of));
+                    self.stretch.phases.clone_from(&stretch.phases);
+                    self.stretch.overlap_s = stretch.overlap_s;
+                    take(Step::Stretch(&self.stretch));
+                }
+                group.moves.clear();
+            }
+        }
+        self.group = Some(group);
+        self.plan_moves(take);
+    }
+
+    /// Takes a move and hands on the steps that are certain now.
+    fn corner_by_corner(
+        &mut self,
+        motion: &Move,
+        start: &Axes,
+        take: &mut impl FnMut(Step<'_, P>),
+    ) {
+        let leg = Leg::new(motion, start, &self.arrays);
         let joint = self.smoother.joint(&leg, &self.arrays);
         if self.smoother.lengthens(&leg, joint) {
             if self.smoother.lengthen(leg, motion.corner) {
-                self.release(&mut take);
+                self.release(take);
             }
-            return Ok(());
+            return;
         }
-        self.release(&mut take);
+        self.release(take);
         let passing = match joint {
             Some(Joint::Slow(slow)) => {
                 if self.smoother.hold(leg, motion.corner, slow) {
-                    self.release(&mut take);
+                    self.release(take);
                 }
-                return Ok(());
+                return;
             }
             Some(Joint::Ease(step)) => Some(Passing::Ease(step, 0.0)),
             Some(Joint::Smooth) => Some(Passing::Smooth),
             Some(Joint::Stop) => {
-                self.rest(None, &mut take);
+                self.rest(None, take);
                 None
             }
             None => None,
         };
         self.smoother.push(leg, motion.corner, passing);
-        self.advance(&mut take);
-        Ok(())
+        self.advance(take);
     }
 
     /// Goes on with a leg whose length has become known.
@@ -202,11 +308,22 @@ impl<P: PathPart> Planner<P> {
 
     /// The axes come to rest: emits the rest of the steps. The next move may begin anywhere.
     pub fn finish(&mut self, mut take: impl FnMut(Step<'_, P>)) {
+        self.end_group(&mut take);
         self.release(&mut take);
         self.end_run(&mut take);
         self.position = None;
         self.overlap = None;
         self.last = None;
+    }
+
+    /// The axes come to rest after the kept lines, whatever their last corner says.
+    fn end_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+        let Some(group) = &mut self.group else { return };
+        group.passes = false;
+        if let Some(last) = group.moves.last_mut() {
+            last.corner = Corner::Stop;
+            self.plan_group(take);
+        }
     }
 
     /// Where a move begins: where the one before it ended.
@@ -291,6 +408,52 @@ impl<P: PathPart> Planner<P> {
         self.last = last;
         take(Step::Stretch(stretch));
     }
+}
+
+impl Group {
+    /// The time of its lines corner by corner, s.
+    fn corners_s(&mut self) -> f64 {
+        let mut time_s = 0.0;
+        let mut take = |step: Step<'_, Span>| {
+            if let Step::Stretch(stretch) = step {
+                time_s += stretch.duration_s() - stretch.overlap_s;
+            }
+        };
+        for motion in &self.moves {
+            // It was found good when it came.
+            let _ = self.other.push(motion, &mut take);
+        }
+        self.other.finish(&mut take);
+        time_s
+    }
+
+    /// Its lines as smooth curves from corner to corner, if that takes less than a time, s.
+    fn curves(&mut self, limits: &Limits, gap: f64, limit_s: f64) -> Option<Vec<Stretch>> {
+        let mut stretches = Vec::new();
+        for run in self.dense.plan(&self.moves, limits, gap) {
+            match run {
+                Ok(stretch) => stretches.push(stretch),
+                Err(moves) => corner_by_corner(&self.moves[moves], limits, &mut stretches),
+            }
+        }
+        let time_s: f64 = stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum();
+        (time_s < limit_s).then_some(stretches)
+    }
+}
+
+/// The stretches of some moves from rest to rest, each corner by itself.
+fn corner_by_corner(moves: &[Move], limits: &Limits, stretches: &mut Vec<Stretch>) {
+    let mut planner: Planner = Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
+    let mut take = |step: Step<'_>| {
+        if let Step::Stretch(stretch) = step {
+            stretches.push(stretch.clone());
+        }
+    };
+    for motion in moves {
+        // It was found good when it came.
+        let _ = planner.push(motion, &mut take);
+    }
+    planner.finish(&mut take);
 }
 
 fn pieces_of(cells: &[Cell]) -> usize {

@@ -64,6 +64,9 @@ pub(crate) mod sealed {
         /// before.
         fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Self;
 
+        /// What is kept of a piece.
+        fn of(piece: &Piece) -> Self;
+
         /// Makes it longer by another where one of them tells as much as both.
         fn take_in(&mut self, next: &Self) -> bool;
 
@@ -75,6 +78,10 @@ pub(crate) mod sealed {
         fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Piece {
             let jet = if way > 0.0 { ahead(jet, way, 6) } else { *jet };
             piece(leg, part, jet, at, length)
+        }
+
+        fn of(piece: &Piece) -> Piece {
+            *piece
         }
 
         fn take_in(&mut self, _next: &Piece) -> bool {
@@ -90,6 +97,10 @@ pub(crate) mod sealed {
         fn new(leg: &Leg, part: &Part, jet: &Jet, _way: f64, _at: f64, length: f64) -> Span {
             let even = jet[2] == [0.0; AXES] && jet[3] == [0.0; AXES];
             Span { length, tag: part.tag, is_straight: even && leg.curve.is_none() }
+        }
+
+        fn of(piece: &Piece) -> Span {
+            Span { length: piece.length, tag: piece.tag, is_straight: piece.is_straight() }
         }
 
         fn take_in(&mut self, next: &Span) -> bool {

@@ -1,0 +1,81 @@
+//! Times of dense chords: as planned, and the least with and without jerk.
+//!
+//! ```text
+//! cargo run --release -p chordal-motion --example dense [NAME]
+//! ```
+
+#![allow(clippy::disallowed_methods, reason = "an example is a shell")]
+
+#[path = "../tests/support/mod.rs"]
+mod support;
+
+use std::time::Instant;
+
+use chordal_motion::{
+    Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, bound, largest_use,
+};
+use support::dense::{self, Places};
+
+fn main() {
+    let wanted = std::env::args().nth(1).unwrap_or_default();
+    let tolerance: f64 = std::env::args().nth(2).and_then(|word| word.parse().ok()).unwrap_or(0.01);
+    let paths: Vec<(&str, Places)> = vec![
+        ("ellipse 334", dense::ellipse(334, None)),
+        ("ellipse 1336", dense::ellipse(1336, None)),
+        ("ellipse 1336 3 decimals", dense::ellipse(1336, Some(3))),
+        ("ellipse 5000", dense::ellipse(5000, None)),
+        ("ellipse 5000 3 decimals", dense::ellipse(5000, Some(3))),
+        ("circle R20", dense::circle(20.0, 1.0, 0.1, None)),
+        ("circle R5 two turns", dense::circle(5.0, 2.0, 0.1, None)),
+        ("spiral", dense::spiral(0.1)),
+        ("star", dense::star(0.1)),
+        ("trident", dense::trident(0.1)),
+        ("harmonics 4 decimals", dense::harmonics(0.1, 4, 1)),
+        ("harmonics 3 decimals", dense::harmonics(0.05, 3, 1)),
+    ];
+    let limits = support::limits(500.0, 5000.0, 1e5);
+    println!(
+        "path                      moves  corners       ms |  curves       ms  no jerk  acceleration    jerk  pieces  runs"
+    );
+    for (name, places) in paths.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
+        let moves = dense::moves(places, 1000.0, tolerance);
+        // With rows that somebody waits for, corners are planned by themselves.
+        let (before, before_ms) = timed(&moves, limits, 1e9);
+        let (now, now_ms) = timed(&moves, limits, f64::INFINITY);
+        let used = now.iter().map(|s| largest_use(s, &limits, 5)).fold(Use::default(), Use::or);
+        let mut least = 0.0;
+        for stretch in &now {
+            let speeds = vec![1000.0; stretch.pieces.len()];
+            if let Ok(run) = Run::new(&stretch.pieces, &speeds, 0.0, &limits) {
+                least += bound(&run).time_s;
+            }
+        }
+        println!(
+            "{name:24} {:6} {:8.4} {before_ms:8.1} | {:7.4} {now_ms:8.1} {least:8.4} {:13.5} {:7.5} {:7} {:5}",
+            moves.len(),
+            support::time_of(&before),
+            support::time_of(&now),
+            used.acceleration,
+            used.jerk,
+            now.iter().map(|s| s.pieces.len()).sum::<usize>(),
+            now.len(),
+        );
+    }
+}
+
+fn timed(moves: &[Move], limits: Limits, row_s: f64) -> (Vec<Stretch>, f64) {
+    let options = PlannerOptions { row_s, ..PlannerOptions::new(Level::Fast) };
+    let mut planner = Planner::new(limits, options);
+    let mut stretches: Vec<Stretch> = Vec::new();
+    let mut take = |step: Step<'_>| {
+        if let Step::Stretch(stretch) = step {
+            stretches.push(stretch.clone());
+        }
+    };
+    let begin = Instant::now();
+    for motion in moves {
+        planner.push(motion, &mut take).expect("a line");
+    }
+    planner.finish(&mut take);
+    (stretches, begin.elapsed().as_secs_f64() * 1e3)
+}

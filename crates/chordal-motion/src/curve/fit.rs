@@ -1,0 +1,206 @@
+//! Knots, control points and pieces of the cubic B-spline.
+
+use chordal_geometry::AXES;
+
+use super::Kernel;
+use super::chords::Chords;
+use super::width::Widths;
+use crate::Axes;
+use crate::piece::Jet;
+
+/// What the mean over a box and a cubic B-spline take off, by the square of the distance of knots.
+const BIAS: f64 = 5.0 / 24.0;
+/// No box is averaged over more control points to a side.
+const MOST: usize = 60;
+
+/// The spline.
+#[derive(Debug, Default)]
+pub(super) struct Spline {
+    /// Knots, three more than the run's at each end.
+    knots: Vec<f64>,
+    control: Vec<Axes>,
+    widths: Vec<f64>,
+    eroded: Vec<f64>,
+    /// σ where each piece begins, and where the last ends.
+    pub at: Vec<f64>,
+    /// The axes and their derivatives where each piece begins.
+    pub jets: Vec<Jet>,
+}
+
+impl Spline {
+    /// Fits the spline to the chords.
+    pub fn fit(&mut self, chords: &Chords, widths: &Widths, kernel: Kernel) {
+        self.lay_knots(chords, widths);
+        match kernel {
+            Kernel::Plain => self.plain(chords, widths),
+            Kernel::Sharp => self.sharp(chords),
+        }
+        self.make_pieces();
+    }
+
+    fn lay_knots(&mut self, chords: &Chords, widths: &Widths) {
+        let density = |index: usize| {
+            let span = chords.at[index] - chords.at[index - 1];
+            0.5 * (1.0 / widths.knots[index] + 1.0 / widths.knots[index - 1]) * span
+        };
+        let whole: f64 = (1..=chords.count()).map(density).sum();
+        let count = (whole.ceil() as usize).max(4);
+        let step = whole / count as f64;
+        let length = chords.length();
+        self.at.clear();
+        self.at.push(0.0);
+        let mut sum = 0.0;
+        for index in 1..=chords.count() {
+            let part = density(index);
+            let span = chords.at[index] - chords.at[index - 1];
+            while self.at.len() < count && sum + part >= self.at.len() as f64 * step {
+                let share = (self.at.len() as f64 * step - sum) / part;
+                self.at.push(chords.at[index - 1] + span * share);
+            }
+            sum += part;
+        }
+        while self.at.len() < count {
+            let left = (count - self.at.len()) as f64;
+            self.at.push(length * (1.0 - 1e-9 * left));
+        }
+        self.at.push(length);
+        let turned = |index: usize| 2.0 * length - self.at[count - index];
+        self.knots.clear();
+        self.knots.extend((1..=3).rev().map(|index| -self.at[index]));
+        self.knots.extend_from_slice(&self.at);
+        self.knots.extend((1..=3).map(turned));
+    }
+
+    fn abscissa(&self, index: usize) -> f64 {
+        (self.knots[index + 1] + self.knots[index + 2] + self.knots[index + 3]) / 3.0
+    }
+
+    fn spacing(&self, index: usize) -> f64 {
+        0.5 * (self.knots[index + 3] - self.knots[index + 1])
+    }
+
+    /// Means over boxes, whose widths change evenly: a kink of the width is one of the path.
+    fn plain(&mut self, chords: &Chords, widths: &Widths) {
+        let count = self.knots.len() - 4;
+        let length = chords.length();
+        let mut hint = 0;
+        self.widths.clear();
+        for index in 0..count {
+            let at = self.abscissa(index);
+            let inside = if at < 0.0 {
+                -at
+            } else if at > length {
+                2.0 * length - at
+            } else {
+                at
+            };
+            let chord = chords.chord_at(inside, &mut hint);
+            let span = chords.at[chord + 1] - chords.at[chord];
+            let share = ((inside - chords.at[chord]) / span).clamp(0.0, 1.0);
+            let [before, after] = [widths.boxes[chord], widths.boxes[chord + 1]];
+            self.widths.push(0.5 * (before + share * (after - before)));
+        }
+        let reach = |half: f64, spacing: f64| ((half / spacing).ceil() as usize).clamp(1, MOST);
+        // The control points are symmetric about the second and the last but one.
+        let fold = |index: isize| {
+            let last = count as isize - 1;
+            let index = if index < 0 { 2 - index } else { index };
+            let index = if index > last { 2 * last - 2 - index } else { index };
+            (0..=last).contains(&index).then_some(index as usize)
+        };
+        self.eroded.clear();
+        for index in 0..count {
+            let far = reach(self.widths[index], self.spacing(index)) as isize;
+            let around = (-far..=far).filter_map(|k| fold(index as isize + k));
+            let least = around.map(|other| self.widths[other]).fold(self.widths[index], f64::min);
+            self.eroded.push(least);
+        }
+        let mut means = Vec::with_capacity(count);
+        for index in 0..count {
+            let far = reach(self.widths[index], self.spacing(index)) as isize;
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for k in -far..=far {
+                if let Some(other) = fold(index as isize + k) {
+                    let weight = (far + 1 - k.abs()) as f64;
+                    sum += weight * self.eroded[other];
+                    weights += weight;
+                }
+            }
+            means.push((sum / weights).min(self.widths[index]));
+        }
+        let mut hint = 0;
+        self.control.clear();
+        for (index, half) in means.into_iter().enumerate() {
+            let at = self.abscissa(index);
+            let place = if half > 0.0 {
+                chords.mean(at, half, &mut hint)
+            } else {
+                chords.place_at(at, &mut hint)
+            };
+            self.control.push(place);
+        }
+    }
+
+    /// Means over one spacing, and the bias of second order taken off.
+    fn sharp(&mut self, chords: &Chords) {
+        let count = self.knots.len() - 4;
+        let length = chords.length();
+        let last = self.at.len() - 1;
+        let knot = |index: isize| -> f64 {
+            let inner = index - 3;
+            if inner < 0 {
+                -self.at[(-inner as usize).min(last)]
+            } else if inner as usize > last {
+                2.0 * length - self.at[(2 * last).saturating_sub(inner as usize)]
+            } else {
+                self.at[inner as usize]
+            }
+        };
+        let mut hint = 0;
+        let mean = |index: isize, hint: &mut usize| {
+            let [a, b, c] = [1, 2, 3].map(|k| knot(index + k));
+            let at = (a + b + c) / 3.0;
+            (at, chords.mean(at, 0.25 * (c - a), hint))
+        };
+        self.control.clear();
+        let mut before = mean(-1, &mut hint);
+        let mut here = mean(0, &mut hint);
+        for index in 0..count {
+            let after = mean(index as isize + 1, &mut hint);
+            let (left, right) = (here.0 - before.0, after.0 - here.0);
+            let spacing = self.spacing(index);
+            let factor = BIAS * spacing * spacing * 2.0 / (left + right);
+            self.control.push(std::array::from_fn(|axis| {
+                let bend =
+                    (after.1[axis] - here.1[axis]) / right - (here.1[axis] - before.1[axis]) / left;
+                here.1[axis] - factor * bend
+            }));
+            (before, here) = (here, after);
+        }
+    }
+
+    /// Each piece by the four control points around it.
+    fn make_pieces(&mut self) {
+        self.jets.clear();
+        for index in 0..self.at.len() - 1 {
+            let t = &self.knots[index..index + 7];
+            let c = &self.control[index..index + 4];
+            let slopes = [3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2]), 3.0 / (t[6] - t[3])];
+            let bends = [2.0 / (t[4] - t[2]), 2.0 / (t[5] - t[3])];
+            let (share, last) = ((t[3] - t[2]) / (t[4] - t[2]), 1.0 / (t[4] - t[3]));
+            let (a, b) = ((t[3] - t[1]) / (t[4] - t[1]), (t[3] - t[2]) / (t[5] - t[2]));
+            let mut jet = [[0.0; AXES]; 4];
+            for axis in 0..AXES {
+                let p = [c[0][axis], c[1][axis], c[2][axis], c[3][axis]];
+                let d: [f64; 3] = std::array::from_fn(|k| (p[k + 1] - p[k]) * slopes[k]);
+                let e: [f64; 2] = std::array::from_fn(|k| (d[k + 1] - d[k]) * bends[k]);
+                let (first, second) = (p[0] + a * (p[1] - p[0]), p[1] + b * (p[2] - p[1]));
+                jet[0][axis] = first + share * (second - first);
+                jet[1][axis] = d[0] + share * (d[1] - d[0]);
+                jet[2][axis] = e[0];
+                jet[3][axis] = (e[1] - e[0]) * last;
+            }
+            self.jets.push(jet);
+        }
+    }
+}

@@ -1,0 +1,355 @@
+//! The cells of a run: how the axes move with σ at both ends of each, and what that allows.
+
+use chordal_geometry::AXES;
+
+use super::Ends;
+use crate::bound::Run;
+use crate::piece::Jet;
+use crate::root::cbrt;
+
+/// A cell takes no longer than this at the largest speed without jerk, s.
+const LONGEST_S: f64 = 0.004;
+/// Nor longer than this share of the time in which jerk alone makes the speed.
+const SHARE_OF_RAMP: f64 = 0.35;
+/// H·√|q'''| on a cell: with it the limits between its ends are met within a thousandth.
+const THIRD: f64 = 0.08;
+/// An arc turns by no more on a cell, rad.
+const TURN: f64 = 0.04;
+/// Rounds of cutting cells that turn out to take too long.
+const ROUNDS: usize = 12;
+/// Into no more parts at once.
+const MOST_PARTS: f64 = 8.0;
+/// The first cell from rest takes so long at full jerk, s; the next are longer by `GROWTH` each.
+const FIRST_S: f64 = 0.008;
+const STEP_S: f64 = 0.0032;
+/// No more cells: a longer run keeps the law that it has.
+pub(super) const MOST_CELLS: usize = 200_000;
+
+/// Shares of the limits with which the first law is looked for.
+const ACCELERATION: f64 = 0.96;
+const JERK: f64 = 0.87;
+const TURNING_JERK: f64 = 0.9;
+
+/// A node between two cells.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Node {
+    /// σ from the start of the run.
+    pub at: f64,
+    /// First and second derivative of each axis, as shares of its acceleration and its jerk:
+    /// q'/A, q''/A, q'/J and q''/J.
+    pub by_acceleration: [[f64; AXES]; 2],
+    pub by_jerk: [[f64; AXES]; 2],
+    /// Largest σ̇² by velocities and feeds.
+    pub cap: f64,
+    /// Share of the acceleration that may be used.
+    pub share: f64,
+}
+
+/// What lies between two nodes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Cell {
+    /// Extent in σ.
+    pub length: f64,
+    /// Number of its piece.
+    pub piece: u32,
+    /// q'''/J at its start and its end.
+    pub third: [[f64; AXES]; 2],
+    /// Share of the jerk that may be used.
+    pub share: f64,
+}
+
+/// The grid of a run, with one cell of nothing before an end that is passed at speed.
+#[derive(Debug, Default)]
+pub(super) struct Grid {
+    pub nodes: Vec<Node>,
+    pub cells: Vec<Cell>,
+    /// The axes that move.
+    pub axes: Vec<usize>,
+    /// For each cell the largest coefficient without jerk.
+    pub bound: Vec<f64>,
+    cuts: Vec<(f64, u32)>,
+    spare: Vec<(f64, u32)>,
+}
+
+impl Grid {
+    /// Lays the grid of a run; false when it would be too large.
+    pub fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2]) -> bool {
+        self.first_cuts(run, ends);
+        for _ in 0..ROUNDS {
+            self.fill(run, ends);
+            self.find_bound(ends);
+            if !self.cut_long(run, ends) {
+                return self.cells.len() >= 6 && self.cells.len() <= MOST_CELLS;
+            }
+            if self.cuts.len() > MOST_CELLS {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Where pieces begin, and near rests as far as jerk takes the axes in even steps of time.
+    fn first_cuts(&mut self, run: &Run<'_>, ends: [Ends; 2]) {
+        self.cuts.clear();
+        let length = run.length();
+        for (index, piece) in run.pieces().iter().enumerate() {
+            if piece.length > 0.0 {
+                self.cuts.push((run.from(index), index as u32));
+            }
+        }
+        let last = run.pieces().len() - 1;
+        for (side, end) in ends.into_iter().enumerate() {
+            if end != Ends::Rest {
+                continue;
+            }
+            let index = if side == 0 { 0 } else { last };
+            let jet = run.jet(index, if side == 0 { 0.0 } else { length });
+            let jerk = (0..AXES).fold(f64::INFINITY, |jerk, axis| {
+                let rate = jet[1][axis].abs();
+                if rate > 0.0 { jerk.min(run.limits().jerk()[axis] / rate) } else { jerk }
+            });
+            if !jerk.is_finite() {
+                continue;
+            }
+            let mut t = FIRST_S.min(0.3 * cbrt(length / jerk));
+            let step = STEP_S * t / FIRST_S;
+            for _ in 0..16 {
+                let way = jerk * t * t * t / 6.0;
+                if way > 0.25 * length {
+                    break;
+                }
+                let at = if side == 0 { way } else { length - way };
+                self.cuts.push((at, run.piece_at(at) as u32));
+                t += step;
+            }
+        }
+        self.tidy(length);
+    }
+
+    /// In order, none twice.
+    fn tidy(&mut self, length: f64) {
+        self.cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let near = 1e-12 * length;
+        self.cuts.dedup_by(|next, before| {
+            let same = next.0 - before.0 <= near;
+            if same {
+                before.1 = before.1.max(next.1);
+            }
+            same
+        });
+        self.cuts.retain(|(at, _)| *at < length - near);
+    }
+
+    fn fill(&mut self, run: &Run<'_>, ends: [Ends; 2]) {
+        let (acceleration, jerk) = (run.limits().acceleration(), run.limits().jerk());
+        let shares = |row: &[f64; AXES], limits: &[f64; AXES]| -> [f64; AXES] {
+            std::array::from_fn(|axis| row[axis] / limits[axis])
+        };
+        let node = |jet: &Jet, at: f64, cap: f64| Node {
+            at,
+            by_acceleration: [shares(&jet[1], &acceleration), shares(&jet[2], &acceleration)],
+            by_jerk: [shares(&jet[1], &jerk), shares(&jet[2], &jerk)],
+            cap: cap * cap,
+            share: 1.0,
+        };
+        self.nodes.clear();
+        self.cells.clear();
+        let length = run.length();
+        let mut before = f64::INFINITY;
+        let mut last: Option<(Jet, f64)> = None;
+        for (index, &(at, piece)) in self.cuts.iter().enumerate() {
+            let end = self.cuts.get(index + 1).map_or(length, |next| next.0);
+            let [first, second] = [at, end].map(|at| run.jet(piece as usize, at));
+            let caps = [&first, &second].map(|jet| run.speed_cap(piece as usize, jet));
+            let third = [&first, &second].map(|jet| shares(&jet[3], &jerk));
+            self.nodes.push(node(&first, at, caps[0].min(before)));
+            self.cells.push(Cell { length: end - at, piece, third, share: 1.0 });
+            before = caps[1];
+            last = Some((second, caps[1]));
+        }
+        if let Some((jet, cap)) = last {
+            self.nodes.push(node(&jet, length, cap));
+        }
+        self.add_nothing(ends);
+        self.axes.clear();
+        for axis in 0..AXES {
+            let moves = |node: &Node| {
+                node.by_acceleration[0][axis] != 0.0 || node.by_acceleration[1][axis] != 0.0
+            };
+            if self.nodes.iter().any(moves) {
+                self.axes.push(axis);
+            }
+        }
+    }
+
+    /// A cell of nothing before an end that is passed at speed, so that the law is even there.
+    fn add_nothing(&mut self, ends: [Ends; 2]) {
+        if let (Ends::Even(_), Some(first)) = (ends[0], self.cells.first().copied()) {
+            let node = Node { at: -first.length, ..self.nodes[0] };
+            self.nodes.insert(0, node);
+            self.cells.insert(0, Cell { third: [[0.0; AXES]; 2], ..first });
+        }
+        if let (Ends::Even(_), Some(last)) = (ends[1], self.cells.last().copied()) {
+            let end = self.nodes[self.nodes.len() - 1];
+            self.nodes.push(Node { at: end.at + last.length, ..end });
+            self.cells.push(Cell { third: [[0.0; AXES]; 2], ..last });
+        }
+    }
+
+    /// Cuts the cells that take too long; false when there are none.
+    fn cut_long(&mut self, run: &Run<'_>, ends: [Ends; 2]) -> bool {
+        let begin = usize::from(ends[0] != Ends::Rest);
+        let least_jerk = run.limits().jerk().into_iter().fold(f64::INFINITY, f64::min);
+        let count = self.cuts.len();
+        self.spare.clear();
+        for index in 0..count {
+            let cell = &self.cells[begin + index];
+            let (at, piece) = self.cuts[index];
+            self.spare.push((at, piece));
+            // Next to a rest the cells are as first cut.
+            let at_rest = (index == 0 && ends[0] == Ends::Rest)
+                || (index + 1 == count && ends[1] == Ends::Rest);
+            let speed = self.bound[begin + index].sqrt();
+            let long_s = LONGEST_S.min(SHARE_OF_RAMP * (speed / least_jerk).sqrt());
+            let mut parts =
+                if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
+            let jerk = run.limits().jerk();
+            let of = |row: &[f64; AXES]| {
+                (0..AXES).fold(0.0_f64, |most, axis| most.max((row[axis] * jerk[axis]).abs()))
+            };
+            let third = cell.third.iter().map(of).fold(0.0, f64::max);
+            parts = parts.max(cell.length * third.sqrt() / THIRD);
+            if run.pieces()[piece as usize].base.is_some() {
+                let bend = of(&self.nodes[begin + index].by_jerk[1]);
+                parts = parts.max(cell.length * bend / TURN);
+            }
+            let parts = (parts - 1e-9).ceil().clamp(1.0, MOST_PARTS) as u32;
+            for part in 1..parts {
+                let share = f64::from(part) / f64::from(parts);
+                self.spare.push((at + cell.length * share, piece));
+            }
+        }
+        std::mem::swap(&mut self.cuts, &mut self.spare);
+        self.cuts.len() > count
+    }
+
+    /// The largest coefficients without jerk along the path: two passes.
+    fn find_bound(&mut self, ends: [Ends; 2]) {
+        let count = self.cells.len();
+        self.bound.clear();
+        for index in 0..count {
+            let caps = [index, index + 1].map(|node| self.cap(node));
+            self.bound.push(caps[0].min(caps[1]));
+        }
+        let last = count - 1;
+        for (side, (at, next)) in [(0, 1), (last, last - 1)].into_iter().enumerate() {
+            match ends[side] {
+                Ends::Even(speed) => self.bound[at] = speed * speed,
+                Ends::Rest => {
+                    let node = if side == 0 { 1 } else { last };
+                    let factor = rest_factor(&self.cells[at], &self.cells[next]);
+                    let (own, other) = (self.cells[at].length, self.cells[next].length);
+                    let most = self.rest_cap(at, node, side) * (own + other);
+                    self.bound[next] = self.bound[next].min(most / (factor * other + own));
+                    self.bound[at] = factor * self.bound[next];
+                }
+            }
+        }
+        for node in (1..count).rev() {
+            let most = self.most_beside(node, self.bound[node], true);
+            self.bound[node - 1] = self.bound[node - 1].min(most);
+        }
+        for node in 1..count {
+            let most = self.most_beside(node, self.bound[node - 1], false);
+            self.bound[node] = self.bound[node].min(most);
+        }
+    }
+
+    /// The largest σ̇² at a node whatever the change of speed.
+    fn cap(&self, index: usize) -> f64 {
+        let node = &self.nodes[index];
+        let mut cap = node.cap;
+        let [first, second] = &node.by_acceleration;
+        for (place, &one) in self.axes.iter().enumerate() {
+            // Two axes leave a change of speed for both only up to here.
+            let (p, x) = (first[one].abs(), second[one] * first[one].signum());
+            for &other in &self.axes[place + 1..] {
+                let (q, y) = (first[other].abs(), second[other] * first[other].signum());
+                let sum = (x * q - y * p).abs();
+                if sum * cap > ACCELERATION * (p + q) {
+                    cap = ACCELERATION * (p + q) / sum;
+                }
+            }
+            if p < 1e-12 && second[one] != 0.0 {
+                cap = cap.min(ACCELERATION / second[one].abs());
+            }
+            let before = index.checked_sub(1).and_then(|cell| self.cells.get(cell));
+            let thirds =
+                [before.map(|cell| cell.third[1]), self.cells.get(index).map(|c| c.third[0])];
+            for third in thirds.into_iter().flatten() {
+                let third = third[one].abs();
+                if third > 0.0 {
+                    let speed = cbrt(JERK / third);
+                    cap = cap.min(speed * speed);
+                }
+            }
+        }
+        cap
+    }
+
+    /// The largest coefficient on one side of a node with this one on the other side.
+    fn most_beside(&self, node: usize, known: f64, before: bool) -> f64 {
+        let (left, right) = (&self.cells[node - 1], &self.cells[node]);
+        let sum = left.length + right.length;
+        // Of b at the node, the share of the unknown and of the known one.
+        let (own, other) = if before { (right, left) } else { (left, right) };
+        let (own, other) = (own.length / sum, other.length / sum);
+        let sign = if before { -1.0 } else { 1.0 };
+        let mut most = f64::INFINITY;
+        let mut hold = |slope: f64, level: f64, limit: f64| {
+            if slope > 1e-15 {
+                most = most.min((limit - level) / slope);
+            } else if slope < -1e-15 {
+                most = most.min((-limit - level) / slope);
+            }
+        };
+        let point = &self.nodes[node];
+        let speed = (self.bound[node - 1].max(self.bound[node])).max(1e-12).sqrt();
+        for &axis in &self.axes {
+            let (q1, q2) = (point.by_acceleration[0][axis], point.by_acceleration[1][axis]);
+            let slope = sign * q1 / sum + q2 * own;
+            let level = (-sign * q1 / sum + q2 * other) * known;
+            hold(slope, level, ACCELERATION);
+            let bend = 3.0 * point.by_jerk[1][axis];
+            if bend != 0.0 {
+                for third in [left.third[1][axis], right.third[0][axis]] {
+                    let slope = sign * bend / sum + third * own;
+                    let level = (-sign * bend / sum + third * other) * known;
+                    hold(slope, level, TURNING_JERK / speed);
+                }
+            }
+        }
+        most.max(0.0)
+    }
+}
+
+/// The coefficient of a cell next to a rest as a share of the next one: the jerk is even on it.
+pub(super) fn rest_factor(at_rest: &Cell, next: &Cell) -> f64 {
+    1.0 / (3.0 + 2.0 * next.length / at_rest.length)
+}
+
+impl Grid {
+    /// The largest σ̇² where a cell next to a rest ends, by the jerk on it.
+    pub fn rest_cap(&self, cell: usize, node: usize, side: usize) -> f64 {
+        let h = self.cells[cell].length;
+        let (end, sign) = if side == 0 { (1, 1.0) } else { (0, -1.0) };
+        let [first, second] = &self.nodes[node].by_jerk;
+        let most = self.axes.iter().fold(0.0_f64, |most, &axis| {
+            let along = first[axis] * 2.0 / 9.0 / (h * h);
+            let with = along + sign * second[axis] * 2.0 / h + self.cells[cell].third[end][axis];
+            most.max(with.abs()).max((along + self.cells[cell].third[end][axis]).abs())
+        });
+        let speed = cbrt(self.cells[cell].share / most);
+        speed * speed
+    }
+}

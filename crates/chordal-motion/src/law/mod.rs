@@ -1,0 +1,250 @@
+//! The law of time along a run: as quick as velocity, acceleration and jerk of every axis allow
+//! together.
+//!
+//! | pass | file |
+//! |---|---|
+//! | the run in cells, and a first law without jerk along the path | `grid.rs` |
+//! | a first law of a window, with jerk along the path | `start.rs` |
+//! | the quickest law on a window of cells | `newton.rs` |
+//! | phases of even jerk, and what they use | `phases.rs` |
+//!
+//! A long run is solved in windows. Each ends at rest; what lies so far before its end that the
+//! rest cannot reach it is kept, and the next window goes on from there.
+
+mod grid;
+mod newton;
+mod phases;
+mod start;
+
+use crate::bound::Run;
+use crate::trajectory::Phase;
+use grid::Grid;
+use newton::Newton;
+use start::Start;
+
+/// How a run begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Ends {
+    /// At rest.
+    Rest,
+    /// At this speed, without acceleration.
+    Even(f64),
+}
+
+/// How a window begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    /// At rest.
+    Rest,
+    /// With two coefficients that are given.
+    Fixed,
+}
+
+/// A window takes so long at least without jerk, s.
+const WINDOW_S: f64 = 0.5;
+/// So much of its end is solved again by the next, s.
+const LOOK_S: f64 = 0.15;
+/// Rounds of taking limits back where the phases use more than there is.
+const ROUNDS: usize = 5;
+/// Use of a limit above one by no more is rounding.
+const ROUNDING: f64 = 1e-9;
+/// No window has fewer cells.
+const FEWEST: usize = 8;
+
+/// What laws took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Cells of all runs.
+    pub cells: u64,
+    /// Windows solved, and those without an answer.
+    pub windows: u64,
+    /// Windows without an answer.
+    pub failed: u64,
+    /// Iterations times cells.
+    pub steps: u64,
+}
+
+/// Finds laws, one after the other; keeps its memory.
+#[derive(Debug, Default)]
+pub(crate) struct Planner {
+    grid: Grid,
+    start: Start,
+    newton: Newton,
+    coefficients: Vec<f64>,
+    window: Vec<f64>,
+    /// Of the last window, the coefficients that were not kept, and of the one that is solved.
+    beyond: Vec<f64>,
+    next_beyond: Vec<f64>,
+    pub work: Work,
+}
+
+impl Planner {
+    /// The law of a run as phases; `None` where none was found within all limits.
+    pub fn plan(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Vec<Phase>> {
+        if !self.grid.lay(run, ends) {
+            return None;
+        }
+        let count = self.grid.cells.len();
+        self.work.cells += count as u64;
+        self.coefficients.clear();
+        self.coefficients.resize(count, 0.0);
+        if let Ends::Even(speed) = ends[0] {
+            self.coefficients[..2].fill(speed * speed);
+        }
+        let look_s = self.look_s(run);
+        let window_s = WINDOW_S.max(3.0 * look_s);
+        let mut side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
+        let mut from = 0;
+        loop {
+            let mut to = self.after(from, window_s);
+            if count - to < FEWEST {
+                to = count;
+            }
+            let is_last = to == count;
+            let end = match ends[1] {
+                Ends::Even(speed) if is_last => {
+                    self.coefficients[count - 2..].fill(speed * speed);
+                    Side::Fixed
+                }
+                _ => Side::Rest,
+            };
+            let keep = if is_last { count } else { self.before(to, look_s).max(from + 3) };
+            self.solve_window(run, ends, (from, to), keep, [side, end], gap)?;
+            if is_last {
+                break;
+            }
+            from = keep;
+            side = Side::Fixed;
+        }
+        Some(self.phases(run, ends))
+    }
+
+    /// The time to a rest from the largest speed.
+    fn look_s(&self, run: &Run<'_>) -> f64 {
+        let least = |of: [f64; 6]| of.into_iter().fold(f64::INFINITY, f64::min);
+        let (a, j) = (least(run.limits().acceleration()), least(run.limits().jerk()));
+        let speed = self.grid.bound.iter().fold(0.0_f64, |most, b| most.max(*b)).sqrt();
+        let brake_s = if speed * j > a * a { speed / a + a / j } else { 2.0 * (speed / j).sqrt() };
+        LOOK_S.max(brake_s)
+    }
+
+    fn cell_s(&self, cell: usize) -> f64 {
+        self.grid.cells[cell].length / self.grid.bound[cell].sqrt().max(1e-9)
+    }
+
+    /// The cell that begins a time after the start of another.
+    fn after(&self, from: usize, seconds: f64) -> usize {
+        let (mut to, mut t) = (from, 0.0);
+        while to < self.grid.cells.len() && (t < seconds || to < from + 2 * FEWEST) {
+            t += self.cell_s(to);
+            to += 1;
+        }
+        to
+    }
+
+    fn before(&self, to: usize, seconds: f64) -> usize {
+        let (mut from, mut t) = (to, 0.0);
+        while from > 0 && t < seconds {
+            from -= 1;
+            t += self.cell_s(from);
+        }
+        from.min(to - 3)
+    }
+
+    /// Solves a window until its phases hold every limit as far as they are kept.
+    fn solve_window(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        (from, to): (usize, usize),
+        keep: usize,
+        sides: [Side; 2],
+        gap: f64,
+    ) -> Option<()> {
+        let count = self.grid.cells.len();
+        for round in 0..=ROUNDS {
+            let n = to - from;
+            self.window.clear();
+            self.window.resize(n, 0.0);
+            for (side, kept) in [(0, 0..2), (1, n - 2..n)] {
+                if sides[side] == Side::Fixed {
+                    let given = &self.coefficients[from + kept.start..from + kept.end];
+                    self.window[kept].copy_from_slice(given);
+                }
+            }
+            self.start.find(&self.grid, (from, to), sides, &mut self.window);
+            // What the window before had beyond its kept part is a law already.
+            if sides[0] == Side::Fixed {
+                for (value, known) in self.window[2..].iter_mut().zip(&self.beyond) {
+                    *value = value.max(*known);
+                }
+            }
+            let solution = self.newton.solve(&self.grid, (from, to), sides, &mut self.window, gap);
+            self.work.windows += 1;
+            self.work.steps += u64::from(solution.iterations) * n as u64;
+            if !solution.converged {
+                self.work.failed += 1;
+                return None;
+            }
+            let until = if to == count { count } else { keep + 2 };
+            self.next_beyond.clear();
+            self.next_beyond.extend_from_slice(&self.window[until - from..]);
+            self.coefficients[from..until].copy_from_slice(&self.window[..until - from]);
+            let first = from + usize::from(sides[0] == Side::Fixed);
+            let last =
+                if to == count { count - usize::from(ends[1] != Ends::Rest) } else { keep + 1 };
+            if !self.take_back(run, (first, last)) {
+                std::mem::swap(&mut self.beyond, &mut self.next_beyond);
+                return Some(());
+            }
+            if round == ROUNDS {
+                break;
+            }
+        }
+        self.work.failed += 1;
+        None
+    }
+
+    /// Lowers what may be used where the phases use too much; whether they do.
+    fn take_back(&mut self, run: &Run<'_>, (first, last): (usize, usize)) -> bool {
+        const MORE: f64 = 1.0004;
+        let mut over = false;
+        for cell in first..last {
+            let used = self.grid.use_of(cell, &self.coefficients, run);
+            if used.jerk > 1.0 + ROUNDING {
+                self.grid.cells[cell].share /= used.jerk * MORE;
+                over = true;
+            }
+            for node in [cell, cell + 1] {
+                if used.acceleration > 1.0 + ROUNDING {
+                    self.grid.nodes[node].share /= used.acceleration * MORE;
+                    over = true;
+                }
+                if used.speed > 1.0 + ROUNDING {
+                    self.grid.nodes[node].cap /= (used.speed * MORE).powi(2);
+                    over = true;
+                }
+            }
+        }
+        over
+    }
+
+    fn phases(&self, run: &Run<'_>, ends: [Ends; 2]) -> Vec<Phase> {
+        let mut phases = Vec::with_capacity(2 * self.grid.cells.len());
+        let begin = usize::from(ends[0] != Ends::Rest);
+        let end = self.grid.cells.len() - usize::from(ends[1] != Ends::Rest);
+        for cell in begin..end {
+            self.grid.phases(cell, &self.coefficients, |phase| phases.push(phase));
+        }
+        debug_assert!(run.length() > 0.0);
+        phases
+    }
+}
+
+/// The law of a run from rest to rest as phases, within `gap` of the least time, and what it took;
+/// without phases where none was found within all limits.
+pub fn law(run: &Run<'_>, gap: f64) -> (Option<Vec<Phase>>, Work) {
+    let mut planner = Planner::default();
+    let phases = planner.plan(run, [Ends::Rest; 2], gap);
+    (phases, planner.work)
+}

@@ -1,0 +1,632 @@
+//! The quickest law on a window of cells, by Newton steps on the time itself.
+//!
+//! The unknowns are the coefficients c of b = σ̇² as a quadratic B-spline whose knots are the
+//! nodes: at the node between two cells of lengths g and h with coefficients c and d,
+//! b = (c·h + d·g)/(g + h) and σ̈ = (d − c)/(g + h), and between nodes σ̈ is linear in σ. So velocity,
+//! acceleration and jerk of an axis at a node are linear in three coefficients, but for the root
+//! in J/√b, whose curvature is left out: what is left is positive definite.
+//!
+//! Each cell may exceed its limits by an elastic share t ≥ 0, at a price: so there is always a
+//! start, and at the end t is nothing.
+
+use super::Side;
+use super::grid::{Grid, rest_factor};
+
+/// What of the limits is used; the rest is for what lies between the nodes.
+const ACCELERATION: f64 = 0.998;
+const JERK: f64 = 0.9985;
+/// The price of all of an elastic share, as a share of the time.
+const PRICE: f64 = 0.1;
+/// So far towards a wall in one step.
+const NEAR: f64 = 0.97;
+/// No step takes away more of a coefficient.
+const MOST_FALL: f64 = 0.8;
+const ITERATIONS: usize = 60;
+const DEBUG: bool = false;
+/// The largest elastic share that is left.
+const ELASTIC: f64 = 3e-4;
+
+/// What a solution took.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Solution {
+    pub iterations: u32,
+    pub converged: bool,
+}
+
+/// A row of limits at a place: slack and price.
+#[derive(Clone, Copy, Debug, Default)]
+struct Row {
+    slack: f64,
+    price: f64,
+}
+
+/// Factors of a row: of the three coefficients around a cell, and of its elastic share.
+#[derive(Clone, Copy, Debug)]
+struct Slope([f64; 3], f64);
+
+impl Slope {
+    #[inline(always)]
+    fn along(&self, step: &[f64; 3], elastic: f64) -> f64 {
+        self.0[0] * step[0] + self.0[1] * step[1] + self.0[2] * step[2] + self.1 * elastic
+    }
+}
+
+/// The memory of the solver, for one window after the other.
+#[derive(Debug, Default)]
+pub(super) struct Newton {
+    /// Number of axes, and of the window's cells.
+    axes: usize,
+    count: usize,
+    /// Of each node: shares of the cells before and after it in b, and the inverse of their sum.
+    before: Vec<f64>,
+    after: Vec<f64>,
+    sum: Vec<f64>,
+    /// Largest b.
+    cap: Vec<f64>,
+    /// Two factors for each axis at each node, six for each axis on each cell.
+    acceleration: Vec<[f64; 2]>,
+    jerk: Vec<[f64; 6]>,
+    shares: Vec<f64>,
+    limits: Vec<f64>,
+    lengths: Vec<f64>,
+    c: Vec<f64>,
+    b: Vec<f64>,
+    root: Vec<f64>,
+    elastic: Vec<f64>,
+    elastic_price: Vec<f64>,
+    rows: Vec<Row>,
+    slopes: Vec<Slope>,
+    diagonals: [Vec<f64>; 3],
+    step: Vec<f64>,
+    elastic_step: Vec<f64>,
+    /// What eliminates the elastic share of a cell.
+    folded: Vec<([f64; 3], f64)>,
+    trial: (Vec<f64>, Vec<f64>),
+    first: usize,
+    last: usize,
+    rests: [Option<f64>; 2],
+}
+
+impl Newton {
+    /// Solves for the coefficients of the cells `from..to`; those given at sides that are
+    /// [`Side::Fixed`] (two of them) stay.
+    pub fn solve(
+        &mut self,
+        grid: &Grid,
+        (from, to): (usize, usize),
+        sides: [Side; 2],
+        coefficients: &mut [f64],
+        gap: f64,
+    ) -> Solution {
+        self.lay(grid, from, to, sides, coefficients);
+        let solution = self.iterate(gap);
+        coefficients.copy_from_slice(&self.c);
+        solution
+    }
+
+    fn rows_of_node(&self) -> usize {
+        1 + 2 * self.axes
+    }
+
+    fn stride(&self) -> usize {
+        1 + 6 * self.axes
+    }
+
+    fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2], given: &[f64]) {
+        let (n, axes) = (to - from, grid.axes.len());
+        (self.count, self.axes) = (n, axes);
+        let cells = &grid.cells[from..to];
+        let nodes = &grid.nodes[from..=to];
+        self.lengths.clear();
+        self.lengths.extend(cells.iter().map(|cell| cell.length));
+        self.c.clear();
+        self.c.extend_from_slice(given);
+        for list in [&mut self.before, &mut self.after, &mut self.sum, &mut self.cap] {
+            list.clear();
+            list.resize(n + 1, 0.0);
+        }
+        self.acceleration.clear();
+        self.acceleration.resize((n + 1) * axes, [0.0; 2]);
+        self.jerk.clear();
+        self.jerk.resize(n * axes, [0.0; 6]);
+        self.limits.clear();
+        self.limits.extend(cells.iter().map(|cell| JERK * cell.share));
+        self.shares.clear();
+        self.shares.extend(nodes.iter().map(|node| ACCELERATION * node.share));
+        for node in 1..n {
+            let (g, h) = (cells[node - 1].length, cells[node].length);
+            let sum = 1.0 / (g + h);
+            (self.before[node], self.after[node], self.sum[node]) = (h * sum, g * sum, sum);
+            self.cap[node] = nodes[node].cap;
+            for (place, &axis) in grid.axes.iter().enumerate() {
+                let [q1, q2] = nodes[node].by_acceleration.map(|row| row[axis]);
+                self.acceleration[node * axes + place] =
+                    [q2 * h * sum - q1 * sum, q2 * g * sum + q1 * sum];
+            }
+        }
+        for cell in 1..n - 1 {
+            let inverse = 1.0 / cells[cell].length;
+            // The change of σ̈ over the cell by its length.
+            let (a0, a2) = (self.sum[cell] * inverse, self.sum[cell + 1] * inverse);
+            let a1 = -(a0 + a2);
+            for (place, &axis) in grid.axes.iter().enumerate() {
+                let [third, fourth] = cells[cell].third.map(|row| row[axis]);
+                let [p, k] = nodes[cell].by_jerk.map(|row| row[axis]);
+                let [q, l] = nodes[cell + 1].by_jerk.map(|row| row[axis]);
+                let (k, l) = (3.0 * k * self.sum[cell], 3.0 * l * self.sum[cell + 1]);
+                self.jerk[cell * axes + place] = [
+                    p * a0 - k + third * self.before[cell],
+                    p * a1 + k + third * self.after[cell],
+                    p * a2,
+                    q * a0,
+                    q * a1 - l + fourth * self.before[cell + 1],
+                    q * a2 + l + fourth * self.after[cell + 1],
+                ];
+            }
+        }
+        let ends = [(0, 1), (n - 1, n - 2)];
+        for (side, (at, next)) in ends.into_iter().enumerate() {
+            self.rests[side] = None;
+            if sides[side] == Side::Rest {
+                self.rests[side] = Some(rest_factor(&cells[at], &cells[next]));
+                let node = if side == 0 { 1 } else { n - 1 };
+                let most = grid.rest_cap(from + at, from + node, side) * JERK.powi(2);
+                self.cap[node] = self.cap[node].min(most);
+            }
+        }
+        self.first = if sides[0] == Side::Rest { 1 } else { 2 };
+        self.last = if sides[1] == Side::Rest { n - 2 } else { n - 3 };
+    }
+
+    /// The coefficients next to a rest follow the next ones.
+    fn tie(&self, c: &mut [f64]) {
+        let n = self.count;
+        if let Some(factor) = self.rests[0] {
+            c[0] = factor * c[1];
+        }
+        if let Some(factor) = self.rests[1] {
+            c[n - 1] = factor * c[n - 2];
+        }
+    }
+
+    /// A start inside of all limits.
+    fn begin(&mut self) {
+        let n = self.count;
+        for k in self.first..=self.last {
+            self.c[k] = self.c[k].max(1e-12);
+        }
+        let mut c = std::mem::take(&mut self.c);
+        self.tie(&mut c);
+        for node in 1..n {
+            let b = self.before[node] * c[node - 1] + self.after[node] * c[node];
+            if b > NEAR * self.cap[node] {
+                let factor = NEAR * self.cap[node] / b;
+                for k in [node - 1, node] {
+                    if k >= self.first && k <= self.last {
+                        c[k] *= factor;
+                    }
+                }
+            }
+        }
+        self.tie(&mut c);
+        self.c = c;
+        self.elastic.clear();
+        self.elastic.resize(n, 0.0);
+        self.speeds();
+        for k in 1..n - 1 {
+            self.elastic[k] = (1.2 * self.largest_use(k) - 0.7).max(0.3);
+        }
+        // A node that is not quite inside for rounding of the last window is no row.
+        self.rows.clear();
+        self.rows.resize(n * self.stride(), Row::default());
+        self.slopes.clear();
+        self.slopes.resize(self.rows.len(), Slope([0.0; 3], 0.0));
+        self.folded.clear();
+        self.folded.resize(n, ([0.0; 3], 0.0));
+        self.elastic_price.clear();
+        self.elastic_price.resize(n, 0.0);
+        self.step.clear();
+        self.step.resize(n + 2, 0.0);
+        self.elastic_step.clear();
+        self.elastic_step.resize(n, 0.0);
+        for diagonal in &mut self.diagonals {
+            diagonal.clear();
+            diagonal.resize(n + 2, 0.0);
+        }
+    }
+
+    /// b and 1/√b at the nodes.
+    fn speeds(&mut self) {
+        let n = self.count;
+        self.b.clear();
+        self.b.resize(n + 1, 0.0);
+        self.root.clear();
+        self.root.resize(n + 1, 0.0);
+        for node in 1..n {
+            let b = self.before[node] * self.c[node - 1] + self.after[node] * self.c[node];
+            self.b[node] = b;
+            self.root[node] = 1.0 / b.max(1e-300).sqrt();
+        }
+    }
+
+    /// The largest use of the limits around a cell.
+    fn largest_use(&self, k: usize) -> f64 {
+        let c = [self.c[k - 1], self.c[k], self.c[k + 1]];
+        let mut most = 0.0_f64;
+        for axis in 0..self.axes {
+            let [x, y] = self.acceleration[k * self.axes + axis];
+            most = most.max((x * c[0] + y * c[1]).abs() / self.shares[k]);
+            let p = &self.jerk[k * self.axes + axis];
+            let left = p[0] * c[0] + p[1] * c[1] + p[2] * c[2];
+            let right = p[3] * c[0] + p[4] * c[1] + p[5] * c[2];
+            most = most.max(left.abs() / (self.limits[k] * self.root[k]));
+            most = most.max(right.abs() / (self.limits[k] * self.root[k + 1]));
+        }
+        most
+    }
+
+    /// The nodes with rows: those between two coefficients that are given have none.
+    fn has_rows(&self, node: usize) -> bool {
+        node >= self.first && node <= self.last + 1
+    }
+
+    /// Goes over all rows of the nodes and cells with their slack, slope and place in the list.
+    /// The first coefficient that a slope is of is `k − 1`, where `k` is the row's cell; the last
+    /// node's slopes are of the cell that would follow it.
+    fn each_row(&self, mut take: impl FnMut(usize, usize, f64, Slope)) {
+        let (n, axes) = (self.count, self.axes);
+        for k in 1..n {
+            let is_cell = k < n - 1;
+            let elastic = if is_cell { self.elastic[k] } else { 0.0 };
+            let place = k * self.stride();
+            let (c0, c1) = (self.c[k - 1], self.c[k]);
+            let (w0, w1) = (self.before[k], self.after[k]);
+            if self.has_rows(k) {
+                let cap = 1.0 / self.cap[k];
+                take(k, place, 1.0 - self.b[k] * cap, Slope([w0 * cap, w1 * cap, 0.0], 0.0));
+                let limit = self.shares[k];
+                let grows = if is_cell { -limit } else { 0.0 };
+                for axis in 0..axes {
+                    let [x, y] = self.acceleration[k * axes + axis];
+                    let used = x * c0 + y * c1;
+                    let room = limit * (1.0 + elastic);
+                    let at = place + 1 + 2 * axis;
+                    take(k, at, room - used, Slope([x, y, 0.0], grows));
+                    take(k, at + 1, room + used, Slope([-x, -y, 0.0], grows));
+                }
+            }
+            if !is_cell || k < self.first.saturating_sub(1) || k > self.last + 1 {
+                continue;
+            }
+            let c2 = self.c[k + 1];
+            let limit = self.limits[k];
+            let (r0, r1) = (self.root[k], self.root[k + 1]);
+            let fall = 0.5 * limit * (1.0 + elastic);
+            let (f0, f1) = (fall * r0 * r0 * r0, fall * r1 * r1 * r1);
+            let left = [f0 * w0, f0 * w1];
+            let right = [f1 * self.before[k + 1], f1 * self.after[k + 1]];
+            let rooms = [limit * (1.0 + elastic) * r0, limit * (1.0 + elastic) * r1];
+            let place = place + self.rows_of_node();
+            for axis in 0..axes {
+                let p = &self.jerk[k * axes + axis];
+                let at = place + 4 * axis;
+                let used = p[0] * c0 + p[1] * c1 + p[2] * c2;
+                let (t0, t1) = (-limit * r0, -limit * r1);
+                take(k, at, rooms[0] - used, Slope([p[0] + left[0], p[1] + left[1], p[2]], t0));
+                take(
+                    k,
+                    at + 1,
+                    rooms[0] + used,
+                    Slope([left[0] - p[0], left[1] - p[1], -p[2]], t0),
+                );
+                let used = p[3] * c0 + p[4] * c1 + p[5] * c2;
+                take(
+                    k,
+                    at + 2,
+                    rooms[1] - used,
+                    Slope([p[3], p[4] + right[0], p[5] + right[1]], t1),
+                );
+                take(
+                    k,
+                    at + 3,
+                    rooms[1] + used,
+                    Slope([-p[3], right[0] - p[4], right[1] - p[5]], t1),
+                );
+            }
+        }
+    }
+
+    fn time(&self) -> f64 {
+        let n = self.count;
+        let speed = |node: usize| self.b[node] * self.root[node];
+        let mut time: f64 =
+            (1..n - 1).map(|k| 2.0 * self.lengths[k] / (speed(k) + speed(k + 1))).sum();
+        if self.rests[0].is_some() {
+            time += 3.0 * self.lengths[0] * self.root[1];
+        }
+        if self.rests[1].is_some() {
+            time += 3.0 * self.lengths[n - 1] * self.root[n - 1];
+        }
+        time
+    }
+
+    /// Works out all slacks; the least of them.
+    fn slacks(&mut self) -> f64 {
+        let (mut rows, mut slopes) =
+            (std::mem::take(&mut self.rows), std::mem::take(&mut self.slopes));
+        let mut least = f64::INFINITY;
+        self.each_row(|_, at, slack, slope| {
+            rows[at].slack = slack;
+            slopes[at] = slope;
+            least = least.min(slack);
+        });
+        (self.rows, self.slopes) = (rows, slopes);
+        least
+    }
+
+    fn iterate(&mut self, gap: f64) -> Solution {
+        self.begin();
+        let n = self.count;
+        if self.first > self.last || self.slacks() <= 0.0 {
+            return Solution { iterations: 0, converged: false };
+        }
+        let mut time = self.time();
+        let price = PRICE * time;
+        let rows = self.rows.iter().filter(|row| row.slack > 0.0).count() + n - 2;
+        let mut mu = time / rows as f64;
+        for row in self.rows.iter_mut().filter(|row| row.slack > 0.0) {
+            row.price = mu / row.slack;
+        }
+        for k in 1..n - 1 {
+            self.elastic_price[k] = (mu / self.elastic[k]).min(price);
+        }
+        for iterations in 0..ITERATIONS as u32 {
+            let open: f64 = self.rows.iter().map(|row| row.slack * row.price).sum::<f64>()
+                + (1..n - 1).map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>();
+            let elastic = self.elastic[1..n - 1].iter().fold(0.0_f64, |most, t| most.max(*t));
+            if open < gap * time && elastic < ELASTIC {
+                return Solution { iterations, converged: true };
+            }
+            if !open.is_finite() {
+                break;
+            }
+            self.assemble(mu, price);
+            self.factor();
+            let (primal, dual) = self.reach(mu);
+            self.advance(mu, primal, dual);
+            time = self.time();
+            if DEBUG {
+                eprintln!(
+                    "it {iterations} T {time:.5} open {open:.3e} t {elastic:.2e} mu {mu:.2e} primal {primal:.3} dual {dual:.3}"
+                );
+            }
+            let done = primal.min(dual);
+            let open: f64 = self.rows.iter().map(|row| row.slack * row.price).sum::<f64>()
+                + (1..n - 1).map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>();
+            mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows as f64;
+        }
+        Solution { iterations: ITERATIONS as u32, converged: false }
+    }
+
+    /// The matrix of the step and its right side.
+    fn assemble(&mut self, mu: f64, price: f64) {
+        let n = self.count;
+        self.diagonals.iter_mut().for_each(|diagonal| diagonal.fill(0.0));
+        self.step.fill(0.0);
+        let stride = self.stride();
+        for k in 1..n {
+            let is_cell = k < n - 1;
+            let mut matrix = [0.0; 6];
+            let mut side = [0.0; 3];
+            let (mut mixed, mut own, mut own_side) = ([0.0; 3], 0.0, 0.0);
+            let rows = self.rows[k * stride..(k + 1) * stride].iter();
+            for (row, Slope(y, t)) in rows.zip(&self.slopes[k * stride..]) {
+                if row.slack <= 0.0 {
+                    continue;
+                }
+                let inverse = 1.0 / row.slack;
+                let weight = row.price * inverse;
+                let push = mu * inverse;
+                let w = [weight * y[0], weight * y[1], weight * y[2]];
+                matrix[0] += w[0] * y[0];
+                matrix[1] += w[1] * y[1];
+                matrix[2] += w[2] * y[2];
+                matrix[3] += w[0] * y[1];
+                matrix[4] += w[1] * y[2];
+                matrix[5] += w[0] * y[2];
+                for i in 0..3 {
+                    side[i] -= push * y[i];
+                    mixed[i] += w[i] * t;
+                }
+                own += weight * t * t;
+                own_side -= push * t;
+            }
+            if is_cell {
+                own += self.elastic_price[k] / self.elastic[k];
+                own_side += mu / self.elastic[k] - price;
+                let inverse = 1.0 / own;
+                let f = mixed.map(|value| value * inverse);
+                matrix[0] -= f[0] * mixed[0];
+                matrix[1] -= f[1] * mixed[1];
+                matrix[2] -= f[2] * mixed[2];
+                matrix[3] -= f[0] * mixed[1];
+                matrix[4] -= f[1] * mixed[2];
+                matrix[5] -= f[0] * mixed[2];
+                for i in 0..3 {
+                    side[i] -= f[i] * own_side;
+                }
+                self.folded[k] = (f, own_side * inverse);
+            }
+            self.add_time(k, &mut matrix, &mut side);
+            let [d0, d1, d2] = &mut self.diagonals;
+            d0[k - 1] += matrix[0];
+            d0[k] += matrix[1];
+            d1[k - 1] += matrix[3];
+            self.step[k - 1] += side[0];
+            self.step[k] += side[1];
+            if is_cell {
+                d0[k + 1] += matrix[2];
+                d1[k] += matrix[4];
+                d2[k - 1] += matrix[5];
+                self.step[k + 1] += side[2];
+            }
+        }
+    }
+
+    /// Slope and curvature of the time on a cell, and next to a rest.
+    fn add_time(&self, k: usize, matrix: &mut [f64; 6], side: &mut [f64; 3]) {
+        let n = self.count;
+        let (w0, w1) = (self.before[k], self.after[k]);
+        let (b0, r0) = (self.b[k], self.root[k]);
+        for (rest, node, cell) in [(0, 1, 0), (1, n - 1, n - 1)] {
+            if self.rests[rest].is_some() && k == node {
+                let h = self.lengths[cell];
+                let (first, second) = (-1.5 * h * r0 / b0, 2.25 * h * r0 / (b0 * b0));
+                side[0] -= first * w0;
+                side[1] -= first * w1;
+                matrix[0] += second * w0 * w0;
+                matrix[1] += second * w1 * w1;
+                matrix[3] += second * w0 * w1;
+            }
+        }
+        if k >= n - 1 {
+            return;
+        }
+        let (x0, x1) = (self.before[k + 1], self.after[k + 1]);
+        let (b1, r1) = (self.b[k + 1], self.root[k + 1]);
+        let (v0, v1) = (b0 * r0, b1 * r1);
+        let (h, s) = (self.lengths[k], 1.0 / (v0 + v1));
+        let square = s * s;
+        let (f0, f1) = (-h * square * r0, -h * square * r1);
+        let cross = h * square * s * r0 * r1;
+        let f00 = h * square * (s * r0 * r0 + 0.5 * r0 * r0 * r0);
+        let f11 = h * square * (s * r1 * r1 + 0.5 * r1 * r1 * r1);
+        side[0] -= f0 * w0;
+        side[1] -= f0 * w1 + f1 * x0;
+        side[2] -= f1 * x1;
+        matrix[0] += f00 * w0 * w0;
+        matrix[1] += f00 * w1 * w1 + 2.0 * cross * w1 * x0 + f11 * x0 * x0;
+        matrix[2] += f11 * x1 * x1;
+        matrix[3] += f00 * w0 * w1 + cross * w0 * x0;
+        matrix[4] += f11 * x0 * x1 + cross * w1 * x1;
+        matrix[5] += cross * w0 * x1;
+    }
+
+    /// Solves for the step of the coefficients, then of the elastic shares.
+    fn factor(&mut self) {
+        let (n, first, last) = (self.count, self.first, self.last);
+        let [d0, d1, d2] = &mut self.diagonals;
+        let side = &mut self.step;
+        if let Some(factor) = self.rests[0] {
+            side[1] += factor * side[0];
+            d0[1] += factor * factor * d0[0] + 2.0 * factor * d1[0];
+            d1[1] += factor * d2[0];
+        }
+        if let Some(factor) = self.rests[1] {
+            side[n - 2] += factor * side[n - 1];
+            d0[n - 2] += factor * factor * d0[n - 1] + 2.0 * factor * d1[n - 2];
+            if n >= 3 {
+                d1[n - 3] += factor * d2[n - 3];
+            }
+        }
+        for k in first..=last {
+            // What goes beyond the unknown ones is nothing.
+            let one = if k < last { d1[k] } else { 0.0 };
+            let two = if k + 1 < last { d2[k] } else { 0.0 };
+            let inverse = 1.0 / d0[k];
+            let (l1, l2) = (one * inverse, two * inverse);
+            let value = side[k];
+            if k < last {
+                d0[k + 1] -= l1 * one;
+                side[k + 1] -= l1 * value;
+            }
+            if k + 1 < last {
+                d1[k + 1] -= l1 * two;
+                d0[k + 2] -= l2 * two;
+                side[k + 2] -= l2 * value;
+            }
+            (d1[k], d2[k], side[k]) = (l1, l2, value * inverse);
+        }
+        let (mut one, mut two) = (0.0, 0.0);
+        for k in (first..=last).rev() {
+            let value = side[k] - d1[k] * one - d2[k] * two;
+            side[k] = value;
+            (two, one) = (one, value);
+        }
+        side[..first].fill(0.0);
+        side[last + 1..].fill(0.0);
+        let mut step = std::mem::take(&mut self.step);
+        self.tie(&mut step[..n]);
+        for k in 1..n - 1 {
+            let (f, own) = self.folded[k];
+            self.elastic_step[k] = own - f[0] * step[k - 1] - f[1] * step[k] - f[2] * step[k + 1];
+        }
+        self.step = step;
+    }
+
+    /// How far the step may be gone: by the slacks, and by their prices.
+    fn reach(&self, mu: f64) -> (f64, f64) {
+        let (n, stride) = (self.count, self.stride());
+        let (mut primal, mut dual) = (0.0_f64, 0.0_f64);
+        for k in 1..n {
+            let next = if k < n - 1 { self.step[k + 1] } else { 0.0 };
+            let step = [self.step[k - 1], self.step[k], next];
+            let elastic = if k < n - 1 { self.elastic_step[k] } else { 0.0 };
+            let rows = self.rows[k * stride..(k + 1) * stride].iter();
+            for (row, slope) in rows.zip(&self.slopes[k * stride..]) {
+                if row.slack <= 0.0 {
+                    continue;
+                }
+                let change = -slope.along(&step, elastic) / row.slack;
+                primal = primal.max(-change);
+                dual = dual.max(1.0 + change - mu / (row.slack * row.price));
+            }
+            if k < n - 1 {
+                let change = elastic / self.elastic[k];
+                primal = primal.max(-change);
+                dual = dual.max(1.0 + change - mu / (self.elastic[k] * self.elastic_price[k]));
+            }
+        }
+        let fall =
+            (self.first..=self.last).fold(0.0_f64, |most, k| most.max(-self.step[k] / self.c[k]));
+        let share = |most: f64, near: f64| if most > near { near / most } else { 1.0 };
+        (share(primal, NEAR).min(share(fall, MOST_FALL)), share(dual, NEAR))
+    }
+
+    /// Takes the step; shorter where the limits turn out to be nearer.
+    fn advance(&mut self, mu: f64, primal: f64, dual: f64) {
+        let (n, stride) = (self.count, self.stride());
+        for k in 1..n {
+            let next = if k < n - 1 { self.step[k + 1] } else { 0.0 };
+            let step = [self.step[k - 1], self.step[k], next];
+            let elastic = if k < n - 1 { self.elastic_step[k] } else { 0.0 };
+            for at in k * stride..(k + 1) * stride {
+                let (row, slope) = (&mut self.rows[at], &self.slopes[at]);
+                if row.slack > 0.0 {
+                    let change = -slope.along(&step, elastic);
+                    row.price += dual * ((mu - row.price * change) / row.slack - row.price);
+                }
+            }
+            if k < n - 1 {
+                let (t, price) = (self.elastic[k], self.elastic_price[k]);
+                self.elastic_price[k] += dual * ((mu - price * elastic) / t - price);
+            }
+        }
+        let (mut c, mut t) = std::mem::take(&mut self.trial);
+        c.clone_from(&self.c);
+        t.clone_from(&self.elastic);
+        let mut way = primal;
+        for _ in 0..30 {
+            for k in 0..n {
+                self.c[k] = c[k] + way * self.step[k];
+                self.elastic[k] = t[k] + way * self.elastic_step[k];
+            }
+            self.speeds();
+            if self.slacks() > 0.0 {
+                break;
+            }
+            way *= 0.5;
+        }
+        self.trial = (c, t);
+    }
+}

@@ -1,0 +1,143 @@
+//! The law as phases of even jerk, and what they use of the limits.
+
+use chordal_geometry::AXES;
+
+use super::grid::Grid;
+use crate::bound::Run;
+use crate::trajectory::{Along, Phase};
+
+/// On a part of a cell the speed changes by no larger share.
+const CHANGE: f64 = 0.04;
+const MOST_PARTS: f64 = 16.0;
+/// Places of a phase that are looked at, its start among them.
+const PROBES: u32 = 4;
+
+/// What the axes use of their limits on a cell, at most.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Use {
+    pub speed: f64,
+    pub acceleration: f64,
+    pub jerk: f64,
+}
+
+/// σ̇ and σ̈ at a node.
+#[derive(Clone, Copy, Debug)]
+struct Passing {
+    speed: f64,
+    acceleration: f64,
+}
+
+/// Two phases of one duration from one passing to another.
+fn pair(at: f64, length: f64, from: Passing, to: Passing, take: &mut impl FnMut(Phase)) {
+    let sum = from.speed + to.speed;
+    let change = from.acceleration - to.acceleration;
+    let duration_s =
+        2.0 * length / (sum + (sum * sum + 4.0 * length * change / 3.0).max(0.0).sqrt());
+    let middle = (to.speed - from.speed) / duration_s - 0.5 * (from.acceleration + to.acceleration);
+    let first = Phase {
+        duration_s,
+        from: at,
+        speed: from.speed,
+        acceleration: from.acceleration,
+        jerk: (middle - from.acceleration) / duration_s,
+    };
+    let end = first.at(duration_s);
+    take(first);
+    take(Phase {
+        duration_s,
+        from: end.sigma,
+        speed: end.speed,
+        acceleration: middle,
+        jerk: (to.acceleration - middle) / duration_s,
+    });
+}
+
+impl Grid {
+    fn passing(&self, node: usize, c: &[f64]) -> Passing {
+        let (g, h) = (self.cells[node - 1].length, self.cells[node].length);
+        let (before, after) = (c[node - 1], c[node]);
+        Passing {
+            speed: ((before * h + after * g) / (g + h)).max(0.0).sqrt(),
+            acceleration: (after - before) / (g + h),
+        }
+    }
+
+    /// The phases of a cell. The first and the last cell of the grid begin and end at rest.
+    pub fn phases(&self, cell: usize, c: &[f64], mut take: impl FnMut(Phase)) {
+        let (at, length) = (self.nodes[cell].at, self.cells[cell].length);
+        if cell == 0 {
+            let to = self.passing(1, c);
+            let duration_s = 3.0 * length / to.speed;
+            let jerk = 2.0 * to.speed / (duration_s * duration_s);
+            return take(Phase { duration_s, from: at, speed: 0.0, acceleration: 0.0, jerk });
+        }
+        let from = self.passing(cell, c);
+        if cell + 1 == self.cells.len() {
+            let duration_s = 3.0 * length / from.speed;
+            let jerk = 2.0 * from.speed / (duration_s * duration_s);
+            let (speed, acceleration) = (from.speed, -jerk * duration_s);
+            return take(Phase { duration_s, from: at, speed, acceleration, jerk });
+        }
+        let to = self.passing(cell + 1, c);
+        let change = (to.speed - from.speed).abs() / from.speed.min(to.speed);
+        let parts = (change / CHANGE).ceil().clamp(1.0, MOST_PARTS) as u32;
+        let slope = (to.acceleration - from.acceleration) / length;
+        let mut here = from;
+        let mut begin = 0.0;
+        for part in 1..=parts {
+            let end = length * f64::from(part) / f64::from(parts);
+            let next = if part == parts {
+                to
+            } else {
+                let square = from.speed * from.speed;
+                Passing {
+                    speed: (square + end * (2.0 * from.acceleration + slope * end)).max(0.0).sqrt(),
+                    acceleration: from.acceleration + slope * end,
+                }
+            };
+            pair(at + begin, end - begin, here, next, &mut take);
+            (here, begin) = (next, end);
+        }
+    }
+
+    /// What a cell's phases use.
+    pub fn use_of(&self, cell: usize, c: &[f64], run: &Run<'_>) -> Use {
+        let mut used = Use::default();
+        let piece = self.cells[cell].piece as usize;
+        self.phases(cell, c, |phase| {
+            for probe in 0..=PROBES {
+                let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(PROBES));
+                used = used.or(&self.use_at(run, piece, &along));
+            }
+        });
+        used
+    }
+
+    fn use_at(&self, run: &Run<'_>, piece: usize, along: &Along) -> Use {
+        let [_, first, second, third] = run.jet(piece, along.sigma);
+        let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
+        let limits = run.limits();
+        let (velocity, acceleration, jerk) =
+            (limits.velocity(), limits.acceleration(), limits.jerk());
+        let mut used = Use { speed: v / run.feed(piece), ..Use::default() };
+        for axis in 0..AXES {
+            let (p, q, r) = (first[axis], second[axis], third[axis]);
+            used = used.or(&Use {
+                speed: (p * v).abs() / velocity[axis],
+                acceleration: (p * a + q * v * v).abs() / acceleration[axis],
+                jerk: (p * j + 3.0 * q * v * a + r * v * v * v).abs() / jerk[axis],
+            });
+        }
+        used
+    }
+}
+
+impl Use {
+    fn or(&self, other: &Use) -> Use {
+        Use {
+            speed: self.speed.max(other.speed),
+            acceleration: self.acceleration.max(other.acceleration),
+            jerk: self.jerk.max(other.jerk),
+        }
+    }
+}
