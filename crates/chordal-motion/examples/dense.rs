@@ -34,6 +34,9 @@ fn main() {
         ("harmonics 3 decimals", dense::harmonics(0.05, 3, 1)),
     ];
     let limits = support::limits(500.0, 5000.0, 1e5);
+    if let Some(count) = wanted.strip_prefix("random=").and_then(|word| word.parse().ok()) {
+        return random(count, limits);
+    }
     println!(
         "path                      moves  corners       ms |  curves       ms  no jerk  acceleration    jerk  pieces  runs"
     );
@@ -61,6 +64,35 @@ fn main() {
             now.len(),
         );
     }
+}
+
+/// Random sums of harmonics: how many are planned as curves, and how far from the least time without
+/// jerk on the same path.
+fn random(count: u64, limits: Limits) {
+    let (mut curves, mut ratio, mut worst) = (0, 0.0, Use::default());
+    for seed in 1..=count {
+        let chord = [0.05, 0.1, 0.3, 1.0][seed as usize % 4];
+        let places = dense::harmonics(chord, 3 + seed as i32 % 2, seed);
+        let tolerance = [0.002, 0.01, 0.05][seed as usize % 3];
+        let moves = dense::moves(&places, [20.0, 100.0, 1000.0][seed as usize / 3 % 3], tolerance);
+        let (before, _) = timed(&moves, limits, 1e9);
+        let (now, _) = timed(&moves, limits, f64::INFINITY);
+        let [before, time] = [before, now.clone()].map(|all| support::time_of(&all));
+        if time < before {
+            curves += 1;
+        } else {
+            let feed_s = moves.iter().map(|m| m.length() / m.speed).sum::<f64>();
+            println!(
+                "corners: seed {seed}, chords of {chord} mm within {tolerance} mm, {time} s, at feed {feed_s} s"
+            );
+        }
+        ratio += time / before;
+        worst = now.iter().map(|s| largest_use(s, &limits, 5)).fold(worst, Use::or);
+    }
+    println!(
+        "{curves} of {count} as curves, mean time {:.3} of corners, {worst:?}",
+        ratio / count as f64
+    );
 }
 
 fn timed(moves: &[Move], limits: Limits, row_s: f64) -> (Vec<Stretch>, f64) {

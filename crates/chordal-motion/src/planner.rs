@@ -97,7 +97,7 @@ const FEW: usize = 8;
 const MANY: usize = 50_000;
 
 /// How near the least time a law is, by level.
-const GAPS: [f64; 2] = [0.005, 0.001];
+const GAPS: [f64; 2] = [2e-4, 5e-5];
 
 impl Planner {
     /// A planner for a machine at rest.

@@ -11,8 +11,8 @@ use super::width::Widths;
 use crate::Axes;
 use crate::piece::{SIXTH, ahead};
 
-/// Where it is too far, widths around fall by the root of the excess, at least and at most by this.
-const FALL: [f64; 2] = [0.6, 0.97];
+/// Where it is too far, widths around fall to at least and at most these shares, by the root of the excess.
+const FALL: [f64; 2] = [0.6, 0.9];
 
 /// The largest distance in tolerances; widths fall where it is above one.
 pub(super) fn certify(

@@ -92,15 +92,13 @@ pub(crate) struct Smoothing {
     spline: Spline,
 }
 
-/// A smooth curve over some chords: at the same σ it is no farther from them than `deviation`.
+/// A smooth curve over some chords: at the same σ it is no farther from them than the tolerance.
 #[derive(Debug)]
 pub(crate) struct Smooth<'a> {
     /// σ where each piece begins, and where the last ends.
     pub at: &'a [f64],
     /// The axes and their derivatives where each piece begins.
     pub jets: &'a [Jet],
-    /// The largest distance, in tolerances: at most one.
-    pub deviation: f64,
 }
 
 impl Smoothing {
@@ -120,9 +118,96 @@ impl Smoothing {
             self.spline.fit(chords, &self.widths, kernel);
             let deviation = check::certify(chords, &self.spline, measure, &mut self.widths);
             if deviation <= 1.0 {
-                return Some(Smooth { at: &self.spline.at, jets: &self.spline.jets, deviation });
+                return Some(Smooth { at: &self.spline.at, jets: &self.spline.jets });
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use chordal_geometry::AXES;
+
+    use super::*;
+    use crate::limits::{AxisLimit, Limits};
+    use crate::piece::ahead;
+
+    fn measure(tolerance: f64) -> Measure {
+        let limit = AxisLimit { velocity: 500.0, acceleration: 5000.0, jerk: 1e5 };
+        let limits = Limits::new([Some(limit); AXES]).expect("positive limits");
+        Measure::new(tolerance, 1e-4, false, &AxisArrays::new(&limits))
+    }
+
+    /// A wave with noise, with a kink and chords of any length, by a simple generator.
+    fn wave(seed: u64) -> Chords {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut chords = Chords::default();
+        let mut at = [0.0; AXES];
+        chords.begin(at);
+        let mut angle = 0.0_f64;
+        for index in 0..400 {
+            let length = 10f64.powf(-2.5 + 3.0 * random() * random());
+            angle += 0.2 * (random() - 0.5) + if index % 97 == 50 { 0.6 } else { 0.0 };
+            at[0] += length * angle.cos() + 1e-3 * (random() - 0.5);
+            at[1] += length * angle.sin() + 1e-3 * (random() - 0.5);
+            at[3] += 1e-3 * length * random();
+            let before = chords.places[chords.places.len() - 1];
+            let way = ((at[0] - before[0]).powi(2) + (at[1] - before[1]).powi(2)).sqrt();
+            chords.push(at, way, false);
+        }
+        chords
+    }
+
+    #[test]
+    fn the_certificate_bounds_every_distance_and_the_curve_has_no_steps() {
+        let mut smoothing = Smoothing::default();
+        for seed in 1..60 {
+            let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);
+            let chords = wave(seed);
+            let (at, jets) = {
+                let smooth = smoothing.smooth(&chords, &measure).expect("a curve");
+                (smooth.at.to_vec(), smooth.jets.to_vec())
+            };
+            let certified =
+                check::certify(&chords, &smoothing.spline, &measure, &mut Widths::default());
+            assert!(certified <= 1.0);
+            let mut hint = 0;
+            let mut most = 0.0_f64;
+            for (index, jet) in jets.iter().enumerate() {
+                let length = at[index + 1] - at[index];
+                for part in 0..=8 {
+                    let way = length * f64::from(part) / 8.0;
+                    let on_chords = chords.place_at(at[index] + way, &mut hint);
+                    let on_curve = ahead(jet, way, AXES)[0];
+                    let off = std::array::from_fn(|axis| on_curve[axis] - on_chords[axis]);
+                    most = most.max(measure.of(&off));
+                }
+                let Some(next) = jets.get(index + 1) else { continue };
+                let end = ahead(jet, length, AXES);
+                for order in 0..3 {
+                    for axis in 0..AXES {
+                        let size = jet[order][axis].abs().max(1.0)
+                            + jet[3][axis].abs() * length.powi(3 - order as i32);
+                        let step = (end[order][axis] - next[order][axis]).abs();
+                        assert!(step <= 1e-9 * size, "seed {seed}, piece {index}: {step}");
+                    }
+                }
+            }
+            assert!(most <= certified * (1.0 + 1e-9), "seed {seed}: {most} above {certified}");
+            let [first, last] = [jets[0], jets[jets.len() - 1]];
+            let end = ahead(&last, at[at.len() - 1] - at[at.len() - 2], AXES);
+            for axis in 0..AXES {
+                let place = chords.places[chords.count()][axis];
+                assert!((first[0][axis] - chords.places[0][axis]).abs() < 1e-9);
+                assert!((end[0][axis] - place).abs() < 1e-9 * place.abs().max(1.0));
+            }
+        }
     }
 }

@@ -9,12 +9,14 @@ const SLOPE: f64 = 0.2;
 const SECOND: f64 = 3.0;
 /// Largest fourth difference (kernel sharp).
 const FOURTH: f64 = 8.0;
-/// Largest width, mm or rad.
-const WIDEST: f64 = 10.0;
+/// Largest width, in tolerances.
+const WIDEST: f64 = 1000.0;
 /// Time between two knots where the axes are at their limits, s.
 const KNOT_S: f64 = 0.004;
 /// Largest width of the plain kernel, in such times.
 const TIMES: f64 = 1.5;
+/// No share makes a width smaller than this part of the least.
+const FLOOR: f64 = 0.2;
 /// Variance of the plain kernel: that of a box of this half width and of the spline.
 const VARIANCE: f64 = 0.416_67;
 
@@ -41,36 +43,55 @@ impl Widths {
         self.by_time.clear();
         self.shares.clear();
         self.shares.resize(count, 1.0);
-        let least = measure.least;
-        let mut hints = [0; 6];
-        let mut width = WIDEST;
-        for index in 0..count {
-            let at = chords.at[index];
-            if index > 0 {
-                width = (width + SLOPE * (at - chords.at[index - 1])).min(WIDEST);
-            }
-            for _ in 0..60 {
-                let (share, power) = match kernel {
-                    Kernel::Plain => (self.second(chords, measure, index, width, &mut hints), 0.5),
-                    Kernel::Sharp => (self.fourth(chords, measure, index, width, &mut hints), 0.25),
-                };
-                if share <= 1.0 || width <= least {
-                    break;
-                }
-                let factor =
-                    if power == 0.5 { 1.0 / share.sqrt() } else { 1.0 / share.sqrt().sqrt() };
-                width = (width * factor.clamp(0.5, 0.93)).max(least);
-            }
-            self.reach.push(width);
+        self.reach.resize(count, 0.0);
+        // There and back, so that a width does not depend on where the path begins.
+        self.march(chords, measure, kernel, 0..count);
+        self.march(chords, measure, kernel, (0..count).rev());
+        let mut hints = [0; 2];
+        for (index, &width) in self.reach.iter().enumerate() {
+            let (at, here) = (chords.at[index], &chords.places[index]);
             let before = chords.place_at(at - width, &mut hints[0]);
             let after = chords.place_at(at + width, &mut hints[1]);
-            let here = &chords.places[index];
             let bend = std::array::from_fn(|axis| {
                 (before[axis] - 2.0 * here[axis] + after[axis]) / (width * width)
             });
             self.by_time.push(KNOT_S * measure.fastest(&bend));
         }
         graded(&mut self.by_time, &chords.at);
+    }
+
+    /// Widths that the tolerance allows, one place after the other: the larger of those that are
+    /// known and those found from the place before.
+    fn march(
+        &mut self,
+        chords: &Chords,
+        measure: &Measure,
+        kernel: Kernel,
+        places: impl Iterator<Item = usize>,
+    ) {
+        let (least, widest) = (measure.least, WIDEST * measure.least);
+        let mut hints = [0; 6];
+        let mut width = widest;
+        let mut last: Option<f64> = None;
+        for index in places {
+            let at = chords.at[index];
+            let way = last.map_or(0.0, |last| (at - last).abs());
+            width = (width + SLOPE * way).min(widest);
+            for _ in 0..60 {
+                let share = match kernel {
+                    Kernel::Plain => self.second(chords, measure, index, width, &mut hints).sqrt(),
+                    Kernel::Sharp => {
+                        self.fourth(chords, measure, index, width, &mut hints).sqrt().sqrt()
+                    }
+                };
+                if share <= 1.0 || width <= least {
+                    break;
+                }
+                width = (width * (1.0 / share).clamp(0.5, 0.93)).max(least);
+            }
+            self.reach[index] = self.reach[index].max(width);
+            last = Some(at);
+        }
     }
 
     /// The second difference over a width and over half of it, in those that are allowed.
@@ -136,28 +157,23 @@ impl Widths {
     /// The distances of knots and the boxes, with the shares as they are.
     pub fn settle(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel) {
         let least = measure.least;
+        let times = if kernel == Kernel::Plain { TIMES } else { 1.0 };
         self.knots.clear();
-        self.knots.extend(
-            self.reach
-                .iter()
-                .zip(&self.shares)
-                .map(|(reach, share)| (reach * share).max(0.2 * least)),
-        );
+        for index in 0..self.reach.len() {
+            let by_time = (times * self.by_time[index]).max(least);
+            let width = self.reach[index].min(by_time) * self.shares[index];
+            self.knots.push(width.max(FLOOR * least));
+        }
         graded(&mut self.knots, &chords.at);
         self.boxes.clear();
         for (knot, by_time) in self.knots.iter_mut().zip(&self.by_time) {
-            let most = match kernel {
-                Kernel::Plain => TIMES * by_time,
-                Kernel::Sharp => *by_time,
-            };
-            let reach = knot.min(most.max(least));
-            let apart = reach.min(by_time.max(least));
-            *knot = apart;
+            let reach = *knot;
+            *knot = reach.min(by_time.max(least));
             self.boxes.push(match kernel {
                 Kernel::Plain => {
-                    (12.0 * (VARIANCE * reach * reach - apart * apart / 3.0)).max(0.0).sqrt()
+                    (12.0 * (VARIANCE * reach * reach - *knot * *knot / 3.0)).max(0.0).sqrt()
                 }
-                Kernel::Sharp => apart,
+                Kernel::Sharp => *knot,
             });
         }
     }

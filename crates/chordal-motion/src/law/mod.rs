@@ -72,9 +72,8 @@ pub(crate) struct Planner {
     newton: Newton,
     coefficients: Vec<f64>,
     window: Vec<f64>,
-    /// Of the last window, the coefficients that were not kept, and of the one that is solved.
-    beyond: Vec<f64>,
-    next_beyond: Vec<f64>,
+    /// So many coefficients have been solved, if not all of them for good.
+    solved: usize,
     pub work: Work,
 }
 
@@ -91,6 +90,7 @@ impl Planner {
         if let Ends::Even(speed) = ends[0] {
             self.coefficients[..2].fill(speed * speed);
         }
+        self.solved = 0;
         let look_s = self.look_s(run);
         let window_s = WINDOW_S.max(3.0 * look_s);
         let mut side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
@@ -109,7 +109,7 @@ impl Planner {
                 _ => Side::Rest,
             };
             let keep = if is_last { count } else { self.before(to, look_s).max(from + 3) };
-            self.solve_window(run, ends, (from, to), keep, [side, end], gap)?;
+            self.solve_window(run, ends, (from, to), [side, end], gap)?;
             if is_last {
                 break;
             }
@@ -157,7 +157,6 @@ impl Planner {
         run: &Run<'_>,
         ends: [Ends; 2],
         (from, to): (usize, usize),
-        keep: usize,
         sides: [Side; 2],
         gap: f64,
     ) -> Option<()> {
@@ -174,8 +173,9 @@ impl Planner {
             }
             self.start.find(&self.grid, (from, to), sides, &mut self.window);
             // What the window before had beyond its kept part is a law already.
-            if sides[0] == Side::Fixed {
-                for (value, known) in self.window[2..].iter_mut().zip(&self.beyond) {
+            if sides[0] == Side::Fixed && from + 2 < self.solved {
+                let known = &self.coefficients[from + 2..self.solved];
+                for (value, known) in self.window[2..].iter_mut().zip(known) {
                     *value = value.max(*known);
                 }
             }
@@ -186,15 +186,12 @@ impl Planner {
                 self.work.failed += 1;
                 return None;
             }
-            let until = if to == count { count } else { keep + 2 };
-            self.next_beyond.clear();
-            self.next_beyond.extend_from_slice(&self.window[until - from..]);
-            self.coefficients[from..until].copy_from_slice(&self.window[..until - from]);
+            // The cells after the kept ones count, too: so the next window has a law to its rest.
             let first = from + usize::from(sides[0] == Side::Fixed);
-            let last =
-                if to == count { count - usize::from(ends[1] != Ends::Rest) } else { keep + 1 };
-            if !self.take_back(run, (first, last)) {
-                std::mem::swap(&mut self.beyond, &mut self.next_beyond);
+            let last = if to < count { to - 1 } else { count - usize::from(ends[1] != Ends::Rest) };
+            if !self.take_back(run, from, (first, last)) {
+                self.coefficients[from..to].copy_from_slice(&self.window);
+                self.solved = to;
                 return Some(());
             }
             if round == ROUNDS {
@@ -206,11 +203,11 @@ impl Planner {
     }
 
     /// Lowers what may be used where the phases use too much; whether they do.
-    fn take_back(&mut self, run: &Run<'_>, (first, last): (usize, usize)) -> bool {
+    fn take_back(&mut self, run: &Run<'_>, from: usize, (first, last): (usize, usize)) -> bool {
         const MORE: f64 = 1.0004;
         let mut over = false;
         for cell in first..last {
-            let used = self.grid.use_of(cell, &self.coefficients, run);
+            let used = self.grid.use_of(cell, &self.window, from, run);
             if used.jerk > 1.0 + ROUNDING {
                 self.grid.cells[cell].share /= used.jerk * MORE;
                 over = true;
@@ -234,17 +231,18 @@ impl Planner {
         let begin = usize::from(ends[0] != Ends::Rest);
         let end = self.grid.cells.len() - usize::from(ends[1] != Ends::Rest);
         for cell in begin..end {
-            self.grid.phases(cell, &self.coefficients, |phase| phases.push(phase));
+            self.grid.phases(cell, &self.coefficients, 0, |phase| phases.push(phase));
         }
         debug_assert!(run.length() > 0.0);
         phases
     }
 }
 
-/// The law of a run from rest to rest as phases, within `gap` of the least time, and what it took;
-/// without phases where none was found within all limits.
+/// The law of a run to rest as phases, within `gap` of the least time, and what it took; without
+/// phases where none was found within all limits.
 pub fn law(run: &Run<'_>, gap: f64) -> (Option<Vec<Phase>>, Work) {
+    let begin = if run.start_speed() > 0.0 { Ends::Even(run.start_speed()) } else { Ends::Rest };
     let mut planner = Planner::default();
-    let phases = planner.plan(run, [Ends::Rest; 2], gap);
+    let phases = planner.plan(run, [begin, Ends::Rest], gap);
     (phases, planner.work)
 }

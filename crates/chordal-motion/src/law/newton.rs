@@ -15,14 +15,16 @@ use super::grid::{Grid, rest_factor};
 /// What of the limits is used; the rest is for what lies between the nodes.
 const ACCELERATION: f64 = 0.998;
 const JERK: f64 = 0.9985;
-/// The price of all of an elastic share, as a share of the time.
-const PRICE: f64 = 0.1;
+/// Prices of an elastic share, as shares of the time, and of the first law what is begun with: the next
+/// where elastic shares stay.
+const TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
 /// So far towards a wall in one step.
 const NEAR: f64 = 0.97;
 /// No step takes away more of a coefficient.
 const MOST_FALL: f64 = 0.8;
 const ITERATIONS: usize = 60;
-const DEBUG: bool = false;
+/// An open gap below this share of the time closes no more.
+const STUCK: f64 = 1e-8;
 /// The largest elastic share that is left.
 const ELASTIC: f64 = 3e-4;
 
@@ -98,10 +100,18 @@ impl Newton {
         coefficients: &mut [f64],
         gap: f64,
     ) -> Solution {
-        self.lay(grid, from, to, sides, coefficients);
-        let solution = self.iterate(gap);
-        coefficients.copy_from_slice(&self.c);
-        solution
+        let mut iterations = 0;
+        for [price, share] in TRIES {
+            self.lay(grid, from, to, sides, coefficients);
+            self.c[self.first..=self.last].iter_mut().for_each(|c| *c *= share);
+            let solution = self.iterate(gap, price);
+            iterations += solution.iterations;
+            if solution.converged {
+                coefficients.copy_from_slice(&self.c);
+                return Solution { iterations, converged: true };
+            }
+        }
+        Solution { iterations, converged: false }
     }
 
     fn rows_of_node(&self) -> usize {
@@ -364,14 +374,14 @@ impl Newton {
         least
     }
 
-    fn iterate(&mut self, gap: f64) -> Solution {
+    fn iterate(&mut self, gap: f64, price: f64) -> Solution {
         self.begin();
         let n = self.count;
         if self.first > self.last || self.slacks() <= 0.0 {
             return Solution { iterations: 0, converged: false };
         }
         let mut time = self.time();
-        let price = PRICE * time;
+        let price = price * time;
         let rows = self.rows.iter().filter(|row| row.slack > 0.0).count() + n - 2;
         let mut mu = time / rows as f64;
         for row in self.rows.iter_mut().filter(|row| row.slack > 0.0) {
@@ -387,7 +397,8 @@ impl Newton {
             if open < gap * time && elastic < ELASTIC {
                 return Solution { iterations, converged: true };
             }
-            if !open.is_finite() {
+            // Where limits contradict what is given, the elastic shares stay.
+            if open.is_nan() || open <= STUCK * time {
                 break;
             }
             self.assemble(mu, price);
@@ -395,17 +406,14 @@ impl Newton {
             let (primal, dual) = self.reach(mu);
             self.advance(mu, primal, dual);
             time = self.time();
-            if DEBUG {
-                eprintln!(
-                    "it {iterations} T {time:.5} open {open:.3e} t {elastic:.2e} mu {mu:.2e} primal {primal:.3} dual {dual:.3}"
-                );
-            }
             let done = primal.min(dual);
             let open: f64 = self.rows.iter().map(|row| row.slack * row.price).sum::<f64>()
                 + (1..n - 1).map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>();
             mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows as f64;
         }
-        Solution { iterations: ITERATIONS as u32, converged: false }
+        // A law within all limits is one, if not the best.
+        let elastic = self.elastic[1..n - 1].iter().fold(0.0_f64, |most, t| most.max(*t));
+        Solution { iterations: ITERATIONS as u32, converged: elastic < ELASTIC }
     }
 
     /// The matrix of the step and its right side.

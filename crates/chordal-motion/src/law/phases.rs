@@ -53,46 +53,49 @@ fn pair(at: f64, length: f64, from: Passing, to: Passing, take: &mut impl FnMut(
 }
 
 impl Grid {
-    fn passing(&self, node: usize, c: &[f64]) -> Passing {
+    fn passing(&self, node: usize, c: &[f64], from: usize) -> Passing {
         let (g, h) = (self.cells[node - 1].length, self.cells[node].length);
-        let (before, after) = (c[node - 1], c[node]);
+        let (before, after) = (c[node - 1 - from], c[node - from]);
         Passing {
             speed: ((before * h + after * g) / (g + h)).max(0.0).sqrt(),
             acceleration: (after - before) / (g + h),
         }
     }
 
-    /// The phases of a cell. The first and the last cell of the grid begin and end at rest.
-    pub fn phases(&self, cell: usize, c: &[f64], mut take: impl FnMut(Phase)) {
+    /// The phases of a cell, with the coefficients from cell `from` on. The first and the last cell of
+    /// the grid begin and end at rest.
+    pub fn phases(&self, cell: usize, c: &[f64], from: usize, mut take: impl FnMut(Phase)) {
         let (at, length) = (self.nodes[cell].at, self.cells[cell].length);
         if cell == 0 {
-            let to = self.passing(1, c);
+            let to = self.passing(1, c, from);
             let duration_s = 3.0 * length / to.speed;
             let jerk = 2.0 * to.speed / (duration_s * duration_s);
             return take(Phase { duration_s, from: at, speed: 0.0, acceleration: 0.0, jerk });
         }
-        let from = self.passing(cell, c);
+        let begins = self.passing(cell, c, from);
         if cell + 1 == self.cells.len() {
-            let duration_s = 3.0 * length / from.speed;
-            let jerk = 2.0 * from.speed / (duration_s * duration_s);
-            let (speed, acceleration) = (from.speed, -jerk * duration_s);
+            let duration_s = 3.0 * length / begins.speed;
+            let jerk = 2.0 * begins.speed / (duration_s * duration_s);
+            let (speed, acceleration) = (begins.speed, -jerk * duration_s);
             return take(Phase { duration_s, from: at, speed, acceleration, jerk });
         }
-        let to = self.passing(cell + 1, c);
-        let change = (to.speed - from.speed).abs() / from.speed.min(to.speed);
+        let to = self.passing(cell + 1, c, from);
+        let change = (to.speed - begins.speed).abs() / begins.speed.min(to.speed);
         let parts = (change / CHANGE).ceil().clamp(1.0, MOST_PARTS) as u32;
-        let slope = (to.acceleration - from.acceleration) / length;
-        let mut here = from;
+        let slope = (to.acceleration - begins.acceleration) / length;
+        let mut here = begins;
         let mut begin = 0.0;
         for part in 1..=parts {
             let end = length * f64::from(part) / f64::from(parts);
             let next = if part == parts {
                 to
             } else {
-                let square = from.speed * from.speed;
+                let square = begins.speed * begins.speed;
                 Passing {
-                    speed: (square + end * (2.0 * from.acceleration + slope * end)).max(0.0).sqrt(),
-                    acceleration: from.acceleration + slope * end,
+                    speed: (square + end * (2.0 * begins.acceleration + slope * end))
+                        .max(0.0)
+                        .sqrt(),
+                    acceleration: begins.acceleration + slope * end,
                 }
             };
             pair(at + begin, end - begin, here, next, &mut take);
@@ -101,10 +104,10 @@ impl Grid {
     }
 
     /// What a cell's phases use.
-    pub fn use_of(&self, cell: usize, c: &[f64], run: &Run<'_>) -> Use {
+    pub fn use_of(&self, cell: usize, c: &[f64], from: usize, run: &Run<'_>) -> Use {
         let mut used = Use::default();
         let piece = self.cells[cell].piece as usize;
-        self.phases(cell, c, |phase| {
+        self.phases(cell, c, from, |phase| {
             for probe in 0..=PROBES {
                 let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(PROBES));
                 used = used.or(&self.use_at(run, piece, &along));
