@@ -15,8 +15,7 @@ use crate::segment::{Corner, Move};
 use crate::smooth::EXACT;
 use crate::trajectory::Stretch;
 
-/// A joint is a corner where the chords turn by more, looked at over some tolerances: below that,
-/// what turns may be rounding of the coordinates.
+/// A joint is a corner where the chords turn by more; short ones are looked at over some tolerances.
 const CORNER_COSINE: f64 = 0.766_044_443_118_978;
 const LOOK: f64 = 4.0;
 /// Directions that differ by less go on in one line.
@@ -67,6 +66,12 @@ impl Dense {
         runs
     }
 
+    /// The number of the last move that begins at a corner.
+    pub fn last_corner(&mut self, moves: &[Move]) -> Option<usize> {
+        self.find_corners(moves);
+        self.corners[..self.corners.len() - 1].last().copied().filter(|index| *index > 0)
+    }
+
     /// Numbers of the moves at which runs begin, and one past the last.
     fn find_corners(&mut self, moves: &[Move]) {
         self.places.clear();
@@ -94,10 +99,12 @@ impl Dense {
         if turns != goes_on {
             return true;
         }
-        let look = LOOK * linear_mm.max(EXACT.linear_mm);
+        let tolerance = linear_mm.max(EXACT.linear_mm);
+        // What turns between chords shorter than the tolerance may be rounding.
+        let look = |length: f64| if length < tolerance { LOOK * tolerance } else { length };
         let here = &self.places[index];
-        let before = self.beyond(index, -look.max(self.lengths[index - 1]));
-        let after = self.beyond(index, look.max(self.lengths[index]));
+        let before = self.beyond(index, -look(self.lengths[index - 1]));
+        let after = self.beyond(index, look(self.lengths[index]));
         let (mut dot, mut squares) = (0.0, [0.0; 2]);
         for axis in 0..3 {
             let (a, b) = (here[axis] - before[axis], after[axis] - here[axis]);

@@ -92,9 +92,14 @@ struct Group {
     other: Planner<Span>,
 }
 
-/// A group of fewer moves is planned corner by corner, as is one of more than a minute's memory.
+/// A group of fewer moves is planned corner by corner.
 const FEW: usize = 8;
-const MANY: usize = 50_000;
+/// When so many moves wait, those before the last corner are planned.
+const MANY: usize = 20_000;
+/// Lines that take longer on average are not dense, and corners by themselves are most of what is lost.
+const DENSE_S: f64 = 0.04;
+/// Where a group takes no longer than its feeds ask for, and this share of it, there is nothing to gain.
+const GAIN: f64 = 2e-3;
 
 /// How near the least time a law is, by level.
 const GAPS: [f64; 2] = [2e-4, 5e-5];
@@ -173,7 +178,7 @@ impl<P: PathPart> Planner<P> {
         let Some(group) = &mut self.group else { return };
         let rests = motion.corner == Corner::Stop;
         let fits = matches!(motion.curve, Curve::Line(_)) && motion.corner != Corner::Exact;
-        if group.passes || !fits || group.moves.len() >= MANY {
+        if group.passes || !fits {
             group.passes = !rests;
             self.plan_moves(take);
             return self.corner_by_corner(motion, start, take);
@@ -181,6 +186,23 @@ impl<P: PathPart> Planner<P> {
         group.moves.push(*motion);
         if rests {
             self.plan_group(take);
+        } else if group.moves.len() >= MANY {
+            self.plan_to_last_corner(take);
+        }
+    }
+
+    /// Plans the kept lines up to their last corner; without one all of them, and what comes until the
+    /// next rest, corner by corner.
+    fn plan_to_last_corner(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+        let Some(group) = &mut self.group else { return };
+        let Some(corner) = group.dense.last_corner(&group.moves) else {
+            group.passes = true;
+            return self.plan_moves(take);
+        };
+        let after = group.moves.split_off(corner);
+        self.plan_group(take);
+        if let Some(group) = &mut self.group {
+            group.moves.extend_from_slice(&after);
         }
     }
 
@@ -206,7 +228,9 @@ impl<P: PathPart> Planner<P> {
         if group.moves.len() >= FEW {
             let limit_s = group.corners_s();
             let gap = GAPS[usize::from(self.options.level == Level::Best)];
-            let stretches = group.curves(&self.limits, gap, limit_s);
+            let is_dense = limit_s < DENSE_S * group.moves.len() as f64;
+            let gains = is_dense && limit_s > group.feed_s() * (1.0 + GAIN);
+            let stretches = gains.then(|| group.curves(&self.limits, gap, limit_s)).flatten();
             if let Some(stretches) = stretches {
                 // What was planned before has ended at rest.
                 self.release(take);
@@ -425,6 +449,11 @@ impl Group {
         }
         self.other.finish(&mut take);
         time_s
+    }
+
+    /// The time that the feeds of its lines ask for, s.
+    fn feed_s(&self) -> f64 {
+        self.moves.iter().map(|motion| motion.length() / motion.speed).sum()
     }
 
     /// Its lines as smooth curves from corner to corner, if that takes less than a time, s.

@@ -69,7 +69,9 @@ impl Widths {
         kernel: Kernel,
         places: impl Iterator<Item = usize>,
     ) {
-        let (least, widest) = (measure.least, WIDEST * measure.least);
+        let least = measure.least;
+        // Beyond the ends the chords are known as far as they are long.
+        let widest = (WIDEST * least).min(0.25 * chords.length());
         let mut hints = [0; 6];
         let mut width = widest;
         let mut last: Option<f64> = None;
@@ -87,7 +89,7 @@ impl Widths {
                 if share <= 1.0 || width <= least {
                     break;
                 }
-                width = (width * (1.0 / share).clamp(0.5, 0.93)).max(least);
+                width = (width * (1.0 / share).clamp(0.5, 0.93)).max(least).min(widest);
             }
             self.reach[index] = self.reach[index].max(width);
             last = Some(at);
@@ -162,7 +164,8 @@ impl Widths {
         for index in 0..self.reach.len() {
             let by_time = (times * self.by_time[index]).max(least);
             let width = self.reach[index].min(by_time) * self.shares[index];
-            self.knots.push(width.max(FLOOR * least));
+            // No wider than was found, where the run itself is short.
+            self.knots.push(width.max(FLOOR * least).min(self.reach[index]));
         }
         graded(&mut self.knots, &chords.at);
         self.boxes.clear();

@@ -16,6 +16,8 @@ mod newton;
 mod phases;
 mod start;
 
+use std::ops::Range;
+
 use crate::bound::Run;
 use crate::trajectory::Phase;
 use grid::Grid;
@@ -48,6 +50,10 @@ const LOOK_S: f64 = 0.15;
 const ROUNDS: usize = 5;
 /// Use of a limit above one by no more is rounding.
 const ROUNDING: f64 = 1e-9;
+/// Speeds whose squares differ by no larger share are one.
+const EVEN: f64 = 1e-9;
+/// An even speed that uses no more of acceleration and jerk is reached and left like one on a line.
+const CALM: f64 = 0.5;
 /// No window has fewer cells.
 const FEWEST: usize = 8;
 
@@ -74,6 +80,8 @@ pub(crate) struct Planner {
     window: Vec<f64>,
     /// So many coefficients have been solved, if not all of them for good.
     solved: usize,
+    /// Cells on which the law is even.
+    cruises: Vec<Range<usize>>,
     pub work: Work,
 }
 
@@ -83,22 +91,48 @@ impl Planner {
         if !self.grid.lay(run, ends) {
             return None;
         }
+        self.work.cells += self.grid.cells.len() as u64;
+        let look_s = self.look_s(run);
+        self.find_cruises(run, look_s);
+        if self.solve(run, ends, look_s, gap).is_none() {
+            // A cruise that is not reached in time is no ground to have no law.
+            if self.cruises.is_empty() {
+                return None;
+            }
+            self.cruises.clear();
+            self.solve(run, ends, look_s, gap)?;
+        }
+        Some(self.phases(ends))
+    }
+
+    /// Solves for all coefficients, window by window.
+    fn solve(&mut self, run: &Run<'_>, ends: [Ends; 2], look_s: f64, gap: f64) -> Option<()> {
         let count = self.grid.cells.len();
-        self.work.cells += count as u64;
         self.coefficients.clear();
         self.coefficients.resize(count, 0.0);
         if let Ends::Even(speed) = ends[0] {
             self.coefficients[..2].fill(speed * speed);
         }
         self.solved = 0;
-        let look_s = self.look_s(run);
         let window_s = WINDOW_S.max(3.0 * look_s);
         let mut side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
-        let mut from = 0;
+        let (mut from, mut next_cruise) = (0, 0);
         loop {
             let mut to = self.after(from, window_s);
             if count - to < FEWEST {
                 to = count;
+            }
+            while self.cruises.get(next_cruise).is_some_and(|range| range.start < from + FEWEST) {
+                next_cruise += 1;
+            }
+            let cruise = self.cruises.get(next_cruise).cloned();
+            if let Some(range) = cruise.filter(|range| range.start + 2 < to + FEWEST) {
+                let square = self.grid.bound[range.start];
+                self.coefficients[range.clone()].fill(square);
+                self.solve_window(run, (from, range.start + 2), [side, Side::Fixed], gap)?;
+                from = range.end - 2;
+                side = Side::Fixed;
+                continue;
             }
             let is_last = to == count;
             let end = match ends[1] {
@@ -108,15 +142,39 @@ impl Planner {
                 }
                 _ => Side::Rest,
             };
-            let keep = if is_last { count } else { self.before(to, look_s).max(from + 3) };
-            self.solve_window(run, ends, (from, to), [side, end], gap)?;
+            self.solve_window(run, (from, to), [side, end], gap)?;
             if is_last {
-                break;
+                return Some(());
             }
-            from = keep;
+            from = self.before(to, look_s).max(from + 3);
             side = Side::Fixed;
         }
-        Some(self.phases(run, ends))
+    }
+
+    /// Where the law without jerk is even for so long that jerk changes nothing in the middle.
+    fn find_cruises(&mut self, run: &Run<'_>, look_s: f64) {
+        self.cruises.clear();
+        let count = self.grid.cells.len();
+        let mut begin = 0;
+        while begin < count {
+            let square = self.grid.bound[begin];
+            let like = |b: &&f64| (**b - square).abs() <= EVEN * square;
+            let end = begin + self.grid.bound[begin..].iter().take_while(like).count();
+            let after = self.after_exactly(begin, look_s);
+            let until = self.before(end, look_s);
+            if until > after + 2 * FEWEST {
+                self.window.clear();
+                self.window.resize(end - begin, square);
+                let fits = |cell: usize| {
+                    let used = self.grid.use_of(cell, &self.window, begin, run);
+                    used.speed <= 1.0 + ROUNDING && used.acceleration.max(used.jerk) <= CALM
+                };
+                if (after..until).all(fits) {
+                    self.cruises.push(after..until);
+                }
+            }
+            begin = end.max(begin + 1);
+        }
     }
 
     /// The time to a rest from the largest speed.
@@ -132,14 +190,19 @@ impl Planner {
         self.grid.cells[cell].length / self.grid.bound[cell].sqrt().max(1e-9)
     }
 
-    /// The cell that begins a time after the start of another.
-    fn after(&self, from: usize, seconds: f64) -> usize {
+    /// The first cell that begins a time after the start of another.
+    fn after_exactly(&self, from: usize, seconds: f64) -> usize {
         let (mut to, mut t) = (from, 0.0);
-        while to < self.grid.cells.len() && (t < seconds || to < from + 2 * FEWEST) {
+        while to < self.grid.cells.len() && t < seconds {
             t += self.cell_s(to);
             to += 1;
         }
         to
+    }
+
+    /// The same, with as many cells as a window has at least.
+    fn after(&self, from: usize, seconds: f64) -> usize {
+        self.after_exactly(from, seconds).max(from + 2 * FEWEST).min(self.grid.cells.len())
     }
 
     fn before(&self, to: usize, seconds: f64) -> usize {
@@ -148,14 +211,13 @@ impl Planner {
             from -= 1;
             t += self.cell_s(from);
         }
-        from.min(to - 3)
+        from.min(to.saturating_sub(3))
     }
 
     /// Solves a window until its phases hold every limit as far as they are kept.
     fn solve_window(
         &mut self,
         run: &Run<'_>,
-        ends: [Ends; 2],
         (from, to): (usize, usize),
         sides: [Side; 2],
         gap: f64,
@@ -188,7 +250,9 @@ impl Planner {
             }
             // The cells after the kept ones count, too: so the next window has a law to its rest.
             let first = from + usize::from(sides[0] == Side::Fixed);
-            let last = if to < count { to - 1 } else { count - usize::from(ends[1] != Ends::Rest) };
+            // The stop of a window that others follow is not the last word.
+            let is_stop = to < count || sides[1] == Side::Fixed;
+            let last = if is_stop { to - 1 } else { count };
             if !self.take_back(run, from, (first, last)) {
                 self.coefficients[from..to].copy_from_slice(&self.window);
                 self.solved = to;
@@ -226,14 +290,19 @@ impl Planner {
         over
     }
 
-    fn phases(&self, run: &Run<'_>, ends: [Ends; 2]) -> Vec<Phase> {
-        let mut phases = Vec::with_capacity(2 * self.grid.cells.len());
+    fn phases(&self, ends: [Ends; 2]) -> Vec<Phase> {
+        let mut phases: Vec<Phase> = Vec::with_capacity(2 * self.grid.cells.len());
         let begin = usize::from(ends[0] != Ends::Rest);
         let end = self.grid.cells.len() - usize::from(ends[1] != Ends::Rest);
+        let is_even = |phase: &Phase| phase.acceleration == 0.0 && phase.jerk == 0.0;
         for cell in begin..end {
-            self.grid.phases(cell, &self.coefficients, 0, |phase| phases.push(phase));
+            self.grid.phases(cell, &self.coefficients, 0, |phase| match phases.last_mut() {
+                Some(last) if is_even(last) && is_even(&phase) && last.speed == phase.speed => {
+                    last.duration_s += phase.duration_s;
+                }
+                _ => phases.push(phase),
+            });
         }
-        debug_assert!(run.length() > 0.0);
         phases
     }
 }

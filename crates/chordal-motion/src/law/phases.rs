@@ -27,8 +27,12 @@ struct Passing {
     acceleration: f64,
 }
 
-/// Two phases of one duration from one passing to another.
+/// Two phases of one duration from one passing to another, or one of even speed.
 fn pair(at: f64, length: f64, from: Passing, to: Passing, take: &mut impl FnMut(Phase)) {
+    if from.speed == to.speed && from.acceleration == 0.0 && to.acceleration == 0.0 {
+        let (duration_s, speed) = (length / from.speed, from.speed);
+        return take(Phase { duration_s, from: at, speed, acceleration: 0.0, jerk: 0.0 });
+    }
     let sum = from.speed + to.speed;
     let change = from.acceleration - to.acceleration;
     let duration_s =
@@ -56,10 +60,9 @@ impl Grid {
     fn passing(&self, node: usize, c: &[f64], from: usize) -> Passing {
         let (g, h) = (self.cells[node - 1].length, self.cells[node].length);
         let (before, after) = (c[node - 1 - from], c[node - from]);
-        Passing {
-            speed: ((before * h + after * g) / (g + h)).max(0.0).sqrt(),
-            acceleration: (after - before) / (g + h),
-        }
+        // Even speeds are even to the last bit.
+        let square = if before == after { before } else { (before * h + after * g) / (g + h) };
+        Passing { speed: square.max(0.0).sqrt(), acceleration: (after - before) / (g + h) }
     }
 
     /// The phases of a cell, with the coefficients from cell `from` on. The first and the last cell of
