@@ -18,9 +18,11 @@ mod start;
 
 use std::ops::Range;
 
+use chordal_geometry::AXES;
+
 use crate::bound::Run;
 use crate::trajectory::Phase;
-use grid::Grid;
+use grid::{Grid, Node};
 use newton::Newton;
 use start::Start;
 
@@ -50,8 +52,8 @@ const LOOK_S: f64 = 0.15;
 const ROUNDS: usize = 5;
 /// Use of a limit above one by no more is rounding.
 const ROUNDING: f64 = 1e-9;
-/// Speeds whose squares differ by no larger share are one.
-const EVEN: f64 = 1e-9;
+/// Speeds whose squares differ by no larger share are passed at the lowest of them.
+const EVEN: f64 = 1e-3;
 /// An even speed that uses no more of acceleration and jerk is reached and left like one on a line.
 const CALM: f64 = 0.5;
 /// No window has fewer cells.
@@ -80,8 +82,8 @@ pub(crate) struct Planner {
     window: Vec<f64>,
     /// So many coefficients have been solved, if not all of them for good.
     solved: usize,
-    /// Cells on which the law is even.
-    cruises: Vec<Range<usize>>,
+    /// Cells on which the law is even, with the square of the speed.
+    cruises: Vec<(Range<usize>, f64)>,
     pub work: Work,
 }
 
@@ -92,7 +94,7 @@ impl Planner {
             return None;
         }
         self.work.cells += self.grid.cells.len() as u64;
-        let look_s = self.look_s(run);
+        let look_s = self.look_s();
         self.find_cruises(run, look_s);
         if self.solve(run, ends, look_s, gap).is_none() {
             // A cruise that is not reached in time is no ground to have no law.
@@ -122,12 +124,16 @@ impl Planner {
             if count - to < FEWEST {
                 to = count;
             }
-            while self.cruises.get(next_cruise).is_some_and(|range| range.start < from + FEWEST) {
+            while self
+                .cruises
+                .get(next_cruise)
+                .is_some_and(|(range, _)| range.start < from + FEWEST)
+            {
                 next_cruise += 1;
             }
             let cruise = self.cruises.get(next_cruise).cloned();
-            if let Some(range) = cruise.filter(|range| range.start + 2 < to + FEWEST) {
-                let square = self.grid.bound[range.start];
+            let cruise = cruise.filter(|(range, _)| range.start + 2 < to + FEWEST);
+            if let Some((range, square)) = cruise {
                 self.coefficients[range.clone()].fill(square);
                 self.solve_window(run, (from, range.start + 2), [side, Side::Fixed], gap)?;
                 from = range.end - 2;
@@ -154,12 +160,15 @@ impl Planner {
     /// Where the law without jerk is even for so long that jerk changes nothing in the middle.
     fn find_cruises(&mut self, run: &Run<'_>, look_s: f64) {
         self.cruises.clear();
-        let count = self.grid.cells.len();
+        let cells = self.grid.cells.len();
         let mut begin = 0;
-        while begin < count {
-            let square = self.grid.bound[begin];
-            let like = |b: &&f64| (**b - square).abs() <= EVEN * square;
-            let end = begin + self.grid.bound[begin..].iter().take_while(like).count();
+        while begin < cells {
+            let first = self.grid.bound[begin];
+            let like = |b: &&f64| (**b - first).abs() <= EVEN * first;
+            let even = self.grid.bound[begin..].iter().take_while(like);
+            let (count, square) =
+                even.fold((0, first), |(count, least), b| (count + 1, least.min(*b)));
+            let end = begin + count;
             let after = self.after_exactly(begin, look_s);
             let until = self.before(end, look_s);
             if until > after + 2 * FEWEST {
@@ -170,7 +179,7 @@ impl Planner {
                     used.speed <= 1.0 + ROUNDING && used.acceleration.max(used.jerk) <= CALM
                 };
                 if (after..until).all(fits) {
-                    self.cruises.push(after..until);
+                    self.cruises.push((after..until, square));
                 }
             }
             begin = end.max(begin + 1);
@@ -178,9 +187,13 @@ impl Planner {
     }
 
     /// The time to a rest from the largest speed.
-    fn look_s(&self, run: &Run<'_>) -> f64 {
-        let least = |of: [f64; 6]| of.into_iter().fold(f64::INFINITY, f64::min);
-        let (a, j) = (least(run.limits().acceleration()), least(run.limits().jerk()));
+    fn look_s(&self) -> f64 {
+        let most = |of: fn(&Node) -> &[f64; AXES]| {
+            let rates = self.grid.nodes.iter().flat_map(|node| of(node));
+            rates.fold(0.0_f64, |most, rate| most.max(rate.abs()))
+        };
+        let a = 1.0 / most(|node| &node.by_acceleration[0]);
+        let j = 1.0 / most(|node| &node.by_jerk[0]);
         let speed = self.grid.bound.iter().fold(0.0_f64, |most, b| most.max(*b)).sqrt();
         let brake_s = if speed * j > a * a { speed / a + a / j } else { 2.0 * (speed / j).sqrt() };
         LOOK_S.max(brake_s)
