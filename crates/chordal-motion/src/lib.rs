@@ -13,7 +13,10 @@
 //! |---|---|---|
 //! | input | [`Move`] | `segment.rs` |
 //! | corners eased within their tolerance | [`Piece`] | `smooth/` |
-//! | the velocity profile | [`Phase`], [`Stretch`] | `profile/` |
+//! | their velocity profile | [`Phase`], [`Stretch`] | `profile/` |
+//! | dense lines as one curve | [`Piece`] | `curve/` |
+//! | the law of time on it | [`law()`] | `law/` |
+//! | both together, from corner to corner | [`Stretch`] | `dense.rs` |
 //! | the least time | [`bound()`] | `bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`Sample`] | `cursor.rs`, `sampler.rs` |

@@ -32,7 +32,8 @@ pub struct PlannerOptions {
     pub level: Level,
     /// Moves are looked at together when they would take so long at their largest speeds, s.
     /// What is certain of them is emitted, so that a servo loop is fed early. Infinite: as
-    /// many as memory allows.
+    /// many as memory allows; dense lines are then planned as smooth curves, where that is quicker.
+    /// Otherwise every corner is passed by itself.
     pub row_s: f64,
 }
 

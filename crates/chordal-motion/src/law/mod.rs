@@ -5,7 +5,7 @@
 //! |---|---|
 //! | the run in cells, and a first law without jerk along the path | `grid.rs` |
 //! | a first law of a window, with jerk along the path | `start.rs` |
-//! | the quickest law on a window of cells | `newton.rs` |
+//! | the quickest law on a window of cells | `newton/` |
 //! | phases of even jerk, and what they use | `phases.rs` |
 //!
 //! A long run is solved in windows. Each ends at rest; what lies so far before its end that the
@@ -189,7 +189,7 @@ impl Planner {
     /// The time to a rest from the largest speed.
     fn look_s(&self) -> f64 {
         let most = |of: fn(&Node) -> &[f64; AXES]| {
-            let rates = self.grid.nodes.iter().flat_map(|node| of(node));
+            let rates = self.grid.nodes.iter().flat_map(of);
             rates.fold(0.0_f64, |most, rate| most.max(rate.abs()))
         };
         let a = 1.0 / most(|node| &node.by_acceleration[0]);
