@@ -16,7 +16,7 @@ use crate::smooth::EXACT;
 use crate::trajectory::Stretch;
 
 /// A joint is a corner where the chords turn by more; short ones are looked at over some tolerances.
-const CORNER_COSINE: f64 = 0.766_044_443_118_978;
+const CORNER_COSINE: f64 = 0.258_819_045_102_521;
 const LOOK: f64 = 4.0;
 /// Directions that differ by less go on in one line.
 const STRAIGHT: f64 = 1e-9;
@@ -147,6 +147,7 @@ impl Dense {
         if self.chords.count() < 2 {
             return None;
         }
+        self.chords.divide(measure.places_apart());
         let smooth = self.smoothing.smooth(&self.chords, &measure)?;
         self.pieces.clear();
         self.speeds.clear();

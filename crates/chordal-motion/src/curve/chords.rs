@@ -40,6 +40,33 @@ impl Chords {
         self.add(place, end);
     }
 
+    /// More places on long chords, where widths are looked for: so far from both ends of a chord, and each
+    /// time twice as far.
+    pub fn divide(&mut self, apart: f64) {
+        let (places, at) = (std::mem::take(&mut self.places), std::mem::take(&mut self.at));
+        let Some(first) = places.first() else { return };
+        self.begin(*first);
+        let mut ways = Vec::new();
+        for (place, at) in places.windows(2).zip(at.windows(2)) {
+            let length = at[1] - at[0];
+            ways.clear();
+            let mut way = apart;
+            while way < 0.5 * length && way > 0.0 {
+                ways.push(way);
+                way *= 2.0;
+            }
+            let back = ways.iter().rev().map(|way| length - way);
+            for way in ways.iter().copied().chain(back) {
+                let share = way / length;
+                let (from, to) = (&place[0], &place[1]);
+                let between =
+                    std::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis]));
+                self.add(between, at[0] + way);
+            }
+            self.add(place[1], at[1]);
+        }
+    }
+
     fn add(&mut self, place: Axes, at: f64) {
         let last = self.places.len() - 1;
         let (from, sum) = (self.places[last], self.integral[last]);

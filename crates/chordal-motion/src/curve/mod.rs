@@ -26,6 +26,9 @@ use width::Widths;
 /// Rounds of narrower widths.
 const ROUNDS: usize = 20;
 
+/// Widths are looked for so far from the ends of a chord, in tolerances.
+const APART: f64 = 16.0;
+
 /// How places are smoothed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kernel {
@@ -59,6 +62,11 @@ impl Measure {
             jerk,
             least: if turns_only { rotary_rad } else { linear_mm },
         }
+    }
+
+    /// How far from the ends of a chord widths are looked for as well, mm or rad.
+    pub fn places_apart(&self) -> f64 {
+        APART * self.least
     }
 
     /// How many tolerances a difference of places is.
