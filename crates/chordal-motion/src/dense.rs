@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use chordal_geometry::{AXES, Curve, ParamCurve};
+use chordal_geometry::{AXES, ParamCurve};
 
 use crate::Axes;
 use crate::bound::Run;
@@ -189,9 +189,6 @@ impl Dense {
         self.chords.begin(self.places[first]);
         let mut last: Option<(Axes, f64)> = None;
         for (index, motion) in moves.iter().enumerate() {
-            if !matches!(motion.curve, Curve::Line(_)) {
-                return None;
-            }
             if let (Corner::Within { linear_mm, rotary_rad }, true) =
                 (motion.corner, index + 1 < moves.len())
             {

@@ -351,6 +351,19 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
+    /// Plans moves that were found good when they came, from rest to rest.
+    fn plan_all(&mut self, moves: &[Move], mut each: impl FnMut(&Stretch<P>)) {
+        let mut take = |step: Step<'_, P>| {
+            if let Step::Stretch(stretch) = step {
+                each(stretch);
+            }
+        };
+        for motion in moves {
+            let _ = self.push(motion, &mut take);
+        }
+        self.finish(&mut take);
+    }
+
     /// Where a move begins: where the one before it ended.
     fn start_of(&self, motion: &Move) -> Result<Axes, MoveError> {
         let from = motion.from();
@@ -439,16 +452,7 @@ impl Group {
     /// The time of its lines corner by corner, s.
     fn corners_s(&mut self) -> f64 {
         let mut time_s = 0.0;
-        let mut take = |step: Step<'_, Span>| {
-            if let Step::Stretch(stretch) = step {
-                time_s += stretch.duration_s() - stretch.overlap_s;
-            }
-        };
-        for motion in &self.moves {
-            // It was found good when it came.
-            let _ = self.other.push(motion, &mut take);
-        }
-        self.other.finish(&mut take);
+        self.other.plan_all(&self.moves, |one| time_s += one.duration_s() - one.overlap_s);
         time_s
     }
 
@@ -463,27 +467,16 @@ impl Group {
         for run in self.dense.plan(&self.moves, limits, gap) {
             match run {
                 Ok(stretch) => stretches.push(stretch),
-                Err(moves) => corner_by_corner(&self.moves[moves], limits, &mut stretches),
+                Err(moves) => {
+                    let mut planner: Planner =
+                        Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
+                    planner.plan_all(&self.moves[moves], |one| stretches.push(one.clone()));
+                }
             }
         }
         let time_s: f64 = stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum();
         (time_s < limit_s).then_some(stretches)
     }
-}
-
-/// The stretches of some moves from rest to rest, each corner by itself.
-fn corner_by_corner(moves: &[Move], limits: &Limits, stretches: &mut Vec<Stretch>) {
-    let mut planner: Planner = Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            stretches.push(stretch.clone());
-        }
-    };
-    for motion in moves {
-        // It was found good when it came.
-        let _ = planner.push(motion, &mut take);
-    }
-    planner.finish(&mut take);
 }
 
 fn pieces_of(cells: &[Cell]) -> usize {

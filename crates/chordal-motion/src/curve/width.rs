@@ -1,7 +1,8 @@
 //! How wide the curve may be smoothed at each place of the chords.
 
-use super::chords::Chords;
+use super::chords::{Chords, Hint};
 use super::{Kernel, Measure};
+use crate::Axes;
 
 /// A width grows and falls with σ by no more than this.
 const SLOPE: f64 = 0.2;
@@ -49,12 +50,9 @@ impl Widths {
         self.march(chords, measure, kernel, (0..count).rev());
         let mut hints = [0; 2];
         for (index, &width) in self.reach.iter().enumerate() {
-            let (at, here) = (chords.at[index], &chords.places[index]);
-            let before = chords.place_at(at - width, &mut hints[0]);
-            let after = chords.place_at(at + width, &mut hints[1]);
-            let bend = std::array::from_fn(|axis| {
-                (before[axis] - 2.0 * here[axis] + after[axis]) / (width * width)
-            });
+            let [a, b] = &mut hints;
+            let difference = difference(chords, index, width, [a, b]);
+            let bend = difference.map(|part| part / (width * width));
             self.by_time.push(KNOT_S * measure.fastest(&bend));
         }
         graded(&mut self.by_time, &chords.at);
@@ -105,13 +103,11 @@ impl Widths {
         width: f64,
         hints: &mut [usize; 6],
     ) -> f64 {
-        let (at, here) = (chords.at[index], &chords.places[index]);
+        let [a, b, c, d, ..] = hints;
         let mut most = 0.0_f64;
-        for (step, slot) in [(width, 0), (0.5 * width, 2)] {
-            let before = chords.place_at(at - step, &mut hints[slot]);
-            let after = chords.place_at(at + step, &mut hints[slot + 1]);
-            let bend = std::array::from_fn(|axis| before[axis] - 2.0 * here[axis] + after[axis]);
-            most = most.max(measure.of(&bend) / SECOND);
+        for (step, hints) in [(width, [a, b]), (0.5 * width, [c, d])] {
+            let difference = difference(chords, index, step, hints);
+            most = most.max(measure.of(&difference) / SECOND);
             if most > 1.0 {
                 break;
             }
@@ -180,6 +176,14 @@ impl Widths {
             });
         }
     }
+}
+
+/// The second difference of the places around one of them.
+fn difference(chords: &Chords, index: usize, way: f64, hints: [&mut Hint; 2]) -> Axes {
+    let (at, here) = (chords.at[index], &chords.places[index]);
+    let [before, after] = hints;
+    let (before, after) = (chords.place_at(at - way, before), chords.place_at(at + way, after));
+    std::array::from_fn(|axis| before[axis] - 2.0 * here[axis] + after[axis])
 }
 
 /// Two passes: no value falls or grows faster than the slope.

@@ -19,11 +19,11 @@ const TURN: f64 = 0.04;
 const ROUNDS: usize = 12;
 /// Into no more parts at once.
 const MOST_PARTS: f64 = 8.0;
-/// The first cell from rest takes so long at full jerk, s; the next are longer by `GROWTH` each.
+/// The first cell from rest takes so long at full jerk, s; the next end later by `STEP_S` each.
 const FIRST_S: f64 = 0.008;
 const STEP_S: f64 = 0.0032;
 /// No more cells: a longer run keeps the law that it has.
-pub(super) const MOST_CELLS: usize = 200_000;
+const MOST_CELLS: usize = 200_000;
 
 /// Shares of the limits with which the first law is looked for.
 const ACCELERATION: f64 = 0.96;
@@ -246,10 +246,9 @@ impl Grid {
             match ends[side] {
                 Ends::Even(speed) => self.bound[at] = speed * speed,
                 Ends::Rest => {
-                    let node = if side == 0 { 1 } else { last };
                     let factor = rest_factor(&self.cells[at], &self.cells[next]);
                     let (own, other) = (self.cells[at].length, self.cells[next].length);
-                    let most = self.rest_cap(at, node, side) * (own + other);
+                    let most = self.rest_cap(at, side) * (own + other);
                     self.bound[next] = self.bound[next].min(most / (factor * other + own));
                     self.bound[at] = factor * self.bound[next];
                 }
@@ -263,6 +262,20 @@ impl Grid {
             let most = self.most_beside(node, self.bound[node - 1], false);
             self.bound[node] = self.bound[node].min(most);
         }
+    }
+
+    /// The largest σ̇² where a cell next to a rest ends, by the jerk on it.
+    pub fn rest_cap(&self, cell: usize, side: usize) -> f64 {
+        let h = self.cells[cell].length;
+        let (end, sign) = if side == 0 { (1, 1.0) } else { (0, -1.0) };
+        let [first, second] = &self.nodes[cell + end].by_jerk;
+        let most = self.axes.iter().fold(0.0_f64, |most, &axis| {
+            let along = first[axis] * 2.0 / 9.0 / (h * h);
+            let with = along + sign * second[axis] * 2.0 / h + self.cells[cell].third[end][axis];
+            most.max(with.abs()).max((along + self.cells[cell].third[end][axis]).abs())
+        });
+        let speed = cbrt(self.cells[cell].share / most);
+        speed * speed
     }
 
     /// The largest σ̇² at a node whatever the change of speed.
@@ -336,20 +349,4 @@ impl Grid {
 /// The coefficient of a cell next to a rest as a share of the next one: the jerk is even on it.
 pub(super) fn rest_factor(at_rest: &Cell, next: &Cell) -> f64 {
     1.0 / (3.0 + 2.0 * next.length / at_rest.length)
-}
-
-impl Grid {
-    /// The largest σ̇² where a cell next to a rest ends, by the jerk on it.
-    pub fn rest_cap(&self, cell: usize, node: usize, side: usize) -> f64 {
-        let h = self.cells[cell].length;
-        let (end, sign) = if side == 0 { (1, 1.0) } else { (0, -1.0) };
-        let [first, second] = &self.nodes[node].by_jerk;
-        let most = self.axes.iter().fold(0.0_f64, |most, &axis| {
-            let along = first[axis] * 2.0 / 9.0 / (h * h);
-            let with = along + sign * second[axis] * 2.0 / h + self.cells[cell].third[end][axis];
-            most.max(with.abs()).max((along + self.cells[cell].third[end][axis]).abs())
-        });
-        let speed = cbrt(self.cells[cell].share / most);
-        speed * speed
-    }
 }

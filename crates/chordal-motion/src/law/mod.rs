@@ -64,7 +64,7 @@ const FEWEST: usize = 8;
 pub struct Work {
     /// Cells of all runs.
     pub cells: u64,
-    /// Windows solved, and those without an answer.
+    /// Windows, each as often as it was solved.
     pub windows: u64,
     /// Windows without an answer.
     pub failed: u64,
@@ -176,7 +176,7 @@ impl Planner {
                 self.window.resize(end - begin, square);
                 let fits = |cell: usize| {
                     let used = self.grid.use_of(cell, &self.window, begin, run);
-                    used.speed <= 1.0 + ROUNDING && used.acceleration.max(used.jerk) <= CALM
+                    used.velocity <= 1.0 + ROUNDING && used.acceleration.max(used.jerk) <= CALM
                 };
                 if (after..until).all(fits) {
                     self.cruises.push((after..until, square));
@@ -294,8 +294,8 @@ impl Planner {
                     self.grid.nodes[node].share /= used.acceleration * MORE;
                     over = true;
                 }
-                if used.speed > 1.0 + ROUNDING {
-                    self.grid.nodes[node].cap /= (used.speed * MORE).powi(2);
+                if used.velocity > 1.0 + ROUNDING {
+                    self.grid.nodes[node].cap /= (used.velocity * MORE).powi(2);
                     over = true;
                 }
             }

@@ -5,20 +5,13 @@ use chordal_geometry::AXES;
 use super::grid::Grid;
 use crate::bound::Run;
 use crate::trajectory::{Along, Phase};
+use crate::verify::Use;
 
 /// On a part of a cell the speed changes by no larger share.
 const CHANGE: f64 = 0.04;
 const MOST_PARTS: f64 = 16.0;
 /// Places of a phase that are looked at, its start among them.
 const PROBES: u32 = 4;
-
-/// What the axes use of their limits on a cell, at most.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Use {
-    pub speed: f64,
-    pub acceleration: f64,
-    pub jerk: f64,
-}
 
 /// σ̇ and σ̈ at a node.
 #[derive(Clone, Copy, Debug)]
@@ -106,14 +99,14 @@ impl Grid {
         }
     }
 
-    /// What a cell's phases use.
+    /// What a cell's phases use of the limits, at most; of the velocity also what the feed leaves.
     pub fn use_of(&self, cell: usize, c: &[f64], from: usize, run: &Run<'_>) -> Use {
         let mut used = Use::default();
         let piece = self.cells[cell].piece as usize;
         self.phases(cell, c, from, |phase| {
             for probe in 0..=PROBES {
                 let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(PROBES));
-                used = used.or(&self.use_at(run, piece, &along));
+                used = used.or(self.use_at(run, piece, &along));
             }
         });
         used
@@ -125,25 +118,15 @@ impl Grid {
         let limits = run.limits();
         let (velocity, acceleration, jerk) =
             (limits.velocity(), limits.acceleration(), limits.jerk());
-        let mut used = Use { speed: v / run.feed(piece), ..Use::default() };
+        let mut used = Use { velocity: v / run.feed(piece), ..Use::default() };
         for axis in 0..AXES {
             let (p, q, r) = (first[axis], second[axis], third[axis]);
-            used = used.or(&Use {
-                speed: (p * v).abs() / velocity[axis],
+            used = used.or(Use {
+                velocity: (p * v).abs() / velocity[axis],
                 acceleration: (p * a + q * v * v).abs() / acceleration[axis],
                 jerk: (p * j + 3.0 * q * v * a + r * v * v * v).abs() / jerk[axis],
             });
         }
         used
-    }
-}
-
-impl Use {
-    fn or(&self, other: &Use) -> Use {
-        Use {
-            speed: self.speed.max(other.speed),
-            acceleration: self.acceleration.max(other.acceleration),
-            jerk: self.jerk.max(other.jerk),
-        }
     }
 }

@@ -107,8 +107,7 @@ impl View<'_> {
         if let Some(side) = rest {
             let cells = &self.grid.cells[self.from..];
             let factor = rest_factor(&cells[one], &cells[two]);
-            let node = self.from + self.nodes(one)[1];
-            let cap = JERK * self.grid.rest_cap(self.from + one, node, side) * (own + other);
+            let cap = JERK * self.grid.rest_cap(self.from + one, side) * (own + other);
             out[two] = out[two].min(cap / (factor * other + own));
             out[one] = factor * out[two];
         }

@@ -103,8 +103,10 @@ impl Newton {
         gap: f64,
     ) -> Solution {
         let mut iterations = 0;
+        self.lay(grid, from, to, sides);
         for [price, share] in TRIES {
-            self.lay(grid, from, to, sides, coefficients);
+            self.c.clear();
+            self.c.extend_from_slice(coefficients);
             self.c[self.first..=self.last].iter_mut().for_each(|c| *c *= share);
             let solution = self.iterate(gap, price);
             iterations += solution.iterations;
@@ -124,15 +126,13 @@ impl Newton {
         1 + 6 * self.axes
     }
 
-    fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2], given: &[f64]) {
+    fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2]) {
         let (n, axes) = (to - from, grid.axes.len());
         (self.count, self.axes) = (n, axes);
         let cells = &grid.cells[from..to];
         let nodes = &grid.nodes[from..=to];
         self.lengths.clear();
         self.lengths.extend(cells.iter().map(|cell| cell.length));
-        self.c.clear();
-        self.c.extend_from_slice(given);
         for list in [&mut self.before, &mut self.after, &mut self.sum, &mut self.cap] {
             list.clear();
             list.resize(n + 1, 0.0);
@@ -182,7 +182,7 @@ impl Newton {
             if sides[side] == Side::Rest {
                 self.rests[side] = Some(rest_factor(&cells[at], &cells[next]));
                 let node = if side == 0 { 1 } else { n - 1 };
-                let most = grid.rest_cap(from + at, from + node, side) * JERK.powi(2);
+                let most = grid.rest_cap(from + at, side) * JERK.powi(2);
                 self.cap[node] = self.cap[node].min(most);
             }
         }
@@ -285,7 +285,7 @@ impl Newton {
     /// Goes over all rows of the nodes and cells with their slack, slope and place in the list.
     /// The first coefficient that a slope is of is `k − 1`, where `k` is the row's cell; the last
     /// node's slopes are of the cell that would follow it.
-    fn each_row(&self, mut take: impl FnMut(usize, usize, f64, Slope)) {
+    fn each_row(&self, mut take: impl FnMut(usize, f64, Slope)) {
         let (n, axes) = (self.count, self.axes);
         for k in 1..n {
             let is_cell = k < n - 1;
@@ -295,7 +295,7 @@ impl Newton {
             let (w0, w1) = (self.before[k], self.after[k]);
             if self.has_rows(k) {
                 let cap = 1.0 / self.cap[k];
-                take(k, place, 1.0 - self.b[k] * cap, Slope([w0 * cap, w1 * cap, 0.0], 0.0));
+                take(place, 1.0 - self.b[k] * cap, Slope([w0 * cap, w1 * cap, 0.0], 0.0));
                 let limit = self.shares[k];
                 let grows = if is_cell { -limit } else { 0.0 };
                 for axis in 0..axes {
@@ -303,8 +303,8 @@ impl Newton {
                     let used = x * c0 + y * c1;
                     let room = limit * (1.0 + elastic);
                     let at = place + 1 + 2 * axis;
-                    take(k, at, room - used, Slope([x, y, 0.0], grows));
-                    take(k, at + 1, room + used, Slope([-x, -y, 0.0], grows));
+                    take(at, room - used, Slope([x, y, 0.0], grows));
+                    take(at + 1, room + used, Slope([-x, -y, 0.0], grows));
                 }
             }
             if !is_cell || k < self.first.saturating_sub(1) || k > self.last + 1 {
@@ -324,26 +324,11 @@ impl Newton {
                 let at = place + 4 * axis;
                 let used = p[0] * c0 + p[1] * c1 + p[2] * c2;
                 let (t0, t1) = (-limit * r0, -limit * r1);
-                take(k, at, rooms[0] - used, Slope([p[0] + left[0], p[1] + left[1], p[2]], t0));
-                take(
-                    k,
-                    at + 1,
-                    rooms[0] + used,
-                    Slope([left[0] - p[0], left[1] - p[1], -p[2]], t0),
-                );
+                take(at, rooms[0] - used, Slope([p[0] + left[0], p[1] + left[1], p[2]], t0));
+                take(at + 1, rooms[0] + used, Slope([left[0] - p[0], left[1] - p[1], -p[2]], t0));
                 let used = p[3] * c0 + p[4] * c1 + p[5] * c2;
-                take(
-                    k,
-                    at + 2,
-                    rooms[1] - used,
-                    Slope([p[3], p[4] + right[0], p[5] + right[1]], t1),
-                );
-                take(
-                    k,
-                    at + 3,
-                    rooms[1] + used,
-                    Slope([-p[3], right[0] - p[4], right[1] - p[5]], t1),
-                );
+                take(at + 2, rooms[1] - used, Slope([p[3], p[4] + right[0], p[5] + right[1]], t1));
+                take(at + 3, rooms[1] + used, Slope([-p[3], right[0] - p[4], right[1] - p[5]], t1));
             }
         }
     }
@@ -367,13 +352,24 @@ impl Newton {
         let (mut rows, mut slopes) =
             (std::mem::take(&mut self.rows), std::mem::take(&mut self.slopes));
         let mut least = f64::INFINITY;
-        self.each_row(|_, at, slack, slope| {
+        self.each_row(|at, slack, slope| {
             rows[at].slack = slack;
             slopes[at] = slope;
             least = least.min(slack);
         });
         (self.rows, self.slopes) = (rows, slopes);
         least
+    }
+
+    /// By how much the time may be above the least, s.
+    fn open(&self) -> f64 {
+        let of_rows: f64 = self.rows.iter().map(|row| row.slack * row.price).sum();
+        let cells = 1..self.count - 1;
+        of_rows + cells.map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>()
+    }
+
+    fn largest_elastic(&self) -> f64 {
+        self.elastic[1..self.count - 1].iter().fold(0.0, |most, t| most.max(*t))
     }
 
     fn iterate(&mut self, gap: f64, price: f64) -> Solution {
@@ -393,9 +389,8 @@ impl Newton {
             self.elastic_price[k] = (mu / self.elastic[k]).min(price);
         }
         for iterations in 0..ITERATIONS as u32 {
-            let open: f64 = self.rows.iter().map(|row| row.slack * row.price).sum::<f64>()
-                + (1..n - 1).map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>();
-            let elastic = self.elastic[1..n - 1].iter().fold(0.0_f64, |most, t| most.max(*t));
+            let open = self.open();
+            let elastic = self.largest_elastic();
             if open < gap * time && elastic < ELASTIC {
                 return Solution { iterations, converged: true };
             }
@@ -409,12 +404,11 @@ impl Newton {
             self.advance(mu, primal, dual);
             time = self.time();
             let done = primal.min(dual);
-            let open: f64 = self.rows.iter().map(|row| row.slack * row.price).sum::<f64>()
-                + (1..n - 1).map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>();
+            let open = self.open();
             mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows as f64;
         }
         // A law within all limits is one, if not the best.
-        let elastic = self.elastic[1..n - 1].iter().fold(0.0_f64, |most, t| most.max(*t));
+        let elastic = self.largest_elastic();
         Solution { iterations: ITERATIONS as u32, converged: elastic < ELASTIC }
     }
 
