@@ -18,7 +18,7 @@ async function take(name, { size: [width, height] = [1280, 720], scheme = "light
   const { page } = await open(chromium.context, server.url);
   await page.setViewportSize({ width, height });
   await page.emulateMedia({ colorScheme: scheme });
-  await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.view.isComplete);
+  await page.waitForFunction(() => window.chordal.report() && window.chordal.setpoints() && window.chordal.view.isComplete);
   await act(page);
   await page.waitForTimeout(600);
   await page.screenshot({ path: join(OUT, `${name}.png`) });

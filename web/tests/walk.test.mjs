@@ -28,7 +28,7 @@ async function show(file, ...more) {
   const server = await serve(file, ...more);
   servers.push(server);
   const shown = await open(chromium.context, server.url);
-  await shown.page.waitForFunction(() => window.chordal.setpoints() && window.chordal.view.isComplete);
+  await shown.page.waitForFunction(() => window.chordal.report() && window.chordal.setpoints() && window.chordal.view.isComplete);
   return shown;
 }
 
@@ -52,10 +52,11 @@ function strengthAt(page, row, share = 0.5) {
     const canvas = document.querySelector("canvas.path");
     const copy = document.createElement("canvas");
     const drawn = view.onDrawn;
-    // The picture is there until the frame is shown.
+    // The picture is there until the frame is shown. On a slow machine a frame may show a part of the path.
     await new Promise((done) => {
       view.onDrawn = () => {
         drawn();
+        if (!view.isComplete) return void setTimeout(() => view.placeTool(undefined), 20);
         [copy.width, copy.height] = [canvas.width, canvas.height];
         copy.getContext("2d", { willReadFrequently: true }).drawImage(canvas, 0, 0);
         view.onDrawn = drawn;
