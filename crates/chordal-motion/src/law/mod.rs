@@ -44,6 +44,14 @@ enum Side {
     Fixed,
 }
 
+/// Where a window begins, and where the one before it did.
+#[derive(Clone, Copy, Debug)]
+struct Begin {
+    from: usize,
+    side: Side,
+    before: Option<(usize, Side)>,
+}
+
 /// A window takes so long at least without jerk, s.
 const WINDOW_S: f64 = 0.5;
 /// So much of its end is solved again by the next, s.
@@ -117,17 +125,18 @@ impl Planner {
         }
         self.solved = 0;
         let window_s = WINDOW_S.max(3.0 * look_s);
-        let mut side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
-        let (mut from, mut next_cruise) = (0, 0);
+        let side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
+        let mut begin = Begin { from: 0, side, before: None };
+        let mut next_cruise = 0;
         loop {
-            let mut to = self.after(from, window_s);
+            let mut to = self.after(begin.from, window_s);
             if count - to < FEWEST {
                 to = count;
             }
             while self
                 .cruises
                 .get(next_cruise)
-                .is_some_and(|(range, _)| range.start < from + FEWEST)
+                .is_some_and(|(range, _)| range.start < begin.from + FEWEST)
             {
                 next_cruise += 1;
             }
@@ -135,9 +144,8 @@ impl Planner {
             let cruise = cruise.filter(|(range, _)| range.start + 2 < to + FEWEST);
             if let Some((range, square)) = cruise {
                 self.coefficients[range.clone()].fill(square);
-                self.solve_window(run, (from, range.start + 2), [side, Side::Fixed], gap)?;
-                from = range.end - 2;
-                side = Side::Fixed;
+                self.solve_or_wider(run, begin, range.start + 2, Side::Fixed, gap)?;
+                begin = Begin { from: range.end - 2, side: Side::Fixed, before: None };
                 continue;
             }
             let is_last = to == count;
@@ -148,13 +156,31 @@ impl Planner {
                 }
                 _ => Side::Rest,
             };
-            self.solve_window(run, (from, to), [side, end], gap)?;
+            let solved = self.solve_or_wider(run, begin, to, end, gap)?;
             if is_last {
                 return Some(());
             }
-            from = self.before(to, look_s).max(from + 3);
-            side = Side::Fixed;
+            let from = self.before(to, look_s).max(begin.from + 3);
+            begin = Begin { from, side: Side::Fixed, before: Some(solved) };
         }
+    }
+
+    /// Solves a window. Where what the window before has left cannot be gone on with, both are solved as
+    /// one: where it begins, then.
+    fn solve_or_wider(
+        &mut self,
+        run: &Run<'_>,
+        begin: Begin,
+        to: usize,
+        end: Side,
+        gap: f64,
+    ) -> Option<(usize, Side)> {
+        let own = (begin.from, begin.side);
+        if self.solve_window(run, (own.0, to), [own.1, end], gap).is_some() {
+            return Some(own);
+        }
+        let wider = begin.before?;
+        self.solve_window(run, (wider.0, to), [wider.1, end], gap).map(|()| wider)
     }
 
     /// Where the law without jerk is even for so long that jerk changes nothing in the middle.
@@ -236,25 +262,14 @@ impl Planner {
         gap: f64,
     ) -> Option<()> {
         let count = self.grid.cells.len();
+        self.begin_window((from, to), sides);
         for round in 0..=ROUNDS {
             let n = to - from;
-            self.window.clear();
-            self.window.resize(n, 0.0);
-            for (side, kept) in [(0, 0..2), (1, n - 2..n)] {
-                if sides[side] == Side::Fixed {
-                    let given = &self.coefficients[from + kept.start..from + kept.end];
-                    self.window[kept].copy_from_slice(given);
-                }
-            }
-            self.start.find(&self.grid, (from, to), sides, &mut self.window);
-            // What the window before had beyond its kept part is a law already.
-            if sides[0] == Side::Fixed && from + 2 < self.solved {
-                let known = &self.coefficients[from + 2..self.solved];
-                for (value, known) in self.window[2..].iter_mut().zip(known) {
-                    *value = value.max(*known);
-                }
-            }
-            let solution = self.newton.solve(&self.grid, (from, to), sides, &mut self.window, gap);
+            let solution = if round == 0 {
+                self.newton.solve(&self.grid, (from, to), sides, &mut self.window, gap)
+            } else {
+                self.newton.again(&self.grid, (from, to), sides, &mut self.window, gap)
+            };
             self.work.windows += 1;
             self.work.steps += u64::from(solution.iterations) * n as u64;
             if !solution.converged {
@@ -279,9 +294,30 @@ impl Planner {
         None
     }
 
+    /// The law with which a window is begun.
+    fn begin_window(&mut self, (from, to): (usize, usize), sides: [Side; 2]) {
+        let n = to - from;
+        self.window.clear();
+        self.window.resize(n, 0.0);
+        for (side, kept) in [(0, 0..2), (1, n - 2..n)] {
+            if sides[side] == Side::Fixed {
+                let given = &self.coefficients[from + kept.start..from + kept.end];
+                self.window[kept].copy_from_slice(given);
+            }
+        }
+        self.start.find(&self.grid, (from, to), sides, &mut self.window);
+        // What the window before had beyond its kept part is a law already.
+        if sides[0] == Side::Fixed && from + 2 < self.solved {
+            let known = &self.coefficients[from + 2..self.solved];
+            for (value, known) in self.window[2..].iter_mut().zip(known) {
+                *value = value.max(*known);
+            }
+        }
+    }
+
     /// Lowers what may be used where the phases use too much; whether they do.
     fn take_back(&mut self, run: &Run<'_>, from: usize, (first, last): (usize, usize)) -> bool {
-        const MORE: f64 = 1.0004;
+        const MORE: f64 = 1.0015;
         let mut over = false;
         for cell in first..last {
             let used = self.grid.use_of(cell, &self.window, from, run);

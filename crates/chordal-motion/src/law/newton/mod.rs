@@ -30,6 +30,21 @@ const STUCK: f64 = 1e-8;
 /// The largest elastic share that is left.
 const ELASTIC: f64 = 3e-4;
 
+/// A window that is solved again begins with these shares of its solution and this elastic share, and
+/// with so many times the gap that is wanted.
+const AGAIN: f64 = 0.995;
+const NEAR_ELASTIC: f64 = 1e-5;
+const TAPER: f64 = 12.0;
+const FAR: f64 = 0.1;
+const NEAR_GAPS: f64 = 30.0;
+
+/// How near the solution a start is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Begin {
+    Far,
+    Near,
+}
+
 /// What a solution took.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Solution {
@@ -108,7 +123,7 @@ impl Newton {
             self.c.clear();
             self.c.extend_from_slice(coefficients);
             self.c[self.first..=self.last].iter_mut().for_each(|c| *c *= share);
-            let solution = self.iterate(gap, price);
+            let solution = self.iterate(gap, price, Begin::Far);
             iterations += solution.iterations;
             if solution.converged {
                 coefficients.copy_from_slice(&self.c);
@@ -116,6 +131,28 @@ impl Newton {
             }
         }
         Solution { iterations, converged: false }
+    }
+
+    /// Solves the window that was solved last again, with limits that were taken back a little: from
+    /// its solution and its prices on.
+    pub fn again(
+        &mut self,
+        grid: &Grid,
+        (from, to): (usize, usize),
+        sides: [Side; 2],
+        coefficients: &mut [f64],
+        gap: f64,
+    ) -> Solution {
+        self.lay(grid, from, to, sides);
+        self.c.clear();
+        self.c.extend_from_slice(coefficients);
+        let warm = self.iterate(gap, TRIES[0][0], Begin::Near);
+        if warm.converged {
+            coefficients.copy_from_slice(&self.c);
+            return warm;
+        }
+        let cold = self.solve(grid, (from, to), sides, coefficients, gap);
+        Solution { iterations: warm.iterations + cold.iterations, ..cold }
     }
 
     fn rows_of_node(&self) -> usize {
@@ -202,23 +239,28 @@ impl Newton {
     }
 
     /// A start inside of all limits.
-    fn begin(&mut self) {
+    fn begin(&mut self, how: Begin) {
         let n = self.count;
         for k in self.first..=self.last {
             self.c[k] = self.c[k].max(1e-12);
         }
         let mut c = std::mem::take(&mut self.c);
         self.tie(&mut c);
-        for node in 1..n {
+        // As a whole: a dent would ask for much jerk.
+        let near = if how == Begin::Far { NEAR } else { AGAIN };
+        let mut share = if how == Begin::Far { 1.0 } else { AGAIN };
+        for node in self.first..=self.last + 1 {
             let b = self.before[node] * c[node - 1] + self.after[node] * c[node];
-            if b > NEAR * self.cap[node] {
-                let factor = NEAR * self.cap[node] / b;
-                for k in [node - 1, node] {
-                    if k >= self.first && k <= self.last {
-                        c[k] *= factor;
-                    }
-                }
-            }
+            share = share.min(near * self.cap[node] / b);
+        }
+        let (first, last) = (self.first, self.last);
+        let near = |given: bool, far: usize| {
+            let part = if given { ((far + 1) as f64 / TAPER).min(1.0) } else { 1.0 };
+            part * part * (3.0 - 2.0 * part)
+        };
+        for k in first..=last {
+            let part = near(self.rests[0].is_none(), k - first) * near(self.rests[1].is_none(), last - k);
+            c[k] *= 1.0 - (1.0 - share) * part;
         }
         self.tie(&mut c);
         self.c = c;
@@ -226,11 +268,16 @@ impl Newton {
         self.elastic.resize(n, 0.0);
         self.speeds();
         for k in 1..n - 1 {
-            self.elastic[k] = (1.2 * self.largest_use(k) - 0.7).max(0.3);
+            let used = self.largest_use(k);
+            self.elastic[k] = match how {
+                Begin::Far => (1.2 * used - 0.7).max(0.3),
+                Begin::Near => (1.2 * (used - 1.0)).max(0.0) + NEAR_ELASTIC,
+            };
         }
-        // A node that is not quite inside for rounding of the last window is no row.
-        self.rows.clear();
-        self.rows.resize(n * self.stride(), Row::default());
+        if how == Begin::Far {
+            self.rows.clear();
+            self.rows.resize(n * self.stride(), Row::default());
+        }
         self.slopes.clear();
         self.slopes.resize(self.rows.len(), Slope([0.0; 3], 0.0));
         self.folded.clear();
@@ -372,8 +419,8 @@ impl Newton {
         self.elastic[1..self.count - 1].iter().fold(0.0, |most, t| most.max(*t))
     }
 
-    fn iterate(&mut self, gap: f64, price: f64) -> Solution {
-        self.begin();
+    fn iterate(&mut self, gap: f64, price: f64, how: Begin) -> Solution {
+        self.begin(how);
         let n = self.count;
         if self.first > self.last || self.slacks() <= 0.0 {
             return Solution { iterations: 0, converged: false };
@@ -381,12 +428,22 @@ impl Newton {
         let mut time = self.time();
         let price = price * time;
         let rows = self.rows.iter().filter(|row| row.slack > 0.0).count() + n - 2;
-        let mut mu = time / rows as f64;
+        let mut mu = match how {
+            Begin::Far => FAR * time / rows as f64,
+            Begin::Near => NEAR_GAPS * gap * time / rows as f64,
+        };
         for row in self.rows.iter_mut().filter(|row| row.slack > 0.0) {
-            row.price = mu / row.slack;
+            row.price = match how {
+                Begin::Far => mu / row.slack,
+                Begin::Near => row.price.max(mu / row.slack),
+            };
         }
         for k in 1..n - 1 {
-            self.elastic_price[k] = (mu / self.elastic[k]).min(price);
+            let least = mu / self.elastic[k];
+            self.elastic_price[k] = match how {
+                Begin::Far => least.min(price),
+                Begin::Near => (10.0 * least).min(0.5 * price),
+            };
         }
         for iterations in 0..ITERATIONS as u32 {
             let open = self.open();
