@@ -1,8 +1,9 @@
-//! Lines from rest to rest as smooth curves between corners, each with one law of time.
+//! Moves from rest to rest as smooth curves between corners, each with one law of time. Arcs are cut
+//! into chords far within the tolerance first.
 
 use std::ops::Range;
 
-use chordal_geometry::{AXES, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 use crate::bound::Run;
@@ -22,24 +23,32 @@ const LOOK: f64 = 4.0;
 const STRAIGHT: f64 = 1e-9;
 /// A piece that bends by less, in tolerances, is a line.
 const BEND: f64 = 1e-7;
+/// The part of the tolerance that the chords of an arc may take, and the most chords of a group.
+const CHORD_ERROR: f64 = 1.0 / 32.0;
+const MOST_CHORDS: usize = 400_000;
 
-/// A chord of a run.
+/// A move of a run.
 #[derive(Clone, Copy, Debug)]
-struct Chord {
-    /// Its number among the moves.
+struct Part {
+    /// The number of its move.
     index: usize,
     /// σ where it ends, from the start of the run.
     end: f64,
 }
 
-/// Plans lines from rest to rest; keeps its memory.
+/// Plans moves from rest to rest; keeps its memory.
 #[derive(Debug, Default)]
 pub(crate) struct Dense {
+    /// The ends of all chords, and their lengths.
     places: Vec<Axes>,
     lengths: Vec<f64>,
+    /// The number of the move of each chord, and of the first chord of each move.
+    owners: Vec<u32>,
+    firsts: Vec<usize>,
+    /// The chords at which runs begin, and one past the last.
     corners: Vec<usize>,
     chords: Chords,
-    parts: Vec<Chord>,
+    parts: Vec<Part>,
     smoothing: Smoothing,
     law: LawPlanner,
     pieces: Vec<Piece>,
@@ -47,19 +56,22 @@ pub(crate) struct Dense {
 }
 
 impl Dense {
-    /// The stretches of some lines from rest to rest, each again from rest to rest; the numbers of the
-    /// moves of a run that has no curve or no law.
+    /// The stretches of some moves from rest to rest, each again from rest to rest and with its
+    /// least time without jerk (about), s; the numbers of the moves of a run that has no curve or no law.
     pub fn plan(
         &mut self,
         moves: &[Move],
         limits: &Limits,
         gap: f64,
-    ) -> Vec<Result<Stretch, Range<usize>>> {
+    ) -> Vec<Result<(Stretch, f64), Range<usize>>> {
+        if !self.cut(moves) {
+            return vec![Err(0..moves.len())];
+        }
         self.find_corners(moves);
         let corners = std::mem::take(&mut self.corners);
         let runs = corners.windows(2).map(|pair| {
-            let run = pair[0]..pair[1];
-            self.run(run.start, &moves[run.clone()], limits, gap).ok_or(run)
+            let of_moves = self.owners[pair[0]] as usize..self.owners[pair[1] - 1] as usize + 1;
+            self.run(moves, pair[0]..pair[1], limits, gap).ok_or(of_moves)
         });
         let runs = runs.collect();
         self.corners = corners;
@@ -68,30 +80,58 @@ impl Dense {
 
     /// The number of the last move that begins at a corner.
     pub fn last_corner(&mut self, moves: &[Move]) -> Option<usize> {
+        if !self.cut(moves) {
+            return None;
+        }
         self.find_corners(moves);
-        self.corners[..self.corners.len() - 1].last().copied().filter(|index| *index > 0)
+        let last = self.corners[..self.corners.len() - 1].last()?;
+        Some(self.owners[*last] as usize).filter(|index| *index > 0)
     }
 
-    /// Numbers of the moves at which runs begin, and one past the last.
-    fn find_corners(&mut self, moves: &[Move]) {
+    /// Cuts all moves into chords; false when there are too many.
+    fn cut(&mut self, moves: &[Move]) -> bool {
+        let error = CHORD_ERROR * tolerance_of(moves);
         self.places.clear();
         self.lengths.clear();
+        self.owners.clear();
+        self.firsts.clear();
         self.places.extend(moves.first().map(Move::from));
-        for motion in moves {
+        for (index, motion) in moves.iter().enumerate() {
+            let length = motion.length();
+            self.firsts.push(self.owners.len());
+            let count = match motion.curve {
+                Curve::Line(_) => 1.0,
+                _ => (length * (motion.curve.max_curvature() / (8.0 * error)).sqrt()).ceil(),
+            };
+            if !(count < (MOST_CHORDS - self.owners.len()) as f64) {
+                return false;
+            }
+            let count = count.max(1.0) as u32;
+            for chord in 1..count {
+                let share = f64::from(chord) / f64::from(count);
+                self.places.push(motion.at(share));
+            }
             self.places.push(motion.to());
-            self.lengths.push(motion.length());
+            let each = (length / f64::from(count), index as u32);
+            self.lengths.extend((0..count).map(|_| each.0));
+            self.owners.extend((0..count).map(|_| each.1));
         }
+        true
+    }
+
+    /// The chords at which runs begin, and one past the last.
+    fn find_corners(&mut self, moves: &[Move]) {
         self.corners.clear();
         self.corners.push(0);
         for index in 1..moves.len() {
             if self.turns(moves, index) {
-                self.corners.push(index);
+                self.corners.push(self.firsts[index]);
             }
         }
-        self.corners.push(moves.len());
+        self.corners.push(self.owners.len());
     }
 
-    /// Whether the chords turn at a place, seen over some tolerances.
+    /// Whether the chords turn where a move begins, seen over some tolerances.
     fn turns(&self, moves: &[Move], index: usize) -> bool {
         let Corner::Within { linear_mm, .. } = moves[index - 1].corner else { return true };
         // σ is of another kind where rotary axes alone move.
@@ -102,9 +142,10 @@ impl Dense {
         let tolerance = linear_mm.max(EXACT.linear_mm);
         // What turns between chords shorter than the tolerance may be rounding.
         let look = |length: f64| if length < tolerance { LOOK * tolerance } else { length };
-        let here = &self.places[index];
-        let before = self.beyond(index, -look(self.lengths[index - 1]));
-        let after = self.beyond(index, look(self.lengths[index]));
+        let first = self.firsts[index];
+        let here = &self.places[first];
+        let before = self.beyond(first, -look(self.lengths[first - 1]));
+        let after = self.beyond(first, look(self.lengths[first]));
         let (mut dot, mut squares) = (0.0, [0.0; 2]);
         for axis in 0..3 {
             let (a, b) = (here[axis] - before[axis], after[axis] - here[axis]);
@@ -140,10 +181,16 @@ impl Dense {
         }
     }
 
-    /// The stretch of a run.
-    fn run(&mut self, first: usize, moves: &[Move], limits: &Limits, gap: f64) -> Option<Stretch> {
+    /// The stretch of a run of chords.
+    fn run(
+        &mut self,
+        moves: &[Move],
+        chords: Range<usize>,
+        limits: &Limits,
+        gap: f64,
+    ) -> Option<(Stretch, f64)> {
         let arrays = AxisArrays::new(limits);
-        let measure = self.enter(first, moves, &arrays)?;
+        let measure = self.enter(moves, chords, &arrays)?;
         if self.chords.count() < 2 {
             return None;
         }
@@ -178,34 +225,44 @@ impl Dense {
         }
         let run = Run::new(&self.pieces, &self.speeds, 0.0, limits).ok()?;
         let phases = self.law.plan(&run, [Ends::Rest; 2], gap)?;
-        Some(Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 })
+        let stretch = Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 };
+        Some((stretch, self.law.least_s()))
     }
 
     /// Enters the chords of a run, with lines that go on in each other as one.
-    fn enter(&mut self, first: usize, moves: &[Move], limits: &AxisArrays) -> Option<Measure> {
+    fn enter(&mut self, moves: &[Move], run: Range<usize>, limits: &AxisArrays) -> Option<Measure> {
+        let of_moves = self.owners[run.start] as usize..self.owners[run.end - 1] as usize + 1;
         let mut tolerance = [f64::INFINITY; 2];
-        let mut turns_only = true;
-        self.parts.clear();
-        self.chords.begin(self.places[first]);
-        let mut last: Option<(Axes, f64)> = None;
-        for (index, motion) in moves.iter().enumerate() {
-            if let (Corner::Within { linear_mm, rotary_rad }, true) =
-                (motion.corner, index + 1 < moves.len())
-            {
+        for motion in &moves[of_moves.start..of_moves.end - 1] {
+            if let Corner::Within { linear_mm, rotary_rad } = motion.corner {
                 let own = [linear_mm.max(EXACT.linear_mm), rotary_rad.max(EXACT.rotary_rad)];
                 tolerance = [tolerance[0].min(own[0]), tolerance[1].min(own[1])];
             }
-            turns_only &= motion.curve.length() <= 0.0;
-            let length = self.lengths[first + index];
-            let (from, to) = (&self.places[first + index], &self.places[first + index + 1]);
+        }
+        let own = &moves[of_moves];
+        let turns_only = own.iter().all(|motion| motion.curve.length() <= 0.0);
+        if own.iter().any(|motion| !matches!(motion.curve, Curve::Line(_))) {
+            tolerance[0] -= CHORD_ERROR * tolerance_of(moves);
+        }
+        self.parts.clear();
+        self.chords.begin(self.places[run.start]);
+        let mut last: Option<(Axes, f64)> = None;
+        for chord in run {
+            let (index, length) = (self.owners[chord] as usize, self.lengths[chord]);
+            let (from, to) = (&self.places[chord], &self.places[chord + 1]);
             let direction: Axes = std::array::from_fn(|axis| (to[axis] - from[axis]) / length);
-            let goes_on = last.is_some_and(|(before, speed)| {
-                speed == motion.speed
+            let speed = moves[index].speed;
+            let goes_on = last.is_some_and(|(before, known)| {
+                speed == known
                     && before.iter().zip(&direction).all(|(a, b)| (a - b).abs() < STRAIGHT)
             });
             self.chords.push(*to, length, goes_on);
-            self.parts.push(Chord { index, end: self.chords.length() });
-            last = Some((direction, motion.speed));
+            let end = self.chords.length();
+            match self.parts.last_mut() {
+                Some(part) if part.index == index => part.end = end,
+                _ => self.parts.push(Part { index, end }),
+            }
+            last = Some((direction, speed));
         }
         let [linear, rotary] = tolerance;
         (linear.is_finite()).then(|| Measure::new(linear, rotary, turns_only, limits))
@@ -246,6 +303,15 @@ impl Dense {
         }
         out
     }
+}
+
+/// The least tolerance of some moves, mm.
+fn tolerance_of(moves: &[Move]) -> f64 {
+    let of = |motion: &Move| match motion.corner {
+        Corner::Within { linear_mm, .. } => linear_mm.max(EXACT.linear_mm),
+        _ => f64::INFINITY,
+    };
+    moves.iter().map(of).fold(f64::INFINITY, f64::min)
 }
 
 /// The largest |q'| of the tool on a piece, or of the rotary axes where these alone move.

@@ -1,6 +1,6 @@
 //! The planner: takes moves, emits steps; its levels and options.
 
-use chordal_geometry::{AXES, Curve};
+use chordal_geometry::AXES;
 
 use crate::Axes;
 use crate::bound::{Run, bound};
@@ -78,15 +78,15 @@ pub struct Planner<P = Piece> {
     /// The same for the corner at which the run ends, where that is known.
     next_overlap: Option<Overlap>,
     last: Option<End>,
-    /// Lines that wait for their end at rest, where whole rows are planned.
+    /// Moves that wait for their end at rest, where whole rows are planned.
     group: Option<Box<Group>>,
 }
 
-/// Lines from rest on.
+/// Moves from rest on.
 #[derive(Debug)]
 struct Group {
     moves: Vec<Move>,
-    /// Until the next rest moves are planned as they come: there is more than lines, or too much.
+    /// Until the next rest moves are planned as they come: one keeps its exact path, or there are too many.
     passes: bool,
     dense: Dense,
     /// Another planner, for the time that corners by themselves take.
@@ -97,10 +97,12 @@ struct Group {
 const FEW: usize = 8;
 /// When so many moves wait, those before the last corner are planned.
 const MANY: usize = 20_000;
-/// Lines that take longer on average are not dense, and corners by themselves are most of what is lost.
+/// Moves that take longer on average at their feeds are not dense: their corners are best passed each by
+/// itself.
 const DENSE_S: f64 = 0.04;
-/// Where a group takes no longer than its feeds ask for, and this share of it, there is nothing to gain.
-const GAIN: f64 = 2e-3;
+/// Curves that take no more times as long as without jerk are quicker than corners by themselves, or as
+/// quick within half a percent.
+const NEAR: f64 = 1.5;
 
 /// How near the least time a law is, by level.
 const GAPS: [f64; 2] = [2e-4, 5e-5];
@@ -120,7 +122,7 @@ impl Planner<Span> {
 }
 
 impl<P: PathPart> Planner<P> {
-    /// A planner that looks at whole groups of lines, unless somebody waits for each row.
+    /// A planner that looks at whole groups of moves, unless somebody waits for each row.
     fn whole(limits: Limits, options: PlannerOptions) -> Planner<P> {
         let group = options.row_s.is_infinite().then(|| {
             let other = Planner::at_rest(limits, PlannerOptions::new(Level::Fast));
@@ -174,12 +176,11 @@ impl<P: PathPart> Planner<P> {
         Ok(())
     }
 
-    /// Keeps a line for its group, or plans a move that is of none.
+    /// Keeps a move for its group, or plans a move that is of none.
     fn gather(&mut self, motion: &Move, start: &Axes, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let rests = motion.corner == Corner::Stop;
-        let fits = matches!(motion.curve, Curve::Line(_)) && motion.corner != Corner::Exact;
-        if group.passes || !fits {
+        if group.passes || motion.corner == Corner::Exact {
             group.passes = !rests;
             self.plan_moves(take);
             return self.corner_by_corner(motion, start, take);
@@ -192,7 +193,7 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Plans the kept lines up to their last corner; without one all of them, and what comes until the
+    /// Plans the kept moves up to their last corner; without one all of them, and what comes until the
     /// next rest, corner by corner.
     fn plan_to_last_corner(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
@@ -207,7 +208,7 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Plans the kept lines corner by corner.
+    /// Plans the kept moves corner by corner.
     fn plan_moves(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let moves = std::mem::take(&mut group.moves);
@@ -222,17 +223,13 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Plans the kept lines, which end at rest, as smooth curves or corner by corner, whichever is
+    /// Plans the kept moves, which end at rest, as smooth curves or corner by corner, whichever is
     /// quicker.
     fn plan_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(mut group) = self.group.take() else { return };
-        if group.moves.len() >= FEW {
-            let limit_s = group.corners_s();
+        if group.is_dense() {
             let gap = GAPS[usize::from(self.options.level == Level::Best)];
-            let is_dense = limit_s < DENSE_S * group.moves.len() as f64;
-            let gains = is_dense && limit_s > group.feed_s() * (1.0 + GAIN);
-            let stretches = gains.then(|| group.curves(&self.limits, gap, limit_s)).flatten();
-            if let Some(stretches) = stretches {
+            if let Some(stretches) = group.quicker_curves(&self.limits, gap) {
                 // What was planned before has ended at rest.
                 self.release(take);
                 self.end_run(take);
@@ -341,7 +338,7 @@ impl<P: PathPart> Planner<P> {
         self.last = None;
     }
 
-    /// The axes come to rest after the kept lines, whatever their last corner says.
+    /// The axes come to rest after the kept moves, whatever their last corner says.
     fn end_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         group.passes = false;
@@ -449,33 +446,42 @@ impl<P: PathPart> Planner<P> {
 }
 
 impl Group {
-    /// The time of its lines corner by corner, s.
+    /// The time of its moves corner by corner, s.
     fn corners_s(&mut self) -> f64 {
         let mut time_s = 0.0;
         self.other.plan_all(&self.moves, |one| time_s += one.duration_s() - one.overlap_s);
         time_s
     }
 
-    /// The time that the feeds of its lines ask for, s.
-    fn feed_s(&self) -> f64 {
-        self.moves.iter().map(|motion| motion.length() / motion.speed).sum()
+    /// Whether its moves are many and short for their feeds.
+    fn is_dense(&self) -> bool {
+        let feed_s: f64 = self.moves.iter().map(|motion| motion.length() / motion.speed).sum();
+        self.moves.len() >= FEW && feed_s < DENSE_S * self.moves.len() as f64
     }
 
-    /// Its lines as smooth curves from corner to corner, if that takes less than a time, s.
-    fn curves(&mut self, limits: &Limits, gap: f64, limit_s: f64) -> Option<Vec<Stretch>> {
+    /// Its moves as smooth curves from corner to corner, if corners by themselves are not quicker.
+    fn quicker_curves(&mut self, limits: &Limits, gap: f64) -> Option<Vec<Stretch>> {
         let mut stretches = Vec::new();
+        let (mut time_s, mut least_s) = (0.0, 0.0);
         for run in self.dense.plan(&self.moves, limits, gap) {
             match run {
-                Ok(stretch) => stretches.push(stretch),
+                Ok((stretch, least)) => {
+                    time_s += stretch.duration_s();
+                    least_s += least;
+                    stretches.push(stretch);
+                }
                 Err(moves) => {
                     let mut planner: Planner =
                         Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
-                    planner.plan_all(&self.moves[moves], |one| stretches.push(one.clone()));
+                    planner.plan_all(&self.moves[moves], |one| {
+                        time_s += one.duration_s() - one.overlap_s;
+                        stretches.push(one.clone());
+                    });
                 }
             }
         }
-        let time_s: f64 = stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum();
-        (time_s < limit_s).then_some(stretches)
+        let is_near = time_s < NEAR * least_s;
+        (is_near || time_s < self.corners_s()).then_some(stretches)
     }
 }
 

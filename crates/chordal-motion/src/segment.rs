@@ -93,6 +93,14 @@ impl Move {
         join(self.curve.end().to_array(), self.rotary_to)
     }
 
+    /// Where the axes are after a share of its length.
+    pub fn at(&self, share: f64) -> Axes {
+        let place = self.curve.point_at(share * self.curve.length()).to_array();
+        let turned =
+            |i: usize| self.rotary_from[i] + share * (self.rotary_to[i] - self.rotary_from[i]);
+        join(place, std::array::from_fn(turned))
+    }
+
     /// Whether it can be planned.
     ///
     /// # Errors

@@ -225,6 +225,11 @@ impl Planner {
         LOOK_S.max(brake_s)
     }
 
+    /// About the least time of the last run without jerk along the path, s.
+    pub fn least_s(&self) -> f64 {
+        (0..self.grid.cells.len()).map(|cell| self.cell_s(cell)).sum()
+    }
+
     fn cell_s(&self, cell: usize) -> f64 {
         self.grid.cells[cell].length / self.grid.bound[cell].sqrt().max(1e-9)
     }

@@ -259,7 +259,8 @@ impl Newton {
             part * part * (3.0 - 2.0 * part)
         };
         for k in first..=last {
-            let part = near(self.rests[0].is_none(), k - first) * near(self.rests[1].is_none(), last - k);
+            let part =
+                near(self.rests[0].is_none(), k - first) * near(self.rests[1].is_none(), last - k);
             c[k] *= 1.0 - (1.0 - share) * part;
         }
         self.tie(&mut c);
