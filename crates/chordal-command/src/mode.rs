@@ -46,6 +46,9 @@ pub enum PathMode {
     Continuous {
         /// Largest distance from the programmed path; `None` when the control decides.
         tolerance_mm: Option<f64>,
+        /// Many short blocks become one smooth curve within that distance; otherwise each corner is
+        /// passed by itself.
+        joined: bool,
     },
 }
 

@@ -202,7 +202,7 @@ impl Gather {
             radius_offset: None,
             // Which offset holds before the program names one is the control's business: its first.
             work_offset: 1,
-            path_mode: PathMode::Continuous { tolerance_mm: None },
+            path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
         };
         Gather {

@@ -306,7 +306,7 @@ fn simple(kind: &CommandKind) -> Option<String> {
         CommandKind::PathMode(mode) => match mode {
             PathMode::ExactPath => "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH, 0.000000)".into(),
             PathMode::ExactStop => "SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP, 0.000000)".into(),
-            PathMode::Continuous { tolerance_mm } => {
+            PathMode::Continuous { tolerance_mm, .. } => {
                 let tolerance = tolerance_mm.unwrap_or(0.0);
                 format!("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, {tolerance:.6})")
             }

@@ -368,7 +368,7 @@ fn mode(object: &mut Object, kind: &CommandKind) {
             let (word, tolerance) = match mode {
                 PathMode::ExactPath => ("exact_path", None),
                 PathMode::ExactStop => ("exact_stop", None),
-                PathMode::Continuous { tolerance_mm } => ("continuous", *tolerance_mm),
+                PathMode::Continuous { tolerance_mm, .. } => ("continuous", *tolerance_mm),
             };
             object.word("mode", word);
             object.optional("tolerance", tolerance);

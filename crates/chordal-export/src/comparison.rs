@@ -157,7 +157,7 @@ fn value(had: &Had) -> Value {
         Had::Spindle(state, rpm) => json!({"state": spindle_word(*state), "rpm": rpm}),
         Had::Seconds(seconds) => json!({"s": seconds}),
         Had::Rotary(axes) => json!({"deg": axes.map(f64::to_degrees)}),
-        Had::PathMode(PathMode::Continuous { tolerance_mm }) => {
+        Had::PathMode(PathMode::Continuous { tolerance_mm, .. }) => {
             json!({"mode": "continuous", "tolerance_mm": tolerance_mm})
         }
         Had::PathMode(mode) => json!({"mode": path_mode(*mode)}),
@@ -197,7 +197,7 @@ pub fn value_text(had: &Had, units: Units) -> String {
                 valves.into_iter().filter(|valve| valve.0).map(|valve| valve.1).collect();
             if open.is_empty() { "off".into() } else { open.join(" and ") }
         }
-        Had::PathMode(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
+        Had::PathMode(PathMode::Continuous { tolerance_mm: Some(tolerance), .. }) => {
             format!("continuous within {} {unit}", short(tolerance / mm))
         }
         Had::PathMode(mode) => path_mode(*mode).into(),

@@ -3,7 +3,9 @@
 use chordal::control::{Origin, PathMode};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
-use chordal::time::{Alternative, BlockTime, Change, CutEnds, Least, LeastReport, Timed, Times};
+use chordal::time::{
+    Alternative, BlockTime, Change, ChordCost, CutEnds, Least, LeastReport, Remedy, Timed, Times,
+};
 use chordal::{Job, Report};
 use serde_json::{Map, Value, json};
 
@@ -18,6 +20,8 @@ pub struct TimeDocument<'a> {
     pub what_if: &'a [Alternative],
     /// The least times, where they were asked.
     pub least: Option<&'a LeastReport>,
+    /// What the short lines of each tool cost, where it was asked.
+    pub chords: &'a [ChordCost],
 }
 
 /// One JSON object, schema `chordal.time/1`: times in s, lengths in mm.
@@ -71,6 +75,9 @@ pub fn time_json(document: &TimeDocument, report: &Report, job: &Job) -> String 
     if !document.what_if.is_empty() {
         put("what_if", document.what_if.iter().map(alternative).collect());
     }
+    if !document.chords.is_empty() {
+        put("short_lines", document.chords.iter().map(short_lines).collect());
+    }
     put("assumed", assumed(motion));
     put("cuts_without_feed", json!(motion.cuts_without_feed));
     put("unknown_moves", json!(motion.unknown_moves));
@@ -109,7 +116,12 @@ fn with_times(mut head: Value, times: &Times) -> Value {
 
 /// How the ends of cuts are passed, with the least and the largest tolerance.
 fn cut_ends(ends: &CutEnds) -> Value {
-    let mut row = json!({"at_rest": ends.at_rest, "exact": ends.exact, "within": ends.within});
+    let mut row = json!({
+        "at_rest": ends.at_rest,
+        "exact": ends.exact,
+        "within": ends.within,
+        "joined": ends.joined,
+    });
     if let Some((least, most)) = ends.tolerance_mm {
         row["least_tolerance_mm"] = json!(least);
         row["largest_tolerance_mm"] = json!(most);
@@ -153,13 +165,38 @@ fn blocks(blocks: &[BlockTime], job: &Job) -> Value {
     blocks.iter().map(row).collect()
 }
 
+fn short_lines(cost: &ChordCost) -> Value {
+    let savings = cost.savings.iter().map(|(remedy, saved)| {
+        let mut row = match *remedy {
+            Remedy::Joined => json!({"with": "joined"}),
+            Remedy::Tolerance(mm) => json!({"with": "tolerance", "tolerance_mm": mm}),
+            Remedy::Decimals(decimals) => json!({"with": "decimals", "decimals": decimals}),
+            Remedy::Finer(mm) => json!({"with": "shorter_lines", "within_mm": mm}),
+            Remedy::Arcs { within_mm, pieces } => {
+                json!({"with": "arcs", "within_mm": within_mm, "pieces": pieces})
+            }
+        };
+        row["saves_s"] = json!(saved);
+        row
+    });
+    json!({
+        "tool": cost.tool,
+        "lines": cost.lines,
+        "length_mm": cost.length_mm,
+        "time_s": cost.time_s,
+        "at_feed_s": cost.feed_s,
+        "tolerance_mm": cost.tolerance_mm,
+        "savings": savings.collect::<Vec<_>>(),
+    })
+}
+
 fn alternative(alternative: &Alternative) -> Value {
     let mut row = match alternative.change {
         Change::Feed(part) => json!({"feed_override": part}),
         Change::Rapid(part) => json!({"rapid_override": part}),
         Change::Corners(PathMode::ExactStop) => json!({"path_mode": "exact stop"}),
         Change::Corners(PathMode::ExactPath) => json!({"path_mode": "exact path"}),
-        Change::Corners(PathMode::Continuous { tolerance_mm }) => {
+        Change::Corners(PathMode::Continuous { tolerance_mm, .. }) => {
             json!({"path_mode": "continuous", "tolerance_mm": tolerance_mm})
         }
         Change::Smoothness { level, tolerance_mm } => {

@@ -11,7 +11,7 @@ use crate::cell::AxisArrays;
 use crate::curve::{Chords, Measure, Smoothing};
 use crate::law::{Ends, Planner as LawPlanner};
 use crate::limits::Limits;
-use crate::piece::{Piece, ahead};
+use crate::piece::{Jet, Piece, ahead};
 use crate::segment::{Corner, Move};
 use crate::smooth::EXACT;
 use crate::trajectory::Stretch;
@@ -201,27 +201,27 @@ impl Dense {
         let mut part = 0;
         for (index, jet) in smooth.jets.iter().enumerate() {
             let (begin, end) = (smooth.at[index], smooth.at[index + 1]);
-            let length = end - begin;
-            while part + 1 < self.parts.len() && self.parts[part].end <= begin {
-                part += 1;
-            }
-            let mut feed = f64::INFINITY;
-            for chord in &self.parts[part..] {
-                feed = feed.min(moves[chord.index].speed);
-                if chord.end >= end {
-                    break;
+            let whole = straightened(*jet, end - begin, &measure);
+            let mut at = begin;
+            while at < end {
+                while part + 1 < self.parts.len() && self.parts[part].end <= at {
+                    part += 1;
                 }
+                let motion = &moves[self.parts[part].index];
+                // On to the end of the piece, or where the feed changes.
+                let same = |part: &&Part| moves[part.index].speed == motion.speed;
+                let last = self.parts[part..].iter().take_while(same).find(|part| part.end >= end);
+                let changes = || {
+                    let next = self.parts[part..].iter().position(|part| !same(&part));
+                    next.map_or(end, |next| self.parts[part + next - 1].end.min(end))
+                };
+                let until = if last.is_some() { end } else { changes() };
+                let start = if at > begin { ahead(&whole, at - begin, AXES) } else { whole };
+                let piece = Piece { length: until - at, base: None, start, tag: motion.tag };
+                self.speeds.push(motion.speed / rate(&piece).max(1.0));
+                self.pieces.push(piece);
+                at = until;
             }
-            let mut start = *jet;
-            if measure.of(&start[2].map(|bend| bend * length * length)) < BEND
-                && measure.of(&start[3].map(|third| third * length.powi(3))) < BEND
-            {
-                start[2] = [0.0; AXES];
-                start[3] = [0.0; AXES];
-            }
-            let piece = Piece { length, base: None, start, tag: moves[self.parts[part].index].tag };
-            self.speeds.push(feed / rate(&piece).max(1.0));
-            self.pieces.push(piece);
         }
         let run = Run::new(&self.pieces, &self.speeds, 0.0, limits).ok()?;
         let phases = self.law.plan(&run, [Ends::Rest; 2], gap)?;
@@ -303,6 +303,17 @@ impl Dense {
         }
         out
     }
+}
+
+/// A piece of a length, without bends that are rounding.
+fn straightened(mut start: Jet, length: f64, measure: &Measure) -> Jet {
+    if measure.of(&start[2].map(|bend| bend * length * length)) < BEND
+        && measure.of(&start[3].map(|third| third * length.powi(3))) < BEND
+    {
+        start[2] = [0.0; AXES];
+        start[3] = [0.0; AXES];
+    }
+    start
 }
 
 /// The least tolerance of some moves, mm.

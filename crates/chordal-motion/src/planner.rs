@@ -1,6 +1,6 @@
 //! The planner: takes moves, emits steps; its levels and options.
 
-use chordal_geometry::AXES;
+use chordal_geometry::{AXES, Curve};
 
 use crate::Axes;
 use crate::bound::{Run, bound};
@@ -10,6 +10,7 @@ use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Cell, Solver};
 use crate::reference::{self, best, reference};
+use crate::root::cbrt;
 use crate::segment::{Corner, Move, MoveError};
 use crate::smooth::span::{PathPart, Span, sealed::Keep};
 use crate::smooth::{End, Joint, Leg, Overlap, Passing, Row, Smoother, overlap_of};
@@ -86,7 +87,8 @@ pub struct Planner<P = Piece> {
 #[derive(Debug)]
 struct Group {
     moves: Vec<Move>,
-    /// Until the next rest moves are planned as they come: one keeps its exact path, or there are too many.
+    /// Until the next rest moves are planned as they come: one keeps its exact path, or there are
+    /// too many or they are too long.
     passes: bool,
     dense: Dense,
     /// Another planner, for the time that corners by themselves take.
@@ -95,13 +97,15 @@ struct Group {
 
 /// A group of fewer moves is planned corner by corner.
 const FEW: usize = 8;
+/// When so many moves wait and are not dense, the rest of the group will not be either.
+const ENOUGH: usize = 4096;
 /// When so many moves wait, those before the last corner are planned.
 const MANY: usize = 20_000;
 /// Moves that take longer on average at their feeds are not dense: their corners are best passed each by
 /// itself.
 const DENSE_S: f64 = 0.04;
-/// Curves that take no more times as long as without jerk are quicker than corners by themselves, or as
-/// quick within half a percent.
+/// Curves that take no more times as long as without jerk, and less than stops, are quicker than corners
+/// by themselves, or as quick within half a percent.
 const NEAR: f64 = 1.5;
 
 /// How near the least time a law is, by level.
@@ -180,7 +184,8 @@ impl<P: PathPart> Planner<P> {
     fn gather(&mut self, motion: &Move, start: &Axes, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let rests = motion.corner == Corner::Stop;
-        if group.passes || motion.corner == Corner::Exact {
+        let fits = matches!(motion.corner, Corner::Stop | Corner::Within { .. });
+        if group.passes || !fits {
             group.passes = !rests;
             self.plan_moves(take);
             return self.corner_by_corner(motion, start, take);
@@ -188,6 +193,9 @@ impl<P: PathPart> Planner<P> {
         group.moves.push(*motion);
         if rests {
             self.plan_group(take);
+        } else if group.moves.len() == ENOUGH && !group.is_dense() {
+            group.passes = true;
+            self.plan_moves(take);
         } else if group.moves.len() >= MANY {
             self.plan_to_last_corner(take);
         }
@@ -459,6 +467,24 @@ impl Group {
         self.moves.len() >= FEW && feed_s < DENSE_S * self.moves.len() as f64
     }
 
+    /// Its moves take no less with a stop at the end of each, s: by feed, acceleration or jerk alone.
+    fn least_with_stops_s(&self, limits: &Limits) -> f64 {
+        let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
+        let one = |motion: &Move| {
+            let (from, to, length) = (motion.from(), motion.to(), motion.length());
+            let mut least = length / motion.speed;
+            for axis in 0..AXES {
+                let way = (to[axis] - from[axis]).abs();
+                if way > 0.0 && matches!(motion.curve, Curve::Line(_)) {
+                    let by_acceleration = 2.0 * (way / acceleration[axis]).sqrt();
+                    least = least.max(by_acceleration).max(cbrt(32.0 * way / jerk[axis]));
+                }
+            }
+            least
+        };
+        self.moves.iter().map(one).sum()
+    }
+
     /// Its moves as smooth curves from corner to corner, if corners by themselves are not quicker.
     fn quicker_curves(&mut self, limits: &Limits, gap: f64) -> Option<Vec<Stretch>> {
         let mut stretches = Vec::new();
@@ -480,7 +506,7 @@ impl Group {
                 }
             }
         }
-        let is_near = time_s < NEAR * least_s;
+        let is_near = time_s < NEAR * least_s && time_s < self.least_with_stops_s(limits);
         (is_near || time_s < self.corners_s()).then_some(stretches)
     }
 }

@@ -13,8 +13,15 @@ pub enum Corner {
     /// Exactly: at rest where the path has a kink or its curvature a step, at speed where it is
     /// smooth.
     Exact,
-    /// At speed, no farther from the programmed path than this.
+    /// At speed, no farther from the programmed path than this; many short moves may become one curve.
     Within {
+        /// Of X, Y and Z, mm.
+        linear_mm: f64,
+        /// Of each rotary axis, rad.
+        rotary_rad: f64,
+    },
+    /// The same, but each corner by itself.
+    Apart {
         /// Of X, Y and Z, mm.
         linear_mm: f64,
         /// Of each rotary axis, rad.
@@ -114,7 +121,9 @@ impl Move {
         if self.speed.is_nan() || self.speed <= 0.0 {
             return Err(MoveError::Speed(self.speed));
         }
-        if let Corner::Within { linear_mm, rotary_rad } = self.corner {
+        if let Corner::Within { linear_mm, rotary_rad } | Corner::Apart { linear_mm, rotary_rad } =
+            self.corner
+        {
             for tolerance in [linear_mm, rotary_rad] {
                 if tolerance.is_nan() || tolerance < 0.0 {
                     return Err(MoveError::Tolerance(tolerance));

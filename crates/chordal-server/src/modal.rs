@@ -241,7 +241,7 @@ fn path_mode_text(mode: PathMode) -> String {
     match mode {
         PathMode::ExactPath => "exact path".into(),
         PathMode::ExactStop => "exact stop".into(),
-        PathMode::Continuous { tolerance_mm: None } => "continuous".into(),
-        PathMode::Continuous { tolerance_mm: Some(mm) } => format!("continuous within {mm} mm"),
+        PathMode::Continuous { tolerance_mm: None, .. } => "continuous".into(),
+        PathMode::Continuous { tolerance_mm: Some(mm), .. } => format!("continuous within {mm} mm"),
     }
 }

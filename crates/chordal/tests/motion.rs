@@ -254,7 +254,7 @@ fn the_default_mode_rounds_corners_between_cuts_within_the_tolerance_of_the_mach
     let rotary_rad = 0.01_f64.to_radians();
     assert_eq!(
         corners,
-        [Corner::Stop, Corner::Within { linear_mm: 0.02, rotary_rad }, Corner::Stop, Corner::Stop]
+        [Corner::Stop, Corner::Apart { linear_mm: 0.02, rotary_rad }, Corner::Stop, Corner::Stop]
     );
 }
 
@@ -278,7 +278,7 @@ fn bends_of_dog_leg_rapids_are_not_stops() {
     );
     let moves = moves(&steps);
     assert_eq!(moves.len(), 3);
-    assert_eq!(moves[0].corner, Corner::Within { linear_mm: 4.0, rotary_rad: 0.04 });
+    assert_eq!(moves[0].corner, Corner::Apart { linear_mm: 4.0, rotary_rad: 0.04 });
     assert_eq!(moves[1].corner, Corner::Stop);
     assert!((moves[0].to()[0] - 50.0).abs() < 1e-9, "Y has arrived when X is half way");
 }
@@ -314,7 +314,7 @@ fn linuxcnc_blends_rapids_and_eases_tangent_arcs_where_the_machine_allows_it() {
         let _ = job.motion(&MotionOptions::default(), sink).expect("limits");
         corners
     };
-    let within = |linear_mm: f64| Corner::Within { linear_mm, rotary_rad: 0.01_f64.to_radians() };
+    let within = |linear_mm: f64| Corner::Apart { linear_mm, rotary_rad: 0.01_f64.to_radians() };
     assert_eq!(run_on(&[]), [within(0.1), within(0.1), Corner::Exact, Corner::Exact, Corner::Stop]);
     // The line meets the arc smoothly, and leaves it at a right angle.
     assert_eq!(

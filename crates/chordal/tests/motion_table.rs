@@ -102,7 +102,9 @@ impl Planned {
     /// The distance that the program allows, mm.
     fn allowed(&self) -> f64 {
         self.moves.iter().fold(1e-6, |most, motion| match motion.corner {
-            Corner::Within { linear_mm, .. } => most.max(linear_mm),
+            Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => {
+                most.max(linear_mm)
+            }
             Corner::Stop | Corner::Exact => most,
         })
     }

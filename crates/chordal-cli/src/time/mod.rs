@@ -1,6 +1,7 @@
 //! `chordal time`: how long a program takes, where and why.
 
 mod cells;
+mod chords;
 mod corners;
 mod least;
 mod picture;
@@ -9,7 +10,7 @@ mod text;
 use std::path::PathBuf;
 
 use chordal::motion::{Level, LimitError, MotionOptions, OperationStart};
-use chordal::time::{Alternative, Effort, Timed};
+use chordal::time::{Alternative, ChordCost, Effort, Timed};
 use chordal::{Job, Watch};
 use chordal_export::{PlotOptions, TimeDocument, time_json};
 use clap::ValueEnum;
@@ -55,7 +56,7 @@ pub struct Args {
     #[arg(long, short, value_name = "PICTURE")]
     output: Option<PathBuf>,
 
-    /// Plans again with other overrides and path modes, for programs of any length
+    /// Plans again with other overrides, path modes and short lines, for programs of any length
     ///
     /// Without it, Chordal does so for programs of up to 20,000 moves.
     #[arg(long)]
@@ -142,6 +143,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         return Ok(tell(&report, &loaded, &job, terminal));
     };
     let what_if = what_if(&job, &options, &timed, args.what_if)?;
+    let chords = chords(&job, &options, &timed, report.summary.inch, args.what_if)?;
     let least = args.bound.then(|| job.least(&options, effort())).transpose();
     let least = least.map_err(|error| wrong_limit(&error))?;
     let document = TimeDocument {
@@ -149,6 +151,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
         level: options.level,
         what_if: &what_if,
         least: least.as_ref(),
+        chords: &chords,
     };
     let text = match args.format {
         AnswerFormat::Text => text::text(loaded.name(), &document, &report, &job, terminal.out),
@@ -172,11 +175,31 @@ fn what_if(
     timed: &Timed,
     asked: bool,
 ) -> Result<Vec<Alternative>, Failure> {
-    let unasked = options.level == Level::Fast && timed.time.moves <= MOST_UNASKED;
-    if timed.time.moves == 0 || !(asked || unasked) {
+    if !plans_again(options, timed, asked) {
         return Ok(Vec::new());
     }
     job.what_if(options, &job.changes()).map_err(|error| wrong_limit(&error))
+}
+
+/// What the short lines cost.
+fn chords(
+    job: &Job,
+    options: &MotionOptions,
+    timed: &Timed,
+    inch: bool,
+    asked: bool,
+) -> Result<Vec<ChordCost>, Failure> {
+    if !plans_again(options, timed, asked) {
+        return Ok(Vec::new());
+    }
+    let unit_mm = if inch { 25.4 } else { 1.0 };
+    job.chord_costs(options, unit_mm).map_err(|error| wrong_limit(&error))
+}
+
+/// Whether the program is planned again with something changed.
+fn plans_again(options: &MotionOptions, timed: &Timed, asked: bool) -> bool {
+    let unasked = options.level == Level::Fast && timed.time.moves <= MOST_UNASKED;
+    timed.time.moves > 0 && (asked || unasked)
 }
 
 /// A limit nothing can be planned with.

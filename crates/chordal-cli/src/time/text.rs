@@ -9,7 +9,7 @@ use chordal_export::{TimeDocument, comment_text};
 use comfy_table::Table;
 
 use super::cells::{MOST_OPERATIONS, SAME_S, fine, lines};
-use super::{corners, least};
+use super::{chords, corners, least};
 use crate::numbers::{counted, short};
 use crate::sheet::Sheet;
 use crate::summary::{plain_table, tool_name};
@@ -60,6 +60,8 @@ pub fn text(
     }
     sheet.table("what if", &alternatives(document.what_if, time, report.summary.inch));
     let units = if report.summary.inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
+    sheet.table(chords::LINES, &chords::lines(document.chords, job, units));
+    sheet.table(chords::REMEDIES, &chords::remedies(document.chords, job, units));
     let parts = [
         ("limit", document.least.map(least::notes).unwrap_or_default()),
         ("corners", corners::notes(time, job, units)),
@@ -202,10 +204,10 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
             Change::Rapid(part) => format!("rapid override {} %", short(part * 100.0, 0)),
             Change::Corners(PathMode::ExactStop) => "exact stop at every corner".to_string(),
             Change::Corners(PathMode::ExactPath) => "exact path".to_string(),
-            Change::Corners(PathMode::Continuous { tolerance_mm: None }) => {
+            Change::Corners(PathMode::Continuous { tolerance_mm: None, .. }) => {
                 "corners as the machine file allows them".to_string()
             }
-            Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance) }) => {
+            Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance), .. }) => {
                 format!("corners within {}", units.length_text(*tolerance))
             }
             Change::Smoothness { level, tolerance_mm } => {

@@ -14,8 +14,8 @@ use self::choices::{choose, mm_text, name_of};
 pub use self::compensation::CompensationField;
 pub use self::cycle::CycleField;
 pub use self::frame::FrameField;
-pub(crate) use self::path_mode::CORNER_ROUNDING;
 pub use self::path_mode::PathField;
+pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 use crate::parameters::*;
 
 /// How sure a default is.

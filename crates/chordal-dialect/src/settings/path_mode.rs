@@ -20,6 +20,7 @@ pub enum PathField {
     LevelPart(u8),
     Level,
     LookAhead,
+    ShortBlocks,
 }
 
 const STARTS: Choices<StartMode> = &[
@@ -30,6 +31,12 @@ const STARTS: Choices<StartMode> = &[
 
 const LEVELS: Choices<u8> =
     &[("rough", 1), ("medium", 2), ("finish", 3), ("1", 1), ("2", 2), ("3", 3)];
+
+const SHORT_BLOCKS: Choices<ShortBlocks> = &[
+    ("apart", ShortBlocks::Apart),
+    ("look-ahead", ShortBlocks::LookAhead),
+    ("joined", ShortBlocks::Joined),
+];
 
 /// The settings that every control has, under plain names.
 pub const COMMON: &[Setting] = &[
@@ -68,6 +75,19 @@ pub const CORNER_ROUNDING: Setting = setting(
     Certainty::Unknown,
     "G64",
 );
+
+/// Where short blocks become one curve, by what is known of a control.
+pub const fn short_blocks(certainty: Certainty, source: &'static str) -> Setting {
+    setting(
+        "short blocks",
+        Field::Path(PathField::ShortBlocks),
+        &[],
+        "many short blocks become one smooth curve within the tolerance: `joined`, `look-ahead` (only in \
+         look-ahead and high-accuracy modes) or `apart` (each corner is passed by itself)",
+        certainty,
+        source,
+    )
+}
 
 const fn plain(
     name: &'static str,
@@ -110,6 +130,7 @@ pub(crate) fn set(
         }
         PathField::Level => rules.level = choose(word, LEVELS)?,
         PathField::LookAhead => rules.look_ahead_mm = optional()?,
+        PathField::ShortBlocks => rules.short_blocks = choose(word, SHORT_BLOCKS)?,
     }
     Ok(())
 }
@@ -129,5 +150,6 @@ pub(crate) fn value_text(p: &Parameters, field: PathField) -> String {
         }
         PathField::Level => name_of(rules.level, LEVELS),
         PathField::LookAhead => optional(rules.look_ahead_mm),
+        PathField::ShortBlocks => name_of(rules.short_blocks, SHORT_BLOCKS),
     }
 }

@@ -365,7 +365,7 @@ impl<'a> CommandColumns<'a> {
                 let (word, tolerance) = match mode {
                     PathMode::ExactPath => ("exact_path", None),
                     PathMode::ExactStop => ("exact_stop", None),
-                    PathMode::Continuous { tolerance_mm } => ("continuous", *tolerance_mm),
+                    PathMode::Continuous { tolerance_mm, .. } => ("continuous", *tolerance_mm),
                 };
                 self.state.put(row, word);
                 self.value.put(row, tolerance.unwrap_or(f64::NAN));

@@ -32,17 +32,17 @@ impl Interpreter<'_> {
                     self.tell_lines_stay(block);
                 }
                 let tolerance_mm = own.or(rules.of_level(rules.level));
-                self.kernel.state.path.set_mode(PathMode::Continuous { tolerance_mm });
+                self.kernel.state.path.set_mode(rules.continuous(tolerance_mm, false));
             }
             PathCode::HighAccuracy => {
                 let tolerance_mm = rules.look_ahead_mm.or(rules.of_level(rules.level));
-                path.set_mode(PathMode::Continuous { tolerance_mm });
+                path.set_mode(rules.continuous(tolerance_mm, true));
             }
             PathCode::LookAhead { letter, on } => {
                 match self.count_of(block, letter) {
-                    Some(0) => self.kernel.state.path.set_distance(None),
+                    Some(0) => self.kernel.state.path.set_look_ahead(&rules, false),
                     Some(value) if value == on => {
-                        self.kernel.state.path.set_distance(rules.look_ahead_mm);
+                        self.kernel.state.path.set_look_ahead(&rules, true);
                     }
                     // Another use of the code, or none that we know.
                     _ => return self.not_simulated(&block.words[at], row),

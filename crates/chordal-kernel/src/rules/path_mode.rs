@@ -14,6 +14,17 @@ pub enum StartMode {
     ExactStop,
 }
 
+/// Where a control joins many short blocks into one smooth curve.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum ShortBlocks {
+    /// Nowhere: each corner is passed by itself.
+    Apart,
+    /// In its look-ahead and high-accuracy modes only.
+    LookAhead,
+    /// Wherever corners may be rounded.
+    Joined,
+}
+
 /// How a control passes the ends of moves. Lengths are mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PathRules {
@@ -34,6 +45,8 @@ pub struct PathRules {
     pub level: u8,
     /// The same distance in high-accuracy and look-ahead modes.
     pub look_ahead_mm: Option<f64>,
+    /// Where short blocks become one curve.
+    pub short_blocks: ShortBlocks,
 }
 
 impl PathRules {
@@ -47,6 +60,7 @@ impl PathRules {
         level_parts: [1.0; 3],
         level: 2,
         look_ahead_mm: None,
+        short_blocks: ShortBlocks::Apart,
     };
 
     /// The distance that a level of smoothness allows, mm.
@@ -55,12 +69,20 @@ impl PathRules {
         self.rounding_mm.map(|mm| mm * part)
     }
 
+    /// The mode that rounds corners, with or without look-ahead.
+    pub fn continuous(&self, tolerance_mm: Option<f64>, look_ahead: bool) -> PathMode {
+        let joined = match self.short_blocks {
+            ShortBlocks::Apart => false,
+            ShortBlocks::LookAhead => look_ahead,
+            ShortBlocks::Joined => true,
+        };
+        PathMode::Continuous { tolerance_mm, joined }
+    }
+
     /// The path mode of a program's first block.
     pub fn start_mode(&self) -> PathMode {
         match self.start {
-            StartMode::Continuous => {
-                PathMode::Continuous { tolerance_mm: self.of_level(self.level) }
-            }
+            StartMode::Continuous => self.continuous(self.of_level(self.level), false),
             StartMode::ExactPath => PathMode::ExactPath,
             StartMode::ExactStop => PathMode::ExactStop,
         }

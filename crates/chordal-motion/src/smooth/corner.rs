@@ -244,7 +244,7 @@ pub fn joint(
         Corner::Stop => return Joint::Stop,
         _ if !bent && !kinked => return Joint::Smooth,
         Corner::Exact => (EXACT, false),
-        Corner::Within { linear_mm, rotary_rad } => (
+        Corner::Within { linear_mm, rotary_rad } | Corner::Apart { linear_mm, rotary_rad } => (
             Tolerance {
                 linear_mm: linear_mm.max(EXACT.linear_mm),
                 rotary_rad: rotary_rad.max(EXACT.rotary_rad),

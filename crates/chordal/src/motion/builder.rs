@@ -72,7 +72,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         MotionBuilder {
             path: PathBuilder::new(machine, offset, known),
             segments: Vec::new(),
-            mode: options.path_mode.unwrap_or(rules.start_mode()),
+            mode: forced(options.path_mode, rules.start_mode()),
             rules,
             times: machine.times,
             feed: machine.feed,
@@ -108,7 +108,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             CommandKind::Dwell { seconds, label: Some(_) } => {
                 self.wait(WaitKind::ShopCode, seconds, origin);
             }
-            CommandKind::PathMode(mode) => self.mode = self.forced_mode.unwrap_or(mode),
+            CommandKind::PathMode(mode) => self.mode = forced(self.forced_mode, mode),
             CommandKind::Overrides(overrides) => self.overrides = overrides,
             CommandKind::Dwell { seconds, .. } => self.wait(WaitKind::Dwell, seconds, origin),
             CommandKind::Tool { number } => {
@@ -132,7 +132,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
             CommandKind::End => {
                 self.wait(WaitKind::End, 0.0, origin);
-                self.mode = self.forced_mode.unwrap_or(self.rules.start_mode());
+                self.mode = forced(self.forced_mode, self.rules.start_mode());
                 self.overrides = Overrides::ON;
             }
             _ => {}
@@ -385,5 +385,17 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, _: &Origin) {
         self.sink.diagnostic(diagnostic);
+    }
+}
+
+/// The mode that the caller asks for, if any. Whether short blocks are joined stays with the program.
+fn forced(asked: Option<PathMode>, own: PathMode) -> PathMode {
+    match (asked, own) {
+        (Some(PathMode::Continuous { tolerance_mm, joined: asked }), own) => {
+            let joined = asked || matches!(own, PathMode::Continuous { joined: true, .. });
+            PathMode::Continuous { tolerance_mm, joined }
+        }
+        (Some(asked), _) => asked,
+        (None, own) => own,
     }
 }

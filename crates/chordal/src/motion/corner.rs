@@ -4,7 +4,7 @@
 //! |---|---|
 //! | bend of a dog-leg rapid, where its shape is kept | within the machine's `rapid_corner_tolerance`: no axis waits for another, and nothing is cut there |
 //! | rapid → rapid, rapid → cut, cut → rapid | at rest where the control checks the position, otherwise like a cut; between rapids within `rapid_corner_tolerance` |
-//! | cut → cut | by the path mode of the block that ends |
+//! | cut → cut | by the path mode of the block that ends: many short ones as one curve where the control joins them, otherwise each corner by itself |
 //! | within one spline | by the path mode, and without a stop in exact stop mode |
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
 //! | before a wait | at rest |
@@ -39,8 +39,7 @@ pub(super) fn corner_of(
     in_force: &InForce,
 ) -> Corner {
     use MoveKind::{Cut, Rapid};
-    let within =
-        |linear_mm| Corner::Within { linear_mm, rotary_rad: in_force.rotary_tolerance_rad };
+    let rotary_rad = in_force.rotary_tolerance_rad;
     let stops = match (ending.motion.kind, next.kind) {
         (Rapid, Rapid) if ending.bends => return rapid_bend(in_force),
         (Rapid, Rapid) if rules.stop_between_rapids => true,
@@ -61,12 +60,16 @@ pub(super) fn corner_of(
         PathMode::ExactPath => {
             let eases = in_force.exact_path_tolerance_mm > 0.0;
             match eases && cosine(&ending.motion, next) > SMOOTH_COSINE {
-                true => within(in_force.exact_path_tolerance_mm),
+                true => Corner::Apart { linear_mm: in_force.exact_path_tolerance_mm, rotary_rad },
                 false => Corner::Exact,
             }
         }
-        PathMode::Continuous { tolerance_mm } => {
-            within(tolerance_mm.unwrap_or(in_force.corner_tolerance_mm))
+        PathMode::Continuous { tolerance_mm, joined } => {
+            let linear_mm = tolerance_mm.unwrap_or(in_force.corner_tolerance_mm);
+            match joined {
+                true => Corner::Within { linear_mm, rotary_rad },
+                false => Corner::Apart { linear_mm, rotary_rad },
+            }
         }
     }
 }
@@ -75,7 +78,7 @@ pub(super) fn corner_of(
 fn rapid_bend(in_force: &InForce) -> Corner {
     let linear_mm = in_force.rapid_corner_tolerance_mm;
     // The same part of a turn as the tolerance is of a 100 mm radius.
-    Corner::Within { linear_mm, rotary_rad: linear_mm / 100.0 }
+    Corner::Apart { linear_mm, rotary_rad: linear_mm / 100.0 }
 }
 
 /// Cosine of the angle between the end of a move and the start of the next.

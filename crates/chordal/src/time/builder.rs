@@ -253,8 +253,9 @@ impl CutEnds {
         match corner {
             Corner::Stop => self.at_rest += 1,
             Corner::Exact => self.exact += 1,
-            Corner::Within { linear_mm, .. } => {
+            Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => {
                 self.within += 1;
+                self.joined += u64::from(matches!(corner, Corner::Within { .. }));
                 let (least, most) = self.tolerance_mm.unwrap_or((linear_mm, linear_mm));
                 self.tolerance_mm = Some((least.min(linear_mm), most.max(linear_mm)));
             }

@@ -9,11 +9,13 @@
 //! | a job that is timed | `run.rs` |
 //! | the least time it could take | `least.rs` |
 //! | the same with other overrides and path modes | `what_if.rs` |
+//! | what short lines cost, and what would change that | `chords.rs` |
 //! | limits from measured times | `calibrate.rs` |
 
 mod blocks;
 mod builder;
 mod calibrate;
+mod chords;
 mod least;
 mod reason;
 mod report;
@@ -24,6 +26,7 @@ mod what_if;
 pub use builder::TimeBuilder;
 pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
 pub use chordal_motion::{Effort, Least};
+pub use chords::{ChordCost, Remedy};
 pub use least::LeastReport;
 pub use report::{BlockTime, CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
 pub use run::Timed;

@@ -135,6 +135,9 @@ pub struct CutEnds {
     pub exact: u64,
     /// Within a tolerance.
     pub within: u64,
+    /// Of those, the ones after which short blocks are joined; after the others each corner is passed by
+    /// itself.
+    pub joined: u64,
     /// The least and the largest tolerance of them, mm.
     pub tolerance_mm: Option<(f64, f64)>,
 }

@@ -43,9 +43,9 @@ const CHANGES: [Change; 11] = [
     Change::Rapid(0.25),
     Change::Rapid(0.5),
     Change::Corners(PathMode::ExactStop),
-    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.01) }),
-    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.05) }),
-    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.1) }),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.01), joined: false }),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.05), joined: false }),
+    Change::Corners(PathMode::Continuous { tolerance_mm: Some(0.1), joined: false }),
 ];
 
 impl Job<'_> {
@@ -80,7 +80,8 @@ impl Job<'_> {
                     Change::Corners(mode) => changed.path_mode = Some(mode),
                     Change::Smoothness { tolerance_mm, .. } => {
                         let tolerance_mm = Some(tolerance_mm);
-                        changed.path_mode = Some(PathMode::Continuous { tolerance_mm });
+                        changed.path_mode =
+                            Some(PathMode::Continuous { tolerance_mm, joined: false });
                     }
                 }
                 let total_s = self.time(&changed)?.time.total_s();

@@ -229,7 +229,7 @@ impl Made {
         match self.mode {
             PathMode::ExactStop => ("stop", 0.0),
             PathMode::ExactPath => ("exact", 0.0),
-            PathMode::Continuous { tolerance_mm } => ("round", tolerance_mm.unwrap_or(0.0)),
+            PathMode::Continuous { tolerance_mm, .. } => ("round", tolerance_mm.unwrap_or(0.0)),
         }
     }
 

@@ -27,6 +27,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "G8",
     ),
+    short_blocks(Certainty::Unknown, "section 13 tells of ramps at each block only"),
     setting(
         "format",
         Field::Cycle(CycleField::Format),

@@ -18,7 +18,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         cycles: CYCLES,
         compensation: COMPENSATION,
         corner: CORNER,
-        path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
+        path: PathRules { look_ahead_mm: Some(0.01), short_blocks: ShortBlocks::LookAhead, ..PathRules::COMMON },
         arc: ArcRules {
             full_circle_by_radius: FullCircleByRadius::NoMotion,
             helix_feed: FeedAlong::Plane,

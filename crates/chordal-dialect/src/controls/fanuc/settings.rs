@@ -19,6 +19,10 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "AI contour control",
     ),
+    short_blocks(
+        Certainty::Trade,
+        "AI contour control: G05.1 Q1 plans the speed over many blocks, G05.1 Q3 also corrects their points",
+    ),
     CORNER_ROUNDING,
     TYPE,
     TYPE_C,

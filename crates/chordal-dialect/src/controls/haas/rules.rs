@@ -49,6 +49,7 @@ const PATH: PathRules = PathRules {
     rounding_mm: Some(0.635),
     level_parts: [1.0, 0.5, 0.2],
     level: 2,
+    short_blocks: ShortBlocks::Joined,
     ..PathRules::COMMON
 };
 

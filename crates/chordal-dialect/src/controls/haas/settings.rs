@@ -68,6 +68,10 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Trade,
         "Setting 191, Default Smoothness",
     ),
+    short_blocks(
+        Certainty::Trade,
+        "Setting 191 and G187: the speed follows the change of angle over many blocks",
+    ),
     part("G187 P1 part", 1, "part of Setting 85 that level rough uses"),
     part("G187 P2 part", 2, "part of Setting 85 that level medium uses"),
     part("G187 P3 part", 3, "part of Setting 85 that level finish uses"),

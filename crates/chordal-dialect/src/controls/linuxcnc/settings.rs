@@ -2,11 +2,14 @@
 
 use crate::vocabulary::*;
 
-pub(super) const SETTINGS: &[Setting] = &[setting(
-    "CENTER_ARC_RADIUS_TOLERANCE_MM",
-    Field::RadiusErrorTolerance,
-    &[],
-    "difference of an arc's radii that is accepted without checking the radius",
-    Certainty::Documented,
-    "INI file, [RS274NGC]",
-)];
+pub(super) const SETTINGS: &[Setting] = &[
+    short_blocks(Certainty::Documented, "G64: P rounds each corner; Q makes one line of nearly straight ones"),
+    setting(
+        "CENTER_ARC_RADIUS_TOLERANCE_MM",
+        Field::RadiusErrorTolerance,
+        &[],
+        "difference of an arc's radii that is accepted without checking the radius",
+        Certainty::Documented,
+        "INI file, [RS274NGC]",
+    ),
+];

@@ -15,7 +15,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         cycles: CYCLES,
         compensation: COMPENSATION,
         corner: CornerRules { moves: CornerMoves::LinesAndArcs, ..CornerRules::COMMON },
-        path: PathRules { look_ahead_mm: Some(0.01), ..PathRules::COMMON },
+        path: PathRules { look_ahead_mm: Some(0.01), short_blocks: ShortBlocks::LookAhead, ..PathRules::COMMON },
         arc: ArcRules {
             helix_feed: FeedAlong::Path,
             spiral: SpiralForm::Pitches,

@@ -11,6 +11,10 @@ pub(super) const SETTINGS: &[Setting] = &[
         Certainty::Unknown,
         "high-accuracy control",
     ),
+    short_blocks(
+        Certainty::Trade,
+        "high-accuracy control and SSS: the speed follows the shape over many blocks",
+    ),
     CORNER_ROUNDING,
     TYPE,
     AVOIDANCE,

@@ -1,0 +1,328 @@
+//! What short lines cost: the same lines planned again as the control, the CAM system or the tolerance
+//! could have them.
+//!
+//! Each row of short lines is planned by itself, from rest to rest: as it is, and with one thing changed.
+//! The differences are what that change is worth. Nothing is estimated but the points that more decimals
+//! would give: they are taken from arcs through the points, within the rounding.
+
+use chordal_geometry::{
+    Curve, FitOptions, FitPiece, Line, Measure, ParamCurve, Placement, Vec3, fit_path,
+};
+use chordal_motion::{Corner, Limits, Move, MoveKind, Planner, Step};
+
+use crate::job::Job;
+use crate::motion::{LimitError, MachineLimits, MotionOptions, MotionStep, StepSource};
+
+/// A line that takes no longer at its feed is short, s.
+const SHORT_S: f64 = 0.04;
+/// Fewer short lines one after the other are no row.
+const FEWEST: usize = 16;
+/// Lines that are looked at; what comes after them is left out.
+const MOST_LINES: u64 = 300_000;
+/// A change that saves a smaller share of a tool's rows is not worth a word, nor one that saves less, s.
+const LEAST_SHARE: f64 = 0.01;
+const LEAST_S: f64 = 0.05;
+/// Tolerances that are asked for in practice, mm.
+const TOLERANCES: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
+/// Coordinates have at most so many decimals.
+const MOST_DECIMALS: u32 = 6;
+
+/// What is changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Remedy {
+    /// The control joins short blocks (look-ahead, high accuracy).
+    Joined,
+    /// Corners within this distance, mm.
+    Tolerance(f64),
+    /// Coordinates with so many decimals.
+    Decimals(u32),
+    /// Chords so short that the curve through their ends is no farther from them than this, mm.
+    Finer(f64),
+    /// Arcs and lines within this distance of the chords, mm, and how many there are.
+    Arcs {
+        /// The distance.
+        within_mm: f64,
+        /// How many.
+        pieces: u64,
+    },
+}
+
+/// The short lines of a tool.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChordCost {
+    /// The tool.
+    pub tool: u32,
+    /// How many lines.
+    pub lines: u64,
+    /// Their length together, mm.
+    pub length_mm: f64,
+    /// Their time, s: each row from rest to rest.
+    pub time_s: f64,
+    /// Their time at the feed, s.
+    pub feed_s: f64,
+    /// The least of their tolerances, mm.
+    pub tolerance_mm: f64,
+    /// What would be quicker, and by how much, s; the largest first.
+    pub savings: Vec<(Remedy, f64)>,
+}
+
+/// Short lines one after the other.
+#[derive(Debug, Default)]
+struct Row {
+    tool: u32,
+    moves: Vec<Move>,
+}
+
+impl Job<'_> {
+    /// What the short lines of each tool cost, and what would change that. `unit_mm` is the unit of the
+    /// program's coordinates.
+    ///
+    /// # Errors
+    /// A limit of an axis that is not a positive number.
+    pub fn chord_costs(
+        &self,
+        options: &MotionOptions,
+        unit_mm: f64,
+    ) -> Result<Vec<ChordCost>, LimitError> {
+        let limits = MachineLimits::of(self.machine())?;
+        let mut costs =
+            Costs { limits: limits.cut, unit_mm, row: Row::default(), lines: 0, costs: Vec::new() };
+        let take = |step: &MotionStep, source: &StepSource| {
+            costs.take(step, source);
+            Ok(())
+        };
+        let _ = self.motion(options, take)?;
+        Ok(costs.finish())
+    }
+}
+
+/// Gathers rows and adds up what they cost.
+struct Costs {
+    limits: Limits,
+    unit_mm: f64,
+    row: Row,
+    lines: u64,
+    costs: Vec<ChordCost>,
+}
+
+impl Costs {
+    fn take(&mut self, step: &MotionStep, source: &StepSource) {
+        match step {
+            MotionStep::Move(motion) if is_short(motion) && self.lines < MOST_LINES => {
+                if source.tool != self.row.tool {
+                    self.end_row();
+                }
+                self.lines += 1;
+                self.row.tool = source.tool;
+                self.row.moves.push(*motion);
+                if !matches!(motion.corner, Corner::Within { .. } | Corner::Apart { .. }) {
+                    self.end_row();
+                }
+            }
+            _ => self.end_row(),
+        }
+    }
+
+    fn end_row(&mut self) {
+        let row = std::mem::take(&mut self.row);
+        if row.moves.len() < FEWEST {
+            return;
+        }
+        let index = self.costs.iter().position(|cost| cost.tool == row.tool).unwrap_or_else(|| {
+            let first =
+                ChordCost { tool: row.tool, tolerance_mm: f64::INFINITY, ..ChordCost::default() };
+            self.costs.push(first);
+            self.costs.len() - 1
+        });
+        let time_s = time_of(&row.moves, &self.limits);
+        let tried = remedies(&row.moves, self.unit_mm, &self.limits);
+        let cost = &mut self.costs[index];
+        cost.lines += row.moves.len() as u64;
+        cost.length_mm += row.moves.iter().map(Move::length).sum::<f64>();
+        cost.feed_s += row.moves.iter().map(|motion| motion.length() / motion.speed).sum::<f64>();
+        cost.time_s += time_s;
+        cost.tolerance_mm = cost.tolerance_mm.min(tolerance_of(&row.moves));
+        for (remedy, with_s) in tried {
+            add(&mut cost.savings, remedy, (time_s - with_s).max(0.0));
+        }
+    }
+
+    fn finish(mut self) -> Vec<ChordCost> {
+        self.end_row();
+        for cost in &mut self.costs {
+            let least = LEAST_S.max(LEAST_SHARE * cost.time_s);
+            cost.savings.retain(|(_, saved)| *saved >= least);
+            cost.savings.sort_by(|a, b| b.1.total_cmp(&a.1));
+        }
+        self.costs
+    }
+}
+
+/// Adds what a remedy saves to the same remedy of other rows.
+fn add(savings: &mut Vec<(Remedy, f64)>, remedy: Remedy, saved: f64) {
+    let like = |known: &Remedy| match (known, &remedy) {
+        (Remedy::Arcs { within_mm: a, .. }, Remedy::Arcs { within_mm: b, .. }) => a == b,
+        (known, new) => known == new,
+    };
+    match savings.iter_mut().find(|(known, _)| like(known)) {
+        Some((known, sum)) => {
+            *sum += saved;
+            if let (Remedy::Arcs { pieces, .. }, Remedy::Arcs { pieces: more, .. }) =
+                (known, remedy)
+            {
+                *pieces += more;
+            }
+        }
+        None => savings.push((remedy, saved)),
+    }
+}
+
+fn is_short(motion: &Move) -> bool {
+    motion.kind == MoveKind::Cut
+        && matches!(motion.curve, Curve::Line(_))
+        && motion.rotary_from == motion.rotary_to
+        && motion.length() < SHORT_S * motion.speed
+}
+
+fn tolerance_of(moves: &[Move]) -> f64 {
+    let of = |motion: &Move| match motion.corner {
+        Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => linear_mm,
+        Corner::Stop | Corner::Exact => f64::INFINITY,
+    };
+    moves.iter().map(of).fold(f64::INFINITY, f64::min)
+}
+
+/// The times of a row with one thing changed.
+fn remedies(moves: &[Move], unit_mm: f64, limits: &Limits) -> Vec<(Remedy, f64)> {
+    let mut out = Vec::new();
+    let mut tried = |remedy: Remedy, moves: &[Move]| out.push((remedy, time_of(moves, limits)));
+    if moves.iter().any(|motion| matches!(motion.corner, Corner::Apart { .. })) {
+        tried(Remedy::Joined, &with_corners(moves, None));
+    }
+    let tolerance = tolerance_of(moves);
+    if !tolerance.is_finite() || tolerance <= 0.0 {
+        return out;
+    }
+    if let Some(larger) = TOLERANCES.into_iter().find(|one| *one > 1.5 * tolerance) {
+        tried(Remedy::Tolerance(larger), &with_corners(moves, Some(larger)));
+    }
+    let points = points_of(moves);
+    if let Some(decimals) = decimals_of(&points, unit_mm) {
+        let rounding = unit_mm * 0.1_f64.powi(decimals as i32);
+        let fit = FitOptions { measure: Measure::Points, ..FitOptions::within(0.75 * rounding) };
+        if let Ok(pieces) = fit_path(&points, &fit) {
+            tried(Remedy::Decimals(decimals + 1), &at_the_same_places(moves, &points, &pieces));
+        }
+    }
+    let through = FitOptions { measure: Measure::Points, ..FitOptions::within(0.25 * tolerance) };
+    if let Ok(pieces) = fit_path(&points, &through) {
+        let within_mm = 0.25 * tolerance;
+        let finer = chords_of(moves, &pieces, within_mm);
+        if finer.len() > moves.len() {
+            tried(Remedy::Finer(within_mm), &finer);
+        }
+    }
+    let within_mm = 0.5 * tolerance;
+    if let Ok(pieces) = fit_path(&points, &FitOptions::within(within_mm)) {
+        let count = pieces.len() as u64;
+        // Otherwise they are the lines that they were.
+        if 2 * count < moves.len() as u64 {
+            let arcs = along(moves, pieces.iter().map(|piece| (piece.curve, piece.span[0])));
+            tried(Remedy::Arcs { within_mm, pieces: count }, &arcs);
+        }
+    }
+    out
+}
+
+/// The same moves with short blocks joined, and within another tolerance.
+fn with_corners(moves: &[Move], tolerance_mm: Option<f64>) -> Vec<Move> {
+    let corner = |corner: Corner| match corner {
+        Corner::Within { linear_mm, rotary_rad } => {
+            Corner::Within { linear_mm: tolerance_mm.unwrap_or(linear_mm), rotary_rad }
+        }
+        Corner::Apart { linear_mm, rotary_rad } => match tolerance_mm {
+            None => Corner::Within { linear_mm, rotary_rad },
+            Some(linear_mm) => Corner::Apart { linear_mm, rotary_rad },
+        },
+        corner => corner,
+    };
+    moves.iter().map(|motion| Move { corner: corner(motion.corner), ..*motion }).collect()
+}
+
+fn points_of(moves: &[Move]) -> Vec<Vec3> {
+    let first = moves.first().map(|motion| motion.curve.start());
+    first.into_iter().chain(moves.iter().map(|motion| motion.curve.end())).collect()
+}
+
+/// How many decimals the differences of coordinates have, in units of the program; `None` where they are
+/// not rounded, as after a rotation.
+fn decimals_of(points: &[Vec3], unit_mm: f64) -> Option<u32> {
+    (1..MOST_DECIMALS).find(|decimals| {
+        let factor = 10f64.powi(*decimals as i32) / unit_mm;
+        points.windows(2).all(|pair| {
+            (pair[1] - pair[0]).to_array().into_iter().all(|way| {
+                let units = way * factor;
+                (units - units.round()).abs() < 1e-3
+            })
+        })
+    })
+}
+
+/// Lines along the fitted pieces, with an end for each that they had.
+fn at_the_same_places(moves: &[Move], points: &[Vec3], pieces: &[FitPiece]) -> Vec<Move> {
+    let mut moved = points.to_vec();
+    for piece in pieces {
+        let [from, to] = piece.span;
+        let (first, last) = (from.ceil() as usize, to.floor() as usize);
+        for index in first..=last.min(points.len() - 1) {
+            moved[index] = piece.curve.nearest(points[index]).point;
+        }
+    }
+    let lines = moved
+        .windows(2)
+        .zip(moves)
+        .map(|(ends, motion)| Move { curve: Curve::Line(Line::new(ends[0], ends[1])), ..*motion });
+    lines.collect()
+}
+
+/// Lines along the fitted pieces, no farther from them than this.
+fn chords_of(moves: &[Move], pieces: &[FitPiece], within_mm: f64) -> Vec<Move> {
+    let lines = pieces.iter().flat_map(|piece| {
+        let chords = piece.curve.chords(within_mm, Placement::Inscribed);
+        let corners: Vec<Vec3> = chords.map(|chords| chords.collect()).unwrap_or_default();
+        let line = |ends: &[Vec3]| (Curve::Line(Line::new(ends[0], ends[1])), piece.span[0]);
+        corners.windows(2).map(line).collect::<Vec<_>>()
+    });
+    along(moves, lines)
+}
+
+/// Moves along curves that begin at points with these numbers, with the feed and corner of the move there.
+fn along(moves: &[Move], curves: impl Iterator<Item = (Curve, f64)>) -> Vec<Move> {
+    let mut out: Vec<Move> = curves
+        .map(|(curve, from)| {
+            let like = &moves[(from as usize).min(moves.len() - 1)];
+            Move { curve, ..*like }
+        })
+        .collect();
+    if let (Some(last), Some(end)) = (out.last_mut(), moves.last()) {
+        last.corner = end.corner;
+    }
+    out
+}
+
+/// The time of moves from rest to rest, s.
+fn time_of(moves: &[Move], limits: &Limits) -> f64 {
+    let mut planner = Planner::of_times(*limits);
+    let mut time_s = 0.0;
+    let mut take = |step: Step<'_, _>| {
+        if let Step::Stretch(stretch) = step {
+            time_s += stretch.duration_s() - stretch.overlap_s;
+        }
+    };
+    for motion in moves {
+        // A fitted piece too short to plan is no loss of time.
+        let _ = planner.push(motion, &mut take);
+    }
+    planner.finish(&mut take);
+    time_s
+}
