@@ -146,10 +146,10 @@ pub enum PathCode {
     CornerOverride,
     /// Corners as in `Continuous`, and the feed override has no effect (G63).
     Tapping,
-    /// Look-ahead control: on with this value of the letter, off with 0.
+    /// Look-ahead control: on with these values of the letter, off with 0.
     LookAhead {
         letter: u8,
-        on: u32,
+        on: &'static [u32],
     },
     /// How far corners are rounded, by level P or distance E (Haas G187).
     Smoothness,

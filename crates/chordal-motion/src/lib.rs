@@ -79,7 +79,7 @@ pub use law::{Work, law};
 pub use limits::{AxisLimit, LimitError, Limits, Quantity};
 pub use piece::{Jet, Piece};
 pub use planner::{Level, Planner, PlannerOptions};
-pub use reference::{Best, Effort, Gauge, Law, Least, ReferenceError, RunTimes, best, reference};
+pub use reference::{Effort, Gauge, Law, Least, ReferenceError, RunTimes, reference};
 pub use sample::{Sample, State};
 pub use sampler::Sampler;
 pub use segment::{Corner, Move, MoveError, MoveKind};

@@ -3,18 +3,18 @@
 use chordal_geometry::{AXES, Curve};
 
 use crate::Axes;
-use crate::bound::{Run, bound};
+use crate::bound::Run;
 use crate::cell::AxisArrays;
 use crate::dense::Dense;
+use crate::law::law;
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::profile::{Cell, Solver};
-use crate::reference::{self, best, reference};
 use crate::root::cbrt;
 use crate::segment::{Corner, Move, MoveError};
 use crate::smooth::span::{PathPart, Span, sealed::Keep};
 use crate::smooth::{End, Joint, Leg, Overlap, Passing, Row, Smoother, overlap_of};
-use crate::trajectory::{Step, Stretch};
+use crate::trajectory::{Phase, Step, Stretch};
 
 /// How hard a planner tries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -515,15 +515,6 @@ fn pieces_of(cells: &[Cell]) -> usize {
     cells.iter().map(|cell| cell.pieces as usize).sum()
 }
 
-/// Work that a stretch is worth: a second or two.
-const EFFORT: reference::Effort = reference::Effort {
-    step_s: 0.002,
-    least_nodes: 100,
-    most_nodes: 1500,
-    total_nodes: 1500,
-    programs: 4,
-};
-
 /// A quicker velocity profile for a stretch from rest to rest, where there is one. The speeds are the
 /// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
 fn improve(
@@ -535,7 +526,9 @@ fn improve(
     let limits = limits.with_jerk(shares[0].min(shares[1]));
     let Some(path) = Keep::path(&stretch.pieces) else { return };
     let Ok(run) = Run::new(path, speeds, 0.0, &limits) else { return };
-    let Ok(law) = reference(&run, &bound(&run), &EFFORT) else { return };
-    let Some(better) = best(&run, &law) else { return };
-    stretch.phases = better.or(&stretch.phases).phases;
+    let Some(phases) = law(&run, GAPS[1]).0 else { return };
+    let time_s = |phases: &[Phase]| phases.iter().map(|phase| phase.duration_s).sum::<f64>();
+    if time_s(&phases) < time_s(&stretch.phases) {
+        stretch.phases = phases;
+    }
 }

@@ -1,11 +1,12 @@
-//! The least time with limits of jerk, and the level best, against worked figures.
+//! The least time with limits of jerk, and the law of the level best, against worked figures.
 
 mod support;
 
 use chordal_motion::{
-    Best, Bound, Corner, Effort, Gauge, Law, Level, Limits, Move, Phase, Piece, Planner,
-    PlannerOptions, Run, Step, Stretch, best, bound, largest_use, reference,
+    Bound, Corner, Effort, Gauge, Law, Level, Limits, Move, Phase, Piece, Planner, PlannerOptions,
+    Run, Step, Stretch, bound, largest_use, reference,
 };
+use support::best::{Best, best};
 use support::figures::{arc, bang_bang, ellipse, near};
 use support::law::{Law as Ramps, straight_piece as line};
 use support::{cut, limits};
@@ -27,7 +28,7 @@ fn solve(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Found {
     let run = Run::new(pieces, speeds, 0.0, limits).unwrap();
     let bound = bound(&run);
     let law = reference(&run, &bound, &Effort::default()).unwrap();
-    let best = best(&run, &law).unwrap();
+    let best = best(&run).unwrap();
     println!(
         "bound {:.5} reference {:.5} (change {:.0e}, {} nodes) best {:.5}",
         bound.time_s,
@@ -54,7 +55,8 @@ fn a_line_takes_its_seven_phases() {
             solve(&[line([0.0; 3], [way, 0.0, 0.0])], &[speed], &limits(500.0, 5000.0, 1e5));
         let expected = seven_phases(way, speed, 5000.0, 1e5);
         near(found.law.time_s, expected, 1e-3);
-        near(found.best.time_s, expected, 5e-4);
+        // The planner has the seven phases of a line themselves; the law is near them.
+        near(found.best.time_s, expected, 4e-3);
     }
     // The figure of the 100 mm line: 0.350 s.
     near(seven_phases(100.0, 500.0, 5000.0, 1e5), 0.35, 1e-9);
@@ -64,7 +66,7 @@ fn a_line_takes_its_seven_phases() {
 fn a_diagonal_uses_all_axes() {
     // Along the diagonal of a cube the path may do √3 times what an axis may.
     let found = solve(&[line([0.0; 3], [30.0; 3])], &[f64::INFINITY], &limits(500.0, 5000.0, 1e5));
-    near(found.best.time_s, seven_phases(30.0, 500.0, 5000.0, 1e5), 5e-4);
+    near(found.best.time_s, seven_phases(30.0, 500.0, 5000.0, 1e5), 4e-3);
 }
 
 #[test]
@@ -100,7 +102,7 @@ fn cutting_a_line_changes_nothing() {
     let cut = solve(&cuts, &[400.0; 1000], &machine);
     near(cut.bound.time_s, whole.bound.time_s, 1e-4);
     near(cut.law.time_s, whole.law.time_s, 1e-5);
-    near(cut.best.time_s, whole.best.time_s, 1e-5);
+    near(cut.best.time_s, whole.best.time_s, 2e-4);
 }
 
 #[test]
@@ -133,7 +135,7 @@ fn a_run_may_begin_at_speed() {
     // The stop from 50 mm/s takes 2√(50/1e5) s, over half that time at 50 mm/s.
     let stop = 2.0 * (50.0f64 / 1e5).sqrt();
     near(law.time_s, (10.0 - 25.0 * stop) / 50.0 + stop, 1e-3);
-    assert_eq!(best(&run, &law), None);
+    near(best(&run).unwrap().time_s, law.time_s, 2e-3);
 }
 
 #[test]
@@ -143,17 +145,6 @@ fn the_same_run_has_the_same_law_to_the_bit() {
     let again = solve(&[arc(2.0, 1.0, 0.0)], &[100.0], &machine);
     assert_eq!(first.law, again.law);
     assert_eq!(first.best, again.best);
-}
-
-#[test]
-fn the_better_of_two_is_taken() {
-    let machine = limits(500.0, 5000.0, 1e5);
-    let found = solve(&[line([0.0; 3], [1.0, 0.0, 0.0])], &[500.0], &machine);
-    let mut slower = found.best.phases.clone();
-    slower[0].duration_s += 1.0;
-    assert_eq!(found.best.clone().or(&slower), found.best);
-    let quicker = &found.best.phases[1..];
-    assert_eq!(found.best.clone().or(quicker).phases, quicker);
 }
 
 #[test]

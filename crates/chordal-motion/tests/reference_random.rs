@@ -1,12 +1,11 @@
-//! The bound, the reference and the level best on random runs.
+//! The bound, the reference and the law of the level best on random runs.
 
 mod support;
 
-use chordal_motion::{
-    Best, Effort, Limits, Piece, Run, Stretch, best, bound, largest_use, reference,
-};
+use chordal_motion::{Effort, Limits, Piece, Run, Stretch, bound, largest_use, reference};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use support::best::{Best, best};
 use support::figures::{chain, reversed, scaled};
 use support::limits;
 
@@ -30,7 +29,7 @@ fn times(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Times {
     let run = Run::new(pieces, speeds, 0.0, limits).unwrap();
     let bound = bound(&run);
     let law = reference(&run, &bound, &EFFORT).unwrap();
-    let best = best(&run, &law).expect("a law from rest to rest");
+    let best = best(&run).expect("a law from rest to rest");
     Times { bound: bound.time_s, reference: law.time_s, best }
 }
 

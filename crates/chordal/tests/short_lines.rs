@@ -42,6 +42,7 @@ fn each_control_joins_short_lines_where_its_table_says_so() {
     for (machine, code, joined) in [
         ("fanuc-0i", "", false),
         ("fanuc-0i", "G05.1 Q1", true),
+        ("fanuc-0i", "G05.1 Q3", true),
         ("fanuc-0i", "G05 P10000", true),
         ("fanuc-0i", "G05.1 Q1\nG05.1 Q0", false),
         ("mitsubishi-m700", "", false),

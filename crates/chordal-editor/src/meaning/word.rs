@@ -183,6 +183,7 @@ fn path_mode(code: PathCode, letter: u8) -> Option<String> {
             _ => return None,
         },
         PathCode::LookAhead { letter: own, on } => {
+            let on = on.iter().map(u32::to_string).collect::<Vec<_>>().join(" or ");
             return (own == letter).then(|| format!("{on} switches look-ahead on, 0 off"));
         }
         PathCode::Smoothness => match letter {

@@ -41,7 +41,7 @@ impl Interpreter<'_> {
             PathCode::LookAhead { letter, on } => {
                 match self.count_of(block, letter) {
                     Some(0) => self.kernel.state.path.set_look_ahead(&rules, false),
-                    Some(value) if value == on => {
+                    Some(value) if on.contains(&value) => {
                         self.kernel.state.path.set_look_ahead(&rules, true);
                     }
                     // Another use of the code, or none that we know.

@@ -19,9 +19,12 @@ const TURN: f64 = 0.04;
 const ROUNDS: usize = 12;
 /// Into no more parts at once.
 const MOST_PARTS: f64 = 8.0;
-/// The first cell from rest takes so long at full jerk, s; the next end later by `STEP_S` each.
-const FIRST_S: f64 = 0.008;
-const STEP_S: f64 = 0.0032;
+/// The first cell from rest takes so long at full jerk at most, s, and this share of the time in which jerk
+/// alone makes the speed; each of the next ends later by a share.
+const FIRST_S: f64 = 0.02;
+const FIRST_SHARE: f64 = 0.3;
+const GROWTH: f64 = 0.15;
+const GROWING: u32 = 16;
 /// No more cells: a longer run keeps the law that it has.
 const MOST_CELLS: usize = 200_000;
 
@@ -67,13 +70,16 @@ pub(super) struct Grid {
     pub axes: Vec<usize>,
     /// For each cell the largest coefficient without jerk.
     pub bound: Vec<f64>,
+    /// Cells are so many times as long as usual.
+    scale: f64,
     cuts: Vec<(f64, u32)>,
     spare: Vec<(f64, u32)>,
 }
 
 impl Grid {
     /// Lays the grid of a run; false when it would be too large.
-    pub fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2]) -> bool {
+    pub fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], scale: f64) -> bool {
+        self.scale = scale;
         self.first_cuts(run, ends);
         for _ in 0..ROUNDS {
             self.fill(run, ends);
@@ -111,16 +117,16 @@ impl Grid {
             if !jerk.is_finite() {
                 continue;
             }
-            let mut t = FIRST_S.min(0.3 * cbrt(length / jerk));
-            let step = STEP_S * t / FIRST_S;
-            for _ in 0..16 {
+            let by_speed = FIRST_SHARE * (2.0 * run.speed_cap(index, &jet) / jerk).sqrt();
+            let mut t = FIRST_S.min(by_speed).min(0.3 * cbrt(length / jerk));
+            for _ in 0..(f64::from(GROWING) / self.scale) as u32 {
                 let way = jerk * t * t * t / 6.0;
                 if way > 0.25 * length {
                     break;
                 }
                 let at = if side == 0 { way } else { length - way };
                 self.cuts.push((at, run.piece_at(at) as u32));
-                t += step;
+                t *= 1.0 + GROWTH * self.scale;
             }
         }
         self.tidy(length);
@@ -210,7 +216,7 @@ impl Grid {
             let at_rest = (index == 0 && ends[0] == Ends::Rest)
                 || (index + 1 == count && ends[1] == Ends::Rest);
             let speed = self.bound[begin + index].sqrt();
-            let long_s = LONGEST_S.min(SHARE_OF_RAMP * (speed / least_jerk).sqrt());
+            let long_s = self.scale * LONGEST_S.min(SHARE_OF_RAMP * (speed / least_jerk).sqrt());
             let mut parts =
                 if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
             let jerk = run.limits().jerk();

@@ -52,6 +52,9 @@ struct Begin {
     before: Option<(usize, Side)>,
 }
 
+/// A law nearer the least time than this needs smaller cells, down to this share of the usual length.
+const USUAL_GAP: f64 = 2e-4;
+const FINEST: f64 = 0.25;
 /// A window takes so long at least without jerk, s.
 const WINDOW_S: f64 = 0.5;
 /// So much of its end is solved again by the next, s.
@@ -98,7 +101,7 @@ pub(crate) struct Planner {
 impl Planner {
     /// The law of a run as phases; `None` where none was found within all limits.
     pub fn plan(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Vec<Phase>> {
-        if !self.grid.lay(run, ends) {
+        if !self.grid.lay(run, ends, (gap / USUAL_GAP).clamp(FINEST, 1.0)) {
             return None;
         }
         self.work.cells += self.grid.cells.len() as u64;
@@ -323,23 +326,28 @@ impl Planner {
     /// Lowers what may be used where the phases use too much; whether they do.
     fn take_back(&mut self, run: &Run<'_>, from: usize, (first, last): (usize, usize)) -> bool {
         const MORE: f64 = 1.0015;
+        const MORE_SPEED: f64 = 1.000_02;
         let mut over = false;
+        let mut speed = 1.0 + ROUNDING;
         for cell in first..last {
             let used = self.grid.use_of(cell, &self.window, from, run);
+            speed = speed.max(used.velocity);
             if used.jerk > 1.0 + ROUNDING {
                 self.grid.cells[cell].share /= used.jerk * MORE;
                 over = true;
             }
-            for node in [cell, cell + 1] {
-                if used.acceleration > 1.0 + ROUNDING {
+            if used.acceleration > 1.0 + ROUNDING {
+                for node in [cell, cell + 1] {
                     self.grid.nodes[node].share /= used.acceleration * MORE;
-                    over = true;
                 }
-                if used.velocity > 1.0 + ROUNDING {
-                    self.grid.nodes[node].cap /= (used.velocity * MORE).powi(2);
-                    over = true;
-                }
+                over = true;
             }
+        }
+        if speed > 1.0 + ROUNDING {
+            // Where a speed is held, what bulges out between two nodes moves on to the next ones.
+            let inner = self.grid.nodes.get_mut(first + 2..last - 1).unwrap_or_default();
+            inner.iter_mut().for_each(|node| node.cap /= (speed * MORE_SPEED).powi(2));
+            over = true;
         }
         over
     }

@@ -1,4 +1,4 @@
-//! The least time with limits of jerk, by convex programming: a yardstick, and the level "best".
+//! The least time with limits of jerk, by convex programming: a yardstick.
 //!
 //! 1. The bound without jerk gives b̄ ≥ b = σ̇².
 //! 2. A grid evenly spaced in time (`grid.rs`).
@@ -7,9 +7,6 @@
 //!    conic program; every law is a start for the next, and the times fall.
 //!
 //! 5. Cells that turn out to take longer than was aimed at are cut, and it goes on.
-//! 6. For the level best (`best.rs`) the law becomes phases of even jerk between the nodes
-//!    (`plan.rs`), which linear programs with the true jerks at both ends of each phase make
-//!    hold every limit (`polish.rs`); what is left is measured (`excess.rs`) and stretched away.
 //!
 //! A [`Gauge`] holds the steps of any planner against the bound and the reference.
 //!
@@ -19,18 +16,13 @@
 //! (Verscheure and others 2009 for the convex program without jerk; Debrouwere and others 2013
 //! for the sequence with jerk.)
 
-mod best;
 mod convex;
-mod excess;
 mod gauge;
 mod grid;
 mod law;
-mod plan;
-mod polish;
 mod program;
 
 use crate::bound::{Bound, Run};
-pub use best::{Best, best};
 use convex::{Jerk, Step, first_law};
 pub use gauge::{Gauge, Least, RunTimes};
 use grid::Grid;

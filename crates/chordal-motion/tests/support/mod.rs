@@ -1,8 +1,9 @@
-//! What tests and benchmarks of this crate share: limits and moves by hand, dense paths (`dense`), stretches by hand
+//! What tests and benchmarks of this crate share: limits and moves by hand, the law of the level best (`best`), dense paths (`dense`), stretches by hand
 //! (`law`), figures with worked times (`figures`), random paths (`random`), and what can be
 //! measured on a plan or on setpoints (`watch`).
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod best;
 pub mod dense;
 pub mod figures;
 pub mod law;

@@ -8,10 +8,10 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(20, Group::Motion, Motion(ArcCw), "IJKRQL", "arc or helix clockwise"),
     row(30, Group::Motion, Motion(ArcCcw), "IJKRQL", "arc or helix counter-clockwise"),
     row(40, Group::OneShot, Once(Dwell), "PXU", "dwell"),
-    row(50, Group::Auxiliary, by(b'P', 10_000), "PQR", "high-precision contour control"),
-    row(51, Group::Auxiliary, by(b'Q', 1), "QRP", "look-ahead contour control"),
+    row(50, Group::Auxiliary, by(b'P', &[10_000]), "PQR", "high-precision contour control"),
+    row(51, Group::Auxiliary, by(b'Q', &[1, 3]), "QRP", "look-ahead contour control"),
     row(71, Group::Auxiliary, NotFollowed, ANY_WORDS, "cylindrical interpolation"),
-    row(80, Group::Auxiliary, by(b'P', 1), "PQ", "look-ahead control"),
+    row(80, Group::Auxiliary, by(b'P', &[1]), "PQ", "look-ahead control"),
     row(90, Group::OneShot, Mode(Path(PathCode::ExactStopOnce)), "", "exact stop in this block"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZABCIJKHDQEST", "write offsets and data"),
     row(110, Group::Auxiliary, Mode(DataLinesOff), "", "data writing off"),
@@ -196,6 +196,6 @@ pub(super) const M_CODES: &[CodeRow] = &[
 ];
 
 /// Look-ahead on with this value of a letter.
-const fn by(letter: u8, on: u32) -> Action {
+const fn by(letter: u8, on: &'static [u32]) -> Action {
     Mode(Path(PathCode::LookAhead { letter, on }))
 }

@@ -10,10 +10,10 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(30, Group::Motion, Motion(ArcCcw), "IJKRPQL", "arc or helix counter-clockwise"),
     row(31, Group::Motion, Motion(SpiralCcw), "IJKPR", "spiral or cone counter-clockwise (type 1)"),
     row(40, Group::OneShot, Once(Dwell), "PXU", "dwell"),
-    row(50, Group::Auxiliary, by(b'P', 10_000), "PQ", "high-speed high-accuracy control II"),
-    row(51, Group::Auxiliary, by(b'Q', 1), "PQ", "high-speed high-accuracy control"),
+    row(50, Group::Auxiliary, by(b'P', &[10_000]), "PQ", "high-speed high-accuracy control II"),
+    row(51, Group::Auxiliary, by(b'Q', &[1]), "PQ", "high-speed high-accuracy control"),
     row(71, Group::Auxiliary, NotFollowed, ANY_WORDS, "cylindrical interpolation"),
-    row(80, Group::Auxiliary, by(b'P', 1), "P", "high-accuracy control"),
+    row(80, Group::Auxiliary, by(b'P', &[1]), "P", "high-accuracy control"),
     row(90, Group::OneShot, Mode(Path(PathCode::ExactStopOnce)), "", "exact stop in this block"),
     row(100, Group::OneShot, Once(SetData), "LPRXYZABCIJKHDQEST", "write offsets and data"),
     row(110, Group::Auxiliary, Mode(DataLinesOff), "", "data writing off"),
@@ -186,6 +186,6 @@ pub(super) const M_CODES: &[CodeRow] = &[
 ];
 
 /// Look-ahead on with this value of a letter.
-const fn by(letter: u8, on: u32) -> Action {
+const fn by(letter: u8, on: &'static [u32]) -> Action {
     Mode(Path(PathCode::LookAhead { letter, on }))
 }
