@@ -42,9 +42,8 @@ fn main() {
     );
     for (name, places) in paths.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
         let moves = dense::moves(places, 1000.0, tolerance);
-        // With rows that somebody waits for, corners are planned by themselves.
-        let (before, before_ms) = timed(&moves, limits, 1e9);
-        let (now, now_ms) = timed(&moves, limits, f64::INFINITY);
+        let (before, before_ms) = timed(&moves, limits, false);
+        let (now, now_ms) = timed(&moves, limits, true);
         let used = now.iter().map(|s| largest_use(s, &limits, 5)).fold(Use::default(), Use::or);
         let mut least = 0.0;
         for stretch in &now {
@@ -75,8 +74,8 @@ fn random(count: u64, limits: Limits) {
         let places = dense::harmonics(chord, 3 + seed as i32 % 2, seed);
         let tolerance = [0.002, 0.01, 0.05][seed as usize % 3];
         let moves = dense::moves(&places, [20.0, 100.0, 1000.0][seed as usize / 3 % 3], tolerance);
-        let (before, _) = timed(&moves, limits, 1e9);
-        let (now, _) = timed(&moves, limits, f64::INFINITY);
+        let (before, _) = timed(&moves, limits, false);
+        let (now, _) = timed(&moves, limits, true);
         let [before, time] = [before, now.clone()].map(|all| support::time_of(&all));
         if time < before {
             curves += 1;
@@ -95,8 +94,8 @@ fn random(count: u64, limits: Limits) {
     );
 }
 
-fn timed(moves: &[Move], limits: Limits, row_s: f64) -> (Vec<Stretch>, f64) {
-    let options = PlannerOptions { row_s, ..PlannerOptions::new(Level::Fast) };
+fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64) {
+    let options = PlannerOptions { joins, ..PlannerOptions::new(Level::Fast) };
     let mut planner = Planner::new(limits, options);
     let mut stretches: Vec<Stretch> = Vec::new();
     let mut take = |step: Step<'_>| {

@@ -33,15 +33,17 @@ pub struct PlannerOptions {
     pub level: Level,
     /// Moves are looked at together when they would take so long at their largest speeds, s.
     /// What is certain of them is emitted, so that a servo loop is fed early. Infinite: as
-    /// many as memory allows; dense lines are then planned as smooth curves, where that is quicker.
-    /// Otherwise every corner is passed by itself.
+    /// many as memory allows.
     pub row_s: f64,
+    /// Dense moves from rest to rest are planned as smooth curves, where that is quicker: at most 20,000
+    /// moves wait for their rest. Otherwise every corner is passed by itself.
+    pub joins: bool,
 }
 
 impl PlannerOptions {
     /// A planner that takes its time.
     pub fn new(level: Level) -> PlannerOptions {
-        PlannerOptions { level, row_s: f64::INFINITY }
+        PlannerOptions { level, row_s: f64::INFINITY, joins: true }
     }
 }
 
@@ -87,6 +89,8 @@ pub struct Planner<P = Piece> {
 #[derive(Debug)]
 struct Group {
     moves: Vec<Move>,
+    /// The time that they ask for by their feeds, s.
+    feed_s: f64,
     /// Until the next rest moves are planned as they come: one keeps its exact path, or there are
     /// too many or they are too long.
     passes: bool,
@@ -126,12 +130,12 @@ impl Planner<Span> {
 }
 
 impl<P: PathPart> Planner<P> {
-    /// A planner that looks at whole groups of moves, unless somebody waits for each row.
+    /// A planner that looks at whole groups of moves, where it may.
     fn whole(limits: Limits, options: PlannerOptions) -> Planner<P> {
-        let group = options.row_s.is_infinite().then(|| {
+        let group = options.joins.then(|| {
             let other = Planner::at_rest(limits, PlannerOptions::new(Level::Fast));
             let (moves, dense) = (Vec::new(), Dense::default());
-            Box::new(Group { moves, passes: false, dense, other })
+            Box::new(Group { moves, feed_s: 0.0, passes: false, dense, other })
         });
         Planner { group, ..Planner::at_rest(limits, options) }
     }
@@ -190,10 +194,10 @@ impl<P: PathPart> Planner<P> {
             self.plan_moves(take);
             return self.corner_by_corner(motion, start, take);
         }
-        group.moves.push(*motion);
+        group.push(motion);
         if rests {
             self.plan_group(take);
-        } else if group.moves.len() == ENOUGH && !group.is_dense() {
+        } else if group.is_long(self.options.row_s) && !group.is_dense() {
             group.passes = true;
             self.plan_moves(take);
         } else if group.moves.len() >= MANY {
@@ -210,9 +214,10 @@ impl<P: PathPart> Planner<P> {
             return self.plan_moves(take);
         };
         let after = group.moves.split_off(corner);
+        group.feed_s -= after.iter().map(|motion| motion.length() / motion.speed).sum::<f64>();
         self.plan_group(take);
         if let Some(group) = &mut self.group {
-            group.moves.extend_from_slice(&after);
+            after.iter().for_each(|motion| group.push(motion));
         }
     }
 
@@ -227,7 +232,7 @@ impl<P: PathPart> Planner<P> {
         }
         if let Some(group) = &mut self.group {
             group.moves = moves;
-            group.moves.clear();
+            group.clear();
         }
     }
 
@@ -249,7 +254,7 @@ impl<P: PathPart> Planner<P> {
                     self.stretch.overlap_s = stretch.overlap_s;
                     take(Step::Stretch(&self.stretch));
                 }
-                group.moves.clear();
+                group.clear();
             }
         }
         self.group = Some(group);
@@ -463,8 +468,22 @@ impl Group {
 
     /// Whether its moves are many and short for their feeds.
     fn is_dense(&self) -> bool {
-        let feed_s: f64 = self.moves.iter().map(|motion| motion.length() / motion.speed).sum();
-        self.moves.len() >= FEW && feed_s < DENSE_S * self.moves.len() as f64
+        self.moves.len() >= FEW && self.feed_s < DENSE_S * self.moves.len() as f64
+    }
+
+    fn push(&mut self, motion: &Move) {
+        self.feed_s += motion.length() / motion.speed;
+        self.moves.push(*motion);
+    }
+
+    fn clear(&mut self) {
+        self.moves.clear();
+        self.feed_s = 0.0;
+    }
+
+    /// Whether enough of it is known to see that the rest is not dense either, or somebody waits.
+    fn is_long(&self, row_s: f64) -> bool {
+        self.moves.len() >= FEW && (self.feed_s >= row_s || self.moves.len() == ENOUGH)
     }
 
     /// Its moves take no less with a stop at the end of each, s: by feed, acceleration or jerk alone.

@@ -56,7 +56,7 @@ fn a_line_takes_its_seven_phases() {
         let expected = seven_phases(way, speed, 5000.0, 1e5);
         near(found.law.time_s, expected, 1e-3);
         // The planner has the seven phases of a line themselves; the law is near them.
-        near(found.best.time_s, expected, 4e-3);
+        near(found.best.time_s, expected, 6e-3);
     }
     // The figure of the 100 mm line: 0.350 s.
     near(seven_phases(100.0, 500.0, 5000.0, 1e5), 0.35, 1e-9);

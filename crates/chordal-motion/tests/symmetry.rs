@@ -170,11 +170,11 @@ fn rows_of_any_length_give_one_time() {
         let limits = random_limits(&mut dice);
         let mut moves = random_path(&mut dice, &Mix { turn: 0.1, ..MIX });
         one_mode(&mut dice, &mut moves);
-        // Rows that somebody waits for are planned corner by corner.
         let whole = time_of(&plan(&moves, limits, Level::Fast));
         let mut first = None;
         for row_s in [0.01, 0.3, 1e9] {
-            let mut planner = Planner::new(limits, PlannerOptions { level: Level::Fast, row_s });
+            let mut planner =
+                Planner::new(limits, PlannerOptions { level: Level::Fast, row_s, joins: false });
             let mut time = 0.0;
             let mut take = |step: Step<'_>| {
                 if let Step::Stretch(stretch) = step {

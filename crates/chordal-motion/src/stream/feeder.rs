@@ -85,12 +85,12 @@ pub enum FeedError {
     Finished,
 }
 
-/// So many moves may be with the planner before it emits a step; then the axes stop after
-/// the last of them, which bounds memory whatever the program is.
 /// Moves are planned together when they would take so long at their largest speeds, s: well
 /// above any stop, well below what a window's late arrival would cost.
 const ROW_S: f64 = 1.0;
 
+/// So many moves may be with the planner before it emits a step; then the axes stop after
+/// the last of them, which bounds memory whatever the program is.
 const MOST_WITHIN: usize = 1 << 17;
 
 /// The push side of a stream, for any thread.
@@ -129,7 +129,7 @@ impl Feeder {
     ) -> Feeder {
         let planner = Planner::new(
             reduced(&limits, 1.0 - options.headroom),
-            PlannerOptions { level: Level::Fast, row_s: ROW_S },
+            PlannerOptions { level: Level::Fast, row_s: ROW_S, joins: true },
         );
         let line = Line {
             options,
