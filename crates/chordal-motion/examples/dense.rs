@@ -1,8 +1,13 @@
 //! Times of dense chords: as planned, and the least with and without jerk.
 //!
 //! ```text
-//! cargo run --release -p chordal-motion --example dense [NAME]
+//! cargo run --release -p chordal-motion --example dense [NAME [TOLERANCE]]
+//! cargo run --release -p chordal-motion --example dense random=1000
+//! cargo run --release -p chordal-motion --example dense properties=1000
 //! ```
+//!
+//! `random=` counts random paths that curves are quicker on. `properties=` changes one thing of a random path
+//! at a time and tells how much slower that makes it at most.
 
 #![allow(clippy::disallowed_methods, reason = "an example is a shell")]
 
@@ -12,7 +17,8 @@ mod support;
 use std::time::Instant;
 
 use chordal_motion::{
-    Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, bound, largest_use,
+    Corner, Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, bound,
+    largest_use,
 };
 use support::dense::{self, Places};
 
@@ -36,6 +42,9 @@ fn main() {
     let limits = support::limits(500.0, 5000.0, 1e5);
     if let Some(count) = wanted.strip_prefix("random=").and_then(|word| word.parse().ok()) {
         return random(count, limits);
+    }
+    if let Some(count) = wanted.strip_prefix("properties=").and_then(|word| word.parse().ok()) {
+        return properties(count);
     }
     println!(
         "path                      moves  corners       ms |  curves       ms  no jerk  acceleration    jerk  pieces  runs"
@@ -92,6 +101,85 @@ fn random(count: u64, limits: Limits) {
         "{curves} of {count} as curves, mean time {:.3} of corners, {worst:?}",
         ratio / count as f64
     );
+}
+
+/// How much slower one change makes random paths: the worst, and how many are above 0.02 % and 1 %.
+fn properties(count: u64) {
+    const NAMES: [&str; 9] = [
+        "feed × 1.26",
+        "acceleration × 1.26",
+        "jerk × 1.26",
+        "tolerance × 1.41",
+        "chords of half the length",
+        "one decimal less",
+        "one decimal less, and as long",
+        "backwards",
+        "than stops",
+    ];
+    let mut worst = [(0.0_f64, 0); 9];
+    let mut above = [[0_u64; 2]; 9];
+    let mut used = Use::default();
+    for seed in 1..=count {
+        let chord = [0.05, 0.1, 0.2, 0.4][seed as usize % 4];
+        let tolerance = [0.002, 0.005, 0.01, 0.02, 0.05][seed as usize % 5];
+        let feed = [30.0, 100.0, 250.0, 1000.0][seed as usize / 4 % 4];
+        let limits = |a: f64, j: f64| support::limits(500.0, 5000.0 * a, 1e5 * j);
+        let short = |places: &[[f64; 3]]| places[..places.len().min(1000)].to_vec();
+        let places = short(&dense::harmonics(chord, 4, seed));
+        let time_with = |places: &[[f64; 3]], feed: f64, tolerance: f64, limits: Limits| {
+            support::time_of(&timed(&dense::moves(places, feed, tolerance), limits, true).0)
+        };
+        let moves = dense::moves(&places, feed, tolerance);
+        let (stretches, _) = timed(&moves, limits(1.0, 1.0), true);
+        used = stretches.iter().map(|s| largest_use(s, &limits(1.0, 1.0), 5)).fold(used, Use::or);
+        let time = support::time_of(&stretches);
+        let halved: Places = places
+            .windows(2)
+            .flat_map(|ends| {
+                let middle = std::array::from_fn(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
+                [ends[0], middle]
+            })
+            .chain(places.last().copied())
+            .collect();
+        let rounded: Places = places
+            .iter()
+            .map(|place| place.map(|value| (value * 1000.0).round() / 1000.0))
+            .collect();
+        let mut back = places.clone();
+        back.reverse();
+        let stops: Vec<Move> =
+            moves.iter().map(|motion| Move { corner: Corner::Stop, ..*motion }).collect();
+        let stops = support::time_of(&timed(&stops, limits(1.0, 1.0), true).0);
+        let rounded_s = time_with(&rounded, feed, tolerance, limits(1.0, 1.0));
+        let length = |places: &[[f64; 3]]| {
+            dense::moves(places, feed, tolerance).iter().map(Move::length).sum::<f64>()
+        };
+        let ratios = [
+            time_with(&places, 1.26 * feed, tolerance, limits(1.0, 1.0)) / time,
+            time_with(&places, feed, tolerance, limits(1.26, 1.0)) / time,
+            time_with(&places, feed, tolerance, limits(1.0, 1.26)) / time,
+            time_with(&places, feed, 1.41 * tolerance, limits(1.0, 1.0)) / time,
+            time_with(&halved, feed, tolerance, limits(1.0, 1.0)) / time,
+            rounded_s / time,
+            rounded_s / time * length(&places) / length(&rounded),
+            time_with(&back, feed, tolerance, limits(1.0, 1.0)) / time,
+            time / stops,
+        ];
+        for (index, ratio) in ratios.into_iter().enumerate() {
+            if ratio - 1.0 > worst[index].0 {
+                worst[index] = (ratio - 1.0, seed);
+            }
+            above[index][0] += u64::from(ratio > 1.0002);
+            above[index][1] += u64::from(ratio > 1.01);
+        }
+    }
+    println!("{count} paths, use {used:?}");
+    for (name, ((worst, seed), [little, much])) in NAMES.iter().zip(worst.iter().zip(&above)) {
+        println!(
+            "{name:30} at most {:8.4} % slower (seed {seed}); above 0.02 % {little}, above 1 % {much}",
+            100.0 * worst
+        );
+    }
 }
 
 fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64) {

@@ -123,21 +123,44 @@ impl Dense {
     fn find_corners(&mut self, moves: &[Move]) {
         self.corners.clear();
         self.corners.push(0);
+        // The last corner that may yet turn out to be the lesser of two, with its cosine and tolerance.
+        let mut last: Option<(f64, f64)> = None;
+        let mut since = 0.0;
         for index in 1..moves.len() {
-            if self.turns(moves, index) {
+            since += moves[index - 1].length();
+            let Some((cosine, tolerance)) = self.turn(moves, index) else {
                 self.corners.push(self.firsts[index]);
+                last = None;
+                continue;
+            };
+            if cosine >= CORNER_COSINE {
+                continue;
             }
+            // Of a bend as sharp as the tolerance is wide only the sharpest joint is a corner.
+            match last {
+                Some((sharper, near)) if since < LOOK * near => {
+                    if cosine < sharper {
+                        self.corners.pop();
+                    } else {
+                        continue;
+                    }
+                }
+                _ => {}
+            }
+            self.corners.push(self.firsts[index]);
+            (last, since) = (Some((cosine, tolerance)), 0.0);
         }
         self.corners.push(self.owners.len());
     }
 
-    /// Whether the chords turn where a move begins, seen over some tolerances.
-    fn turns(&self, moves: &[Move], index: usize) -> bool {
-        let Corner::Within { linear_mm, .. } = moves[index - 1].corner else { return true };
+    /// The cosine of the turn where a move begins, seen over some tolerances, with the tolerance; `None`
+    /// where it is a corner in any case.
+    fn turn(&self, moves: &[Move], index: usize) -> Option<(f64, f64)> {
+        let Corner::Within { linear_mm, .. } = moves[index - 1].corner else { return None };
         // σ is of another kind where rotary axes alone move.
         let [turns, goes_on] = [index - 1, index].map(|at| moves[at].curve.length() <= 0.0);
         if turns != goes_on {
-            return true;
+            return None;
         }
         let tolerance = linear_mm.max(EXACT.linear_mm);
         // What turns between chords shorter than the tolerance may be rounding.
@@ -153,7 +176,9 @@ impl Dense {
             squares[0] += a * a;
             squares[1] += b * b;
         }
-        dot < CORNER_COSINE * (squares[0] * squares[1]).sqrt()
+        let size = (squares[0] * squares[1]).sqrt();
+        // Rotary axes alone have no angle in space.
+        Some((if size > 0.0 { dot / size } else { 1.0 }, tolerance))
     }
 
     /// The place so far from a vertex along the chords, or their end.

@@ -175,8 +175,10 @@ mod tests {
 
     #[test]
     fn the_certificate_bounds_every_distance_and_the_curve_has_no_steps() {
+        // More: `CHORDAL_ROUNDS=1000000 cargo test --release -p chordal-motion --lib certificate`.
+        let rounds = option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok());
         let mut smoothing = Smoothing::default();
-        for seed in 1..60 {
+        for seed in 1..rounds.unwrap_or(60) {
             let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);
             let chords = wave(seed);
             let (at, jets) = {

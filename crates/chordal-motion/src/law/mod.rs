@@ -60,7 +60,7 @@ const WINDOW_S: f64 = 0.5;
 /// So much of its end is solved again by the next, s.
 const LOOK_S: f64 = 0.15;
 /// Rounds of taking limits back where the phases use more than there is.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 10;
 /// Use of a limit above one by no more is rounding.
 const ROUNDING: f64 = 1e-9;
 /// Speeds whose squares differ by no larger share are passed at the lowest of them.
@@ -289,7 +289,7 @@ impl Planner {
             // The stop of a window that others follow is not the last word.
             let is_stop = to < count || sides[1] == Side::Fixed;
             let last = if is_stop { to - 1 } else { count };
-            if !self.take_back(run, from, (first, last)) {
+            if !self.take_back(run, from, (first, last), round) {
                 self.coefficients[from..to].copy_from_slice(&self.window);
                 self.solved = to;
                 return Some(());
@@ -324,28 +324,40 @@ impl Planner {
     }
 
     /// Lowers what may be used where the phases use too much; whether they do.
-    fn take_back(&mut self, run: &Run<'_>, from: usize, (first, last): (usize, usize)) -> bool {
+    fn take_back(
+        &mut self,
+        run: &Run<'_>,
+        from: usize,
+        (first, last): (usize, usize),
+        round: usize,
+    ) -> bool {
+        // What stays over is taken back more and more.
+        let more = |used: f64| (used * MORE).powi(1 + round as i32 / 2);
         const MORE: f64 = 1.0015;
         const MORE_SPEED: f64 = 1.000_02;
         let mut over = false;
-        let mut speed = 1.0 + ROUNDING;
+        let (mut speed, mut nodes) = (1.0 + ROUNDING, last..first);
         for cell in first..last {
             let used = self.grid.use_of(cell, &self.window, from, run);
-            speed = speed.max(used.velocity);
+            if used.velocity > 1.0 + ROUNDING {
+                speed = speed.max(used.velocity);
+                nodes = nodes.start.min(cell)..nodes.end.max(cell + 2);
+            }
             if used.jerk > 1.0 + ROUNDING {
-                self.grid.cells[cell].share /= used.jerk * MORE;
+                self.grid.cells[cell].share /= more(used.jerk);
                 over = true;
             }
             if used.acceleration > 1.0 + ROUNDING {
                 for node in [cell, cell + 1] {
-                    self.grid.nodes[node].share /= used.acceleration * MORE;
+                    self.grid.nodes[node].share /= more(used.acceleration);
                 }
                 over = true;
             }
         }
         if speed > 1.0 + ROUNDING {
             // Where a speed is held, what bulges out between two nodes moves on to the next ones.
-            let inner = self.grid.nodes.get_mut(first + 2..last - 1).unwrap_or_default();
+            let inner = nodes.start.max(first + 2)..nodes.end.min(last - 1);
+            let inner = self.grid.nodes.get_mut(inner).unwrap_or_default();
             inner.iter_mut().for_each(|node| node.cap /= (speed * MORE_SPEED).powi(2));
             over = true;
         }

@@ -80,8 +80,10 @@ pub(super) struct Newton {
     before: Vec<f64>,
     after: Vec<f64>,
     sum: Vec<f64>,
-    /// Largest b.
+    /// Largest b at each node, and on each cell: what bulges out between two nodes is below the cell's
+    /// coefficient.
     cap: Vec<f64>,
+    cell_cap: Vec<f64>,
     /// Two factors for each axis at each node, six for each axis on each cell.
     acceleration: Vec<[f64; 2]>,
     jerk: Vec<[f64; 6]>,
@@ -160,7 +162,7 @@ impl Newton {
     }
 
     fn stride(&self) -> usize {
-        1 + 6 * self.axes
+        2 + 6 * self.axes
     }
 
     fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2]) {
@@ -178,6 +180,8 @@ impl Newton {
         self.acceleration.resize((n + 1) * axes, [0.0; 2]);
         self.jerk.clear();
         self.jerk.resize(n * axes, [0.0; 6]);
+        self.cell_cap.clear();
+        self.cell_cap.extend(nodes.windows(2).map(|ends| ends[0].cap.min(ends[1].cap)));
         self.limits.clear();
         self.limits.extend(cells.iter().map(|cell| JERK * cell.share));
         self.shares.clear();
@@ -252,6 +256,9 @@ impl Newton {
         for node in self.first..=self.last + 1 {
             let b = self.before[node] * c[node - 1] + self.after[node] * c[node];
             share = share.min(near * self.cap[node] / b);
+        }
+        for k in self.first..=self.last {
+            share = share.min(near * self.cell_cap[k] / c[k]);
         }
         let (first, last) = (self.first, self.last);
         let near = |given: bool, far: usize| {
@@ -357,6 +364,10 @@ impl Newton {
             }
             if !is_cell || k < self.first.saturating_sub(1) || k > self.last + 1 {
                 continue;
+            }
+            if (self.first..=self.last).contains(&k) {
+                let cap = 1.0 / self.cell_cap[k];
+                take(place + self.stride() - 1, 1.0 - c1 * cap, Slope([0.0, cap, 0.0], 0.0));
             }
             let c2 = self.c[k + 1];
             let limit = self.limits[k];
