@@ -114,6 +114,8 @@ export interface Times {
   waits: [string, number][];
   longest: { line: number; runs: number; time_s: number; reason: string }[];
   refused: number;
+  /** How the control takes many short blocks. */
+  short_blocks: string | null;
   cuts_without_feed: number;
   assumed: number;
 }

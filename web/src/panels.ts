@@ -160,6 +160,7 @@ export function showTimes(
   if (times.cuts_without_feed > 0) {
     root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed: not in the time.`));
   }
+  if (times.short_blocks) root.append(rich(`Corners: ${times.short_blocks}.`, "more", "p"));
   if (times.assumed > 0) {
     root.append(element("p", "more", "Typical limits were used where the machine file gives none."));
   }

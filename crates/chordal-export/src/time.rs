@@ -1,6 +1,6 @@
 //! The time of a program as JSON.
 
-use chordal::control::{Origin, PathMode};
+use chordal::control::{Certainty, Field, Origin, PathField, PathMode, ShortBlocks};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{
@@ -220,4 +220,27 @@ fn assumed(motion: &MotionReport) -> Value {
         })
     };
     motion.limits.assumed.iter().map(row).collect()
+}
+
+/// How the control takes many short blocks, and how sure that is; `None` where no cut runs into the next.
+pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
+    let field = Field::Path(PathField::ShortBlocks);
+    let control = job.control();
+    let setting = control.table.settings.iter().find(|setting| setting.field == field)?;
+    let sure = match setting.certainty {
+        Certainty::Documented => "documented",
+        Certainty::Inferred => "inferred",
+        Certainty::Trade => "known in the trade",
+        Certainty::Unknown => "assumed",
+    };
+    let how = match (ends.joined, ends.within - ends.joined) {
+        (0, 0) => return None,
+        (0, _) if control.parameters.rules.path.short_blocks == ShortBlocks::LookAhead => {
+            "each corner is passed by itself: this control joins short blocks only with look-ahead on"
+        }
+        (0, _) => "each corner is passed by itself: this control joins no short blocks",
+        (_, 0) => "many short blocks are joined into one smooth curve",
+        _ => "many short blocks are joined into one smooth curve where look-ahead is on",
+    };
+    Some(format!("{how} ({sure}; setting `{}`)", setting.name))
 }

@@ -9,6 +9,7 @@ use chordal::motion::{
 };
 use chordal::path::PathBuilder;
 use chordal::{Job, Segment, SegmentKind, Span};
+use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
 
 use crate::answer;
@@ -59,6 +60,7 @@ pub fn times(
     told["type"] = json!("times");
     told["run"] = json!(number);
     told["refused"] = json!(timed.motion.refused_moves);
+    told["short_blocks"] = json!(short_blocks_text(&timed.time.cut_ends, job));
     told["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
     told["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = Frame::default();

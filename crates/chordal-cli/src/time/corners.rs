@@ -2,10 +2,10 @@
 
 use chordal::Job;
 use chordal::control::{
-    COMMON_SETTINGS, Certainty, Field, PathField, Setting, ShortBlocks, StartMode,
-    Units as ProgramUnits,
+    COMMON_SETTINGS, Field, PathField, Setting, StartMode, Units as ProgramUnits,
 };
 use chordal::time::TimeReport;
+use chordal_export::short_blocks_text;
 
 use crate::numbers::counted;
 
@@ -18,7 +18,7 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
         let tolerance = if least == most { most } else { format!("{least} to {most}") };
         let cuts = counted(ends.within, "cut runs", "cuts run");
         notes.push(format!("{cuts} into the next one, within {tolerance} of the corner"));
-        notes.extend(short_blocks(time, job));
+        notes.extend(short_blocks_text(ends, job));
     }
     let other = [
         (ends.exact, "in exact path mode: the tool stops at a corner"),
@@ -40,28 +40,6 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
         ));
     }
     notes
-}
-
-/// How the control takes many short blocks, and how sure that is.
-fn short_blocks(time: &TimeReport, job: &Job) -> Option<String> {
-    let ends = &time.cut_ends;
-    let setting = setting(job, PathField::ShortBlocks)?;
-    let sure = match setting.certainty {
-        Certainty::Documented => "documented",
-        Certainty::Inferred => "inferred",
-        Certainty::Trade => "known in the trade",
-        Certainty::Unknown => "assumed",
-    };
-    let how = match (ends.joined, ends.within - ends.joined) {
-        (0, 0) => return None,
-        (0, _) if job.control().parameters.rules.path.short_blocks == ShortBlocks::LookAhead => {
-            "each corner is passed by itself: this control joins short blocks with look-ahead on only"
-        }
-        (0, _) => "each corner is passed by itself: this control joins no short blocks",
-        (_, 0) => "many short blocks are joined into one smooth curve",
-        _ => "short blocks are joined into one smooth curve where look-ahead is on",
-    };
-    Some(format!("{how} ({sure}; setting `{}`)", setting.name))
 }
 
 /// The mode and the tolerance where the program says nothing, with the way to change them.
