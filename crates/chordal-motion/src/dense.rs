@@ -78,14 +78,20 @@ impl Dense {
         runs
     }
 
-    /// The number of the last move that begins at a corner.
+    /// The number of the last move that begins at a corner; without one of the move in the second half that
+    /// begins at the sharpest joint.
     pub fn last_corner(&mut self, moves: &[Move]) -> Option<usize> {
         if !self.cut(moves) {
             return None;
         }
         self.find_corners(moves);
-        let last = self.corners[..self.corners.len() - 1].last()?;
-        Some(self.owners[*last] as usize).filter(|index| *index > 0)
+        let last = *self.corners[..self.corners.len() - 1].last()?;
+        if last > 0 {
+            return Some(self.owners[last] as usize);
+        }
+        let half = moves.len() / 2 + 1..moves.len();
+        let cosine = |index: &usize| self.turn(moves, *index).map_or(-1.0, |(cosine, _)| cosine);
+        half.min_by(|a, b| cosine(a).total_cmp(&cosine(b)))
     }
 
     /// Cuts all moves into chords; false when there are too many.

@@ -35,7 +35,7 @@ pub struct PlannerOptions {
     /// What is certain of them is emitted, so that a servo loop is fed early. Infinite: as
     /// many as memory allows.
     pub row_s: f64,
-    /// Dense moves from rest to rest are planned as smooth curves, where that is quicker: at most 20,000
+    /// Dense moves from rest to rest are planned as smooth curves, where that is quicker: at most 50,000
     /// moves wait for their rest. Otherwise every corner is passed by itself.
     pub joins: bool,
 }
@@ -104,7 +104,7 @@ const FEW: usize = 8;
 /// When so many moves wait and are not dense, the rest of the group will not be either.
 const ENOUGH: usize = 4096;
 /// When so many moves wait, those before the last corner are planned.
-const MANY: usize = 20_000;
+const MANY: usize = 50_000;
 /// Moves that take longer on average at their feeds are not dense: their corners are best passed each by
 /// itself.
 const DENSE_S: f64 = 0.04;
@@ -205,8 +205,8 @@ impl<P: PathPart> Planner<P> {
         }
     }
 
-    /// Plans the kept moves up to their last corner; without one all of them, and what comes until the
-    /// next rest, corner by corner.
+    /// Plans the kept moves up to their last corner, or to their sharpest joint; where they have too many
+    /// chords all of them, and what comes until the next rest, corner by corner.
     fn plan_to_last_corner(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let Some(corner) = group.dense.last_corner(&group.moves) else {

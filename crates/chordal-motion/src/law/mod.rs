@@ -63,6 +63,8 @@ const LOOK_S: f64 = 0.15;
 const ROUNDS: usize = 10;
 /// Use of a limit above one by no more is rounding.
 const ROUNDING: f64 = 1e-9;
+/// So much is kept for what lies between the places of a phase that are looked at.
+const BETWEEN: f64 = 1e-5;
 /// Speeds whose squares differ by no larger share are passed at the lowest of them.
 const EVEN: f64 = 1e-3;
 /// An even speed that uses no more of acceleration and jerk is reached and left like one on a line.
@@ -343,11 +345,11 @@ impl Planner {
                 speed = speed.max(used.velocity);
                 nodes = nodes.start.min(cell)..nodes.end.max(cell + 2);
             }
-            if used.jerk > 1.0 + ROUNDING {
+            if used.jerk > 1.0 - BETWEEN {
                 self.grid.cells[cell].share /= more(used.jerk);
                 over = true;
             }
-            if used.acceleration > 1.0 + ROUNDING {
+            if used.acceleration > 1.0 - BETWEEN {
                 for node in [cell, cell + 1] {
                     self.grid.nodes[node].share /= more(used.acceleration);
                 }

@@ -10,8 +10,9 @@ use crate::verify::Use;
 /// On a part of a cell the speed changes by no larger share.
 const CHANGE: f64 = 0.04;
 const MOST_PARTS: f64 = 16.0;
-/// Places of a phase that are looked at, its start among them.
-const PROBES: u32 = 4;
+/// Places of a phase that are looked at, and where one of them uses nearly all of a limit.
+const PROBES: [u32; 2] = [4, 16];
+const NEARLY: f64 = 0.999;
 
 /// σ̇ and σ̈ at a node.
 #[derive(Clone, Copy, Debug)]
@@ -104,9 +105,14 @@ impl Grid {
         let mut used = Use::default();
         let piece = self.cells[cell].piece as usize;
         self.phases(cell, c, from, |phase| {
-            for probe in 0..=PROBES {
-                let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(PROBES));
-                used = used.or(self.use_at(run, piece, &along));
+            for count in PROBES {
+                for probe in 0..=count {
+                    let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(count));
+                    used = used.or(self.use_at(run, piece, &along));
+                }
+                if used.acceleration.max(used.jerk) < NEARLY {
+                    break;
+                }
             }
         });
         used
