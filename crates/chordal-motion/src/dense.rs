@@ -109,7 +109,7 @@ impl Dense {
                 Curve::Line(_) => 1.0,
                 _ => (length * (motion.curve.max_curvature() / (8.0 * error)).sqrt()).ceil(),
             };
-            if !(count < (MOST_CHORDS - self.owners.len()) as f64) {
+            if count.is_nan() || count >= (MOST_CHORDS - self.owners.len()) as f64 {
                 return false;
             }
             let count = count.max(1.0) as u32;

@@ -19,8 +19,8 @@ pub struct Row {
     pub linuxcnc_s: [f64; 3],
     /// The time that was asked of Chordal, s.
     pub most_s: Option<f64>,
-    /// Whether the level best and the reference are cheap enough to be found in each test.
-    pub best: bool,
+    /// Whether the reference is cheap enough to be found in each test.
+    pub reference: bool,
 }
 
 /// All of them.
@@ -42,7 +42,7 @@ pub const ROWS: [Row; 11] = [
     Row::file("rrect_g61", "rounded rectangle, F6000, G61", [2.106, 2.106, 3.571]),
     Row {
         formula: Some(spiral),
-        best: false,
+        reference: false,
         ..Row::file(
             "spiral2000_g64p001",
             "spiral of 2000 lines, F3000, G64 P0.01",
@@ -51,7 +51,7 @@ pub const ROWS: [Row; 11] = [
     },
     Row {
         formula: Some(raster),
-        best: false,
+        reference: false,
         ..Row::file(
             "raster4000_g64p001",
             "raster of 4000 lines, F3000, G64 P0.01",
@@ -67,7 +67,7 @@ pub fn folder() -> PathBuf {
 
 impl Row {
     const fn file(name: &'static str, title: &'static str, linuxcnc_s: [f64; 3]) -> Row {
-        Row { name, title, formula: None, linuxcnc_s, most_s: None, best: true }
+        Row { name, title, formula: None, linuxcnc_s, most_s: None, reference: true }
     }
 
     /// The program.

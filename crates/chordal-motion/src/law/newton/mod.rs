@@ -9,10 +9,12 @@
 //! Each cell may exceed its limits by an elastic share t ≥ 0, at a price: so there is always a
 //! start, and at the end t is nothing.
 
+mod begin;
 mod step;
 
 use super::Side;
 use super::grid::{Grid, rest_factor};
+use begin::Begin;
 
 /// What of the limits is used; the rest is for what lies between the nodes.
 const ACCELERATION: f64 = 0.998;
@@ -29,21 +31,6 @@ const ITERATIONS: usize = 60;
 const STUCK: f64 = 1e-8;
 /// The largest elastic share that is left.
 const ELASTIC: f64 = 3e-4;
-
-/// A window that is solved again begins with these shares of its solution and this elastic share, and
-/// with so many times the gap that is wanted.
-const AGAIN: f64 = 0.995;
-const NEAR_ELASTIC: f64 = 1e-5;
-const TAPER: f64 = 12.0;
-const FAR: f64 = 0.1;
-const NEAR_GAPS: f64 = 30.0;
-
-/// How near the solution a start is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Begin {
-    Far,
-    Near,
-}
 
 /// What a solution took.
 #[derive(Clone, Copy, Debug)]
@@ -242,66 +229,6 @@ impl Newton {
         }
     }
 
-    /// A start inside of all limits.
-    fn begin(&mut self, how: Begin) {
-        let n = self.count;
-        for k in self.first..=self.last {
-            self.c[k] = self.c[k].max(1e-12);
-        }
-        let mut c = std::mem::take(&mut self.c);
-        self.tie(&mut c);
-        // As a whole: a dent would ask for much jerk.
-        let near = if how == Begin::Far { NEAR } else { AGAIN };
-        let mut share = if how == Begin::Far { 1.0 } else { AGAIN };
-        for node in self.first..=self.last + 1 {
-            let b = self.before[node] * c[node - 1] + self.after[node] * c[node];
-            share = share.min(near * self.cap[node] / b);
-        }
-        for k in self.first..=self.last {
-            share = share.min(near * self.cell_cap[k] / c[k]);
-        }
-        let (first, last) = (self.first, self.last);
-        let near = |given: bool, far: usize| {
-            let part = if given { ((far + 1) as f64 / TAPER).min(1.0) } else { 1.0 };
-            part * part * (3.0 - 2.0 * part)
-        };
-        for k in first..=last {
-            let part =
-                near(self.rests[0].is_none(), k - first) * near(self.rests[1].is_none(), last - k);
-            c[k] *= 1.0 - (1.0 - share) * part;
-        }
-        self.tie(&mut c);
-        self.c = c;
-        self.elastic.clear();
-        self.elastic.resize(n, 0.0);
-        self.speeds();
-        for k in 1..n - 1 {
-            let used = self.largest_use(k);
-            self.elastic[k] = match how {
-                Begin::Far => (1.2 * used - 0.7).max(0.3),
-                Begin::Near => (1.2 * (used - 1.0)).max(0.0) + NEAR_ELASTIC,
-            };
-        }
-        if how == Begin::Far {
-            self.rows.clear();
-            self.rows.resize(n * self.stride(), Row::default());
-        }
-        self.slopes.clear();
-        self.slopes.resize(self.rows.len(), Slope([0.0; 3], 0.0));
-        self.folded.clear();
-        self.folded.resize(n, ([0.0; 3], 0.0));
-        self.elastic_price.clear();
-        self.elastic_price.resize(n, 0.0);
-        self.step.clear();
-        self.step.resize(n + 2, 0.0);
-        self.elastic_step.clear();
-        self.elastic_step.resize(n, 0.0);
-        for diagonal in &mut self.diagonals {
-            diagonal.clear();
-            diagonal.resize(n + 2, 0.0);
-        }
-    }
-
     /// b and 1/√b at the nodes.
     fn speeds(&mut self) {
         let n = self.count;
@@ -314,22 +241,6 @@ impl Newton {
             self.b[node] = b;
             self.root[node] = 1.0 / b.max(1e-300).sqrt();
         }
-    }
-
-    /// The largest use of the limits around a cell.
-    fn largest_use(&self, k: usize) -> f64 {
-        let c = [self.c[k - 1], self.c[k], self.c[k + 1]];
-        let mut most = 0.0_f64;
-        for axis in 0..self.axes {
-            let [x, y] = self.acceleration[k * self.axes + axis];
-            most = most.max((x * c[0] + y * c[1]).abs() / self.shares[k]);
-            let p = &self.jerk[k * self.axes + axis];
-            let left = p[0] * c[0] + p[1] * c[1] + p[2] * c[2];
-            let right = p[3] * c[0] + p[4] * c[1] + p[5] * c[2];
-            most = most.max(left.abs() / (self.limits[k] * self.root[k]));
-            most = most.max(right.abs() / (self.limits[k] * self.root[k + 1]));
-        }
-        most
     }
 
     /// The nodes with rows: those between two coefficients that are given have none.
@@ -440,10 +351,7 @@ impl Newton {
         let mut time = self.time();
         let price = price * time;
         let rows = self.rows.iter().filter(|row| row.slack > 0.0).count() + n - 2;
-        let mut mu = match how {
-            Begin::Far => FAR * time / rows as f64,
-            Begin::Near => NEAR_GAPS * gap * time / rows as f64,
-        };
+        let mut mu = how.open(gap) * time / rows as f64;
         for row in self.rows.iter_mut().filter(|row| row.slack > 0.0) {
             row.price = match how {
                 Begin::Far => mu / row.slack,
