@@ -23,6 +23,8 @@ const LOOK: f64 = 4.0;
 const STRAIGHT: f64 = 1e-9;
 /// A piece that bends by less, in tolerances, is a line.
 const BEND: f64 = 1e-7;
+/// A piece is not divided nearer to its ends, as a share of its length.
+const SLIVER: f64 = 0.1;
 /// The part of the tolerance that the chords of an arc may take, and the most chords of a group.
 const CHORD_ERROR: f64 = 1.0 / 32.0;
 const MOST_CHORDS: usize = 400_000;
@@ -239,17 +241,10 @@ impl Dense {
                     part += 1;
                 }
                 let motion = &moves[self.parts[part].index];
-                // On to the end of the piece, or where the feed changes.
-                let same = |part: &&Part| moves[part.index].speed == motion.speed;
-                let last = self.parts[part..].iter().take_while(same).find(|part| part.end >= end);
-                let changes = || {
-                    let next = self.parts[part..].iter().position(|part| !same(&part));
-                    next.map_or(end, |next| self.parts[part + next - 1].end.min(end))
-                };
-                let until = if last.is_some() { end } else { changes() };
+                let (until, feed) = same_feed(moves, &self.parts[part..], at, begin..end);
                 let start = if at > begin { ahead(&whole, at - begin, AXES) } else { whole };
                 let piece = Piece { length: until - at, base: None, start, tag: motion.tag };
-                self.speeds.push(motion.speed / rate(&piece).max(1.0));
+                self.speeds.push(feed / rate(&piece).max(1.0));
                 self.pieces.push(piece);
                 at = until;
             }
@@ -334,6 +329,33 @@ impl Dense {
         }
         out
     }
+}
+
+/// How far from a place on a piece the feed is the same, and the feed. What is left of the piece on either
+/// side is no sliver: that takes the lower of two feeds.
+fn same_feed(
+    moves: &[Move],
+    parts: &[Part],
+    at: f64,
+    Range { start, end }: Range<f64>,
+) -> (f64, f64) {
+    let least = SLIVER * (end - start);
+    let mut feed = moves[parts[0].index].speed;
+    for pair in parts.windows(2) {
+        let until = pair[0].end;
+        if until >= end {
+            break;
+        }
+        let next = moves[pair[1].index].speed;
+        if next == feed {
+            continue;
+        }
+        if until - at >= least && end - until >= least {
+            return (until, feed);
+        }
+        feed = feed.min(next);
+    }
+    (end, feed)
 }
 
 /// A piece of a length, without bends that are rounding.

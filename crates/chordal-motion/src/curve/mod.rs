@@ -24,7 +24,7 @@ use fit::Spline;
 use width::Widths;
 
 /// Rounds of narrower widths.
-const ROUNDS: usize = 20;
+const ROUNDS: usize = 60;
 
 /// Widths are looked for so far from the ends of a chord, in tolerances.
 const APART: f64 = 16.0;
@@ -177,14 +177,18 @@ mod tests {
     fn the_certificate_bounds_every_distance_and_the_curve_has_no_steps() {
         // More: `CHORDAL_ROUNDS=1000000 cargo test --release -p chordal-motion --lib certificate`.
         let rounds = option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok());
+        let rounds = rounds.unwrap_or(60);
         let mut smoothing = Smoothing::default();
-        for seed in 1..rounds.unwrap_or(60) {
+        // A path with as many kinks as these has no curve now and then, and is planned corner by corner.
+        let mut without = 0;
+        for seed in 1..rounds {
             let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);
             let chords = wave(seed);
-            let (at, jets) = {
-                let smooth = smoothing.smooth(&chords, &measure).expect("a curve");
-                (smooth.at.to_vec(), smooth.jets.to_vec())
+            let Some(smooth) = smoothing.smooth(&chords, &measure) else {
+                without += 1;
+                continue;
             };
+            let (at, jets) = (smooth.at.to_vec(), smooth.jets.to_vec());
             let certified =
                 check::certify(&chords, &smoothing.spline, &measure, &mut Widths::default());
             assert!(certified <= 1.0);
@@ -219,5 +223,7 @@ mod tests {
                 assert!((end[0][axis] - place).abs() < 1e-9 * place.abs().max(1.0));
             }
         }
+        println!("{without} of {rounds} without a curve");
+        assert!(without * 500 <= rounds, "{without} of {rounds}");
     }
 }

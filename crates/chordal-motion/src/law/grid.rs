@@ -25,6 +25,9 @@ const FIRST_S: f64 = 0.02;
 const FIRST_SHARE: f64 = 0.3;
 const GROWTH: f64 = 0.15;
 const GROWING: u32 = 16;
+/// No such cell ends nearer to the end of a piece, as a share of its length: on a very short cell beside long
+/// ones a change of acceleration is a jerk without measure.
+const APART: f64 = 0.2;
 /// No more cells: a longer run keeps the law that it has.
 const MOST_CELLS: usize = 200_000;
 
@@ -118,6 +121,7 @@ impl Grid {
                 continue;
             }
             let by_speed = FIRST_SHARE * (2.0 * run.speed_cap(index, &jet) / jerk).sqrt();
+            let mut before = 0.0;
             let mut t = FIRST_S.min(by_speed).min(0.3 * cbrt(length / jerk));
             for _ in 0..(f64::from(GROWING) / self.scale) as u32 {
                 let way = jerk * t * t * t / 6.0;
@@ -125,7 +129,13 @@ impl Grid {
                     break;
                 }
                 let at = if side == 0 { way } else { length - way };
-                self.cuts.push((at, run.piece_at(at) as u32));
+                let piece = run.piece_at(at);
+                let (begins, ends) =
+                    (run.from(piece), run.from(piece) + run.pieces()[piece].length);
+                if (at - begins).min(ends - at) > APART * (way - before) {
+                    self.cuts.push((at, piece as u32));
+                }
+                before = way;
                 t *= 1.0 + GROWTH * self.scale;
             }
         }
