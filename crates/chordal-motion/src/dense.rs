@@ -260,7 +260,7 @@ impl Dense {
         let of_moves = self.owners[run.start] as usize..self.owners[run.end - 1] as usize + 1;
         let mut tolerance = [f64::INFINITY; 2];
         for motion in &moves[of_moves.start..of_moves.end - 1] {
-            if let Corner::Within { linear_mm, rotary_rad } = motion.corner {
+            if let Some((linear_mm, rotary_rad)) = motion.corner.tolerance() {
                 let own = [linear_mm.max(EXACT.linear_mm), rotary_rad.max(EXACT.rotary_rad)];
                 tolerance = [tolerance[0].min(own[0]), tolerance[1].min(own[1])];
             }
@@ -371,9 +371,8 @@ fn straightened(mut start: Jet, length: f64, measure: &Measure) -> Jet {
 
 /// The least tolerance of some moves, mm.
 fn tolerance_of(moves: &[Move]) -> f64 {
-    let of = |motion: &Move| match motion.corner {
-        Corner::Within { linear_mm, .. } => linear_mm.max(EXACT.linear_mm),
-        _ => f64::INFINITY,
+    let of = |motion: &Move| {
+        motion.corner.tolerance().map_or(f64::INFINITY, |(mm, _)| mm.max(EXACT.linear_mm))
     };
     moves.iter().map(of).fold(f64::INFINITY, f64::min)
 }

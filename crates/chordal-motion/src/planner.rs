@@ -214,7 +214,7 @@ impl<P: PathPart> Planner<P> {
             return self.plan_moves(take);
         };
         let after = group.moves.split_off(corner);
-        group.feed_s -= after.iter().map(|motion| motion.length() / motion.speed).sum::<f64>();
+        group.feed_s -= after.iter().map(Move::at_speed_s).sum::<f64>();
         self.plan_group(take);
         if let Some(group) = &mut self.group {
             after.iter().for_each(|motion| group.push(motion));
@@ -472,7 +472,7 @@ impl Group {
     }
 
     fn push(&mut self, motion: &Move) {
-        self.feed_s += motion.length() / motion.speed;
+        self.feed_s += motion.at_speed_s();
         self.moves.push(*motion);
     }
 
@@ -490,8 +490,8 @@ impl Group {
     fn least_with_stops_s(&self, limits: &Limits) -> f64 {
         let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
         let one = |motion: &Move| {
-            let (from, to, length) = (motion.from(), motion.to(), motion.length());
-            let mut least = length / motion.speed;
+            let (from, to) = (motion.from(), motion.to());
+            let mut least = motion.at_speed_s();
             for axis in 0..AXES {
                 let way = (to[axis] - from[axis]).abs();
                 if way > 0.0 && matches!(motion.curve, Curve::Line(_)) {

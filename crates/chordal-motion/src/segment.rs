@@ -29,6 +29,18 @@ pub enum Corner {
     },
 }
 
+impl Corner {
+    /// How far from it the axes may pass, where they may: mm, and rad of each rotary axis.
+    pub fn tolerance(&self) -> Option<(f64, f64)> {
+        match *self {
+            Corner::Stop | Corner::Exact => None,
+            Corner::Within { linear_mm, rotary_rad } | Corner::Apart { linear_mm, rotary_rad } => {
+                Some((linear_mm, rotary_rad))
+            }
+        }
+    }
+}
+
 /// What a move is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
@@ -85,6 +97,11 @@ impl Move {
         if length > 0.0 { length } else { self.turn() }
     }
 
+    /// How long it takes at its speed, s.
+    pub fn at_speed_s(&self) -> f64 {
+        self.length() / self.speed
+    }
+
     /// Way of the rotary axes, rad.
     fn turn(&self) -> f64 {
         (0..3).map(|i| (self.rotary_to[i] - self.rotary_from[i]).powi(2)).sum::<f64>().sqrt()
@@ -121,9 +138,7 @@ impl Move {
         if self.speed.is_nan() || self.speed <= 0.0 {
             return Err(MoveError::Speed(self.speed));
         }
-        if let Corner::Within { linear_mm, rotary_rad } | Corner::Apart { linear_mm, rotary_rad } =
-            self.corner
-        {
+        if let Some((linear_mm, rotary_rad)) = self.corner.tolerance() {
             for tolerance in [linear_mm, rotary_rad] {
                 if tolerance.is_nan() || tolerance < 0.0 {
                     return Err(MoveError::Tolerance(tolerance));

@@ -574,8 +574,7 @@ fn time_of(
     // No program has more moves than that.
     let Some(timed) = timed? else { return Ok(String::from("{}")) };
     let changes = if what_if { job.what_if(options, &job.changes())? } else { Vec::new() };
-    let unit_mm = if report.summary.inch { 25.4 } else { 1.0 };
-    let chords = if what_if { job.chord_costs(options, unit_mm)? } else { Vec::new() };
+    let chords = if what_if { job.chord_costs(options, report.summary.inch)? } else { Vec::new() };
     let least = bound.then(|| job.least(options, effort())).transpose()?;
     let document = TimeDocument {
         timed: &timed,

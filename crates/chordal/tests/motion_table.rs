@@ -8,8 +8,8 @@ mod motion_rows;
 
 use chordal::geometry::{ParamCurve, Vec3};
 use chordal::motion::{
-    Corner, Level, Limits, MachineLimits, MotionOptions, MotionStep, Move, PlanSink, Sample,
-    Sampler, Sources, Step, StepSource, Stretch,
+    Level, Limits, MachineLimits, MotionOptions, MotionStep, Move, PlanSink, Sample, Sampler,
+    Sources, Step, StepSource, Stretch,
 };
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_motion::{Effort, Gauge, Least, Use, largest_use};
@@ -101,12 +101,8 @@ impl Planned {
 
     /// The distance that the program allows, mm.
     fn allowed(&self) -> f64 {
-        self.moves.iter().fold(1e-6, |most, motion| match motion.corner {
-            Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => {
-                most.max(linear_mm)
-            }
-            Corner::Stop | Corner::Exact => most,
-        })
+        let of = |motion: &Move| motion.corner.tolerance().map_or(0.0, |(mm, _)| mm);
+        self.moves.iter().map(of).fold(1e-6, f64::max)
     }
 }
 

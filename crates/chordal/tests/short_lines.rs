@@ -79,7 +79,7 @@ fn circle(lines: u32, decimals: usize) -> String {
 
 fn cost(program: &str, changes: &[&str]) -> ChordCost {
     let job = job(program, "linuxcnc-mill", changes);
-    let mut costs = job.chord_costs(&MotionOptions::default(), 1.0).expect("limits");
+    let mut costs = job.chord_costs(&MotionOptions::default(), false).expect("limits");
     assert_eq!(costs.len(), 1);
     costs.remove(0)
 }

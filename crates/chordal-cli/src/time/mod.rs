@@ -192,8 +192,7 @@ fn chords(
     if !plans_again(options, timed, asked) {
         return Ok(Vec::new());
     }
-    let unit_mm = if inch { 25.4 } else { 1.0 };
-    job.chord_costs(options, unit_mm).map_err(|error| wrong_limit(&error))
+    job.chord_costs(options, inch).map_err(|error| wrong_limit(&error))
 }
 
 /// Whether the program is planned again with something changed.

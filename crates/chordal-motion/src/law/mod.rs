@@ -333,10 +333,10 @@ impl Planner {
         (first, last): (usize, usize),
         round: usize,
     ) -> bool {
-        // What stays over is taken back more and more.
-        let more = |used: f64| (used * MORE).powi(1 + round as i32 / 2);
         const MORE: f64 = 1.0015;
         const MORE_SPEED: f64 = 1.000_02;
+        // What stays over is taken back more and more.
+        let more = |used: f64| (used * MORE).powi(1 + round as i32 / 2);
         let mut over = false;
         let (mut speed, mut nodes) = (1.0 + ROUNDING, last..first);
         for cell in first..last {

@@ -74,17 +74,18 @@ struct Row {
 }
 
 impl Job<'_> {
-    /// What the short lines of each tool cost, and what would change that. `unit_mm` is the unit of the
-    /// program's coordinates.
+    /// What the short lines of each tool cost, and what would change that. `inch` says in which
+    /// unit its coordinates are rounded.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
     pub fn chord_costs(
         &self,
         options: &MotionOptions,
-        unit_mm: f64,
+        inch: bool,
     ) -> Result<Vec<ChordCost>, LimitError> {
         let limits = MachineLimits::of(self.machine())?;
+        let unit_mm = if inch { 25.4 } else { 1.0 };
         let mut costs =
             Costs { limits: limits.cut, unit_mm, row: Row::default(), lines: 0, costs: Vec::new() };
         let take = |step: &MotionStep, source: &StepSource| {
@@ -115,7 +116,7 @@ impl Costs {
                 self.lines += 1;
                 self.row.tool = source.tool;
                 self.row.moves.push(*motion);
-                if !matches!(motion.corner, Corner::Within { .. } | Corner::Apart { .. }) {
+                if motion.corner.tolerance().is_none() {
                     self.end_row();
                 }
             }
@@ -139,7 +140,7 @@ impl Costs {
         let cost = &mut self.costs[index];
         cost.lines += row.moves.len() as u64;
         cost.length_mm += row.moves.iter().map(Move::length).sum::<f64>();
-        cost.feed_s += row.moves.iter().map(|motion| motion.length() / motion.speed).sum::<f64>();
+        cost.feed_s += row.moves.iter().map(Move::at_speed_s).sum::<f64>();
         cost.time_s += time_s;
         cost.tolerance_mm = cost.tolerance_mm.min(tolerance_of(&row.moves));
         for (remedy, with_s) in tried {
@@ -181,14 +182,11 @@ fn is_short(motion: &Move) -> bool {
     motion.kind == MoveKind::Cut
         && matches!(motion.curve, Curve::Line(_))
         && motion.rotary_from == motion.rotary_to
-        && motion.length() < SHORT_S * motion.speed
+        && motion.at_speed_s() < SHORT_S
 }
 
 fn tolerance_of(moves: &[Move]) -> f64 {
-    let of = |motion: &Move| match motion.corner {
-        Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => linear_mm,
-        Corner::Stop | Corner::Exact => f64::INFINITY,
-    };
+    let of = |motion: &Move| motion.corner.tolerance().map_or(f64::INFINITY, |(mm, _)| mm);
     moves.iter().map(of).fold(f64::INFINITY, f64::min)
 }
 
