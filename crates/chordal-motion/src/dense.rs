@@ -171,12 +171,10 @@ impl Dense {
             return None;
         }
         let tolerance = linear_mm.max(EXACT.linear_mm);
-        // What turns between chords shorter than the tolerance may be rounding.
-        let look = |length: f64| if length < tolerance { LOOK * tolerance } else { length };
         let first = self.firsts[index];
         let here = &self.places[first];
-        let before = self.beyond(first, -look(self.lengths[first - 1]));
-        let after = self.beyond(first, look(self.lengths[first]));
+        let before = self.beyond(first, -self.look((0..first).rev(), tolerance));
+        let after = self.beyond(first, self.look(first..self.lengths.len(), tolerance));
         let (mut dot, mut squares) = (0.0, [0.0; 2]);
         for axis in 0..3 {
             let (a, b) = (here[axis] - before[axis], after[axis] - here[axis]);
@@ -187,6 +185,32 @@ impl Dense {
         let size = (squares[0] * squares[1]).sqrt();
         // Rotary axes alone have no angle in space.
         Some((if size > 0.0 { dot / size } else { 1.0 }, tolerance))
+    }
+
+    /// How far the direction of a chord is looked at, with the chords that follow it: over the line that they
+    /// go on in. Where that is shorter than the tolerance what turns may be rounding.
+    fn look(&self, mut chords: impl Iterator<Item = usize>, tolerance: f64) -> f64 {
+        let Some(first) = chords.next() else { return 0.0 };
+        let mut length = self.lengths[first];
+        if length >= tolerance {
+            return length;
+        }
+        let direction = self.direction(first);
+        for chord in chords {
+            if !is_same(&direction, &self.direction(chord)) {
+                break;
+            }
+            length += self.lengths[chord];
+            if length >= tolerance {
+                return length;
+            }
+        }
+        LOOK * tolerance
+    }
+
+    fn direction(&self, chord: usize) -> Axes {
+        let (from, to) = (&self.places[chord], &self.places[chord + 1]);
+        std::array::from_fn(|axis| (to[axis] - from[axis]) / self.lengths[chord])
     }
 
     /// The place so far from a vertex along the chords, or their end.
@@ -275,14 +299,11 @@ impl Dense {
         let mut last: Option<(Axes, f64)> = None;
         for chord in run {
             let (index, length) = (self.owners[chord] as usize, self.lengths[chord]);
-            let (from, to) = (&self.places[chord], &self.places[chord + 1]);
-            let direction: Axes = std::array::from_fn(|axis| (to[axis] - from[axis]) / length);
+            let direction = self.direction(chord);
             let speed = moves[index].speed;
-            let goes_on = last.is_some_and(|(before, known)| {
-                speed == known
-                    && before.iter().zip(&direction).all(|(a, b)| (a - b).abs() < STRAIGHT)
-            });
-            self.chords.push(*to, length, goes_on);
+            let goes_on = last
+                .is_some_and(|(before, known)| speed == known && is_same(&before, &direction));
+            self.chords.push(self.places[chord + 1], length, goes_on);
             let end = self.chords.length();
             match self.parts.last_mut() {
                 Some(part) if part.index == index => part.end = end,
@@ -329,6 +350,10 @@ impl Dense {
         }
         out
     }
+}
+
+fn is_same(one: &Axes, other: &Axes) -> bool {
+    one.iter().zip(other).all(|(a, b)| (a - b).abs() < STRAIGHT)
 }
 
 /// How far from a place on a piece the feed is the same, and the feed. What is left of the piece on either

@@ -47,7 +47,8 @@ pub(super) fn certify(
         most = most.max(off);
         if off > 1.0 {
             let fall = (FALL[1] / off.sqrt()).max(FALL[0]);
-            let reach = 1.5 * widths.boxes[chord].max(widths.knots[chord]);
+            let wide = |at: usize| widths.boxes[at].max(widths.knots[at]);
+            let reach = 1.5 * wide(chord).max(wide(chord + 1));
             let down = (0..=chord).rev().take_while(|k| chords.at[*k] >= begin - reach);
             down.for_each(|k| falls[k] = falls[k].min(fall));
             let up = (chord + 1..=chords.count()).take_while(|k| chords.at[*k] <= end + reach);

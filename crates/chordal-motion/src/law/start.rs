@@ -118,7 +118,7 @@ impl View<'_> {
             let length = self.length(cell);
             let (mut end, mut middle) = (acceleration, acceleration);
             for _ in 0..2 {
-                end = acceleration + self.growth(cell, b, middle, false) * length;
+                end = (acceleration + self.growth(cell, b, middle, false) * length).max(0.0);
                 middle = 0.5 * (acceleration + end);
             }
             let sum = length + self.length(next);
