@@ -99,6 +99,19 @@ impl View<'_> {
         most
     }
 
+    /// The largest coefficient of the cell after one at rest by the acceleration at the node between.
+    fn most_beside_rest(&self, [one, two]: [usize; 2], factor: f64) -> f64 {
+        let (own, other) = (self.length(one), self.length(two));
+        let sum = own + other;
+        let point = &self.grid.nodes[self.from + self.nodes(one)[1]];
+        let most = self.grid.axes.iter().fold(0.0_f64, |most, &axis| {
+            let [rate, bend] = point.by_acceleration.map(|row| row[axis]);
+            let change = self.sign() * rate * (1.0 - factor) / sum;
+            most.max((change + bend * (factor * other + own) / sum).abs())
+        });
+        ACCELERATION / most
+    }
+
     /// A law that is not above `most`, with growing acceleration as jerk allows it.
     fn pass(&self, most: &[f64], rest: Option<usize>, out: &mut [f64]) {
         let (one, two) = (self.cell(0), self.cell(1));
@@ -109,6 +122,7 @@ impl View<'_> {
             let factor = rest_factor(&cells[one], &cells[two]);
             let cap = JERK * self.grid.rest_cap(self.from + one, side) * (own + other);
             out[two] = out[two].min(cap / (factor * other + own));
+            out[two] = out[two].min(self.most_beside_rest([one, two], factor));
             out[one] = factor * out[two];
         }
         let mut acceleration = (out[two] - out[one]) / (own + other);
