@@ -39,7 +39,7 @@ fn main() {
         ("harmonics 4 decimals", dense::harmonics(0.1, 4, 1)),
         ("harmonics 3 decimals", dense::harmonics(0.05, 3, 1)),
     ];
-    let limits = support::limits(500.0, 1000.0, 1e6);
+    let limits = support::limits(500.0, 5000.0, 1e5);
     if let Some(count) = wanted.strip_prefix("random=").and_then(|word| word.parse().ok()) {
         return random(count, limits);
     }

@@ -44,9 +44,9 @@ pub(crate) struct Measure {
     /// One by the tolerance of X, Y and Z, and of the rotary axes.
     linear: f64,
     rotary: f64,
-    acceleration: Axes,
-    /// The least of X, Y and Z.
+    /// The least of the axes whose lengths σ is of.
     jerk: f64,
+    turns_only: bool,
     /// No width is smaller, mm or rad.
     least: f64,
 }
@@ -54,12 +54,12 @@ pub(crate) struct Measure {
 impl Measure {
     /// Tolerances in mm and rad, above zero, for σ in mm or, where rotary axes alone move, in rad.
     pub fn new(linear_mm: f64, rotary_rad: f64, turns_only: bool, limits: &AxisArrays) -> Measure {
-        let jerk = limits.jerk[..3].iter().fold(f64::INFINITY, |least, jerk| least.min(*jerk));
+        let jerks = if turns_only { &limits.jerk[3..] } else { &limits.jerk[..3] };
         Measure {
             linear: 1.0 / linear_mm,
             rotary: 1.0 / rotary_rad,
-            acceleration: limits.acceleration,
-            jerk,
+            jerk: jerks.iter().fold(f64::INFINITY, |least, jerk| least.min(*jerk)),
+            turns_only,
             least: if turns_only { rotary_rad } else { linear_mm },
         }
     }
@@ -77,19 +77,12 @@ impl Measure {
         linear.max(a.abs().max(b.abs()).max(c.abs()) * self.rotary)
     }
 
-    /// The largest speed around a bend, σ per s.
+    /// The largest speed around a bend by jerk, σ per s. Acceleration has no part in it: where it is the
+    /// limit the curve is a little wider than it need be, but more of it never makes the curve another one.
     fn fastest(&self, bend: &Axes) -> f64 {
-        let mut speed = 1e9_f64;
-        for (bend, acceleration) in bend.iter().zip(&self.acceleration) {
-            if bend.abs() > 1e-12 {
-                speed = speed.min((acceleration / bend.abs()).sqrt());
-            }
-        }
-        let square: f64 = bend[..3].iter().map(|bend| bend * bend).sum();
-        if square > 1e-24 {
-            speed = speed.min(cbrt(self.jerk / square));
-        }
-        speed
+        let bends = if self.turns_only { &bend[3..] } else { &bend[..3] };
+        let square: f64 = bends.iter().map(|bend| bend * bend).sum();
+        if square > 1e-24 { cbrt(self.jerk / square).min(1e9) } else { 1e9 }
     }
 }
 

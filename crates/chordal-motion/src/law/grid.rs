@@ -11,6 +11,8 @@ use crate::root::cbrt;
 const LONGEST_S: f64 = 0.004;
 /// Nor longer than this share of the time in which jerk alone makes the speed.
 const SHARE_OF_RAMP: f64 = 0.35;
+/// But no shorter cells are made for that: a ramp takes less where acceleration is the limit.
+const SHORTEST_S: f64 = 0.0005;
 /// H·√|q'''| on a cell: with it the limits between its ends are met within a thousandth.
 const THIRD: f64 = 0.08;
 /// An arc turns by no more on a cell, rad.
@@ -226,7 +228,8 @@ impl Grid {
             let at_rest = (index == 0 && ends[0] == Ends::Rest)
                 || (index + 1 == count && ends[1] == Ends::Rest);
             let speed = self.bound[begin + index].sqrt();
-            let long_s = self.scale * LONGEST_S.min(SHARE_OF_RAMP * (speed / least_jerk).sqrt());
+            let of_ramp = SHARE_OF_RAMP * (speed / least_jerk).sqrt();
+            let long_s = self.scale * of_ramp.clamp(SHORTEST_S, LONGEST_S);
             let mut parts =
                 if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
             let jerk = run.limits().jerk();
