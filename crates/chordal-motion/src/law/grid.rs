@@ -73,6 +73,9 @@ pub(super) struct Grid {
     pub cells: Vec<Cell>,
     /// The axes that move.
     pub axes: Vec<usize>,
+    /// Of each axis, jerk by velocity and by acceleration.
+    pub of_velocity: [f64; AXES],
+    pub of_acceleration: [f64; AXES],
     /// For each cell the largest coefficient without jerk.
     pub bound: Vec<f64>,
     /// Cells are so many times as long as usual.
@@ -159,7 +162,11 @@ impl Grid {
     }
 
     fn fill(&mut self, run: &Run<'_>, ends: [Ends; 2]) {
-        let (acceleration, jerk) = (run.limits().acceleration(), run.limits().jerk());
+        let limits = run.limits();
+        let (velocity, acceleration, jerk) =
+            (limits.velocity(), limits.acceleration(), limits.jerk());
+        self.of_velocity = std::array::from_fn(|axis| jerk[axis] / velocity[axis]);
+        self.of_acceleration = std::array::from_fn(|axis| jerk[axis] / acceleration[axis]);
         let shares = |row: &[f64; AXES], limits: &[f64; AXES]| -> [f64; AXES] {
             std::array::from_fn(|axis| row[axis] / limits[axis])
         };

@@ -1,7 +1,5 @@
 //! The law as phases of even jerk, and what they use of the limits.
 
-use chordal_geometry::AXES;
-
 use super::grid::Grid;
 use crate::bound::Run;
 use crate::trajectory::{Along, Phase};
@@ -103,12 +101,11 @@ impl Grid {
     /// What a cell's phases use of the limits, at most; of the velocity also what the feed leaves.
     pub fn use_of(&self, cell: usize, c: &[f64], from: usize, run: &Run<'_>) -> Use {
         let mut used = Use::default();
-        let piece = self.cells[cell].piece as usize;
         self.phases(cell, c, from, |phase| {
             for count in PROBES {
                 for probe in 0..=count {
                     let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(count));
-                    used = used.or(self.use_at(run, piece, &along));
+                    used = used.or(self.use_at(run, cell, &along));
                 }
                 if used.acceleration.max(used.jerk) < NEARLY {
                     break;
@@ -118,21 +115,38 @@ impl Grid {
         used
     }
 
-    fn use_at(&self, run: &Run<'_>, piece: usize, along: &Along) -> Use {
-        let [_, first, second, third] = run.jet(piece, along.sigma);
+    fn use_at(&self, run: &Run<'_>, cell: usize, along: &Along) -> Use {
+        let piece = self.cells[cell].piece as usize;
         let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
-        let limits = run.limits();
-        let (velocity, acceleration, jerk) =
-            (limits.velocity(), limits.acceleration(), limits.jerk());
-        let mut used = Use { velocity: v / run.feed(piece), ..Use::default() };
-        for axis in 0..AXES {
-            let (p, q, r) = (first[axis], second[axis], third[axis]);
-            used = used.or(Use {
-                velocity: (p * v).abs() / velocity[axis],
-                acceleration: (p * a + q * v * v).abs() / acceleration[axis],
-                jerk: (p * j + 3.0 * q * v * a + r * v * v * v).abs() / jerk[axis],
-            });
+        let square = v * v;
+        let mut most = [v / run.feed(piece), 0.0, 0.0];
+        let mut add = |axis: usize, p: f64, q: f64, r: f64| {
+            let used = [
+                (p * v).abs() * self.of_velocity[axis],
+                (p * a + q * square).abs() * self.of_acceleration[axis],
+                (p * j + v * (3.0 * q * a + r * square)).abs(),
+            ];
+            for (most, used) in most.iter_mut().zip(used) {
+                *most = if used > *most { used } else { *most };
+            }
+        };
+        if run.pieces()[piece].base.is_none() {
+            let [first, second] = &self.nodes[cell].by_jerk;
+            let third = &self.cells[cell].third[0];
+            let way = along.sigma - self.nodes[cell].at;
+            for &axis in &self.axes {
+                let (q, r) = (second[axis], third[axis]);
+                add(axis, first[axis] + way * (q + 0.5 * way * r), q + way * r, r);
+            }
+        } else {
+            let [_, first, second, third] = run.jet(piece, along.sigma);
+            let jerk = run.limits().jerk();
+            for &axis in &self.axes {
+                let [p, q, r] = [first, second, third].map(|row| row[axis] / jerk[axis]);
+                add(axis, p, q, r);
+            }
         }
-        used
+        let [velocity, acceleration, jerk] = most;
+        Use { velocity, acceleration, jerk }
     }
 }

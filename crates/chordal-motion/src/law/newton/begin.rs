@@ -1,6 +1,6 @@
 //! Where the Newton steps begin: inside of all limits, which the elastic shares make wide enough.
 
-use super::{NEAR, Newton, Row, Slope};
+use super::{NEAR, Newton};
 
 /// A window that is solved again begins with this share of its solution.
 const AGAIN: f64 = 0.995;
@@ -54,12 +54,6 @@ impl Newton {
                 Begin::Near => (1.2 * (used - 1.0)).max(0.0) + NEAR_ELASTIC,
             };
         }
-        if how == Begin::Far {
-            self.rows.clear();
-            self.rows.resize(n * self.stride(), Row::default());
-        }
-        self.slopes.clear();
-        self.slopes.resize(self.rows.len(), Slope([0.0; 3], 0.0));
         self.folded.clear();
         self.folded.resize(n, ([0.0; 3], 0.0));
         for list in [&mut self.elastic_price, &mut self.elastic_step] {
@@ -105,11 +99,9 @@ impl Newton {
         let c = [self.c[k - 1], self.c[k], self.c[k + 1]];
         let mut most = 0.0_f64;
         for axis in 0..self.axes {
-            let [x, y] = self.acceleration[k * self.axes + axis];
+            let [x, y] = self.pulls[k * self.axes + axis].slope;
             most = most.max((x * c[0] + y * c[1]).abs() / self.shares[k]);
-            let p = &self.jerk[k * self.axes + axis];
-            let left = p[0] * c[0] + p[1] * c[1] + p[2] * c[2];
-            let right = p[3] * c[0] + p[4] * c[1] + p[5] * c[2];
+            let [left, right] = self.bends[k * self.axes + axis].along(&c);
             most = most.max(left.abs() / (self.limits[k] * self.root[k]));
             most = most.max(right.abs() / (self.limits[k] * self.root[k + 1]));
         }

@@ -10,11 +10,13 @@
 //! start, and at the end t is nothing.
 
 mod begin;
+mod rows;
 mod step;
 
 use super::Side;
 use super::grid::{Grid, rest_factor};
 use begin::Begin;
+use rows::{Bend, Pull, Row};
 
 /// What of the limits is used; the rest is for what lies between the nodes.
 const ACCELERATION: f64 = 0.998;
@@ -24,8 +26,6 @@ const JERK: f64 = 0.9985;
 const TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
 /// So far towards a wall in one step.
 const NEAR: f64 = 0.97;
-/// No step takes away more of a coefficient.
-const MOST_FALL: f64 = 0.8;
 const ITERATIONS: usize = 60;
 /// An open gap below this share of the time closes no more.
 const STUCK: f64 = 1e-8;
@@ -37,24 +37,6 @@ const ELASTIC: f64 = 3e-4;
 pub(super) struct Solution {
     pub iterations: u32,
     pub converged: bool,
-}
-
-/// A row of limits at a place: slack and price.
-#[derive(Clone, Copy, Debug, Default)]
-struct Row {
-    slack: f64,
-    price: f64,
-}
-
-/// Factors of a row: of the three coefficients around a cell, and of its elastic share.
-#[derive(Clone, Copy, Debug)]
-struct Slope([f64; 3], f64);
-
-impl Slope {
-    #[inline(always)]
-    fn along(&self, step: &[f64; 3], elastic: f64) -> f64 {
-        self.0[0] * step[0] + self.0[1] * step[1] + self.0[2] * step[2] + self.1 * elastic
-    }
 }
 
 /// The memory of the solver, for one window after the other.
@@ -71,9 +53,12 @@ pub(super) struct Newton {
     /// coefficient.
     cap: Vec<f64>,
     cell_cap: Vec<f64>,
-    /// Two factors for each axis at each node, six for each axis on each cell.
-    acceleration: Vec<[f64; 2]>,
-    jerk: Vec<[f64; 6]>,
+    /// The rows of limits: of velocity at each node and on each cell, of the acceleration of each axis at each
+    /// node, of its jerk on each cell.
+    cap_rows: Vec<Row>,
+    cell_cap_rows: Vec<Row>,
+    pulls: Vec<Pull>,
+    bends: Vec<Bend>,
     shares: Vec<f64>,
     limits: Vec<f64>,
     lengths: Vec<f64>,
@@ -82,8 +67,6 @@ pub(super) struct Newton {
     root: Vec<f64>,
     elastic: Vec<f64>,
     elastic_price: Vec<f64>,
-    rows: Vec<Row>,
-    slopes: Vec<Slope>,
     diagonals: [Vec<f64>; 3],
     step: Vec<f64>,
     elastic_step: Vec<f64>,
@@ -144,14 +127,6 @@ impl Newton {
         Solution { iterations: warm.iterations + cold.iterations, ..cold }
     }
 
-    fn rows_of_node(&self) -> usize {
-        1 + 2 * self.axes
-    }
-
-    fn stride(&self) -> usize {
-        2 + 6 * self.axes
-    }
-
     fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2]) {
         let (n, axes) = (to - from, grid.axes.len());
         (self.count, self.axes) = (n, axes);
@@ -163,10 +138,11 @@ impl Newton {
             list.clear();
             list.resize(n + 1, 0.0);
         }
-        self.acceleration.clear();
-        self.acceleration.resize((n + 1) * axes, [0.0; 2]);
-        self.jerk.clear();
-        self.jerk.resize(n * axes, [0.0; 6]);
+        // Prices stay: the same window may be solved again.
+        self.cap_rows.resize(n + 1, Row::default());
+        self.cell_cap_rows.resize(n, Row::default());
+        self.pulls.resize((n + 1) * axes, Pull::default());
+        self.bends.resize(n * axes, Bend::default());
         self.cell_cap.clear();
         self.cell_cap.extend(nodes.windows(2).map(|ends| ends[0].cap.min(ends[1].cap)));
         self.limits.clear();
@@ -180,7 +156,7 @@ impl Newton {
             self.cap[node] = nodes[node].cap;
             for (place, &axis) in grid.axes.iter().enumerate() {
                 let [q1, q2] = nodes[node].by_acceleration.map(|row| row[axis]);
-                self.acceleration[node * axes + place] =
+                self.pulls[node * axes + place].slope =
                     [q2 * h * sum - q1 * sum, q2 * g * sum + q1 * sum];
             }
         }
@@ -194,13 +170,13 @@ impl Newton {
                 let [p, k] = nodes[cell].by_jerk.map(|row| row[axis]);
                 let [q, l] = nodes[cell + 1].by_jerk.map(|row| row[axis]);
                 let (k, l) = (3.0 * k * self.sum[cell], 3.0 * l * self.sum[cell + 1]);
-                self.jerk[cell * axes + place] = [
-                    p * a0 - k + third * self.before[cell],
-                    p * a1 + k + third * self.after[cell],
-                    p * a2,
-                    q * a0,
-                    q * a1 - l + fourth * self.before[cell + 1],
-                    q * a2 + l + fourth * self.after[cell + 1],
+                self.bends[cell * axes + place].slope = [
+                    [p * a0 - k + third * self.before[cell], q * a0],
+                    [
+                        p * a1 + k + third * self.after[cell],
+                        q * a1 - l + fourth * self.before[cell + 1],
+                    ],
+                    [p * a2, q * a2 + l + fourth * self.after[cell + 1]],
                 ];
             }
         }
@@ -243,66 +219,6 @@ impl Newton {
         }
     }
 
-    /// The nodes with rows: those between two coefficients that are given have none.
-    fn has_rows(&self, node: usize) -> bool {
-        node >= self.first && node <= self.last + 1
-    }
-
-    /// Goes over all rows of the nodes and cells with their slack, slope and place in the list.
-    /// The first coefficient that a slope is of is `k − 1`, where `k` is the row's cell; the last
-    /// node's slopes are of the cell that would follow it.
-    fn each_row(&self, mut take: impl FnMut(usize, f64, Slope)) {
-        let (n, axes) = (self.count, self.axes);
-        for k in 1..n {
-            let is_cell = k < n - 1;
-            let elastic = if is_cell { self.elastic[k] } else { 0.0 };
-            let place = k * self.stride();
-            let (c0, c1) = (self.c[k - 1], self.c[k]);
-            let (w0, w1) = (self.before[k], self.after[k]);
-            if self.has_rows(k) {
-                let cap = 1.0 / self.cap[k];
-                take(place, 1.0 - self.b[k] * cap, Slope([w0 * cap, w1 * cap, 0.0], 0.0));
-                let limit = self.shares[k];
-                let grows = if is_cell { -limit } else { 0.0 };
-                for axis in 0..axes {
-                    let [x, y] = self.acceleration[k * axes + axis];
-                    let used = x * c0 + y * c1;
-                    let room = limit * (1.0 + elastic);
-                    let at = place + 1 + 2 * axis;
-                    take(at, room - used, Slope([x, y, 0.0], grows));
-                    take(at + 1, room + used, Slope([-x, -y, 0.0], grows));
-                }
-            }
-            if !is_cell || k < self.first.saturating_sub(1) || k > self.last + 1 {
-                continue;
-            }
-            if (self.first..=self.last).contains(&k) {
-                let cap = 1.0 / self.cell_cap[k];
-                take(place + self.stride() - 1, 1.0 - c1 * cap, Slope([0.0, cap, 0.0], 0.0));
-            }
-            let c2 = self.c[k + 1];
-            let limit = self.limits[k];
-            let (r0, r1) = (self.root[k], self.root[k + 1]);
-            let fall = 0.5 * limit * (1.0 + elastic);
-            let (f0, f1) = (fall * r0 * r0 * r0, fall * r1 * r1 * r1);
-            let left = [f0 * w0, f0 * w1];
-            let right = [f1 * self.before[k + 1], f1 * self.after[k + 1]];
-            let rooms = [limit * (1.0 + elastic) * r0, limit * (1.0 + elastic) * r1];
-            let place = place + self.rows_of_node();
-            for axis in 0..axes {
-                let p = &self.jerk[k * axes + axis];
-                let at = place + 4 * axis;
-                let used = p[0] * c0 + p[1] * c1 + p[2] * c2;
-                let (t0, t1) = (-limit * r0, -limit * r1);
-                take(at, rooms[0] - used, Slope([p[0] + left[0], p[1] + left[1], p[2]], t0));
-                take(at + 1, rooms[0] + used, Slope([left[0] - p[0], left[1] - p[1], -p[2]], t0));
-                let used = p[3] * c0 + p[4] * c1 + p[5] * c2;
-                take(at + 2, rooms[1] - used, Slope([p[3], p[4] + right[0], p[5] + right[1]], t1));
-                take(at + 3, rooms[1] + used, Slope([-p[3], right[0] - p[4], right[1] - p[5]], t1));
-            }
-        }
-    }
-
     fn time(&self) -> f64 {
         let n = self.count;
         let speed = |node: usize| self.b[node] * self.root[node];
@@ -317,27 +233,6 @@ impl Newton {
         time
     }
 
-    /// Works out all slacks; the least of them.
-    fn slacks(&mut self) -> f64 {
-        let (mut rows, mut slopes) =
-            (std::mem::take(&mut self.rows), std::mem::take(&mut self.slopes));
-        let mut least = f64::INFINITY;
-        self.each_row(|at, slack, slope| {
-            rows[at].slack = slack;
-            slopes[at] = slope;
-            least = least.min(slack);
-        });
-        (self.rows, self.slopes) = (rows, slopes);
-        least
-    }
-
-    /// By how much the time may be above the least, s.
-    fn open(&self) -> f64 {
-        let of_rows: f64 = self.rows.iter().map(|row| row.slack * row.price).sum();
-        let cells = 1..self.count - 1;
-        of_rows + cells.map(|k| self.elastic[k] * self.elastic_price[k]).sum::<f64>()
-    }
-
     fn largest_elastic(&self) -> f64 {
         self.elastic[1..self.count - 1].iter().fold(0.0, |most, t| most.max(*t))
     }
@@ -350,14 +245,9 @@ impl Newton {
         }
         let mut time = self.time();
         let price = price * time;
-        let rows = self.rows.iter().filter(|row| row.slack > 0.0).count() + n - 2;
-        let mut mu = how.open(gap) * time / rows as f64;
-        for row in self.rows.iter_mut().filter(|row| row.slack > 0.0) {
-            row.price = match how {
-                Begin::Far => mu / row.slack,
-                Begin::Near => row.price.max(mu / row.slack),
-            };
-        }
+        let rows = (self.count_rows() + n - 2) as f64;
+        let mut mu = how.open(gap) * time / rows;
+        self.begin_prices(mu, how);
         for k in 1..n - 1 {
             let least = mu / self.elastic[k];
             self.elastic_price[k] = match how {
@@ -365,8 +255,8 @@ impl Newton {
                 Begin::Near => (10.0 * least).min(0.5 * price),
             };
         }
+        let mut open = self.open();
         for iterations in 0..ITERATIONS as u32 {
-            let open = self.open();
             let elastic = self.largest_elastic();
             if open < gap * time && elastic < ELASTIC {
                 return Solution { iterations, converged: true };
@@ -381,62 +271,18 @@ impl Newton {
             self.advance(mu, primal, dual);
             time = self.time();
             let done = primal.min(dual);
-            let open = self.open();
-            mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows as f64;
+            open = self.open();
+            mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows;
         }
         // A law within all limits is one, if not the best.
         let elastic = self.largest_elastic();
         Solution { iterations: ITERATIONS as u32, converged: elastic < ELASTIC }
     }
 
-    /// How far the step may be gone: by the slacks, and by their prices.
-    fn reach(&self, mu: f64) -> (f64, f64) {
-        let (n, stride) = (self.count, self.stride());
-        let (mut primal, mut dual) = (0.0_f64, 0.0_f64);
-        for k in 1..n {
-            let next = if k < n - 1 { self.step[k + 1] } else { 0.0 };
-            let step = [self.step[k - 1], self.step[k], next];
-            let elastic = if k < n - 1 { self.elastic_step[k] } else { 0.0 };
-            let rows = self.rows[k * stride..(k + 1) * stride].iter();
-            for (row, slope) in rows.zip(&self.slopes[k * stride..]) {
-                if row.slack <= 0.0 {
-                    continue;
-                }
-                let change = -slope.along(&step, elastic) / row.slack;
-                primal = primal.max(-change);
-                dual = dual.max(1.0 + change - mu / (row.slack * row.price));
-            }
-            if k < n - 1 {
-                let change = elastic / self.elastic[k];
-                primal = primal.max(-change);
-                dual = dual.max(1.0 + change - mu / (self.elastic[k] * self.elastic_price[k]));
-            }
-        }
-        let fall =
-            (self.first..=self.last).fold(0.0_f64, |most, k| most.max(-self.step[k] / self.c[k]));
-        let share = |most: f64, near: f64| if most > near { near / most } else { 1.0 };
-        (share(primal, NEAR).min(share(fall, MOST_FALL)), share(dual, NEAR))
-    }
-
     /// Takes the step; shorter where the limits turn out to be nearer.
     fn advance(&mut self, mu: f64, primal: f64, dual: f64) {
-        let (n, stride) = (self.count, self.stride());
-        for k in 1..n {
-            let next = if k < n - 1 { self.step[k + 1] } else { 0.0 };
-            let step = [self.step[k - 1], self.step[k], next];
-            let elastic = if k < n - 1 { self.elastic_step[k] } else { 0.0 };
-            for at in k * stride..(k + 1) * stride {
-                let (row, slope) = (&mut self.rows[at], &self.slopes[at]);
-                if row.slack > 0.0 {
-                    let change = -slope.along(&step, elastic);
-                    row.price += dual * ((mu - row.price * change) / row.slack - row.price);
-                }
-            }
-            if k < n - 1 {
-                let (t, price) = (self.elastic[k], self.elastic_price[k]);
-                self.elastic_price[k] += dual * ((mu - price * elastic) / t - price);
-            }
-        }
+        let n = self.count;
+        self.advance_prices(mu, dual);
         let (mut c, mut t) = std::mem::take(&mut self.trial);
         c.clone_from(&self.c);
         t.clone_from(&self.elastic);

@@ -1,6 +1,7 @@
 //! A Newton step: a matrix of five diagonals, and its solution.
 
-use super::{Newton, Slope};
+use super::Newton;
+use super::rows::Sums;
 
 impl Newton {
     /// The matrix of the step and its right side.
@@ -8,50 +9,17 @@ impl Newton {
         let n = self.count;
         self.diagonals.iter_mut().for_each(|diagonal| diagonal.fill(0.0));
         self.step.fill(0.0);
-        let stride = self.stride();
         for k in 1..n {
             let is_cell = k < n - 1;
-            let mut matrix = [0.0; 6];
-            let mut side = [0.0; 3];
-            let (mut mixed, mut own, mut own_side) = ([0.0; 3], 0.0, 0.0);
-            let rows = self.rows[k * stride..(k + 1) * stride].iter();
-            for (row, Slope(y, t)) in rows.zip(&self.slopes[k * stride..]) {
-                if row.slack <= 0.0 {
-                    continue;
-                }
-                let inverse = 1.0 / row.slack;
-                let weight = row.price * inverse;
-                let push = mu * inverse;
-                let w = [weight * y[0], weight * y[1], weight * y[2]];
-                matrix[0] += w[0] * y[0];
-                matrix[1] += w[1] * y[1];
-                matrix[2] += w[2] * y[2];
-                matrix[3] += w[0] * y[1];
-                matrix[4] += w[1] * y[2];
-                matrix[5] += w[0] * y[2];
-                for i in 0..3 {
-                    side[i] -= push * y[i];
-                    mixed[i] += w[i] * t;
-                }
-                own += weight * t * t;
-                own_side -= push * t;
-            }
+            let mut sums = Sums::default();
+            self.add_node(k, mu, &mut sums);
             if is_cell {
-                own += self.elastic_price[k] / self.elastic[k];
-                own_side += mu / self.elastic[k] - price;
-                let inverse = 1.0 / own;
-                let f = mixed.map(|value| value * inverse);
-                matrix[0] -= f[0] * mixed[0];
-                matrix[1] -= f[1] * mixed[1];
-                matrix[2] -= f[2] * mixed[2];
-                matrix[3] -= f[0] * mixed[1];
-                matrix[4] -= f[1] * mixed[2];
-                matrix[5] -= f[0] * mixed[2];
-                for i in 0..3 {
-                    side[i] -= f[i] * own_side;
-                }
-                self.folded[k] = (f, own_side * inverse);
+                self.add_cell(k, mu, &mut sums);
+                sums.own += self.elastic_price[k] / self.elastic[k];
+                sums.own_side += mu / self.elastic[k] - price;
+                self.folded[k] = sums.fold();
             }
+            let Sums { mut matrix, mut side, .. } = sums;
             self.add_time(k, &mut matrix, &mut side);
             let [d0, d1, d2] = &mut self.diagonals;
             d0[k - 1] += matrix[0];
