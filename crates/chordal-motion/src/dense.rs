@@ -301,8 +301,8 @@ impl Dense {
             let (index, length) = (self.owners[chord] as usize, self.lengths[chord]);
             let direction = self.direction(chord);
             let speed = moves[index].speed;
-            let goes_on = last
-                .is_some_and(|(before, known)| speed == known && is_same(&before, &direction));
+            let goes_on =
+                last.is_some_and(|(before, known)| speed == known && is_same(&before, &direction));
             self.chords.push(self.places[chord + 1], length, goes_on);
             let end = self.chords.length();
             match self.parts.last_mut() {

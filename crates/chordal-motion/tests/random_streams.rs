@@ -93,6 +93,81 @@ fn moves(drafts: &[Draft]) -> Vec<Move> {
     moves
 }
 
+/// A dense run: chords of one length whose direction sways, with corners now and then.
+#[derive(Clone, Debug)]
+struct Dense {
+    count: usize,
+    chord: f64,
+    /// Largest bend, rad by the chord, and how many chords a sway takes.
+    bend: f64,
+    sway: f64,
+    corner_every: usize,
+    decimals: i32,
+    tolerance: f64,
+    speed: f64,
+    rotary: bool,
+}
+
+fn dense() -> impl Strategy<Value = Dense> {
+    (
+        20..400_usize,
+        0.02..0.6_f64,
+        prop_oneof![0.0..0.02, 0.02..0.3_f64],
+        5.0..200.0_f64,
+        prop_oneof![Just(1000_usize), 7..120_usize],
+        3..6_i32,
+        prop_oneof![Just(0.002), Just(0.01), Just(0.1)],
+        prop_oneof![15.0..60.0, 60.0..300.0_f64],
+        prop::bool::weighted(0.3),
+    )
+        .prop_map(
+            |(count, chord, bend, sway, corner_every, decimals, tolerance, speed, rotary)| Dense {
+                count,
+                chord,
+                bend,
+                sway,
+                corner_every,
+                decimals,
+                tolerance,
+                speed,
+                rotary,
+            },
+        )
+}
+
+impl Dense {
+    fn moves(&self) -> Vec<Move> {
+        let unit = 10f64.powi(self.decimals);
+        let round = |value: f64| (value * unit).round() / unit;
+        let within = Corner::Within { linear_mm: self.tolerance, rotary_rad: 1e-3 };
+        let mut heading = 0.0_f64;
+        let mut exact = Vec3::ZERO;
+        let mut at = Vec3::ZERO;
+        let mut rotary_from = [0.0; 3];
+        let mut moves = Vec::new();
+        for index in 0..self.count {
+            let phase = index as f64 / self.sway;
+            heading += self.bend * phase.sin();
+            if index % self.corner_every == self.corner_every - 1 {
+                heading += 1.5;
+            }
+            let (sin, cos) = heading.sin_cos();
+            exact += Vec3::new(cos, sin, 0.3 * (0.7 * phase).cos()) * self.chord;
+            let end = Vec3::new(round(exact.x), round(exact.y), round(exact.z));
+            if end == at {
+                continue;
+            }
+            let turn = if self.rotary { 0.05 * (0.5 * phase).sin() } else { 0.0 };
+            let rotary_to = [turn, 0.0, 0.0];
+            let tag = moves.len() as u64;
+            let motion = cut(Line::new(at, end).into(), self.speed, within);
+            moves.push(Move { rotary_from, rotary_to, tag, ..motion });
+            (at, rotary_from) = (end, rotary_to);
+        }
+        moves
+    }
+}
+
 #[derive(Clone, Debug)]
 struct Event {
     after: usize,
@@ -120,13 +195,18 @@ fn off_path(moves: &[Move], point: &Setpoint) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Every fourth move begins after a wait.
-fn waits_before(motion: &Move) -> bool {
-    motion.tag % 4 == 3
+/// Every fourth move begins after a wait, where there are waits.
+fn waits_before(motion: &Move, waits: bool) -> bool {
+    waits && motion.tag % 4 == 3
 }
 
 /// Pushes and pulls until the end; what the setpoints ask of the axes is in the watch.
-fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<Setpoint>) {
+fn run(
+    moves: &[Move],
+    waits: bool,
+    events: &[Event],
+    options: StreamOptions,
+) -> (Watch, Vec<Setpoint>) {
     let machine = machine();
     let (mut feeder, mut servo) = stream(machine, options, moves[0].from());
     let mut watch = Watch::default();
@@ -151,7 +231,7 @@ fn run(moves: &[Move], events: &[Event], options: StreamOptions) -> (Watch, Vec<
                     Pushed::Taken if wait_due => wait_due = false,
                     Pushed::Taken => {
                         next += 1;
-                        wait_due = next < moves.len() && waits_before(&moves[next]);
+                        wait_due = next < moves.len() && waits_before(&moves[next], waits);
                     }
                     Pushed::Full => break,
                 }
@@ -210,7 +290,7 @@ fn rounding(moves: &[Move]) -> Axes {
 
 fn check(drafts: &[Draft], events: &[Event], options: StreamOptions) -> Result<(), TestCaseError> {
     let moves = moves(drafts);
-    let (watch, points) = run(&moves, events, options);
+    let (watch, points) = run(&moves, true, events, options);
     watch.check(options.period_s, &machine(), &rounding(&moves));
     let end = points.last().expect("an end");
     let target = moves[moves.len() - 1].to();
@@ -254,7 +334,7 @@ fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
         }
     };
     for motion in moves {
-        if waits_before(motion) {
+        if waits_before(motion, true) {
             planner.wait(0.03, motion.tag, &mut take);
         }
         planner.push(motion, &mut take).expect("a move that can be planned");
@@ -324,6 +404,28 @@ proptest! {
         let options =
             StreamOptions { period_s, windows, headroom, scale_waits, pieces, ..StreamOptions::default() };
         check(&drafts, &events, options)?;
+    }
+
+    #[test]
+    fn dense_runs_hold_limits_and_tolerance_whatever_is_done(
+        dense in dense(),
+        events in events(),
+        windows in prop_oneof![Just(3_usize), Just(16)],
+        pieces in prop_oneof![Just(2048_usize), Just(16_384)],
+    ) {
+        let options = StreamOptions { windows, pieces, ..StreamOptions::default() };
+        let moves = dense.moves();
+        prop_assume!(!moves.is_empty());
+        let (watch, points) = run(&moves, false, &events, options);
+        watch.check(options.period_s, &machine(), &rounding(&moves));
+        let end = points.last().expect("an end");
+        for (end, target) in end.position.iter().zip(&moves[moves.len() - 1].to()) {
+            prop_assert!((end - target).abs() < 1e-9, "{end} for {target}");
+        }
+        for point in &points {
+            let off = off_path(&moves, point);
+            prop_assert!(off <= dense.tolerance + 1e-9, "{off} mm off the path: {point:?}");
+        }
     }
 
     #[test]

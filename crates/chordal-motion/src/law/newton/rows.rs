@@ -4,8 +4,13 @@
 //! limit. Rows for both signs of one value share their factors and are worked on together, those of the
 //! jerk for both ends of a cell as well.
 
-use super::{NEAR, Newton};
+#![allow(
+    clippy::needless_range_loop,
+    reason = "several arrays are worked on by end or sign at once"
+)]
+
 use super::begin::Begin;
+use super::{NEAR, Newton};
 
 /// No step takes away more of a coefficient.
 const MOST_FALL: f64 = 0.8;
@@ -345,9 +350,7 @@ impl Newton {
             let turned = turned.map(|turned| turned[end]);
             let (sum, elastic) = (weights[end], room.elastic[end]);
             const PLACES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [1, 2], [0, 2]];
-            for (value, (own, [i, j])) in
-                sums.matrix.iter_mut().zip(matrix.iter().zip(PLACES))
-            {
+            for (value, (own, [i, j])) in sums.matrix.iter_mut().zip(matrix.iter().zip(PLACES)) {
                 *value += own[end]
                     + sum * slope[i] * slope[j]
                     + turned[i] * slope[j]
