@@ -55,6 +55,44 @@ fn dense_chords_take_little_more_than_the_least_time() {
     }
 }
 
+#[test]
+fn machines_that_reach_their_acceleration_at_once_have_curves() {
+    let limits = limits(500.0, 1000.0, 1e6);
+    for (name, places, most_s) in [
+        ("ellipse, 5,000 chords, 3 decimals", dense::ellipse(5000, Some(3)), 1.07),
+        ("star", dense::star(0.1), 2.25),
+        ("spiral", dense::spiral(0.1), 6.16),
+    ] {
+        let time = time_of(&planned(&places, FEED, 0.01, limits));
+        assert!(time <= most_s, "{name}: {time} s");
+    }
+}
+
+/// Paths on which an axis turned back where the first law of a window fell to nothing: a law that nearly
+/// stops was all that was found from there.
+#[test]
+fn no_law_nearly_stops_where_an_axis_turns_back() {
+    let harmonics = |chord: f64, seed: u64| {
+        let mut places = dense::harmonics(chord, 4, seed);
+        places.truncate(1000);
+        places
+    };
+    let time = |places: &[[f64; 3]], feed: f64, tolerance: f64| {
+        time_of(&planned(places, feed, tolerance, fast()))
+    };
+    let there = harmonics(0.2, 494);
+    let mut back = there.clone();
+    back.reverse();
+    let ratio = time(&back, 1000.0, 0.05) / time(&there, 1000.0, 0.05);
+    assert!((ratio - 1.0).abs() < 1e-3, "backwards {ratio}");
+    let places = harmonics(0.4, 1563);
+    let ratio = time(&places, 250.0, 1.41 * 0.02) / time(&places, 250.0, 0.02);
+    assert!(ratio < 1.005, "more tolerance {ratio}");
+    let places = harmonics(0.4, 4155);
+    let ratio = time(&places, 1.26 * 250.0, 0.002) / time(&places, 250.0, 0.002);
+    assert!(ratio < 1.001, "more feed {ratio}");
+}
+
 /// The least distance of a place from the chords after one of them, no more than `reach` of them, and the
 /// number of the nearest.
 fn distance(place: [f64; 3], places: &[[f64; 3]], from: usize, reach: usize) -> (f64, usize) {

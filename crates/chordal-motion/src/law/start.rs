@@ -132,6 +132,8 @@ impl View<'_> {
             let length = self.length(cell);
             let (mut end, mut middle) = (acceleration, acceleration);
             for _ in 0..2 {
+                // Where an axis turns back no change of σ̈ takes its jerk away: that would ask for a fall
+                // without measure, to a law that nearly stops.
                 end = (acceleration + self.growth(cell, b, middle, false) * length).max(0.0);
                 middle = 0.5 * (acceleration + end);
             }
