@@ -21,8 +21,9 @@ const CORNER_COSINE: f64 = 0.258_819_045_102_521;
 const LOOK: f64 = 4.0;
 /// Directions that differ by less go on in one line.
 const STRAIGHT: f64 = 1e-9;
-/// A piece that bends by less, in tolerances, is a line.
+/// A piece that bends by less, in tolerances, and turns by less, in rad, is a line.
 const BEND: f64 = 1e-7;
+const TURN: f64 = 1e-8;
 /// A piece is not divided nearer to its ends, as a share of its length.
 const SLIVER: f64 = 0.1;
 /// The part of the tolerance that the chords of an arc may take, and the most chords of a group.
@@ -385,8 +386,10 @@ fn same_feed(
 
 /// A piece of a length, without bends that are rounding.
 fn straightened(mut start: Jet, length: f64, measure: &Measure) -> Jet {
-    if measure.of(&start[2].map(|bend| bend * length * length)) < BEND
-        && measure.of(&start[3].map(|third| third * length.powi(3))) < BEND
+    let turns = [start[2].map(|bend| bend * length), start[3].map(|third| third * length * length)];
+    let is_even = |turn: &Axes| turn.iter().all(|turn| turn.abs() < TURN);
+    if turns.iter().all(is_even)
+        && turns.iter().all(|turn| measure.of(&turn.map(|turn| turn * length)) < BEND)
     {
         start[2] = [0.0; AXES];
         start[3] = [0.0; AXES];
