@@ -36,6 +36,9 @@ fn main() {
         ("spiral", dense::spiral(0.1)),
         ("star", dense::star(0.1)),
         ("trident", dense::trident(0.1)),
+        ("butterfly", dense::butterfly(0.1)),
+        ("raster", dense::raster(20, 60.0, 0.5, 0.2)),
+        ("raster turned by 30", dense::turned(dense::raster(20, 60.0, 0.5, 0.2), 30.0)),
         ("harmonics 4 decimals", dense::harmonics(0.1, 4, 1)),
         ("harmonics 3 decimals", dense::harmonics(0.05, 3, 1)),
     ];

@@ -5,15 +5,18 @@ use std::ops::Range;
 
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
+mod chain;
+mod meeting;
+
 use crate::Axes;
-use crate::bound::Run;
+use crate::bound::{Gentle, Run};
 use crate::cell::AxisArrays;
 use crate::curve::{Chords, Measure, Smoothing};
 use crate::law::{Ends, Planner as LawPlanner};
 use crate::limits::Limits;
 use crate::piece::{Jet, Piece, ahead};
 use crate::segment::{Corner, Move};
-use crate::smooth::EXACT;
+use crate::smooth::{EXACT, Overlap};
 use crate::trajectory::Stretch;
 
 /// A joint is a corner where the chords turn by more; short ones are looked at over some tolerances.
@@ -39,6 +42,15 @@ struct Part {
     end: f64,
 }
 
+/// How moves are planned that are no curve: each corner by itself.
+pub(crate) trait Singly {
+    /// Appends the stretches of some moves from rest to rest, with what their ends overlap.
+    fn plan(&mut self, moves: &[Move], overlaps: [Option<Overlap>; 2], out: &mut Vec<Stretch>);
+
+    /// Whether a curve that takes so long, and about so long without jerk, is quicker in any case.
+    fn is_quick(&self, moves: &[Move], time_s: f64, least_s: f64) -> bool;
+}
+
 /// Plans moves from rest to rest; keeps its memory.
 #[derive(Debug, Default)]
 pub(crate) struct Dense {
@@ -48,8 +60,6 @@ pub(crate) struct Dense {
     /// The number of the move of each chord, and of the first chord of each move.
     owners: Vec<u32>,
     firsts: Vec<usize>,
-    /// The chords at which runs begin, and one past the last.
-    corners: Vec<usize>,
     chords: Chords,
     parts: Vec<Part>,
     smoothing: Smoothing,
@@ -59,36 +69,14 @@ pub(crate) struct Dense {
 }
 
 impl Dense {
-    /// The stretches of some moves from rest to rest, each again from rest to rest and with its
-    /// least time without jerk (about), s; the numbers of the moves of a run that has no curve or no law.
-    pub fn plan(
-        &mut self,
-        moves: &[Move],
-        limits: &Limits,
-        gap: f64,
-    ) -> Vec<Result<(Stretch, f64), Range<usize>>> {
-        if !self.cut(moves) {
-            return vec![Err(0..moves.len())];
-        }
-        self.find_corners(moves);
-        let corners = std::mem::take(&mut self.corners);
-        let runs = corners.windows(2).map(|pair| {
-            let of_moves = self.owners[pair[0]] as usize..self.owners[pair[1] - 1] as usize + 1;
-            self.run(moves, pair[0]..pair[1], limits, gap).ok_or(of_moves)
-        });
-        let runs = runs.collect();
-        self.corners = corners;
-        runs
-    }
-
     /// The number of the last move that begins at a corner; without one of the move in the second half that
     /// begins at the sharpest joint.
     pub fn last_corner(&mut self, moves: &[Move]) -> Option<usize> {
         if !self.cut(moves) {
             return None;
         }
-        self.find_corners(moves);
-        let last = *self.corners[..self.corners.len() - 1].last()?;
+        let corners = self.corners(moves, 0..moves.len(), CORNER_COSINE);
+        let last = *corners[..corners.len() - 1].last()?;
         if last > 0 {
             return Some(self.owners[last] as usize);
         }
@@ -128,38 +116,39 @@ impl Dense {
         true
     }
 
-    /// The chords at which runs begin, and one past the last.
-    fn find_corners(&mut self, moves: &[Move]) {
-        self.corners.clear();
-        self.corners.push(0);
+    /// The chords of some moves at which runs begin, and one past the last: the first chord, and where the path
+    /// turns by more.
+    fn corners(&self, moves: &[Move], of: Range<usize>, cosine_of_corner: f64) -> Vec<usize> {
+        let mut corners = vec![self.firsts[of.start]];
         // The last corner that may yet turn out to be the lesser of two, with its cosine and tolerance.
         let mut last: Option<(f64, f64)> = None;
         let mut since = 0.0;
-        for index in 1..moves.len() {
+        for index in of.start + 1..of.end {
             since += moves[index - 1].length();
             let Some((cosine, tolerance)) = self.turn(moves, index) else {
-                self.corners.push(self.firsts[index]);
+                corners.push(self.firsts[index]);
                 last = None;
                 continue;
             };
-            if cosine >= CORNER_COSINE {
+            if cosine >= cosine_of_corner {
                 continue;
             }
             // Of a bend as sharp as the tolerance is wide only the sharpest joint is a corner.
             match last {
                 Some((sharper, near)) if since < LOOK * near => {
                     if cosine < sharper {
-                        self.corners.pop();
+                        corners.pop();
                     } else {
                         continue;
                     }
                 }
                 _ => {}
             }
-            self.corners.push(self.firsts[index]);
+            corners.push(self.firsts[index]);
             (last, since) = (Some((cosine, tolerance)), 0.0);
         }
-        self.corners.push(self.owners.len());
+        corners.push(self.firsts.get(of.end).copied().unwrap_or(self.owners.len()));
+        corners
     }
 
     /// The cosine of the turn where a move begins, seen over some tolerances, with the tolerance; `None`
@@ -246,12 +235,14 @@ impl Dense {
         chords: Range<usize>,
         limits: &Limits,
         gap: f64,
-    ) -> Option<(Stretch, f64)> {
+        gentle: [Gentle; 2],
+    ) -> Option<Stretch> {
         let arrays = AxisArrays::new(limits);
-        let measure = self.enter(moves, chords, &arrays)?;
+        let measure = self.enter(moves, chords, &arrays);
         if self.chords.count() < 2 {
-            return None;
+            return self.line(moves, limits, gap, gentle);
         }
+        let measure = measure?;
         self.chords.divide(measure.places_apart());
         let smooth = self.smoothing.smooth(&self.chords, &measure)?;
         self.pieces.clear();
@@ -274,10 +265,9 @@ impl Dense {
                 at = until;
             }
         }
-        let run = Run::new(&self.pieces, &self.speeds, 0.0, limits).ok()?;
+        let run = Run::new(&self.pieces, &self.speeds, 0.0, limits).ok()?.with_ends(gentle);
         let phases = self.law.plan(&run, [Ends::Rest; 2], gap)?;
-        let stretch = Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 };
-        Some((stretch, self.law.least_s()))
+        Some(Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 })
     }
 
     /// Enters the chords of a run, with lines that go on in each other as one.

@@ -5,7 +5,7 @@ use chordal_geometry::{AXES, Curve};
 use crate::Axes;
 use crate::bound::Run;
 use crate::cell::AxisArrays;
-use crate::dense::Dense;
+use crate::dense::{Dense, Singly};
 use crate::law::law;
 use crate::limits::Limits;
 use crate::piece::Piece;
@@ -374,6 +374,31 @@ impl<P: PathPart> Planner<P> {
         self.finish(&mut take);
     }
 
+    /// The same between two corners where movements that are planned elsewhere overlap theirs.
+    fn plan_between(
+        &mut self,
+        moves: &[Move],
+        overlaps: [Option<Overlap>; 2],
+        mut each: impl FnMut(&Stretch<P>),
+    ) {
+        let mut take = |step: Step<'_, P>| {
+            if let Step::Stretch(stretch) = step {
+                each(stretch);
+            }
+        };
+        let [begins, ends] = overlaps;
+        let mut begins = begins;
+        for motion in moves {
+            let _ = self.push(motion, &mut take);
+            if let Some(overlap) = begins.take() {
+                self.smoother.begin_with(&overlap);
+            }
+        }
+        self.release(&mut take);
+        self.rest(ends, &mut take);
+        self.finish(take);
+    }
+
     /// Where a move begins: where the one before it ended.
     fn start_of(&self, motion: &Move) -> Result<Axes, MoveError> {
         let from = motion.from();
@@ -486,48 +511,46 @@ impl Group {
         self.moves.len() >= FEW && (self.feed_s >= row_s || self.moves.len() == ENOUGH)
     }
 
-    /// Its moves take no less with a stop at the end of each, s: by feed, acceleration or jerk alone.
-    fn least_with_stops_s(&self, limits: &Limits) -> f64 {
-        let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
-        let one = |motion: &Move| {
-            let (from, to) = (motion.from(), motion.to());
-            let mut least = motion.at_speed_s();
-            for axis in 0..AXES {
-                let way = (to[axis] - from[axis]).abs();
-                if way > 0.0 && matches!(motion.curve, Curve::Line(_)) {
-                    let by_acceleration = 2.0 * (way / acceleration[axis]).sqrt();
-                    least = least.max(by_acceleration).max(cbrt(32.0 * way / jerk[axis]));
-                }
-            }
-            least
-        };
-        self.moves.iter().map(one).sum()
-    }
-
     /// Its moves as smooth curves from corner to corner, if corners by themselves are not quicker.
     fn quicker_curves(&mut self, limits: &Limits, gap: f64) -> Option<Vec<Stretch>> {
-        let mut stretches = Vec::new();
-        let (mut time_s, mut least_s) = (0.0, 0.0);
-        for run in self.dense.plan(&self.moves, limits, gap) {
-            match run {
-                Ok((stretch, least)) => {
-                    time_s += stretch.duration_s();
-                    least_s += least;
-                    stretches.push(stretch);
-                }
-                Err(moves) => {
-                    let mut planner: Planner =
-                        Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
-                    planner.plan_all(&self.moves[moves], |one| {
-                        time_s += one.duration_s() - one.overlap_s;
-                        stretches.push(one.clone());
-                    });
-                }
+        let planner = Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
+        let mut singly = ByCorners(planner);
+        let (stretches, least_s) = self.dense.plan(&self.moves, limits, gap, &mut singly);
+        let time_s = stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum::<f64>();
+        let is_quick = singly.is_quick(&self.moves, time_s, least_s);
+        (is_quick || time_s < self.corners_s()).then_some(stretches)
+    }
+}
+
+/// Plans the moves of a group that are no curve.
+struct ByCorners(Planner);
+
+impl Singly for ByCorners {
+    fn plan(&mut self, moves: &[Move], overlaps: [Option<Overlap>; 2], out: &mut Vec<Stretch>) {
+        self.0.plan_between(moves, overlaps, |one| out.push(one.clone()));
+    }
+
+    fn is_quick(&self, moves: &[Move], time_s: f64, least_s: f64) -> bool {
+        time_s < NEAR * least_s && time_s < least_with_stops_s(moves, &self.0.limits)
+    }
+}
+
+/// Moves take no less with a stop at the end of each, s: by feed, acceleration or jerk alone.
+fn least_with_stops_s(moves: &[Move], limits: &Limits) -> f64 {
+    let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
+    let one = |motion: &Move| {
+        let (from, to) = (motion.from(), motion.to());
+        let mut least = motion.at_speed_s();
+        for axis in 0..AXES {
+            let way = (to[axis] - from[axis]).abs();
+            if way > 0.0 && matches!(motion.curve, Curve::Line(_)) {
+                let by_acceleration = 2.0 * (way / acceleration[axis]).sqrt();
+                least = least.max(by_acceleration).max(cbrt(32.0 * way / jerk[axis]));
             }
         }
-        let is_near = time_s < NEAR * least_s && time_s < self.least_with_stops_s(limits);
-        (is_near || time_s < self.corners_s()).then_some(stretches)
-    }
+        least
+    };
+    moves.iter().map(one).sum()
 }
 
 fn pieces_of(cells: &[Cell]) -> usize {

@@ -20,6 +20,7 @@ mod run;
 
 use cell::Room;
 use chordal_geometry::PerAxis;
+pub(crate) use run::Gentle;
 pub use run::{Run, RunError};
 
 /// Cells of a run at least, and at most beyond one per piece.

@@ -8,6 +8,9 @@ use crate::piece::{Jet, Piece};
 /// Speeds above this, in σ per s, are no limit.
 const NO_LIMIT: f64 = 1e9;
 
+/// Places nearer to each other than this share of their way are one.
+const NEAR: f64 = 1e-9;
+
 /// Smooth pieces of path, travelled to rest.
 #[derive(Clone, Debug)]
 pub struct Run<'a> {
@@ -17,6 +20,21 @@ pub struct Run<'a> {
     from: Vec<f64>,
     start_speed: f64,
     limits: Limits,
+    gentle: [Gentle; 2],
+}
+
+/// An end of a run beside which not all of the jerk may be used: another movement uses the rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Gentle {
+    /// How far from the end, σ.
+    pub way: f64,
+    /// Share of the jerk of every axis.
+    pub share: f64,
+}
+
+impl Gentle {
+    /// An end beside which all of it may be used.
+    pub const NOT: Gentle = Gentle { way: 0.0, share: 1.0 };
 }
 
 /// A run that has no velocity profile.
@@ -76,7 +94,33 @@ impl<'a> Run<'a> {
         if at <= 0.0 {
             return Err(RunError::Empty);
         }
-        Ok(Run { pieces, speeds, from, start_speed, limits: *limits })
+        let gentle = [Gentle::NOT; 2];
+        Ok(Run { pieces, speeds, from, start_speed, limits: *limits, gentle })
+    }
+
+    /// The same with ends beside which not all of the jerk may be used.
+    pub(crate) fn with_ends(self, gentle: [Gentle; 2]) -> Run<'a> {
+        Run { gentle, ..self }
+    }
+
+    /// Its ends.
+    pub(crate) fn ends(&self) -> &[Gentle; 2] {
+        &self.gentle
+    }
+
+    /// The share of the jerk that may be used between two places.
+    pub(crate) fn jerk_share(&self, from: f64, to: f64) -> f64 {
+        let [first, last] = &self.gentle;
+        // What begins where an end is no longer near does so to the last bits.
+        let near = |way: f64, end: &Gentle| way < end.way * (1.0 - NEAR);
+        let mut share = 1.0_f64;
+        if near(from, first) {
+            share = share.min(first.share);
+        }
+        if near(self.length() - to, last) {
+            share = share.min(last.share);
+        }
+        share
     }
 
     /// Its length in σ.

@@ -16,7 +16,7 @@ pub(crate) struct Chords {
 }
 
 /// A place of the list that was found last, from where the next is sought.
-pub(super) type Hint = usize;
+pub type Hint = usize;
 
 impl Chords {
     /// A run that begins at a place.
@@ -104,7 +104,7 @@ impl Chords {
 
     /// The place at σ; beyond an end the chords go on, turned about the end.
     #[inline]
-    pub(super) fn place_at(&self, sigma: f64, hint: &mut Hint) -> Axes {
+    pub fn place_at(&self, sigma: f64, hint: &mut Hint) -> Axes {
         let length = self.length();
         let inside = self.inside(sigma);
         let index = self.chord_at(inside, hint);

@@ -64,6 +64,8 @@ pub(super) struct Cell {
     pub third: [[f64; AXES]; 2],
     /// Share of the jerk that may be used.
     pub share: f64,
+    /// The same before anything was taken back.
+    pub most: f64,
 }
 
 /// The grid of a run, with one cell of nothing before an end that is passed at speed.
@@ -125,9 +127,21 @@ impl Grid {
             if !jerk.is_finite() {
                 continue;
             }
+            let gentle = &run.ends()[side];
+            let jerk = jerk * gentle.share;
             let by_speed = FIRST_SHARE * (2.0 * run.speed_cap(index, &jet) / jerk).sqrt();
             let mut before = 0.0;
             let mut t = FIRST_S.min(by_speed).min(0.3 * cbrt(length / jerk));
+            let growth = 1.0 + GROWTH * self.scale;
+            if gentle.way > 0.0 {
+                // One of the cells ends where more may be used.
+                let until = cbrt(6.0 * gentle.way / jerk);
+                let mut last = until;
+                while last > t {
+                    last /= growth;
+                }
+                t = last;
+            }
             for _ in 0..(f64::from(GROWING) / self.scale) as u32 {
                 let way = jerk * t * t * t / 6.0;
                 if way > 0.25 * length {
@@ -141,7 +155,7 @@ impl Grid {
                     self.cuts.push((at, piece as u32));
                 }
                 before = way;
-                t *= 1.0 + GROWTH * self.scale;
+                t *= growth;
             }
         }
         self.tidy(length);
@@ -188,7 +202,8 @@ impl Grid {
             let caps = [&first, &second].map(|jet| run.speed_cap(piece as usize, jet));
             let third = [&first, &second].map(|jet| shares(&jet[3], &jerk));
             self.nodes.push(node(&first, at, caps[0].min(before)));
-            self.cells.push(Cell { length: end - at, piece, third, share: 1.0 });
+            let share = run.jerk_share(at, end);
+            self.cells.push(Cell { length: end - at, piece, third, share, most: share });
             before = caps[1];
             last = Some((second, caps[1]));
         }

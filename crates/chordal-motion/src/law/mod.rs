@@ -345,8 +345,9 @@ impl Planner {
                 speed = speed.max(used.velocity);
                 nodes = nodes.start.min(cell)..nodes.end.max(cell + 2);
             }
-            if used.jerk > 1.0 - BETWEEN {
-                self.grid.cells[cell].share /= more(used.jerk);
+            let most = self.grid.cells[cell].most;
+            if used.jerk > most * (1.0 - BETWEEN) {
+                self.grid.cells[cell].share /= more(used.jerk / most);
                 over = true;
             }
             if used.acceleration > 1.0 - BETWEEN {

@@ -211,10 +211,14 @@ pub struct Overlap {
 }
 
 impl Overlap {
+    /// With like jerks on both sides a movement is so many reaches from the corner when the other has just
+    /// stopped.
+    pub const CLEAR: f64 = 8.0;
+
     /// How far from the corner the movements are when one of them has just stopped, with like
     /// jerks on both sides, σ.
     pub fn clear(&self) -> f64 {
-        8.0 * self.reach
+        Overlap::CLEAR * self.reach
     }
 }
 

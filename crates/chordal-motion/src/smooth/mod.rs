@@ -11,7 +11,7 @@ mod rests;
 pub mod span;
 mod trial;
 
-pub use corner::{EXACT, Joint, Overlap, Passing, Slow};
+pub use corner::{EXACT, Joint, Overlap, Passing, Slow, Tolerance};
 pub use leg::{Leg, Part};
 pub use overlap::{End, overlap_of};
 

@@ -1,0 +1,457 @@
+//! Two runs that overlap at the corner between them: the next begins before the last has ended, and the
+//! axes make both movements at once.
+//!
+//! Let c be the corner, e₁ and e₂ how far the two movements are from it (e₁ ends, e₂ begins at nothing), so
+//! that the tool is at c + e₁ + e₂. All sizes are in tolerances of the corner. Each run is a curve q
+//! within `off` of the programmed path p at the same σ, over a way beside the corner on which |q'| ≤ `rate`.
+//! For a reach r let t₁ and t₂ be the times from rest in which the runs go the way r, and let the overlap be
+//! no longer than t₁ + t₂. Then at each instant one of the two is no farther than r from the corner:
+//!
+//! - *The tool is near the path.* If it is the first, |e₁| ≤ rate₁·r, and c + e₂ is within off₂ of the
+//!   path: the distance is at most rate₁·r + off₂; likewise for the second.
+//! - *The path is near the tool.* A place that is farther than r from the corner is passed while the other movement is
+//!   within r: at most off₁ + rate₂·r. For those nearer take the instant when both are within r at once (or
+//!   where a shorter overlap has them: nearer still). With k = |e₁ + e₂| there, the place p₁(σ) is
+//!   c + λe₁ + δ, 0 ≤ λ ≤ 1, |δ| ≤ off₁ + max|q''|r²/8; so its distance |e₂ + (1 − λ)e₁ − δ| is at most
+//!   max(rate₂·r, k) + |δ|, since a norm is convex; likewise for the other run.
+//!
+//! r is chosen so that all of these are at most one. From rest no run gets farther than jerk allows, J·t³/6, so
+//! t₁ + t₂ is about (6r/J₁)^⅓ + (6r/J₂)^⅓, and each is about 8r from the corner when the other stands.
+//! Over that way the ends use only a share of the jerk, so that the sum of both keeps the limits
+//! of axes that take part in both. What remains to be seen, as curves turn beside their ends, is measured: where
+//! a limit is not held by the sum the overlap is made shorter.
+
+use chordal_geometry::AXES;
+
+use crate::Axes;
+use crate::bound::Gentle;
+use crate::cell::AxisArrays;
+use crate::cursor::Cursor;
+use crate::curve::Chords;
+use crate::limits::Limits;
+use crate::piece::{Piece, ahead};
+use crate::root::cbrt;
+use crate::sample::State;
+use crate::smooth::{Overlap, Tolerance};
+use crate::trajectory::Stretch;
+use crate::verify::Use;
+
+/// The ways are known to be free for so many times what is expected, as runs turn.
+const ROOM: f64 = 1.1;
+/// A bend turns the axes by κd over a way d. From rest with jerk J, 3q''va is at most 9·κd·J there.
+const TURNING: f64 = 9.0;
+/// Bends are looked at over so many tolerances: over less it might be rounding of coordinates.
+pub const WIDE: f64 = 32.0;
+/// Shares of the jerk that are tried for one end, and what both have to leave: t seconds of overlap save
+/// (share₁ + share₂ − 1)·t, as each run is later by (1 − share)·t.
+const STEPS: u32 = 8;
+const LEAST: f64 = 0.4;
+const WORTH: f64 = 0.2;
+/// Shares above this are one.
+const WHOLE: f64 = 1.0 - 1e-6;
+/// Looks at each part of an overlap without a change of jerk, and parts of the whole at least.
+const LOOKS: u32 = 3;
+const PARTS: u32 = 24;
+/// Of a part its ends are looked at so far inside, as a share of it.
+const INSIDE: f64 = 1e-6;
+/// What rounding may add to a limit.
+const ABOVE: f64 = 1.0 + 1e-9;
+/// Halvings of what is not known of the longest overlap.
+const HALVINGS: u32 = 6;
+/// Rounds of making the reach smaller.
+const ROUNDS: u32 = 12;
+
+/// A corner between two runs, as the path has it.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// How far from it the axes may pass.
+    pub tolerance: Tolerance,
+    /// The derivative by σ before and after it.
+    pub directions: [Axes; 2],
+    /// The change of direction by σ before and after it, from the corner on.
+    pub bends: [Axes; 2],
+    /// The speeds asked for before and after it, mm/s, or rad/s where rotary axes alone move.
+    pub speeds: [f64; 2],
+    /// Rotary axes alone move.
+    pub turns_only: bool,
+}
+
+/// A corner at which two runs may overlap.
+#[derive(Clone, Copy, Debug)]
+pub struct Meeting {
+    corner: Corner,
+    /// How far from it each run may be, and which share of the jerk it may use there.
+    ends: [Gentle; 2],
+}
+
+/// An end of a run beside a corner.
+#[derive(Clone, Copy, Debug)]
+pub struct Side {
+    /// Over this way it is known what follows, σ.
+    way: f64,
+    /// How far the curve is from the programmed path, and the largest |q'| and |q''|, in tolerances.
+    off: f64,
+    rate: f64,
+    bend: f64,
+}
+
+impl Meeting {
+    /// How two runs may meet, seen from the path.
+    pub fn new(corner: Corner, limits: &AxisArrays) -> Meeting {
+        let Corner { tolerance, directions: [before, after], .. } = &corner;
+        let kink: Axes = std::array::from_fn(|axis| after[axis] - before[axis]);
+        let most = tolerance.of(&kink).max(tolerance.of(before)).max(tolerance.of(after));
+        let reach = 1.0 / most;
+        let jerks = corner.directions.map(|direction| jerk_along(&direction, limits));
+        let [one, two] = jerks;
+        let ways = |[one, two]: [f64; 2]| {
+            let ratio = cbrt(one / two);
+            [1.0 + ratio, 1.0 + 1.0 / ratio].map(|times| ROOM * reach * times * times * times)
+        };
+        let shares = shares(&corner, jerks, ways(jerks), limits);
+        let [first, last] = ways([one * shares[0], two * shares[1]]);
+        let ends =
+            [Gentle { way: first, share: shares[0] }, Gentle { way: last, share: shares[1] }];
+        Meeting { corner, ends }
+    }
+
+    /// How the run before (0) or after the corner is to move beside it.
+    pub fn end(&self, side: usize) -> Gentle {
+        let end = self.ends[side];
+        if end.share < WHOLE { end } else { Gentle::NOT }
+    }
+
+    /// The same for a planner of single corners.
+    pub fn overlap(&self, side: usize) -> Overlap {
+        let Gentle { way, share } = self.ends[side];
+        Overlap { reach: way / Overlap::CLEAR, jerk_share: share }
+    }
+
+    /// What is known of a run that was planned as a curve through chords, which are so many tolerances from the
+    /// path.
+    pub fn side_of_curve(
+        &self,
+        side: usize,
+        stretch: &Stretch,
+        chords: &Chords,
+        chords_off: f64,
+    ) -> Side {
+        let mut known = self.side(side, stretch, |_| true);
+        known.off = chords_off + self.off(side, stretch, chords, known.way);
+        known
+    }
+
+    /// What is known of a run that was planned corner by corner: it is on the path where it is straight.
+    pub fn side_of_lines(&self, side: usize, stretch: &Stretch) -> Side {
+        self.side(side, stretch, Piece::is_straight)
+    }
+
+    /// The pieces beside the corner, from there on, as long as they are known.
+    fn side(&self, side: usize, stretch: &Stretch, is_known: impl Fn(&Piece) -> bool) -> Side {
+        let tolerance = &self.corner.tolerance;
+        let (mut way, mut rate, mut bend) = (0.0, 0.0_f64, 0.0_f64);
+        for piece in from_corner(side, stretch) {
+            if way >= self.ends[side].way || piece.base.is_some() || !is_known(piece) {
+                break;
+            }
+            let [_, first, second, third] = &piece.start;
+            let h = piece.length;
+            // The first derivative is a parabola, within the triangle of these three.
+            let at = |share: f64, square: f64| -> Axes {
+                std::array::from_fn(|axis| {
+                    first[axis] + h * (share * second[axis] + square * h * third[axis])
+                })
+            };
+            let rates = [at(0.0, 0.0), at(0.5, 0.0), at(1.0, 0.5)];
+            rate = rates.iter().fold(rate, |most, rate| most.max(tolerance.of(rate)));
+            let end = std::array::from_fn(|axis| second[axis] + h * third[axis]);
+            bend = bend.max(tolerance.of(second)).max(tolerance.of(&end));
+            way += h;
+        }
+        Side { way: way.min(self.ends[side].way), off: 0.0, rate, bend }
+    }
+
+    /// How far a curve is from its chords within a way of the corner: at the ends of pieces and chords, and
+    /// between them by |e| ≤ max(|e₀|, |e₁|) + max|q''|·δ²/8.
+    fn off(&self, side: usize, stretch: &Stretch, chords: &Chords, way: f64) -> f64 {
+        let tolerance = &self.corner.tolerance;
+        let length = chords.length();
+        let last = chords.count();
+        let vertex = |index: usize| {
+            if side == 0 { length - chords.at[last - index] } else { chords.at[index] }
+        };
+        let mut hint = if side == 0 { last } else { 0 };
+        let (mut off, mut begin, mut next_chord) = (0.0_f64, 0.0, 1);
+        for piece in from_corner(side, stretch) {
+            if begin >= way {
+                break;
+            }
+            let end = begin + piece.length;
+            // How far the curve is from the chords there, and how it bends.
+            let mut look = |at: f64| {
+                let (sigma, along) =
+                    if side == 0 { (length - at, end - at) } else { (at, at - begin) };
+                let jet = ahead(&piece.start, along, AXES);
+                let place = chords.place_at(sigma, &mut hint);
+                let e: Axes = std::array::from_fn(|axis| jet[0][axis] - place[axis]);
+                (tolerance.of(&e), tolerance.of(&jet[2]))
+            };
+            let mut at = begin;
+            let mut before = look(at);
+            while at < end {
+                while next_chord < last && vertex(next_chord) <= at {
+                    next_chord += 1;
+                }
+                let next = vertex(next_chord).min(end);
+                let next = if next > at { next } else { end };
+                let after = look(next);
+                let part = next - at;
+                let between = before.1.max(after.1) * part * part / 8.0;
+                off = off.max(before.0.max(after.0) + between);
+                (at, before) = (next, after);
+            }
+            begin = end;
+        }
+        off
+    }
+
+    /// How long two planned runs overlap, s.
+    pub fn overlap_s(&self, runs: [&Stretch; 2], sides: [Side; 2], limits: &Limits) -> f64 {
+        let Some(reach) = self.reach(&runs, &sides) else { return 0.0 };
+        let within = |way: [f64; 2]| [0, 1].map(|side| time_to(side, runs[side], way[side]));
+        let [before_s, after_s] = within([reach; 2]);
+        let known_s = within(sides.map(|side| side.way));
+        // Beyond the half a run might overlap with two others at once.
+        let halves_s = runs.map(|run| 0.5 * run.duration_s());
+        let longest_s = known_s.into_iter().chain(halves_s).fold(before_s + after_s, f64::min);
+        if longest_s <= 0.0 {
+            return 0.0;
+        }
+        let both = Both::new(runs, longest_s);
+        if both.hold(longest_s, self, limits) {
+            return longest_s;
+        }
+        let (mut fits_s, mut over_s) = (0.0, longest_s);
+        for _ in 0..HALVINGS {
+            let middle_s = 0.5 * (fits_s + over_s);
+            if both.hold(middle_s, self, limits) {
+                fits_s = middle_s;
+            } else {
+                over_s = middle_s;
+            }
+        }
+        fits_s
+    }
+
+    /// How far both runs may be from the corner at once, σ.
+    fn reach(&self, runs: &[&Stretch; 2], sides: &[Side; 2]) -> Option<f64> {
+        let tolerance = &self.corner.tolerance;
+        let [one, two] = sides;
+        let most = one.off.max(two.off);
+        let mut reach =
+            ((1.0 - two.off) / one.rate).min((1.0 - one.off) / two.rate).min(one.way).min(two.way);
+        for _ in 0..ROUNDS {
+            if reach.is_nan() || reach <= 0.0 {
+                return None;
+            }
+            let [e, f] = [0, 1].map(|side| from_corner_to(side, runs[side], reach));
+            let sum = std::array::from_fn(|axis| e[axis] + f[axis]);
+            let apart = tolerance.of(&sum).max(reach * one.rate).max(reach * two.rate);
+            let bend = one.bend.max(two.bend) * reach * reach / 8.0;
+            if apart + bend + most <= 1.0 {
+                return Some(reach);
+            }
+            reach *= (0.999 * (1.0 - most) / (apart + bend)).min(0.999);
+        }
+        None
+    }
+}
+
+/// The pieces of a run from the corner on that it ends (0) or begins at.
+fn from_corner(side: usize, stretch: &Stretch) -> impl Iterator<Item = &Piece> {
+    let count = stretch.pieces.len();
+    (0..count).map(move |index| &stretch.pieces[if side == 0 { count - 1 - index } else { index }])
+}
+
+/// From the corner to the place on a run that is so far from it.
+fn from_corner_to(side: usize, stretch: &Stretch, way: f64) -> Axes {
+    let mut left = way;
+    let mut corner: Option<Axes> = None;
+    for piece in from_corner(side, stretch) {
+        let here = if side == 0 { piece.length } else { 0.0 };
+        let corner = corner.get_or_insert_with(|| piece.at(here)[0]);
+        if left <= piece.length {
+            let place = piece.at((here - left).abs())[0];
+            return std::array::from_fn(|axis| place[axis] - corner[axis]);
+        }
+        left -= piece.length;
+    }
+    [f64::NAN; AXES]
+}
+
+/// The time in which a run goes a way from rest, or the same way to its rest, s.
+fn time_to(side: usize, stretch: &Stretch, way: f64) -> f64 {
+    if side == 1 {
+        let mut begin_s = 0.0;
+        for phase in &stretch.phases {
+            if phase.at(phase.duration_s).sigma >= way {
+                return begin_s + phase.time_at(way, 0.0);
+            }
+            begin_s += phase.duration_s;
+        }
+        return begin_s;
+    }
+    let from = stretch.length() - way;
+    let mut after_s = 0.0;
+    for phase in stretch.phases.iter().rev() {
+        if phase.from <= from {
+            return after_s + phase.duration_s - phase.time_at(from, 0.0);
+        }
+        after_s += phase.duration_s;
+    }
+    after_s
+}
+
+/// The jerk that the axes have along a direction, σ per s³.
+fn jerk_along(direction: &Axes, limits: &AxisArrays) -> f64 {
+    let most =
+        (0..AXES).fold(0.0_f64, |most, axis| most.max(direction[axis].abs() / limits.jerk[axis]));
+    1.0 / most
+}
+
+/// The shares of the jerk that two ends may use so that their sum keeps the limits; all of it where it is not
+/// worth it to use less.
+fn shares(corner: &Corner, jerks: [f64; 2], ways: [f64; 2], limits: &AxisArrays) -> [f64; 2] {
+    let largest = |first: f64| {
+        let mut second = 1.0_f64;
+        for axis in 0..AXES {
+            let shares = [0, 1].map(|side| jerks[side] / limits.jerk[axis]);
+            let along = [0, 1].map(|side| shares[side] * corner.directions[side][axis]);
+            let turning = [0, 1]
+                .map(|side| TURNING * shares[side] * (ways[side] * corner.bends[side][axis]).abs());
+            for sign in [-1.0, 1.0] {
+                // While the first has turned most the next begins, and the other way round.
+                let left = 1.0 - sign * first * along[0];
+                for (slope, room) in [
+                    (sign * along[1], left - first * turning[0]),
+                    (sign * along[1] + turning[1], left),
+                ] {
+                    if slope > 0.0 && slope * second > room {
+                        second = room / slope;
+                    }
+                }
+            }
+        }
+        second
+    };
+    let mut best = [1.0, largest(1.0)];
+    for step in 0..STEPS {
+        let first = LEAST + (1.0 - LEAST) * f64::from(step) / f64::from(STEPS);
+        let second = largest(first);
+        if first + second > best[0] + best[1] {
+            best = [first, second];
+        }
+    }
+    let [first, second] = best;
+    if first.min(second) < LEAST || first + second < 1.0 + WORTH { [1.0; 2] } else { best }
+}
+
+/// The ends of two runs beside their corner.
+struct Both {
+    runs: [Stretch; 2],
+    /// The duration of the first.
+    ends_s: f64,
+    /// When the jerk of each changes, s before the end of the first and after the start of the second.
+    changes: [Vec<f64>; 2],
+}
+
+impl Both {
+    /// The last and the first so many seconds of them.
+    fn new([before, after]: [&Stretch; 2], seconds: f64) -> Both {
+        let mut changes = [Vec::new(), Vec::new()];
+        let count_of = |phases: &mut dyn Iterator<Item = f64>, changes: &mut Vec<f64>| {
+            let mut sum = 0.0;
+            for duration_s in phases {
+                sum += duration_s;
+                changes.push(sum);
+                if sum >= seconds {
+                    break;
+                }
+            }
+            (changes.len(), sum)
+        };
+        let [ends, begins] = &mut changes;
+        let (count, ends_s) =
+            count_of(&mut before.phases.iter().rev().map(|phase| phase.duration_s), ends);
+        let mut phases = before.phases[before.phases.len() - count..].to_vec();
+        let from = phases.first().map_or(0.0, |phase| phase.from);
+        let (mut left, mut first) = (before.length() - from, before.pieces.len());
+        while first > 0 && left > 0.0 {
+            first -= 1;
+            left -= before.pieces[first].length;
+        }
+        // The first piece begins before the phases do.
+        phases.iter_mut().for_each(|phase| phase.from += -left - from);
+        let before = Stretch { pieces: before.pieces[first..].to_vec(), phases, overlap_s: 0.0 };
+        let (count, _) = count_of(&mut after.phases.iter().map(|phase| phase.duration_s), begins);
+        let phases = after.phases[..count].to_vec();
+        let end = phases.last().map_or(0.0, |phase| phase.at(phase.duration_s).sigma);
+        let (mut way, mut count) = (0.0, 0);
+        while count < after.pieces.len() && way < end {
+            way += after.pieces[count].length;
+            count += 1;
+        }
+        let after = Stretch { pieces: after.pieces[..count].to_vec(), phases, overlap_s: 0.0 };
+        Both { runs: [before, after], ends_s, changes }
+    }
+
+    /// Whether the sum of both keeps every limit and the speeds asked for with an overlap of so many seconds.
+    fn hold(&self, seconds: f64, meeting: &Meeting, limits: &Limits) -> bool {
+        let part_at = |part| seconds * (f64::from(part) / f64::from(PARTS));
+        let mut cuts: Vec<f64> = (0..=PARTS).map(part_at).collect();
+        let [ends, begins] = &self.changes;
+        cuts.extend(ends.iter().map(|before| seconds - before));
+        cuts.extend(begins.iter());
+        cuts.retain(|at| (0.0..=seconds).contains(at));
+        cuts.sort_by(f64::total_cmp);
+        let mut cursors = [Cursor::default(), Cursor::default()];
+        let from = self.ends_s - seconds;
+        for pair in cuts.windows(2) {
+            let part = pair[1] - pair[0];
+            for look in 0..LOOKS {
+                let share = f64::from(look) / f64::from(LOOKS - 1);
+                let t = pair[0] + part * (INSIDE + (1.0 - 2.0 * INSIDE) * share);
+                let one = cursors[0].at(&self.runs[0], from + t);
+                let two = cursors[1].at(&self.runs[1], t);
+                let sum = sum(&one, &two);
+                let used = Use::of(&sum, limits);
+                let most = used.velocity.max(used.acceleration).max(used.jerk);
+                if most > ABOVE || !meeting.is_slow_enough(&sum) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+}
+
+impl Meeting {
+    /// The axes are not faster together than one of the runs may be.
+    fn is_slow_enough(&self, state: &State) -> bool {
+        let axes = if self.corner.turns_only { &state.velocity[3..] } else { &state.velocity[..3] };
+        let speed = axes.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let [before, after] = self.corner.speeds;
+        speed <= ABOVE * before.max(after)
+    }
+}
+
+fn sum(one: &State, two: &State) -> State {
+    let add = |a: &Axes, b: &Axes| std::array::from_fn(|axis| a[axis] + b[axis]);
+    State {
+        position: one.position,
+        velocity: add(&one.velocity, &two.velocity),
+        acceleration: add(&one.acceleration, &two.acceleration),
+        jerk: add(&one.jerk, &two.jerk),
+        tag: one.tag,
+    }
+}
