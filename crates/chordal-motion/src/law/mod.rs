@@ -59,6 +59,8 @@ const FINEST: f64 = 0.25;
 const WINDOW_S: f64 = 0.5;
 /// So much of its end is solved again by the next, s.
 const LOOK_S: f64 = 0.15;
+/// Before the last braking of a window, this share of the time that a rest takes to reach is solved again, too.
+const RAMP_SHARE: f64 = 0.4;
 /// Rounds of taking limits back where the phases use more than there is.
 const ROUNDS: usize = 10;
 /// Use of a limit above one by no more is rounding.
@@ -165,7 +167,7 @@ impl Planner {
             if is_last {
                 return Some(());
             }
-            let from = self.before(to, look_s).max(begin.from + 3);
+            let from = self.kept(begin.from, to, look_s);
             begin = Begin { from, side: Side::Fixed, before: Some(solved) };
         }
     }
@@ -228,6 +230,17 @@ impl Planner {
         let speed = self.grid.bound.iter().fold(0.0_f64, |most, b| most.max(*b)).sqrt();
         let brake_s = if speed * j > a * a { speed / a + a / j } else { 2.0 * (speed / j).sqrt() };
         LOOK_S.max(brake_s)
+    }
+
+    /// So far a window that ends at rest is kept: its last braking, and the time in which jerk turns what was
+    /// before into that, is solved again by the next.
+    fn kept(&self, from: usize, to: usize, look_s: f64) -> usize {
+        let falls = |k: &usize| self.coefficients[*k - 1] > self.coefficients[*k];
+        let brakes = (from + 1..to).rev().take_while(falls).count();
+        let before_brakes = self.before(to - brakes, RAMP_SHARE * look_s);
+        // Some of every window is kept.
+        let least = from + ((to - from) / FEWEST).max(3);
+        self.before(to, look_s).min(before_brakes).max(least)
     }
 
     /// About the least time of the last run without jerk along the path, s.

@@ -126,6 +126,8 @@ impl View<'_> {
             out[one] = factor * out[two];
         }
         let mut acceleration = (out[two] - out[one]) / (own + other);
+        // A law that is given may fall at first: that ends no sooner than jerk allows.
+        let mut falls = rest.is_none() && acceleration < 0.0;
         for index in 1..self.count - 1 {
             let (cell, next) = (self.cell(index), self.cell(index + 1));
             let b = out[cell].max(1e-12);
@@ -134,14 +136,17 @@ impl View<'_> {
             for _ in 0..2 {
                 // Where an axis turns back no change of σ̈ takes its jerk away: that would ask for a fall
                 // without measure, to a law that nearly stops.
-                end = (acceleration + self.growth(cell, b, middle, false) * length).max(0.0);
+                let least = if falls { acceleration } else { 0.0 };
+                end = (acceleration + self.growth(cell, b, middle, false) * length).max(least);
                 middle = 0.5 * (acceleration + end);
             }
             let sum = length + self.length(next);
             let node = self.nodes(cell)[1];
             let value = (out[cell] + sum * end).min(self.most_after(cell, next, node, out[cell]));
             out[next] = value.max(0.0).min(most[next]);
-            acceleration = ((out[next] - out[cell]) / sum).max(0.0);
+            let change = (out[next] - out[cell]) / sum;
+            falls = falls && change < 0.0 && change >= acceleration;
+            acceleration = if falls { change } else { change.max(0.0) };
         }
     }
 }

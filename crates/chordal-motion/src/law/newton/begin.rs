@@ -1,5 +1,8 @@
 //! Where the Newton steps begin: inside of all limits, which the elastic shares make wide enough.
 
+use super::lanes::Two;
+use super::rows::Tally;
+use super::step::Line;
 use super::{NEAR, Newton};
 
 /// A window that is solved again begins with this share of its solution.
@@ -10,7 +13,7 @@ const TAPER: f64 = 12.0;
 const NEAR_ELASTIC: f64 = 1e-5;
 /// The open gap at the start, as a share of the time; near the solution in gaps that are wanted.
 const FAR_OPEN: f64 = 0.1;
-const NEAR_GAPS: f64 = 30.0;
+const NEAR_GAPS: f64 = 10.0;
 
 /// How near the solution a start is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,27 +46,59 @@ impl Newton {
     /// A start inside of all limits.
     pub(super) fn begin(&mut self, how: Begin) {
         self.lower(how);
+        for list in [&mut self.b, &mut self.root] {
+            list.clear();
+            list.resize(self.c.len(), 1.0);
+        }
         self.speeds();
-        let n = self.count;
-        self.elastic.clear();
-        self.elastic.resize(n, 0.0);
-        for k in 1..n - 1 {
-            let used = self.largest_use(k);
-            self.elastic[k] = match how {
-                Begin::Far => (1.2 * used - 0.7).max(0.3),
-                Begin::Near => (1.2 * (used - 1.0)).max(0.0) + NEAR_ELASTIC,
+        self.step.clear();
+        self.step.resize(self.c.len(), 0.0);
+        self.lines.clear();
+        self.lines.resize(self.c.len(), Line::default());
+        for index in 0..self.blocks.len() {
+            let used = self.largest_use(index);
+            let [factor, less, least] = match how {
+                Begin::Far => [1.1, 1.045, 0.002],
+                Begin::Near => [1.2, 1.2, 0.0],
+            };
+            let elastic = Two::both(factor) * used - Two::both(less);
+            let elastic = elastic.max(Two::both(least));
+            self.blocks[index].elastic = match how {
+                Begin::Far => elastic,
+                Begin::Near => elastic + Two::both(NEAR_ELASTIC),
             };
         }
-        self.folded.clear();
-        self.folded.resize(n, ([0.0; 3], 0.0));
-        for list in [&mut self.elastic_price, &mut self.elastic_step] {
-            list.clear();
-            list.resize(n, 0.0);
+    }
+
+    /// The prices with which the steps begin; false where something is above its limit.
+    pub(super) fn begin_prices(&mut self, mu: f64, price: f64, how: Begin) -> bool {
+        let axes = self.axes;
+        let mut tally = Tally::new();
+        let one = Two::both(1.0);
+        for (index, block) in self.blocks.iter_mut().enumerate() {
+            let k = 1 + 2 * index;
+            let c = Newton::around(&self.c, k);
+            let caps = block.caps;
+            let [node, cell] = &mut block.cap_rows;
+            node.begin(one - Two::at(&self.b, k) * caps[0], mu, how, &mut tally);
+            cell.begin(one - c[1] * caps[1], mu, how, &mut tally);
+            let own = index * axes..(index + 1) * axes;
+            let room = block.share * (one + block.elastic);
+            for pull in &mut self.pulls[own.clone()] {
+                pull.begin(c, room, mu, how, &mut tally);
+            }
+            let room = block.room([Two::at(&self.root, k), Two::at(&self.root, k + 1)]);
+            for bend in &mut self.bends[own] {
+                bend.begin(c, room, mu, how, &mut tally);
+            }
+            let least = Two::both(mu) / block.elastic;
+            block.elastic_row.price = match how {
+                Begin::Far => Two::both(0.9 * price),
+                Begin::Near => (Two::both(10.0) * least).min(Two::both(0.5 * price)),
+            };
+            block.elastic_row.change = Two::default();
         }
-        for list in self.diagonals.iter_mut().chain([&mut self.step]) {
-            list.clear();
-            list.resize(n + 2, 0.0);
-        }
+        tally.least() > 0.0
     }
 
     /// Lowers the coefficients below all caps: all by one share, since a dent would ask for much jerk.
@@ -94,16 +129,23 @@ impl Newton {
         self.c = c;
     }
 
-    /// The largest use of the limits around a cell.
-    fn largest_use(&self, k: usize) -> f64 {
-        let c = [self.c[k - 1], self.c[k], self.c[k + 1]];
-        let mut most = 0.0_f64;
-        for axis in 0..self.axes {
-            let [x, y] = self.pulls[k * self.axes + axis].slope;
-            most = most.max((x * c[0] + y * c[1]).abs() / self.shares[k]);
-            let [left, right] = self.bends[k * self.axes + axis].along(&c);
-            most = most.max(left.abs() / (self.limits[k] * self.root[k]));
-            most = most.max(right.abs() / (self.limits[k] * self.root[k + 1]));
+    /// The largest use of the limits around two cells.
+    fn largest_use(&self, index: usize) -> Two {
+        let k = 1 + 2 * index;
+        let c = Newton::around(&self.c, k);
+        let own = index * self.axes..(index + 1) * self.axes;
+        let block = &self.blocks[index];
+        let none = Two::default();
+        let mut most = none;
+        for pull in &self.pulls[own.clone()] {
+            let used = pull.along(c) / block.share;
+            most = most.max(used).max(none - used);
+        }
+        for bend in &self.bends[own] {
+            for end in 0..2 {
+                let used = bend.along(end, c) / (block.limit * Two::at(&self.root, k + end));
+                most = most.max(used).max(none - used);
+            }
         }
         most
     }

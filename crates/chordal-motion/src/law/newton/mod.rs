@@ -10,13 +10,16 @@
 //! start, and at the end t is nothing.
 
 mod begin;
+mod lanes;
 mod rows;
 mod step;
 
 use super::Side;
-use super::grid::{Grid, rest_factor};
+use super::grid::{Cell, Grid, Node, rest_factor};
 use begin::Begin;
-use rows::{Bend, Pull, Row};
+use lanes::Two;
+use rows::{Bend, Pull};
+use step::{Block, Line, Standing};
 
 /// What of the limits is used; the rest is for what lies between the nodes.
 const ACCELERATION: f64 = 0.998;
@@ -25,10 +28,16 @@ const JERK: f64 = 0.9985;
 /// where elastic shares stay.
 const TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
 /// So far towards a wall in one step.
-const NEAR: f64 = 0.97;
+const NEAR: f64 = 0.99;
 const ITERATIONS: usize = 60;
+/// Where an elastic share above this one is left after so many another start is better.
+const SLOW: (u32, f64) = (30, 0.1);
 /// An open gap below this share of the time closes no more.
 const STUCK: f64 = 1e-8;
+/// A step that ends beyond a limit is halved so often.
+const SHORTER: u32 = 30;
+/// The least b that has a root.
+const LEAST: f64 = 1e-300;
 /// The largest elastic share that is left.
 const ELASTIC: f64 = 3e-4;
 
@@ -53,26 +62,17 @@ pub(super) struct Newton {
     /// coefficient.
     cap: Vec<f64>,
     cell_cap: Vec<f64>,
-    /// The rows of limits: of velocity at each node and on each cell, of the acceleration of each axis at each
-    /// node, of its jerk on each cell.
-    cap_rows: Vec<Row>,
-    cell_cap_rows: Vec<Row>,
+    lengths: Vec<f64>,
+    /// The cells from the second one on, in twos, and for each the limits of every axis.
+    blocks: Vec<Block>,
     pulls: Vec<Pull>,
     bends: Vec<Bend>,
-    shares: Vec<f64>,
-    limits: Vec<f64>,
-    lengths: Vec<f64>,
+    /// The coefficients, and b and 1/√b at the nodes; beyond the last some that stand for nothing.
     c: Vec<f64>,
     b: Vec<f64>,
     root: Vec<f64>,
-    elastic: Vec<f64>,
-    elastic_price: Vec<f64>,
-    diagonals: [Vec<f64>; 3],
+    lines: Vec<Line>,
     step: Vec<f64>,
-    elastic_step: Vec<f64>,
-    /// What eliminates the elastic share of a cell.
-    folded: Vec<([f64; 3], f64)>,
-    trial: (Vec<f64>, Vec<f64>),
     first: usize,
     last: usize,
     rests: [Option<f64>; 2],
@@ -95,10 +95,11 @@ impl Newton {
             self.c.clear();
             self.c.extend_from_slice(coefficients);
             self.c[self.first..=self.last].iter_mut().for_each(|c| *c *= share);
+            self.c.resize(self.padded(), 1.0);
             let solution = self.iterate(gap, price, Begin::Far);
             iterations += solution.iterations;
             if solution.converged {
-                coefficients.copy_from_slice(&self.c);
+                coefficients.copy_from_slice(&self.c[..self.count]);
                 return Solution { iterations, converged: true };
             }
         }
@@ -118,13 +119,19 @@ impl Newton {
         self.lay(grid, from, to, sides);
         self.c.clear();
         self.c.extend_from_slice(coefficients);
+        self.c.resize(self.padded(), 1.0);
         let warm = self.iterate(gap, TRIES[0][0], Begin::Near);
         if warm.converged {
-            coefficients.copy_from_slice(&self.c);
+            coefficients.copy_from_slice(&self.c[..self.count]);
             return warm;
         }
         let cold = self.solve(grid, (from, to), sides, coefficients, gap);
         Solution { iterations: warm.iterations + cold.iterations, ..cold }
+    }
+
+    /// So many coefficients are there, with those that stand for nothing.
+    fn padded(&self) -> usize {
+        2 * self.blocks.len() + 2
     }
 
     fn lay(&mut self, grid: &Grid, from: usize, to: usize, sides: [Side; 2]) {
@@ -134,64 +141,122 @@ impl Newton {
         let nodes = &grid.nodes[from..=to];
         self.lengths.clear();
         self.lengths.extend(cells.iter().map(|cell| cell.length));
+        // Prices stay: the same window may be solved again.
+        self.blocks.resize(n / 2, Block::default());
+        self.pulls.resize(n / 2 * axes, Pull::default());
+        self.bends.resize(n / 2 * axes, Bend::default());
+        let padded = self.padded();
         for list in [&mut self.before, &mut self.after, &mut self.sum, &mut self.cap] {
             list.clear();
-            list.resize(n + 1, 0.0);
+            list.resize(padded, 0.0);
         }
-        // Prices stay: the same window may be solved again.
-        self.cap_rows.resize(n + 1, Row::default());
-        self.cell_cap_rows.resize(n, Row::default());
-        self.pulls.resize((n + 1) * axes, Pull::default());
-        self.bends.resize(n * axes, Bend::default());
         self.cell_cap.clear();
         self.cell_cap.extend(nodes.windows(2).map(|ends| ends[0].cap.min(ends[1].cap)));
-        self.limits.clear();
-        self.limits.extend(cells.iter().map(|cell| JERK * cell.share));
-        self.shares.clear();
-        self.shares.extend(nodes.iter().map(|node| ACCELERATION * node.share));
         for node in 1..n {
             let (g, h) = (cells[node - 1].length, cells[node].length);
             let sum = 1.0 / (g + h);
             (self.before[node], self.after[node], self.sum[node]) = (h * sum, g * sum, sum);
             self.cap[node] = nodes[node].cap;
-            for (place, &axis) in grid.axes.iter().enumerate() {
-                let [q1, q2] = nodes[node].by_acceleration.map(|row| row[axis]);
-                self.pulls[node * axes + place].slope =
-                    [q2 * h * sum - q1 * sum, q2 * g * sum + q1 * sum];
-            }
         }
-        for cell in 1..n - 1 {
-            let inverse = 1.0 / cells[cell].length;
-            // The change of σ̈ over the cell by its length.
-            let (a0, a2) = (self.sum[cell] * inverse, self.sum[cell + 1] * inverse);
-            let a1 = -(a0 + a2);
-            for (place, &axis) in grid.axes.iter().enumerate() {
-                let [third, fourth] = cells[cell].third.map(|row| row[axis]);
-                let [p, k] = nodes[cell].by_jerk.map(|row| row[axis]);
-                let [q, l] = nodes[cell + 1].by_jerk.map(|row| row[axis]);
-                let (k, l) = (3.0 * k * self.sum[cell], 3.0 * l * self.sum[cell + 1]);
-                self.bends[cell * axes + place].slope = [
-                    [p * a0 - k + third * self.before[cell], q * a0],
-                    [
-                        p * a1 + k + third * self.after[cell],
-                        q * a1 - l + fourth * self.before[cell + 1],
-                    ],
-                    [p * a2, q * a2 + l + fourth * self.after[cell + 1]],
-                ];
-            }
-        }
-        let ends = [(0, 1), (n - 1, n - 2)];
-        for (side, (at, next)) in ends.into_iter().enumerate() {
+        let ends = [(0, 1, 1), (n - 1, n - 2, n - 1)];
+        for (side, (at, next, node)) in ends.into_iter().enumerate() {
             self.rests[side] = None;
             if sides[side] == Side::Rest {
                 self.rests[side] = Some(rest_factor(&cells[at], &cells[next]));
-                let node = if side == 0 { 1 } else { n - 1 };
                 let most = grid.rest_cap(from + at, side) * JERK.powi(2);
                 self.cap[node] = self.cap[node].min(most);
             }
         }
         self.first = if sides[0] == Side::Rest { 1 } else { 2 };
         self.last = if sides[1] == Side::Rest { n - 2 } else { n - 3 };
+        self.lay_blocks(cells, nodes);
+        for index in 0..self.blocks.len() {
+            for (place, &axis) in grid.axes.iter().enumerate() {
+                let (node, cell) = self.slopes(1 + 2 * index, axis, cells, nodes);
+                self.pulls[index * axes + place].slope = node;
+                self.bends[index * axes + place].slope = cell;
+            }
+        }
+    }
+
+    /// Nodes between two coefficients that are given have no limits.
+    fn has_limits(&self, node: usize) -> bool {
+        node >= self.first && node <= self.last + 1
+    }
+
+    fn lay_blocks(&mut self, cells: &[Cell], nodes: &[Node]) {
+        let mut blocks = std::mem::take(&mut self.blocks);
+        let n = self.count;
+        let is_cell = |k: usize| k < n - 1;
+        for (index, block) in blocks.iter_mut().enumerate() {
+            let k = 1 + 2 * index;
+            let of_cell = |value: &dyn Fn(usize) -> f64, other: f64| {
+                Two::of(k, |k| if is_cell(k) { value(k) } else { other })
+            };
+            block.node = [Two::at(&self.before, k), Two::at(&self.after, k)];
+            block.ends = [0, 1].map(|end| {
+                [&self.before, &self.after].map(|list| of_cell(&|k| list[k + end], 0.0))
+            });
+            block.length = of_cell(&|k| cells[k].length, 0.0);
+            let rest = |k: usize| match self.rests {
+                [Some(_), _] if k == 1 => cells[0].length,
+                [_, Some(_)] if k == n - 1 => cells[n - 1].length,
+                _ => 0.0,
+            };
+            block.rest = Two::of(k, rest);
+            let has_limits = |k: usize| self.has_limits(k);
+            let share = |k: usize| if has_limits(k) { ACCELERATION * nodes[k].share } else { 1.0 };
+            block.share = Two::of(k, share);
+            block.limit = of_cell(&|k| JERK * cells[k].share, 1.0);
+            block.caps = [
+                Two::of(k, |k| if has_limits(k) { 1.0 / self.cap[k] } else { 0.0 }),
+                Two::of(k, |k| {
+                    let is_free = (self.first..=self.last).contains(&k);
+                    if is_free { 1.0 / self.cell_cap[k] } else { 0.0 }
+                }),
+            ];
+        }
+        self.blocks = blocks;
+    }
+
+    /// How acceleration at the node and jerk at both ends of two cells go by the coefficients around them.
+    fn slopes(
+        &self,
+        k: usize,
+        axis: usize,
+        cells: &[Cell],
+        nodes: &[Node],
+    ) -> ([Two; 2], [[Two; 3]; 2]) {
+        let (mut of_node, mut of_cell) = ([[0.0; 2]; 2], [[[0.0; 2]; 3]; 2]);
+        for lane in 0..2 {
+            let k = k + lane;
+            if self.has_limits(k) {
+                let [q1, q2] = nodes[k].by_acceleration.map(|row| row[axis]);
+                of_node[0][lane] = q2 * self.before[k] - q1 * self.sum[k];
+                of_node[1][lane] = q2 * self.after[k] + q1 * self.sum[k];
+            }
+            if k + 1 >= self.count {
+                continue;
+            }
+            let inverse = 1.0 / cells[k].length;
+            // The change of σ̈ over the cell by its length.
+            let (a0, a2) = (self.sum[k] * inverse, self.sum[k + 1] * inverse);
+            let changes = [a0, -(a0 + a2), a2];
+            for end in 0..2 {
+                let node = k + end;
+                let [p, q] = nodes[node].by_jerk.map(|row| row[axis]);
+                let third = cells[k].third[end][axis];
+                let turn = 3.0 * q * self.sum[node];
+                let slope = &mut of_cell[end];
+                for (slope, change) in slope.iter_mut().zip(changes) {
+                    slope[lane] = p * change;
+                }
+                slope[end][lane] += third * self.before[node] - turn;
+                slope[end + 1][lane] += third * self.after[node] + turn;
+            }
+        }
+        let two = |[first, second]: [f64; 2]| Two::new(first, second);
+        (of_node.map(two), of_cell.map(|end| end.map(two)))
     }
 
     /// The coefficients next to a rest follow the next ones.
@@ -208,14 +273,12 @@ impl Newton {
     /// b and 1/√b at the nodes.
     fn speeds(&mut self) {
         let n = self.count;
-        self.b.clear();
-        self.b.resize(n + 1, 0.0);
-        self.root.clear();
-        self.root.resize(n + 1, 0.0);
-        for node in 1..n {
-            let b = self.before[node] * self.c[node - 1] + self.after[node] * self.c[node];
-            self.b[node] = b;
-            self.root[node] = 1.0 / b.max(1e-300).sqrt();
+        let c = self.c[..n].windows(2).zip(self.before[1..n].iter().zip(&self.after[1..n]));
+        let nodes = self.b[1..n].iter_mut().zip(&mut self.root[1..n]);
+        for ((b, root), (c, (before, after))) in nodes.zip(c) {
+            *b = before * c[0] + after * c[1];
+            // Less than nothing is left to the limits, which tell.
+            *root = 1.0 / if *b > LEAST { *b } else { LEAST }.sqrt();
         }
     }
 
@@ -234,45 +297,44 @@ impl Newton {
     }
 
     fn largest_elastic(&self) -> f64 {
-        self.elastic[1..self.count - 1].iter().fold(0.0, |most, t| most.max(*t))
+        let most = |most: Two, block: &Block| most.max(block.elastic);
+        self.blocks.iter().fold(Two::default(), most).most()
     }
 
     fn iterate(&mut self, gap: f64, price: f64, how: Begin) -> Solution {
+        let failed = Solution { iterations: 0, converged: false };
+        if self.first > self.last {
+            return failed;
+        }
         self.begin(how);
-        let n = self.count;
-        if self.first > self.last || self.slacks() <= 0.0 {
-            return Solution { iterations: 0, converged: false };
-        }
-        let mut time = self.time();
+        let time = self.time();
         let price = price * time;
-        let rows = (self.count_rows() + n - 2) as f64;
+        let rows = (2 * self.blocks.len() * (3 + 6 * self.axes)) as f64;
         let mut mu = how.open(gap) * time / rows;
-        self.begin_prices(mu, how);
-        for k in 1..n - 1 {
-            let least = mu / self.elastic[k];
-            self.elastic_price[k] = match how {
-                Begin::Far => least.min(price),
-                Begin::Near => (10.0 * least).min(0.5 * price),
-            };
+        if !self.begin_prices(mu, price, how) {
+            return failed;
         }
-        let mut open = self.open();
+        let mut now = self.assemble(price, 0.0);
         for iterations in 0..ITERATIONS as u32 {
             let elastic = self.largest_elastic();
-            if open < gap * time && elastic < ELASTIC {
+            if now.open < gap * now.time && elastic < ELASTIC {
                 return Solution { iterations, converged: true };
             }
             // Where limits contradict what is given, the elastic shares stay.
-            if open.is_nan() || open <= STUCK * time {
+            let is_stuck = now.open.is_nan() || now.open <= STUCK * now.time;
+            let is_slow = iterations >= SLOW.0 && elastic > SLOW.1;
+            if is_stuck || is_slow {
                 break;
             }
-            self.assemble(mu, price);
+            if iterations > 0 {
+                mu *= now.open / rows;
+            }
             self.factor();
+            self.solve_for(mu);
             let (primal, dual) = self.reach(mu);
-            self.advance(mu, primal, dual);
-            time = self.time();
+            now = self.advance(price, primal, dual);
             let done = primal.min(dual);
-            open = self.open();
-            mu = ((1.0 - done) * (1.0 - done)).max(0.05) * open / rows;
+            mu = ((1.0 - done) * (1.0 - done) * (1.0 - done)).max(0.02);
         }
         // A law within all limits is one, if not the best.
         let elastic = self.largest_elastic();
@@ -280,24 +342,19 @@ impl Newton {
     }
 
     /// Takes the step; shorter where the limits turn out to be nearer.
-    fn advance(&mut self, mu: f64, primal: f64, dual: f64) {
-        let n = self.count;
-        self.advance_prices(mu, dual);
-        let (mut c, mut t) = std::mem::take(&mut self.trial);
-        c.clone_from(&self.c);
-        t.clone_from(&self.elastic);
+    fn advance(&mut self, price: f64, primal: f64, dual: f64) -> Standing {
+        self.go(primal);
+        let mut now = self.assemble(price, dual);
         let mut way = primal;
-        for _ in 0..30 {
-            for k in 0..n {
-                self.c[k] = c[k] + way * self.step[k];
-                self.elastic[k] = t[k] + way * self.elastic_step[k];
-            }
-            self.speeds();
-            if self.slacks() > 0.0 {
+        for _ in 0..SHORTER {
+            if now.least > 0.0 {
                 break;
             }
             way *= 0.5;
+            self.go(-way);
+            // The prices have taken their step.
+            now = self.assemble(price, 0.0);
         }
-        self.trial = (c, t);
+        now
     }
 }
