@@ -131,6 +131,75 @@ impl Arc {
     }
 }
 
+/// The derivatives of an arc at even steps along it, one after the other: each turns on from the one
+/// before, which takes no sine. See [`Arc::derivatives_from`].
+#[derive(Clone, Copy, Debug)]
+pub struct Derivatives {
+    /// Unit vectors outward and along the turning, at the place.
+    out: Vec3,
+    along: Vec3,
+    /// Sine and cosine of a step.
+    step: (f64, f64),
+    /// Sizes of the derivatives across the axis.
+    sizes: [f64; 3],
+    /// Of the tangent along the axis.
+    rise: Vec3,
+}
+
+impl Derivatives {
+    /// The unit tangent, the curvature vector (1/mm) and its derivative (1/mm²) at the place.
+    #[must_use]
+    pub fn here(&self) -> [Vec3; 3] {
+        let [first, second, third] = self.sizes;
+        [self.along * first + self.rise, self.out * -second, self.along * -third]
+    }
+
+    /// The same for one of X, Y and Z at `N` places from here on, each derivative by itself.
+    #[must_use]
+    pub fn of_axis<const N: usize>(&self, axis: usize) -> [[f64; N]; 3] {
+        let ((sin, cos), [first, second, third]) = (self.step, self.sizes);
+        let (mut out, mut along) = (self.out.component(axis), self.along.component(axis));
+        let rise = self.rise.component(axis);
+        let mut places = [[0.0; N]; 3];
+        let [firsts, seconds, thirds] = &mut places;
+        for ((to_first, to_second), to_third) in firsts.iter_mut().zip(seconds).zip(thirds) {
+            *to_first = along * first + rise;
+            *to_second = out * -second;
+            *to_third = along * -third;
+            (out, along) = (out * cos + along * sin, along * cos - out * sin);
+        }
+        places
+    }
+
+    /// Goes on by a step.
+    pub fn advance(&mut self) {
+        let ((sin, cos), out, along) = (self.step, self.out, self.along);
+        self.out = out * cos + along * sin;
+        self.along = along * cos - out * sin;
+    }
+}
+
+impl Arc {
+    /// The derivatives by length at `s` mm from the start and from there on in steps of `step` mm: for a
+    /// few steps, as rounding adds up. Nothing is kept within the ends; an arc without length has none.
+    #[must_use]
+    pub fn derivatives_from(&self, s: f64, step: f64) -> Derivatives {
+        let (winding, length) = (self.winding(), self.length());
+        let per_mm = if length == 0.0 { 0.0 } else { 1.0 / length };
+        let rate = winding.theta * per_mm;
+        let turned = |way: f64| math::sin_cos_of_quarters(way * rate / math::FRAC_PI_2);
+        let (sin, cos) = turned(s);
+        let first = self.radius * rate;
+        Derivatives {
+            out: winding.u * cos + winding.v * sin,
+            along: winding.v * cos - winding.u * sin,
+            step: turned(step),
+            sizes: [first, first * rate, first * rate * rate],
+            rise: self.w * (self.rise * per_mm),
+        }
+    }
+}
+
 impl ParamCurve for Arc {
     fn start(&self) -> Vec3 {
         self.start

@@ -1,8 +1,12 @@
-//! A spiral asked at places near each other.
+//! A spiral asked at many places.
 //!
 //! The way of a spiral as a function of its angle has a closed form with an inverse hyperbolic
 //! sine; the angle as a function of the way has none. Around a place it has a power series, which
 //! follows from its differential equation g·dt/ds = 1 with g² = (Θr)² + dr² + rise² term by term.
+//!
+//! The parts with a series of their own are those of even steps of z, where
+//! Θr = √(dr² + rise²)·sinh z: there every part has the same share of the way to the place at
+//! which its series ends. They are the spiral's own, so no answer depends on what was asked before.
 
 use crate::winding::Winding;
 use crate::{Vec3, math};
@@ -15,13 +19,20 @@ const TERMS: usize = 12;
 const OFF_MM: f64 = 1e-13;
 const OFF_SHARE: f64 = 1e-15;
 
+/// More parts than any spiral of finite numbers has.
+const MOST_PARTS: f64 = 1e9;
+
 /// A part of a spiral with the fraction of the sweep as a power series of the way.
 #[derive(Clone, Copy, Debug)]
-struct Near {
-    /// Its middle, mm from the start of the spiral.
+struct Part {
+    /// Its number among the parts.
+    number: usize,
+    /// Where it begins and ends, mm from the start of the spiral.
+    from: f64,
+    to: f64,
+    /// Its middle, likewise.
     s: f64,
-    /// To either side, mm; what all the powers are shares of; and its inverse.
-    reach: f64,
+    /// What all the powers are shares of, inverted: 1/mm.
     per_reach: f64,
     /// Fraction of the sweep in the middle.
     t: f64,
@@ -33,16 +44,31 @@ struct Near {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
     winding: Winding,
-    length: f64,
     /// Quarter turns of the whole sweep.
     quarters: f64,
-    near: Option<Near>,
+    /// Θ·dr.
+    bend: f64,
+    /// dr² + rise².
+    straight: f64,
+    grid: Grid,
+    part: Part,
 }
 
-impl Near {
+/// The parts of a spiral.
+#[derive(Clone, Copy, Debug)]
+struct Grid {
+    winding: Winding,
+    length: f64,
+    count: usize,
+    /// z at the start, and the step of it for each part.
+    from: f64,
+    step: f64,
+}
+
+impl Part {
     #[inline]
     fn holds(&self, s: f64) -> bool {
-        (s - self.s).abs() <= self.reach
+        s >= self.from && s < self.to
     }
 
     /// How far the fraction of the sweep is from that in the middle.
@@ -55,65 +81,142 @@ impl Near {
 
 impl Growth {
     pub(crate) fn new(winding: Winding, length: f64) -> Growth {
-        Growth { winding, length, quarters: winding.theta / math::FRAC_PI_2, near: None }
+        let grid = Grid::new(winding, length);
+        Growth {
+            winding,
+            quarters: winding.theta / math::FRAC_PI_2,
+            bend: winding.theta * winding.dr,
+            straight: winding.straight_squared(),
+            grid,
+            part: grid.part(0),
+        }
     }
 
     /// The point at `s` mm from the start, within the spiral, and its derivatives by time where
     /// those of `s` are `by_time`.
     #[inline(always)]
     pub(crate) fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
-        let near = match &self.near {
-            Some(near) if near.holds(s) => near,
-            _ => {
-                let near = self.part_for(s);
-                self.near.insert(near)
-            }
-        };
-        let t = near.t + near.beyond(s);
-        self.winding.motion(t, math::sin_cos_of_quarters(self.quarters * t), by_time)
-    }
-
-    /// The part that holds `s`, mostly the one next to the last.
-    #[cold]
-    fn part_for(&self, s: f64) -> Near {
-        if let Some(next) = self.near.as_ref().and_then(|last| self.next_to(last, s)) {
-            return next;
+        if !self.part.holds(s) {
+            self.part = self.grid.part_for(s, self.part.number);
         }
-        self.about(s)
+        let t = self.part.t + self.part.beyond(s);
+        self.motion(t, math::sin_cos_of_quarters(self.quarters * t), by_time)
     }
 
-    /// The part that joins another where it was left for `s`, if it holds that.
-    fn next_to(&self, last: &Near, s: f64) -> Option<Near> {
-        // So that the new one reaches back to the old one though it is a little smaller.
-        const SHARE: f64 = 0.8;
-        let way = last.reach.copysign(s - last.s);
-        let edge = last.s + way;
-        let reach = self.reach_at(last.t + last.beyond(edge));
-        // Not `clamp`, which panics at a length that is none.
-        let middle = (edge + SHARE * reach.copysign(way)).max(0.0).min(self.length);
-        let near = ((s - edge).abs() <= reach).then(|| self.about(middle))?;
-        near.holds(s).then_some(near)
+    /// The point at `t`, with sine and cosine of the angle there, and its derivatives by time.
+    #[inline(always)]
+    fn motion(
+        &self,
+        t: f64,
+        (sin, cos): (f64, f64),
+        [speed, acceleration, jerk]: [f64; 3],
+    ) -> [Vec3; 4] {
+        let Winding { center, u, v, w, r0, dr, theta, rise } = self.winding;
+        let r = r0 + dr * t;
+        let around = r * theta;
+        let k2 = 1.0 / (around * around + self.straight);
+        let k = k2.sqrt();
+        // g' and g'' relative to g, and what the velocity profile makes of t.
+        let bend = around * self.bend * k2;
+        let second = self.bend * self.bend * k2 - bend * bend;
+        let t1 = speed * k;
+        let square = t1 * t1;
+        let t2 = acceleration * k - bend * square;
+        let t3 = jerk * k - t1 * (3.0 * bend * t2 + second * square);
+        // The angle and the radius by time; the frame turns with the angle.
+        let (w1, w2, w3) = (theta * t1, theta * t2, theta * t3);
+        let (r1, r2, r3) = (dr * t1, dr * t2, dr * t3);
+        let (e, n) = (u * cos + v * sin, v * cos - u * sin);
+        let turned = |out: f64, along: f64, up: f64| e * out + n * along + w * up;
+        let square = w1 * w1;
+        [
+            center + e * r + w * (rise * t),
+            turned(r1, r * w1, rise * t1),
+            turned(r2 - r * square, 2.0 * r1 * w1 + r * w2, rise * t2),
+            turned(
+                r3 - 3.0 * (r1 * square + r * w1 * w2),
+                3.0 * (r2 * w1 + r1 * w2) + r * (w3 - w1 * square),
+                rise * t3,
+            ),
+        ]
+    }
+}
+
+impl Grid {
+    fn new(winding: Winding, length: f64) -> Grid {
+        let Winding { theta, r0, dr, .. } = winding;
+        let straight = winding.straight_squared().sqrt();
+        let z = |radius: f64| math::asinh(theta * radius / straight);
+        let (from, to) = (z(r0), z(r0 + dr));
+        // The series of a part ends where g would be zero, at g²/2Θdr or farther; what is left out
+        // of it is below r·g/dr times the share of that to the power TERMS + 1. Below the share of
+        // a twelfth power is taken, which is smaller, and where the radius is largest, where it is
+        // smallest. Twice that share of g²/2Θdr is as much of z.
+        let largest = r0.abs().max((r0 + dr).abs());
+        let off = OFF_MM + OFF_SHARE * largest;
+        let around = theta * largest;
+        let square = around * around + straight * straight;
+        let share = math::twelfth_root(off * (theta * dr).abs() / square);
+        // Without growth, or with next to none, one part is all; and where no number comes out.
+        let parts = ((to - from).abs() / share).ceil();
+        let count = if parts > 1.0 && parts < MOST_PARTS { parts } else { 1.0 };
+        Grid { winding, length, count: count as usize, from, step: (to - from) / count }
     }
 
-    fn about(&self, s: f64) -> Near {
-        let t = self.winding.fraction_at(s);
-        let reach = self.reach_at(t);
-        Near { s, reach, per_reach: 1.0 / reach, t, terms: self.series(t, reach) }
+    /// The part that holds a place, mostly next to the one of a number.
+    #[cold]
+    fn part_for(&self, s: f64, near: usize) -> Part {
+        let mut number = near;
+        let next = if s < self.begin(near) { near.saturating_sub(1) } else { near + 1 };
+        if next < self.count && s >= self.begin(next) && s < self.begin(next + 1) {
+            number = next;
+        } else if self.count > 1 {
+            let Winding { theta, .. } = self.winding;
+            let radius = self.winding.radius(self.winding.fraction_at(s));
+            let z = math::asinh(theta * radius / self.winding.straight_squared().sqrt());
+            // A number that is none counts as 0.
+            number = (((z - self.from) / self.step) as usize).min(self.count - 1);
+            // Rounding may have met the one before or after.
+            while number > 0 && s < self.begin(number) {
+                number -= 1;
+            }
+            while number + 1 < self.count && s >= self.begin(number + 1) {
+                number += 1;
+            }
+        }
+        self.part(number)
     }
 
-    /// How far from a place its series holds, mm.
-    fn reach_at(&self, t: f64) -> f64 {
-        let Winding { theta, dr, .. } = self.winding;
-        let bend = (theta * dr).abs();
-        let square = self.winding.speed_squared(t);
-        let off = OFF_MM + OFF_SHARE * self.winding.radius(t).abs();
-        // The series ends where g would be zero, at g²/2Θdr or farther; what is left out of it
-        // is below r·g/dr times the share of that to the power TERMS + 1. Below the share of a
-        // twelfth power is taken, which is smaller.
-        let share = math::twelfth_root(off * bend / square);
-        let reach = share * square / (2.0 * bend);
-        // Without growth, or with next to none, it is right everywhere.
-        if reach < self.length { reach } else { self.length }
+    /// Fraction of the sweep at which a part begins.
+    fn fraction(&self, number: usize) -> f64 {
+        if number == 0 {
+            return 0.0;
+        }
+        if number >= self.count {
+            return 1.0;
+        }
+        let Winding { theta, r0, dr, .. } = self.winding;
+        let z = self.from + self.step * number as f64;
+        let around = self.winding.straight_squared().sqrt() * math::sinh(z);
+        ((around / theta - r0) / dr).clamp(0.0, 1.0)
+    }
+
+    /// Where a part begins, mm from the start of the spiral.
+    fn begin(&self, number: usize) -> f64 {
+        if number >= self.count {
+            self.length
+        } else {
+            self.winding.length_to(self.fraction(number))
+        }
+    }
+
+    fn part(&self, number: usize) -> Part {
+        let t = 0.5 * (self.fraction(number) + self.fraction(number + 1));
+        let (from, to) = (self.begin(number), self.begin(number + 1));
+        let s = self.winding.length_to(t);
+        let reach = (s - from).max(to - s);
+        let per_reach = if reach > 0.0 { 1.0 / reach } else { 0.0 };
+        Part { number, from, to, s, per_reach, t, terms: self.series(t, reach) }
     }
 
     /// The terms of the fraction about `t`, for powers of shares of `reach`.

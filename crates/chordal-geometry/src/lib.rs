@@ -60,7 +60,7 @@ mod winding;
 mod winding_search;
 
 pub use aabb::Aabb;
-pub use arc::Arc;
+pub use arc::{Arc, Derivatives};
 pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 pub use bspline::{Spline, SplineError};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement};

@@ -16,40 +16,60 @@ pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
 pub(crate) fn sin_cos_of_quarters(quarters: f64) -> (f64, f64) {
     // Added and taken off again, this leaves the nearest whole number; its last bits count it.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
-    // Up to here that holds.
-    const MOST: f64 = 1e15;
+    // Up to here that holds for the parts, which are sixteen times as many.
+    const MOST: f64 = 1e14;
+    const STEP: f64 = FRAC_PI_2 / PARTS as f64;
     if quarters.abs() >= MOST {
         return sin_cos(quarters * FRAC_PI_2);
     }
-    let shifted = quarters + WHOLE;
-    let x = (quarters - (shifted - WHOLE)) * FRAC_PI_2;
+    let parts = quarters * PARTS as f64;
+    let shifted = parts + WHOLE;
+    let x = (parts - (shifted - WHOLE)) * STEP;
+    let [sin, cos] = TURN[(shifted.to_bits() % TURN.len() as u64) as usize];
+    // Within half a part the first terms of the series are right to a tenth of the last bit.
     let z = x * x;
-    // Best polynomials within an eighth of a turn, as in every libm.
-    let sin = x + x * z * polynomial(z, &SINE);
-    let half = 0.5 * z;
-    let near_one = 1.0 - half;
-    let cos = near_one + ((1.0 - near_one) - half + z * z * polynomial(z, &COSINE));
-    let count = shifted.to_bits();
-    let (sin, cos) = if count & 1 == 0 { (sin, cos) } else { (cos, -sin) };
-    let sign = (count & 2) << 62;
-    (f64::from_bits(sin.to_bits() ^ sign), f64::from_bits(cos.to_bits() ^ sign))
+    let sin_x = x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 - z * (1.0 / 5040.0)));
+    let below_one = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40320.0))));
+    (sin + (sin * below_one + cos * sin_x), cos + (cos * below_one - sin * sin_x))
 }
 
-const SINE: [f64; 6] = [
-    -1.666_666_666_666_663_2e-1,
-    8.333_333_333_322_49e-3,
-    -1.984_126_982_985_795e-4,
-    2.755_731_370_707_006_8e-6,
-    -2.505_076_025_340_686_3e-8,
-    1.589_690_995_211_55e-10,
-];
-const COSINE: [f64; 6] = [
-    4.166_666_666_666_66e-2,
-    -1.388_888_888_887_411e-3,
-    2.480_158_728_947_673e-5,
-    -2.755_731_435_139_066_3e-7,
-    2.087_572_321_298_175e-9,
-    -1.135_964_755_778_819_5e-11,
+/// Parts of a quarter turn with known sine and cosine.
+const PARTS: usize = 16;
+
+/// Sine and cosine of each part of a turn.
+const TURN: [[f64; 2]; 4 * PARTS] = {
+    let mut turn = [[0.0; 2]; 4 * PARTS];
+    let mut part = 0;
+    while part < PARTS {
+        let (sin, cos) = (SINES[part], SINES[PARTS - part]);
+        turn[part] = [sin, cos];
+        turn[part + PARTS] = [cos, -sin];
+        turn[part + 2 * PARTS] = [-sin, -cos];
+        turn[part + 3 * PARTS] = [-cos, sin];
+        part += 1;
+    }
+    turn
+};
+
+/// Sines of the parts of a quarter turn, rounded once.
+const SINES: [f64; PARTS + 1] = [
+    0.0,
+    0.098_017_140_329_560_6,
+    0.195_090_322_016_128_28,
+    0.290_284_677_254_462_4,
+    0.382_683_432_365_089_8,
+    0.471_396_736_825_997_64,
+    0.555_570_233_019_602_2,
+    0.634_393_284_163_645_5,
+    core::f64::consts::FRAC_1_SQRT_2,
+    0.773_010_453_362_737,
+    0.831_469_612_302_545_2,
+    0.881_921_264_348_355,
+    0.923_879_532_511_286_7,
+    0.956_940_335_732_208_8,
+    0.980_785_280_403_230_4,
+    0.995_184_726_672_196_9,
+    1.0,
 ];
 
 /// The value of a polynomial, its constant first, of an even number of factors.
@@ -104,6 +124,16 @@ pub(crate) fn ln_1p(x: f64) -> f64 {
 /// The twelfth root.
 pub(crate) fn twelfth_root(x: f64) -> f64 {
     libm::cbrt(x.sqrt().sqrt())
+}
+
+/// Hyperbolic sine.
+pub(crate) fn sinh(x: f64) -> f64 {
+    libm::sinh(x)
+}
+
+/// Inverse hyperbolic sine.
+pub(crate) fn asinh(x: f64) -> f64 {
+    libm::asinh(x)
 }
 
 /// `asinh(y) / y`, continued by its limit 1 at zero.

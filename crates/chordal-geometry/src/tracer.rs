@@ -8,8 +8,8 @@ use crate::{Curve, Line, ParamCurve, Vec3, math};
 /// A curve with all that does not change along it worked out: it answers what
 /// [`ParamCurve::jet_at`] answers, to rounding, in less time. The ends are those of the curve.
 ///
-/// On a spiral it keeps what it found near the last place, so that it is quick where one place
-/// lies near the one before; what was asked before changes an answer by rounding alone.
+/// On a spiral it keeps the part that holds the last place, so that it is quick where one place
+/// lies near the one before. No answer depends on what was asked before.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer {
     start: Vec3,

@@ -80,7 +80,7 @@ impl Winding {
     }
 
     /// Square of the part of the speed |dp/dt| that does not depend on the radius.
-    fn straight_squared(&self) -> f64 {
+    pub(crate) fn straight_squared(&self) -> f64 {
         self.dr * self.dr + self.rise * self.rise
     }
 
@@ -173,44 +173,6 @@ impl Winding {
             self.center + self.u * (r * cos) + self.v * (r * sin) + self.w * (self.rise * t);
         let (e, n) = (self.u * cos + self.v * sin, self.v * cos - self.u * sin);
         (point, self.intrinsic_along(t, e, n))
-    }
-
-    /// The point at `t`, with sine and cosine of the angle there, and its derivatives by time
-    /// where those of the arc length are `by_time`. Not for curves without length.
-    #[inline(always)]
-    pub(crate) fn motion(
-        &self,
-        t: f64,
-        (sin, cos): (f64, f64),
-        [speed, acceleration, jerk]: [f64; 3],
-    ) -> [Vec3; 4] {
-        let (th, dr) = (self.theta, self.dr);
-        let r = self.radius(t);
-        let around = r * th;
-        let k2 = 1.0 / (around * around + self.straight_squared());
-        let k = k2.sqrt();
-        // g' and g'' relative to g, and what the velocity profile makes of t.
-        let bend = around * th * dr * k2;
-        let second = dr * dr * th * th * k2 - bend * bend;
-        let t1 = speed * k;
-        let t2 = acceleration * k - bend * (t1 * t1);
-        let t3 = jerk * k - t1 * (3.0 * bend * t2 + second * (t1 * t1));
-        // The angle and the radius by time; the frame turns with the angle.
-        let (w1, w2, w3) = (th * t1, th * t2, th * t3);
-        let (r1, r2, r3) = (dr * t1, dr * t2, dr * t3);
-        let (e, n) = (self.u * cos + self.v * sin, self.v * cos - self.u * sin);
-        let turned = |out: f64, along: f64, up: f64| e * out + n * along + self.w * up;
-        let square = w1 * w1;
-        [
-            self.center + e * r + self.w * (self.rise * t),
-            turned(r1, r * w1, self.rise * t1),
-            turned(r2 - r * square, 2.0 * r1 * w1 + r * w2, self.rise * t2),
-            turned(
-                r3 - 3.0 * (r1 * square + r * w1 * w2),
-                3.0 * (r2 * w1 + r1 * w2) + r * (w3 - w1 * square),
-                self.rise * t3,
-            ),
-        ]
     }
 
     /// Derivatives by arc length at `t`, where `e` points outward and `n` along the turning.

@@ -33,6 +33,27 @@ fn a_helix_by_hand() {
 }
 
 #[test]
+fn derivatives_of_an_arc_step_by_step() {
+    for (sweep, rise) in [(2.0, 0.0), (-4.0, 0.0), (30.0, 25.0), (-7.0, -3.0)] {
+        let arc = Arc::new(Plane::Zx.frame(), 3.0, sweep, rise);
+        let step = arc.length() / 8.0;
+        let mut derivatives = arc.derivatives_from(0.3 * step, step);
+        let axes: [[[f64; 8]; 3]; 3] = std::array::from_fn(|axis| derivatives.of_axis(axis));
+        for index in 0..8 {
+            let at = |order: usize| Vec3::from_array(axes.map(|of| of[order][index]));
+            assert_eq!(derivatives.here(), [at(0), at(1), at(2)]);
+            let [_, exact @ ..] = arc.jet_at((0.3 + index as f64) * step);
+            for (stepped, exact) in derivatives.here().into_iter().zip(exact) {
+                assert!(stepped.distance(exact) < 1e-14, "{sweep} {index}: {stepped:?} {exact:?}");
+            }
+            derivatives.advance();
+        }
+    }
+    let point = Arc::new(Plane::Xy.frame(), 0.0, 0.0, 0.0);
+    assert_eq!(point.derivatives_from(0.0, 1.0).here(), [Vec3::ZERO; 3]);
+}
+
+#[test]
 fn archimedean_spiral_from_its_centre() {
     // r = φ over one turn: ½[2π√(1 + 4π²) + asinh 2π] = 21.256 294 148 209 1.
     let s = Spiral::new(Plane::Xy.frame(), (0.0, TAU), TAU, 0.0);

@@ -10,14 +10,15 @@ use rows::{arcs, plan, spiral, surface, wiggle};
 fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("plan");
     group.sample_size(10);
-    for (name, moves) in [
-        ("surface", surface(100_000)),
-        ("spiral", spiral(100_000)),
-        ("wiggle", wiggle(100_000)),
-        ("arcs", arcs(20_000)),
+    for (name, moves, joins) in [
+        ("surface", surface(100_000), true),
+        ("spiral", spiral(100_000), true),
+        ("wiggle", wiggle(100_000), true),
+        ("surface by corners", surface(100_000), false),
+        ("arcs", arcs(20_000), true),
     ] {
         group.throughput(Throughput::Elements(moves.len() as u64));
-        group.bench_function(name, |b| b.iter(|| plan(black_box(&moves))));
+        group.bench_function(name, |b| b.iter(|| plan(black_box(&moves), joins)));
     }
     group.finish();
 }

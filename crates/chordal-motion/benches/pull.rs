@@ -1,5 +1,5 @@
-//! The cost of a setpoint on the pull side: on lines, arcs, eased corners, short segments, with
-//! and without a change of the rate under way.
+//! The cost of a setpoint on the pull side: on lines, arcs, spirals, eased corners, short segments and dense
+//! curves, with and without a change of the rate under way.
 
 #![allow(missing_docs, clippy::disallowed_methods, reason = "a benchmark is a shell")]
 
@@ -7,9 +7,10 @@
 mod support;
 
 use std::hint::black_box;
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-use chordal_geometry::{Arc, Curve, ParamCurve, Plane};
+use chordal_geometry::{Arc, Curve, ParamCurve, Plane, Spiral};
 use chordal_motion::{Corner, Feeder, Move, Pushed, Servo, StreamOptions, stream};
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -36,6 +37,22 @@ fn arcs(index: u64) -> Move {
     let turn = std::f64::consts::TAU;
     let corner = if index % 20 == 19 { Corner::Stop } else { Corner::Exact };
     motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), corner, index)
+}
+
+/// Out and in on a spiral of ten turns, with a stop at each end.
+fn spirals(index: u64) -> Move {
+    let out = Spiral::new(Plane::Xy.frame(), (5.0, 25.0), 10.0 * std::f64::consts::TAU, 0.0);
+    let spiral = if index.is_multiple_of(2) { out } else { out.reversed() };
+    motion(spiral.into(), Corner::Stop, index)
+}
+
+/// Chords of a star, which the planner makes a curve, with a stop after each lap.
+fn dense(index: u64) -> Move {
+    static LAP: LazyLock<Vec<Move>> =
+        LazyLock::new(|| support::dense::moves(&support::dense::star(0.1), 1000.0, 0.01));
+    let chord = index as usize % LAP.len();
+    let corner = if chord + 1 == LAP.len() { Corner::Stop } else { LAP[chord].corner };
+    Move { corner, tag: index, ..LAP[chord] }
 }
 
 /// A polygon of 500 lines around radius 20, eased within a hundredth of a millimetre.
@@ -107,8 +124,14 @@ impl Source {
 
 fn pull(c: &mut Criterion) {
     let mut group = c.benchmark_group("setpoint");
-    let programs: [(&str, Program); 4] =
-        [("lines", lines), ("arcs", arcs), ("eased", eased), ("short", short)];
+    let programs: [(&str, Program); 6] = [
+        ("lines", lines),
+        ("arcs", arcs),
+        ("spirals", spirals),
+        ("eased", eased),
+        ("short", short),
+        ("dense", dense),
+    ];
     for (name, program) in programs {
         group.bench_function(name, |bencher| {
             let mut source = Source::new(program);

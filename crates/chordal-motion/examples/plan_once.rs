@@ -5,21 +5,25 @@
 //! valgrind --tool=callgrind target/release/examples/plan_once surface 100000
 //! ```
 //!
-//! With one more word the moves are made and not planned: what that takes is to be taken off.
+//! With the word `corners` no moves are joined as curves. With the word `make` the moves are made and not
+//! planned: what that takes is to be taken off.
 
 #![allow(clippy::disallowed_methods, reason = "an example is a shell")]
 
 #[path = "../benches/rows/mod.rs"]
 mod rows;
 
+use std::time::Instant;
+
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let (kind, count, plans) = match &words[..] {
-        [kind, count] => (kind.as_str(), count.parse().ok(), true),
-        [kind, count, _] => (kind.as_str(), count.parse().ok(), false),
-        _ => ("", None, false),
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let (kind, count, how) = match words[..] {
+        [kind, count] => (kind, count.parse().ok(), "curves"),
+        [kind, count, how] => (kind, count.parse().ok(), how),
+        _ => ("", None, ""),
     };
-    let make = match kind {
+    let moves_of = match kind {
         "surface" => rows::surface,
         "spiral" => rows::spiral,
         "wiggle" => rows::wiggle,
@@ -27,8 +31,11 @@ fn main() {
         _ => return println!("say surface, spiral, wiggle or arcs, and how many moves"),
     };
     let Some(count) = count else { return println!("the number of moves is missing") };
-    let moves = make(count);
-    if plans {
-        println!("{} moves take {:.9} s", moves.len(), rows::plan(&moves));
+    let moves = moves_of(count);
+    if how != "make" {
+        let start = Instant::now();
+        let time_s = rows::plan(&moves, how != "corners");
+        let millions = count as f64 / start.elapsed().as_secs_f64() / 1e6;
+        println!("{count} moves take {time_s:.9} s, planned at {millions:.3} M/s");
     }
 }

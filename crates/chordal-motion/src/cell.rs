@@ -5,7 +5,7 @@ use chordal_geometry::AXES;
 
 use crate::Axes;
 use crate::limits::Limits;
-use crate::profile::{Ability, Cell, Effort};
+use crate::profile::{Ability, Cell, Effort, least};
 use crate::root::cbrt;
 
 /// Limits of the axes as arrays.
@@ -47,6 +47,8 @@ pub struct Turning {
 pub struct Bounds {
     /// |q'|, |q''| and |q'''| of what does not turn.
     pub even: [Axes; 3],
+    /// Axes up to the last that moves.
+    pub axes: usize,
     /// What turns.
     pub turning: Option<Turning>,
     /// Largest |q'| of the tool.
@@ -61,6 +63,7 @@ impl Bounds {
                 *value = value.max(*more);
             }
         }
+        self.axes = self.axes.max(other.axes);
         self.rate = self.rate.max(other.rate);
     }
 
@@ -98,10 +101,10 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     // Where easing shortens the path the tool goes a little below its feed: to run faster by as
     // much would be a change of speed at every piece.
     let mut speed = feed / bounds.rate.max(1.0);
-    let [x1, x2, x3] = &bounds.even;
+    let (axes, [x1, x2, x3]) = (bounds.axes, &bounds.even);
     let (turn, k, twist) = bounds.turn();
     let (mut by_speed, mut by_square, mut by_cube) = (0.0_f64, 0.0_f64, 0.0_f64);
-    for axis in 0..limits.count {
+    for axis in 0..axes {
         let c = turn[axis];
         by_speed = by_speed.max((x1[axis] + c) / limits.velocity[axis]);
         by_square = by_square.max((x2[axis] + c * k) / limits.acceleration[axis]);
@@ -120,8 +123,9 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
     let high = bounds.effort_at(speed, limits);
     let bends = bounds.turning.is_some() || bounds.even[1] != [0.0; AXES];
     let ability = if bends {
-        let knees = KNEES.map(|knee| knee * speed);
-        let [low, middle] = knees.map(|knee| bounds.effort_at(knee, limits));
+        let knees = [KNEES[0] * speed, KNEES[1] * speed];
+        let low = bounds.effort_at(knees[0], limits);
+        let middle = bounds.effort_at(knees[1], limits);
         Ability { knees, efforts: [low, middle, high] }
     } else {
         Ability::even(high)
@@ -132,38 +136,38 @@ pub fn cell(length: f64, bounds: &Bounds, feed: f64, limits: &AxisArrays) -> Cel
 impl Bounds {
     /// Where nothing turns: each axis has its second and third derivative by itself.
     fn even_effort_at(&self, v: f64, limits: &AxisArrays) -> Effort {
-        let [x1, x2, x3] = &self.even;
+        let (axes, [x1, x2, x3]) = (self.axes, &self.even);
         let (square, cube) = (v * v, v * v * v);
         let mut acceleration = f64::INFINITY;
-        for axis in 0..limits.count {
+        for axis in 0..axes {
             if x1[axis] > 0.0 {
                 let left = limits.acceleration[axis] - x2[axis] * square;
-                acceleration = acceleration.min(left / x1[axis]);
+                acceleration = least(acceleration, left / x1[axis]);
             }
             // Turning while the speed changes takes jerk from what is left.
             let turning = 3.0 * v * x2[axis];
             if turning > 0.0 {
                 let left = (limits.jerk[axis] - x3[axis] * cube).max(0.0);
-                acceleration = acceleration.min(TURNING_SHARE * left / turning);
+                acceleration = least(acceleration, TURNING_SHARE * left / turning);
             }
         }
         let mut jerk = f64::INFINITY;
-        for axis in 0..limits.count {
+        for axis in 0..axes {
             if x1[axis] > 0.0 {
                 let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * cube;
-                jerk = jerk.min((limits.jerk[axis] - used) / x1[axis]);
+                jerk = least(jerk, (limits.jerk[axis] - used) / x1[axis]);
             }
         }
         Effort { acceleration, jerk }
     }
 
     fn turning_effort_at(&self, v: f64, limits: &AxisArrays) -> Effort {
-        let [x1, x2, x3] = &self.even;
+        let (axes, [x1, x2, x3]) = (self.axes, &self.even);
         let (turn, k, twist) = self.turn();
         let q = k * v * v;
         let along = k * k * v * v * v;
         let mut acceleration = f64::INFINITY;
-        for axis in 0..limits.count {
+        for axis in 0..axes {
             let c = turn[axis];
             let left = limits.acceleration[axis] - x2[axis] * v * v;
             acceleration = acceleration.min(largest(c, q, x1[axis], left));
@@ -183,7 +187,7 @@ impl Bounds {
         }
         let mut jerk = f64::INFINITY;
         let normal = 3.0 * k * v * acceleration + twist * v * v * v;
-        for axis in 0..limits.count {
+        for axis in 0..axes {
             let c = turn[axis];
             let used = 3.0 * x2[axis] * v * acceleration + x3[axis] * v * v * v;
             let left = limits.jerk[axis] - used + x1[axis] * along;

@@ -1,18 +1,83 @@
 //! The axes at an instant of a stretch, one instant after the other.
 
-use crate::reader::Reader;
+use crate::reader::{Part, Reader};
 use crate::sample::{Sample, State};
 use crate::trajectory::{Along, Stretch};
 
-/// Walks along a stretch in time.
+/// A place on a stretch.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Place {
+    /// Number of the piece.
+    pub piece: usize,
+    /// From the start of that.
+    pub sigma: f64,
+    /// The velocity profile there.
+    pub along: Along,
+}
+
+/// Walks along a stretch in time: finds places.
 #[derive(Clone, Debug, Default)]
-pub struct Cursor {
+pub(crate) struct Walk {
     piece: usize,
     piece_from: f64,
     phase: usize,
     phase_from_s: f64,
-    /// Of the piece it stands on.
-    reader: Option<Reader>,
+}
+
+impl Walk {
+    /// The place at `t` s from the start, not before the last; `None` where there is nothing.
+    #[inline(always)]
+    pub fn to(&mut self, Stretch { pieces, phases, .. }: &Stretch, t: f64) -> Option<Place> {
+        let last_phase = phases.len().checked_sub(1)?;
+        let last_piece = pieces.len().checked_sub(1)?;
+        while self.phase < last_phase && t - self.phase_from_s >= phases[self.phase].duration_s {
+            self.phase_from_s += phases[self.phase].duration_s;
+            self.phase += 1;
+        }
+        let phase = &phases[self.phase];
+        let along = phase.at((t - self.phase_from_s).clamp(0.0, phase.duration_s));
+        while self.piece < last_piece && along.sigma - self.piece_from >= pieces[self.piece].length
+        {
+            self.piece_from += pieces[self.piece].length;
+            self.piece += 1;
+        }
+        let sigma = (along.sigma - self.piece_from).clamp(0.0, pieces[self.piece].length);
+        Some(Place { piece: self.piece, sigma, along })
+    }
+}
+
+/// Reads the axes at places of a stretch.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Reading {
+    /// Of the piece with this number.
+    reader: Option<(usize, Reader)>,
+}
+
+impl Reading {
+    /// Writes what the axes do at a place into a sample, whose time stays.
+    #[inline(always)]
+    pub fn fill(&mut self, stretch: &Stretch, place: &Place, out: &mut Sample) {
+        let Place { piece, sigma, along } = place;
+        let part = Part::from(&stretch.pieces[*piece]);
+        let reader = match &mut self.reader {
+            Some((at, reader)) => {
+                if at != piece {
+                    reader.go_on((&stretch.pieces[*at]).into(), part);
+                    *at = *piece;
+                }
+                reader
+            }
+            none => &mut none.insert((*piece, Reader::new(part))).1,
+        };
+        reader.fill(part, *sigma, along, out);
+    }
+}
+
+/// Walks along a stretch in time.
+#[derive(Clone, Debug, Default)]
+pub struct Cursor {
+    pub(crate) walk: Walk,
+    pub(crate) reading: Reading,
 }
 
 impl Cursor {
@@ -24,38 +89,23 @@ impl Cursor {
         sample.into()
     }
 
+    /// Goes over to a copy of the stretch that begins with the phase and the piece under way: the
+    /// numbers of both.
+    pub(crate) fn leave_behind(&mut self) -> (usize, usize) {
+        let gone = (self.walk.phase, self.walk.piece);
+        (self.walk.phase, self.walk.piece) = (0, 0);
+        match &mut self.reading.reader {
+            Some((at, _)) if *at == gone.1 => *at = 0,
+            reader => *reader = None,
+        }
+        gone
+    }
+
     /// The same written into a sample, whose time stays. A stretch of nothing changes nothing.
     #[inline(always)]
     pub(crate) fn fill(&mut self, stretch: &Stretch, t: f64, out: &mut Sample) {
-        let Some(along) = self.along(stretch, t) else { return };
-        let piece = &stretch.pieces[self.piece];
-        let sigma = (along.sigma - self.piece_from).clamp(0.0, piece.length);
-        self.reader.get_or_insert_with(|| Reader::new(piece)).fill(piece, sigma, &along, out);
-    }
-
-    /// Goes to the phase and the piece at `t`; `None` where there is nothing.
-    #[inline(always)]
-    fn along(&mut self, stretch: &Stretch, t: f64) -> Option<Along> {
-        let last_phase = stretch.phases.len().checked_sub(1)?;
-        let last_piece = stretch.pieces.len().checked_sub(1)?;
-        while self.phase < last_phase
-            && t - self.phase_from_s >= stretch.phases[self.phase].duration_s
-        {
-            self.phase_from_s += stretch.phases[self.phase].duration_s;
-            self.phase += 1;
+        if let Some(place) = self.walk.to(stretch, t) {
+            self.reading.fill(stretch, &place, out);
         }
-        let phase = &stretch.phases[self.phase];
-        let along = phase.at((t - self.phase_from_s).clamp(0.0, phase.duration_s));
-        while self.piece < last_piece
-            && along.sigma - self.piece_from >= stretch.pieces[self.piece].length
-        {
-            let [before, next] = [&stretch.pieces[self.piece], &stretch.pieces[self.piece + 1]];
-            self.piece_from += before.length;
-            self.piece += 1;
-            if let Some(reader) = &mut self.reader {
-                reader.go_on(before, next);
-            }
-        }
-        Some(along)
     }
 }

@@ -1,6 +1,6 @@
 //! A piece of the smoothed path: a polynomial on every axis, with an arc under it or not.
 
-use chordal_geometry::{Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 
@@ -27,19 +27,7 @@ pub struct Piece {
 impl Piece {
     /// Whether it is a straight line, evenly travelled.
     pub fn is_straight(&self) -> bool {
-        self.base.is_none() && self.is_even()
-    }
-
-    /// Whether its polynomials are of the first degree.
-    #[inline]
-    pub(crate) fn is_even(&self) -> bool {
-        all_zero(&self.start[2]) && all_zero(&self.start[3])
-    }
-
-    /// Whether its polynomials are constant.
-    #[inline]
-    pub(crate) fn is_still(&self) -> bool {
-        self.is_even() && all_zero(&self.start[1])
+        self.base.is_none() && is_even(&self.start)
     }
 
     /// The axes and their derivatives at `sigma` from the piece's start.
@@ -60,15 +48,33 @@ impl Piece {
 /// A jet of polynomials of the third degree, further on; axes from `count` on stay as they are.
 #[inline]
 pub(crate) fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
-    let [x, d1, d2, d3] = jet;
     let mut next = *jet;
-    for axis in 0..count {
-        next[0][axis] =
-            x[axis] + way * (d1[axis] + way * (d2[axis] / 2.0 + way * (d3[axis] * SIXTH)));
-        next[1][axis] = d1[axis] + way * (d2[axis] + way * (d3[axis] / 2.0));
-        next[2][axis] = d2[axis] + way * d3[axis];
-    }
+    go_ahead(&mut next, way, count);
     next
+}
+
+/// Takes a jet of polynomials of the third degree further on, but for axes from `count` on.
+#[inline]
+pub(crate) fn go_ahead(jet: &mut Jet, way: f64, count: usize) {
+    let [x, d1, d2, d3] = jet;
+    for axis in 0..count.min(AXES) {
+        let [first, second, third] = [d1[axis], d2[axis], d3[axis]];
+        x[axis] += way * (first + way * (second / 2.0 + way * (third * SIXTH)));
+        d1[axis] = first + way * (second + way * (third / 2.0));
+        d2[axis] = second + way * third;
+    }
+}
+
+/// Whether polynomials are of the first degree.
+#[inline]
+pub(crate) fn is_even(start: &Jet) -> bool {
+    all_zero(&start[2]) && all_zero(&start[3])
+}
+
+/// Whether polynomials are constant.
+#[inline]
+pub(crate) fn is_still(start: &Jet) -> bool {
+    is_even(start) && all_zero(&start[1])
 }
 
 /// Without branches: it is asked at many a setpoint.

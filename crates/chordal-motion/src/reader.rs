@@ -1,10 +1,30 @@
 //! The axes at a place of a piece, moved by the velocity profile.
 
-use chordal_geometry::{AXES, Tracer, Vec3};
+use chordal_geometry::{AXES, Curve, Tracer, Vec3};
 
-use crate::piece::{Piece, SIXTH};
+use crate::Axes;
+use crate::piece::{Jet, Piece, SIXTH, is_even, is_still};
 use crate::sample::{Sample, State};
 use crate::trajectory::Along;
+
+/// A piece where its curve is kept apart.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part<'a> {
+    /// The curve below, where there is one, and how far from its start the piece begins.
+    pub base: Option<(&'a Curve, f64)>,
+    /// As in the piece.
+    pub start: &'a Jet,
+    /// As in the piece.
+    pub tag: u64,
+}
+
+impl<'a> From<&'a Piece> for Part<'a> {
+    #[inline(always)]
+    fn from(piece: &'a Piece) -> Part<'a> {
+        let base = piece.base.as_ref().map(|(curve, from)| (curve, *from));
+        Part { base, start: &piece.start, tag: piece.tag }
+    }
+}
 
 /// What is worth knowing of a piece before it is asked at many places.
 #[derive(Clone, Copy, Debug)]
@@ -27,10 +47,10 @@ enum Form {
 
 impl Form {
     #[inline]
-    fn of(piece: &Piece) -> Form {
-        if !piece.is_even() {
+    fn of(part: &Part<'_>) -> Form {
+        if !is_even(part.start) {
             Form::Cubic
-        } else if piece.base.is_some() && piece.is_still() {
+        } else if part.base.is_some() && is_still(part.start) {
             Form::Still
         } else {
             Form::Even
@@ -40,47 +60,48 @@ impl Form {
 
 impl Reader {
     /// Of a piece.
-    pub fn new(piece: &Piece) -> Reader {
-        let tracer = piece.base.as_ref().map(|(curve, _)| Tracer::new(curve));
-        Reader { form: Form::of(piece), tracer }
+    pub fn new(part: Part<'_>) -> Reader {
+        let tracer = part.base.map(|(curve, _)| Tracer::new(curve));
+        Reader { form: Form::of(&part), tracer }
     }
 
     /// Goes over to another piece; where that lies over the same curve, the curve stays ready.
     #[inline]
-    pub fn go_on(&mut self, before: &Piece, next: &Piece) {
-        self.form = Form::of(next);
+    pub fn go_on(&mut self, before: Part<'_>, next: Part<'_>) {
+        self.form = Form::of(&next);
         if self.tracer.is_some() || next.base.is_some() {
             self.change_curve(before, next);
         }
     }
 
-    fn change_curve(&mut self, before: &Piece, next: &Piece) {
+    fn change_curve(&mut self, before: Part<'_>, next: Part<'_>) {
         let same = match (&before.base, &next.base) {
             (Some((before, _)), Some((next, _))) => before == next,
             _ => false,
         };
         if !same {
-            self.tracer = next.base.as_ref().map(|(curve, _)| Tracer::new(curve));
+            self.tracer = next.base.map(|(curve, _)| Tracer::new(curve));
         }
     }
 
     /// Writes what the axes do at `sigma` from the start of the piece into a sample, whose time
     /// stays.
     #[inline(always)]
-    pub fn fill(&mut self, piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-        out.tag = piece.tag;
+    pub fn fill(&mut self, part: Part<'_>, sigma: f64, along: &Along, out: &mut Sample) {
+        out.tag = part.tag;
         match self.form {
             // Written below.
             Form::Still => {}
-            Form::Even => fill_even(piece, sigma, along, out),
-            Form::Cubic => fill_cubic(piece, sigma, along, out),
+            Form::Even => fill_even(part.start, sigma, along, out),
+            Form::Cubic => fill_cubic(part.start, sigma, along, out),
         }
-        if let (Some(tracer), Some((_, from))) = (&mut self.tracer, &piece.base) {
+        if let (Some(tracer), Some((_, from))) = (&mut self.tracer, part.base) {
             let Along { speed, acceleration, jerk, .. } = *along;
             let by_time = [speed, acceleration, jerk];
             if matches!(self.form, Form::Still) {
+                let shift = &part.start[0];
                 tracer
-                    .with_motion_at(from + sigma, by_time, |motion| set_curve(piece, motion, out));
+                    .with_motion_at(from + sigma, by_time, |motion| set_curve(shift, motion, out));
             } else {
                 add_curve(tracer.motion_at(from + sigma, by_time), out);
             }
@@ -91,14 +112,13 @@ impl Reader {
 /// The axes at one place of a piece.
 pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
     let mut sample = Sample::default();
-    Reader::new(piece).fill(piece, sigma, along, &mut sample);
+    Reader::new(piece.into()).fill(piece.into(), sigma, along, &mut sample);
     sample.into()
 }
 
 /// Polynomials of the first degree.
 #[inline(always)]
-fn fill_even(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-    let [x, d1, ..] = &piece.start;
+fn fill_even([x, d1, ..]: &Jet, sigma: f64, along: &Along, out: &mut Sample) {
     let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
     for axis in 0..AXES {
         out.position[axis] = x[axis] + sigma * d1[axis];
@@ -110,8 +130,7 @@ fn fill_even(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
 
 /// Polynomials of the third degree.
 #[inline(always)]
-fn fill_cubic(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
-    let [x, d1, d2, d3] = &piece.start;
+fn fill_cubic([x, d1, d2, d3]: &Jet, sigma: f64, along: &Along, out: &mut Sample) {
     let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
     let (half, sixth) = (sigma * 0.5, sigma * SIXTH);
     let (square, cube, mixed) = (v * v, v * v * v, 3.0 * v * a);
@@ -129,11 +148,10 @@ fn fill_cubic(piece: &Piece, sigma: f64, along: &Along, out: &mut Sample) {
 
 /// The curve below alone, with nothing but a shift on top.
 #[inline(always)]
-fn set_curve(piece: &Piece, motion: [Vec3; 4], out: &mut Sample) {
-    let [x, y, z, a, b, c] = piece.start[0];
+fn set_curve([x, y, z, a, b, c]: &Axes, motion: [Vec3; 4], out: &mut Sample) {
     let [point, first, second, third] = motion;
     let axes = |of: Vec3| [of.x, of.y, of.z, 0.0, 0.0, 0.0];
-    out.position = [x + point.x, y + point.y, z + point.z, a, b, c];
+    out.position = [x + point.x, y + point.y, z + point.z, *a, *b, *c];
     out.velocity = axes(first);
     out.acceleration = axes(second);
     out.jerk = axes(third);

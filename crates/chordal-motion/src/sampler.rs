@@ -1,7 +1,9 @@
 //! Setpoints at a fixed period from the steps of a planner.
 
+use chordal_geometry::AXES;
+
 use crate::Axes;
-use crate::cursor::Cursor;
+use crate::cursor::{Cursor, Place};
 use crate::sample::Sample;
 use crate::trajectory::{Step, Stretch};
 
@@ -18,10 +20,13 @@ pub struct Sampler {
     most: u64,
     /// When what was pushed so far is over, s.
     now_s: f64,
-    /// The newest stretch, which the next may overlap; its memory is used again and again.
+    /// What is left of the newest stretch, which the next may overlap; its memory is used again
+    /// and again.
     held: Stretch,
-    /// When the held stretch began, s; `None` at rest.
-    held_s: Option<f64>,
+    /// When that stretch began, and from when on the next may overlap it, s; `None` at rest.
+    held_s: Option<[f64; 2]>,
+    /// Where it ends, and the tag there.
+    end: (Axes, u64),
     cursor: Cursor,
     /// The setpoint that is made.
     sample: Sample,
@@ -30,6 +35,10 @@ pub struct Sampler {
 /// Where the multiple of a period counts as an instant, in periods: a sum of times is only so
 /// exact.
 const SAME: f64 = 1e-9;
+
+/// So many places are found before the axes are read there: what one setpoint waits for does not
+/// keep the next waiting.
+const BATCH: usize = 8;
 
 impl Sampler {
     /// A sampler with a period in s.
@@ -45,6 +54,7 @@ impl Sampler {
             now_s: 0.0,
             held: Stretch::default(),
             held_s: None,
+            end: ([0.0; AXES], 0),
             cursor: Cursor::default(),
             sample: Sample::default(),
         }
@@ -73,15 +83,23 @@ impl Sampler {
         match step {
             Step::Stretch(stretch) if stretch.phases.is_empty() => {}
             Step::Stretch(stretch) => {
-                // Nothing overlaps a rest, nor what came before the stretch before.
-                let begins_s =
-                    self.held_s.map_or(self.now_s, |s| s.max(self.now_s - stretch.overlap_s));
+                // Nothing overlaps a rest, nor what came before the straight end of the stretch before.
+                let begins_s = self
+                    .held_s
+                    .map_or(self.now_s, |[_, from_s]| from_s.max(self.now_s - stretch.overlap_s));
                 self.held_until(begins_s, &mut take);
                 let mut cursor = Cursor::default();
                 self.both_until_end(stretch, &mut cursor, begins_s, &mut take);
                 self.now_s = self.now_s.max(begins_s + stretch.duration_s());
-                self.held.clone_from(stretch);
-                self.held_s = Some(begins_s);
+                let from_s = begins_s + straight_end_s(stretch);
+                self.alone_until(stretch, &mut cursor, [begins_s, from_s], &mut take);
+                let (phase, piece) = cursor.leave_behind();
+                self.held.phases.clear();
+                self.held.phases.extend_from_slice(&stretch.phases[phase..]);
+                self.held.pieces.clear();
+                self.held.pieces.extend_from_slice(&stretch.pieces[piece..]);
+                self.held_s = Some([begins_s, from_s]);
+                self.end = (stretch.to(), stretch.pieces.last().map_or(0, |piece| piece.tag));
                 self.cursor = cursor;
             }
             Step::Wait { seconds, tag } => {
@@ -109,11 +127,11 @@ impl Sampler {
         self.index as f64 * self.period_s
     }
 
-    /// When the next setpoint is due, if that is before an instant.
+    /// When the setpoint after so many is due, if that is before an instant.
     #[inline(always)]
-    fn due(&self, until_s: f64) -> Option<f64> {
-        let next_s = self.next_s();
-        (next_s < until_s && self.index < self.most).then_some(next_s)
+    fn due(&self, after: u64, until_s: f64) -> Option<f64> {
+        let due_s = (self.index + after) as f64 * self.period_s;
+        (due_s < until_s && self.index + after < self.most).then_some(due_s)
     }
 
     #[inline(always)]
@@ -125,16 +143,42 @@ impl Sampler {
 
     /// Setpoints of the held stretch alone, before an instant.
     fn held_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
-        let Some(held_s) = self.held_s else { return };
-        while let Some(t) = self.due(until_s) {
-            self.cursor.fill(&self.held, t - held_s, &mut self.sample);
-            self.emit(t, take);
+        let Some([held_s, _]) = self.held_s else { return };
+        let (held, mut cursor) = (std::mem::take(&mut self.held), std::mem::take(&mut self.cursor));
+        self.alone_until(&held, &mut cursor, [held_s, until_s], take);
+        (self.held, self.cursor) = (held, cursor);
+    }
+
+    /// Setpoints of a stretch alone that began at an instant, before another.
+    fn alone_until(
+        &mut self,
+        stretch: &Stretch,
+        cursor: &mut Cursor,
+        [begins_s, until_s]: [f64; 2],
+        take: &mut impl FnMut(&Sample),
+    ) {
+        let mut places = [Place::default(); BATCH];
+        loop {
+            let mut count = 0;
+            for place in &mut places {
+                let Some(t) = self.due(count, until_s) else { break };
+                let Some(found) = cursor.walk.to(stretch, t - begins_s) else { return };
+                *place = found;
+                count += 1;
+            }
+            for place in &places[..count as usize] {
+                cursor.reading.fill(stretch, place, &mut self.sample);
+                self.emit(self.next_s(), take);
+            }
+            if (count as usize) < BATCH {
+                return;
+            }
         }
     }
 
     /// Setpoints at rest, before an instant.
     fn rest_until(&mut self, until_s: f64, take: &mut impl FnMut(&Sample)) {
-        while let Some(t) = self.due(until_s) {
+        while let Some(t) = self.due(0, until_s) {
             self.emit(t, take);
         }
     }
@@ -147,9 +191,9 @@ impl Sampler {
         begins_s: f64,
         take: &mut impl FnMut(&Sample),
     ) {
-        let Some(held_s) = self.held_s else { return };
+        let Some([held_s, _]) = self.held_s else { return };
         let corner = next.from();
-        while let Some(t) = self.due(self.now_s) {
+        while let Some(t) = self.due(0, self.now_s) {
             self.cursor.fill(&self.held, t - held_s, &mut self.sample);
             let mut after = cursor.at(next, t - begins_s);
             for (place, corner) in after.position.iter_mut().zip(&corner) {
@@ -166,10 +210,29 @@ impl Sampler {
     /// The held stretch is over: the axes stand at its end.
     fn settle(&mut self) {
         if self.held_s.take().is_some() {
-            let tag = self.held.pieces.last().map_or(0, |piece| piece.tag);
-            self.sample = Sample { position: self.held.to(), tag, ..Sample::default() };
+            let (position, tag) = self.end;
+            self.sample = Sample { position, tag, ..Sample::default() };
         }
     }
+}
+
+/// When the straight line begins that a stretch ends on, s from its start: there the movement after
+/// it may overlap.
+fn straight_end_s(stretch: &Stretch) -> f64 {
+    let straight = stretch.pieces.iter().rev().take_while(|piece| piece.is_straight()).count();
+    let bent = stretch.pieces.len() - straight;
+    if bent == 0 {
+        return 0.0;
+    }
+    let place: f64 = stretch.pieces[..bent].iter().map(|piece| piece.length).sum();
+    let mut end_s = stretch.duration_s();
+    for phase in stretch.phases.iter().rev() {
+        end_s -= phase.duration_s;
+        if phase.from <= place {
+            return (end_s + phase.time_at(place, 0.0)).max(0.0);
+        }
+    }
+    0.0
 }
 
 fn add(sum: &mut Axes, part: &Axes) {

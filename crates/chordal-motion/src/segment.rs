@@ -145,12 +145,20 @@ impl Move {
                 }
             }
         }
-        let bounds = self.curve.bounds();
-        let (min, max) = (bounds.min.to_array(), bounds.max.to_array());
-        let moves = |axis: usize| {
-            if axis < 3 { min[axis] < max[axis] } else { from[axis] != to[axis] }
+        // Its extent takes long to find on a curve, and most machines have all axes.
+        let extent = || {
+            let bounds = self.curve.bounds();
+            (bounds.min.to_array(), bounds.max.to_array())
         };
-        match (0..AXES).find(|axis| moves(*axis) && limits.axis(*axis).is_none()) {
+        let moves = |axis: usize| {
+            if axis < 3 {
+                let (min, max) = extent();
+                min[axis] < max[axis]
+            } else {
+                from[axis] != to[axis]
+            }
+        };
+        match (0..AXES).find(|axis| limits.axis(*axis).is_none() && moves(*axis)) {
             Some(axis) => Err(MoveError::NoAxis(axis)),
             None => Ok(()),
         }

@@ -88,7 +88,8 @@ pub struct Stretch<P = Piece> {
     /// The velocity profile, in order.
     pub phases: Vec<Phase>,
     /// How long before the end of the stretch before it begins, s. In that time the axes make
-    /// both movements, which lets the tool pass the corner between them within its tolerance.
+    /// both movements, each on a straight line, which lets the tool pass the corner between them
+    /// within its tolerance.
     pub overlap_s: f64,
 }
 

@@ -79,10 +79,10 @@ pub fn spiral(count: usize) -> Vec<Move> {
         .collect()
 }
 
-/// Plans them; the time they take, s.
-pub fn plan(moves: &[Move]) -> f64 {
-    let mut planner =
-        Planner::new(support::limits(500.0, 5000.0, 1e5), PlannerOptions::new(Level::Fast));
+/// Plans them, where it is quicker as curves if they may be joined; the time they take, s.
+pub fn plan(moves: &[Move], joins: bool) -> f64 {
+    let options = PlannerOptions { joins, ..PlannerOptions::new(Level::Fast) };
+    let mut planner = Planner::new(support::limits(500.0, 5000.0, 1e5), options);
     let mut time = 0.0;
     let mut take = |step: Step<'_>| {
         if let Step::Stretch(stretch) = step {

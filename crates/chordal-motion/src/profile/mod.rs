@@ -9,7 +9,7 @@
 
 mod ramp;
 
-pub use ramp::{Ability, Effort};
+pub use ramp::{Ability, Effort, least};
 use ramp::{Aim, peak};
 
 use crate::trajectory::Phase;

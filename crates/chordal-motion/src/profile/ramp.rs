@@ -20,8 +20,8 @@ impl Effort {
     #[inline]
     pub fn and(self, other: Effort) -> Effort {
         Effort {
-            acceleration: self.acceleration.min(other.acceleration),
-            jerk: self.jerk.min(other.jerk),
+            acceleration: least(self.acceleration, other.acceleration),
+            jerk: least(self.jerk, other.jerk),
         }
     }
 
@@ -129,6 +129,12 @@ impl Effort {
     }
 }
 
+/// The lesser of two numbers: quicker than with a rule for what is no number.
+#[inline]
+pub fn least(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
 /// How many ranges of speed have an effort of their own.
 const LEVELS: usize = 3;
 
@@ -193,7 +199,7 @@ impl Ability {
     #[inline]
     pub fn and(self, other: Ability) -> Ability {
         Ability {
-            knees: std::array::from_fn(|level| self.knees[level].min(other.knees[level])),
+            knees: std::array::from_fn(|level| least(self.knees[level], other.knees[level])),
             efforts: std::array::from_fn(|level| self.efforts[level].and(other.efforts[level])),
         }
     }

@@ -231,18 +231,19 @@ fn bend_half(step: &Step) -> f64 {
     (1.0 / (BEND_DEVIATION * step.bend_share)).sqrt()
 }
 
-/// What two legs make where they meet.
+/// What two legs make where they meet; axes from `axes` on move on neither.
 pub fn joint(
-    before: &Side,
-    after: &Side,
+    [before, after]: [&Side; 2],
+    axes: usize,
     corner: Corner,
     noise: f64,
     limits: &AxisArrays,
 ) -> Joint {
-    let kink = difference(&after.direction, &before.direction);
-    let bend = difference(&after.bend, &before.bend);
-    let size = |axes: &Axes| axes.iter().fold(0.0_f64, |all, value| all.max(value.abs()));
-    let bent = size(&bend) > 1e-9 * size(&before.bend).max(size(&after.bend)) + 1e-12;
+    let kink = difference(&after.direction, &before.direction, axes);
+    let size = |of: &Axes| of[..axes].iter().fold(0.0_f64, |all, value| all.max(value.abs()));
+    let straight = before.straight && after.straight;
+    let bend = if straight { [0.0; AXES] } else { difference(&after.bend, &before.bend, axes) };
+    let bent = !straight && size(&bend) > 1e-9 * size(&before.bend).max(size(&after.bend)) + 1e-12;
     let kinked = size(&kink) > noise;
     let (tolerance, overlaps) = match corner {
         Corner::Stop => return Joint::Stop,
@@ -260,21 +261,21 @@ pub fn joint(
     let (one, two) = (before.effort, after.effort);
     let nothing = [0.0; AXES];
     let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });
-    let [by_acceleration, by_jerk] = [&limits.acceleration, &limits.jerk].map(|most| {
-        let over = |step: &Axes| {
-            (0..AXES).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]))
-        };
-        [over(&kink), over(&bend)]
-    });
+    let over = |is_there: bool, step: &Axes, most: &Axes| {
+        let axes = if is_there { axes } else { 0 };
+        (0..axes).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]))
+    };
+    let by_acceleration = over(kinked, &kink, &limits.acceleration);
+    let by_jerk = [over(kinked, &kink, &limits.jerk), over(bent, &bend, &limits.jerk)];
     let (square, cube) = (speed * speed, speed * speed * speed);
     let step = Step {
         kink,
         bend,
         kink_share: if kinked { tolerance.of(&kink) } else { 0.0 },
         bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
-        kink_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration[0]),
+        kink_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration),
         bend_need: 3.0 * SLOPE * cube * by_jerk[1],
-        kink_effort: [by_acceleration[0], by_jerk[0]],
+        kink_effort: [by_acceleration, by_jerk[0]],
         bend_effort: by_jerk[1],
         sides: [(before.speed, one), (after.speed, two)],
     };
@@ -319,7 +320,7 @@ fn overlap(
 }
 
 /// What the axes can do along a direction.
-pub fn effort(direction: &Axes, limits: &AxisArrays) -> Effort {
+pub fn effort(direction: &[f64], limits: &AxisArrays) -> Effort {
     let mut effort = Effort::FREE;
     for (axis, share) in direction.iter().map(|share| share.abs()).enumerate() {
         if share > 0.0 {
@@ -330,6 +331,10 @@ pub fn effort(direction: &Axes, limits: &AxisArrays) -> Effort {
     effort
 }
 
-fn difference(a: &Axes, b: &Axes) -> Axes {
-    std::array::from_fn(|axis| a[axis] - b[axis])
+fn difference(a: &Axes, b: &Axes, axes: usize) -> Axes {
+    let mut difference = [0.0; AXES];
+    for axis in 0..axes.min(AXES) {
+        difference[axis] = a[axis] - b[axis];
+    }
+    difference
 }

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use chordal_geometry::AXES;
 
 use crate::Axes;
-use crate::piece::{Jet, ahead};
+use crate::piece::{Jet, go_ahead};
 use crate::smooth::Node;
 use crate::smooth::bump::{Bump, SLOPE, TURN, bend, kink};
 
@@ -30,6 +30,8 @@ pub struct Corrections {
     jet: Jet,
     /// How many corrections there are.
     active: i32,
+    /// Axes up to the last that any of them moves.
+    axes: usize,
     /// Legs since the sum was made anew.
     legs: u32,
 }
@@ -50,14 +52,22 @@ impl Corrections {
         self.active > 0
     }
 
+    /// Axes up to the last that any of them may move.
+    pub fn axes(&self) -> usize {
+        self.axes
+    }
+
     /// The run is over.
     pub fn clear(&mut self) {
         self.breaks.clear();
+        self.axes = 0;
         (self.jet, self.active, self.legs) = (Jet::default(), 0, 0);
     }
 
     /// A node's widths are settled.
     pub fn add(&mut self, node: &Node) {
+        let moves = |axis: &usize| node.step.kink[*axis] != 0.0 || node.step.bend[*axis] != 0.0;
+        self.axes = (self.axes..AXES).rev().find(moves).map_or(self.axes, |last| last + 1);
         let mut take = |step: &Axes, h: f64, slope: f64, turns: &[(f64, f64)]| {
             if h <= 0.0 {
                 return;
@@ -149,15 +159,15 @@ impl Corrections {
             self.jet = Jet::default();
             self.legs = 0;
         } else {
-            let third = &mut self.jet[3];
+            let third = &mut self.jet[3][..self.axes];
             third.iter_mut().zip(change).for_each(|(third, change)| *third += change);
         }
     }
 
     /// Goes on along the path.
-    pub fn advance(&mut self, way: f64, count: usize) {
+    pub fn advance(&mut self, way: f64) {
         if self.active > 0 {
-            self.jet = ahead(&self.jet, way, count);
+            go_ahead(&mut self.jet, way, self.axes);
         }
     }
 }

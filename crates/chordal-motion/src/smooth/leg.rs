@@ -1,6 +1,6 @@
 //! A leg of the path: straight moves on one line, or one arc or spiral.
 
-use chordal_geometry::{AXES, Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve, ParamCurve, Vec3};
 
 use crate::Axes;
 use crate::cell::{ACCELERATION_SHARE, AxisArrays, JERK_SHARE, Turning};
@@ -33,6 +33,8 @@ pub struct Leg {
     pub length: f64,
     /// The curve, where it is not a line.
     pub curve: Option<Box<Curve>>,
+    /// Axes up to the last that moves.
+    pub axes: usize,
     /// Speed asked for, σ per s.
     pub feed: f64,
     /// Its first part.
@@ -65,6 +67,8 @@ impl Leg {
         for axis in first..AXES {
             direction[axis] = (end[axis] - start[axis]) / length;
         }
+        let last = (0..AXES).rev().find(|axis| direction[*axis] != 0.0);
+        let axes = last.map_or(0, |last| last + 1).max(first);
         let mut anchor = *start;
         if curve.is_some() {
             anchor[..3].fill(0.0);
@@ -79,12 +83,13 @@ impl Leg {
             };
             if let Some(curve) = &curve {
                 side.straight = false;
-                side.direction[..3].copy_from_slice(&curve.tangent_at(sigma).to_array());
-                side.bend[..3].copy_from_slice(&curve.curvature_at(sigma).to_array());
+                let (tangent, curvature) = turn_at(curve, sigma);
+                side.direction[..3].copy_from_slice(&tangent.to_array());
+                side.bend[..3].copy_from_slice(&curvature.to_array());
                 side.speed = holdable_bent(&side, limits).min(side.speed);
             }
-            side.speed = holdable(&side.direction, limits).min(side.speed);
-            side.effort = effort(&side.direction, limits);
+            side.speed = holdable(&side.direction[..axes], limits).min(side.speed);
+            side.effort = effort(&side.direction[..axes], limits);
             side
         };
         let head = side(0.0);
@@ -93,6 +98,7 @@ impl Leg {
             from: 0.0,
             length,
             curve,
+            axes,
             feed: motion.speed,
             part: Part { from: 0.0, length, start: anchor, direction, tag: motion.tag },
             more: 0,
@@ -158,11 +164,21 @@ impl Leg {
     }
 }
 
+/// Tangent and curvature of a curve at an end.
+fn turn_at(curve: &Curve, s: f64) -> (Vec3, Vec3) {
+    match curve {
+        Curve::Arc(arc) => {
+            let [tangent, curvature, _] = arc.derivatives_from(s, 0.0).here();
+            (tangent, curvature)
+        }
+        curve => (curve.tangent_at(s), curve.curvature_at(s)),
+    }
+}
+
 /// The speed that the axes can hold along a direction.
-fn holdable(direction: &Axes, limits: &AxisArrays) -> f64 {
-    let share = (0..AXES)
-        .fold(0.0_f64, |share, axis| share.max(direction[axis].abs() / limits.velocity[axis]));
-    1.0 / share
+fn holdable(direction: &[f64], limits: &AxisArrays) -> f64 {
+    let shares = direction.iter().zip(&limits.velocity).map(|(way, most)| way.abs() / most);
+    1.0 / shares.fold(0.0, f64::max)
 }
 
 /// The speed that the axes can hold around a bend.

@@ -204,7 +204,8 @@ impl Smoother {
         let size = next.part.start.iter().fold(1.0_f64, |all, value| all.max(value.abs()));
         let shortest = part.unwrap_or(&last.part).length.min(next.length);
         let noise = 1e-11 + 4e-15 * size / shortest;
-        Some(corner::joint(&last.tail, &next.head, corner, noise, limits))
+        let axes = last.axes.max(next.axes);
+        Some(corner::joint([&last.tail, &next.head], axes, corner, noise, limits))
     }
 
     /// Keeps a leg back until its length is known. Says whether it is known now.
@@ -370,16 +371,22 @@ impl Smoother {
         let within = |half: f64| {
             let (mut kinks, mut bends) = (0.0, 0.0);
             let at = self.nodes[index].at;
-            let mut add = |node: &Node| {
-                let near = (node.at - at).abs() < 2.0 * half && !(among_rests && node.rests);
-                if near {
-                    kinks += node.step.kink_share;
-                    bends += node.step.bend_share;
+            let near =
+                |node: &Node| (node.at - at).abs() < 2.0 * half && !(among_rests && node.rests);
+            for node in self.nodes.range(..=index).rev() {
+                if !near(node) {
+                    break;
                 }
-                near
-            };
-            self.nodes.range(..=index).rev().take_while(|node| add(node)).count();
-            self.nodes.range(index + 1..).take_while(|node| add(node)).count();
+                kinks += node.step.kink_share;
+                bends += node.step.bend_share;
+            }
+            for node in self.nodes.range(index + 1..) {
+                if !near(node) {
+                    break;
+                }
+                kinks += node.step.kink_share;
+                bends += node.step.bend_share;
+            }
             half_within(kinks, bends)
         };
         let own = &self.nodes[index].step;

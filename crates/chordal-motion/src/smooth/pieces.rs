@@ -4,7 +4,7 @@ use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use crate::Axes;
 use crate::cell::{AxisArrays, Bounds, cell};
-use crate::piece::{Jet, ahead};
+use crate::piece::Jet;
 use crate::profile::Cell;
 use crate::smooth::Row;
 use crate::smooth::corrections::Corrections;
@@ -59,7 +59,7 @@ pub fn make<'a, P: PathPart>(
         let to = next.unwrap_or(end);
         // Breaks that miss each other by rounding are one.
         if to - from > rounding || next.is_none() {
-            let bounds = bounds(leg, corrections, from, to - from, limits.count);
+            let bounds = bounds(leg, corrections, from, to - from);
             let jet = corrections.jet();
             let pieces = add_pieces(leg, &mut parts, jet, from, to, &mut row.pieces);
             if row.keeps_speeds {
@@ -67,7 +67,7 @@ pub fn make<'a, P: PathPart>(
                 row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
             }
             spans.push(Between { bounds, from, to, pieces });
-            corrections.advance(to - from, limits.count);
+            corrections.advance(to - from);
             from = to;
         }
         if next.is_none() {
@@ -135,7 +135,7 @@ fn add_pieces<'a, P: PathPart>(
         let last = ends_with(leg, end);
         let until = if last { to } else { end.min(to) };
         if until > at {
-            pieces.push(P::new(leg, part, correction, at - from, at, until - at));
+            P::add(pieces, leg, part, (correction, at - from), [at, until]);
             count += 1;
         }
         at = until;
@@ -177,19 +177,26 @@ fn cut(leg: &Leg, corrections: &mut Corrections) {
 }
 
 /// Bounds of the derivatives on a piece of a leg.
-fn bounds(leg: &Leg, corrections: &Corrections, from: f64, length: f64, count: usize) -> Bounds {
+fn bounds(leg: &Leg, corrections: &Corrections, from: f64, length: f64) -> Bounds {
     let (direction, correction) = (&leg.part.direction, corrections.jet());
     let [_, d1, d2, d3] = correction;
+    if let Some(curve) = leg.curve.as_deref()
+        && corrections.are_there()
+        && let Some(near) = near_bounds(curve, from - leg.from, length, correction, direction)
+    {
+        return near;
+    }
     let mut even = [[0.0; AXES]; 3];
     let mut rates = [[0.0_f64; 3]; 2];
-    for axis in 0..count {
+    let mut axes = leg.axes.max(corrections.axes());
+    for axis in 0..axes {
         // The first derivative is a parabola, within the triangle of these three.
         let first = direction[axis] + d1[axis];
         let control = first + d2[axis] * length / 2.0;
         let second = d2[axis] + d3[axis] * length;
         let last = control + second * length / 2.0;
-        even[0][axis] = first.abs().max(control.abs()).max(last.abs());
-        even[1][axis] = d2[axis].abs().max(second.abs());
+        even[0][axis] = greater(greater(first.abs(), control.abs()), last.abs());
+        even[1][axis] = greater(d2[axis].abs(), second.abs());
         even[2][axis] = d3[axis].abs();
         for (sum, value) in rates[axis / 3].iter_mut().zip([first, control, last]) {
             *sum += value * value;
@@ -200,22 +207,47 @@ fn bounds(leg: &Leg, corrections: &Corrections, from: f64, length: f64, count: u
     let mut turns = None;
     if let Some(curve) = leg.curve.as_deref() {
         let at = from - leg.from;
-        if corrections.are_there()
-            && let Some(near) = near_bounds(curve, at, length, correction, direction)
-        {
-            return near;
-        }
         let (turning, along) = turning(curve, at, at + length);
         for (value, along) in even[0].iter_mut().zip(along) {
             *value += along;
         }
+        axes = axes.max(LINEAR);
         rate += 1.0;
         turns = Some(turning);
     } else if direction[..3] == [0.0; 3] {
         // Rotary axes alone: the feed counts them.
         rate = largest(rates[1]);
     }
-    Bounds { even, turning: turns, rate }
+    Bounds { even, axes, turning: turns, rate }
+}
+
+/// X, Y and Z.
+const LINEAR: usize = 3;
+/// Places at which a short eased piece is looked at.
+const PROBES: usize = 5;
+
+/// Values at the probes.
+type Probed = [f64; PROBES];
+
+/// The first three derivatives of X, Y and Z of a curve at even steps from a place on.
+fn probes(curve: &Curve, at: f64, step: f64) -> [[Probed; 3]; LINEAR] {
+    let mut probed = [[[0.0; PROBES]; 3]; LINEAR];
+    if let Curve::Arc(arc) = curve {
+        let derivatives = arc.derivatives_from(at, step);
+        for (axis, orders) in probed.iter_mut().enumerate() {
+            *orders = derivatives.of_axis(axis);
+        }
+        return probed;
+    }
+    for probe in 0..PROBES {
+        let jet = curve.jet_at(at + step * probe as f64);
+        for (order, of) in jet[1..].iter().enumerate() {
+            for (orders, value) in probed.iter_mut().zip(of.to_array()) {
+                orders[order][probe] = value;
+            }
+        }
+    }
+    probed
 }
 
 /// Bounds on a short eased piece of a curve, met by looking at it: the curvature of the curve and
@@ -227,57 +259,93 @@ fn near_bounds(
     correction: &Jet,
     direction: &Axes,
 ) -> Option<Bounds> {
-    const PROBES: u32 = 4;
     // Between two probes a sine exceeds both by its size times this.
     const MOST_TURN: f64 = 0.8;
-    let step = length / f64::from(PROBES);
-    let ends = [curve.jet_at(at), curve.jet_at(at + length)];
-    let [curvature, third] =
-        [2, 3].map(|order| ends[0][order].length().max(ends[1][order].length()));
+    // A smaller share of the curvature may be rounding, and moves what is met by nothing.
+    const SAME_BEND: f64 = 1e-9;
+    let step = length / (PROBES - 1) as f64;
+    let probes = probes(curve, at, step);
+    let [curvature, third] = [1, 2].map(|order| {
+        let size = |probe: usize| {
+            let [x, y, z] = [0, 1, 2].map(|axis| probes[axis][order][probe]);
+            (x * x + y * y + z * z).sqrt()
+        };
+        size(0).max(size(PROBES - 1))
+    });
     // How fast it turns: a steep helix faster than its curvature says.
     let turn = if curvature > 0.0 { curvature.max(third / curvature) } else { 0.0 };
     if turn * length > MOST_TURN {
         return None;
     }
     let between = 1.1 * third.max(curvature * curvature) * step * step / 8.0;
+    let noise = SAME_BEND * curvature;
+    let margins = [between, between * turn, between * turn * turn];
+    let [_, d1, d2, d3] = correction;
     let mut even = [[0.0_f64; AXES]; 3];
-    let mut rate = 0.0_f64;
+    let mut squares = [0.0_f64; PROBES];
     // What the correction's parabola exceeds two probes by, where it turns back between them.
-    let bulge = correction[3].map(|third| third.abs() * step * step / 8.0);
-    let mut bends = [0.0_f64; AXES];
-    let mut turned = [0.0_f64; AXES];
-    for probe in 0..=PROBES {
-        let way = step * f64::from(probe);
-        let bent = curve.jet_at(at + way);
-        let eased = ahead(correction, way, 6);
-        let mut first = [0.0; 3];
+    let mut bulges = 0.0;
+    let ways: Probed = std::array::from_fn(|probe| step * probe as f64);
+    let mut axes = 0;
+    for axis in 0..AXES {
+        let (first, second, third) = (d1[axis], d2[axis], d3[axis]);
+        let moves = if axis < LINEAR {
+            probes[axis].iter().flatten().any(|value| *value != 0.0)
+        } else {
+            direction[axis] != 0.0
+        };
+        if !moves && first == 0.0 && second == 0.0 && third == 0.0 {
+            continue;
+        }
+        axes = axis + 1;
+        let mut values = [[0.0; PROBES], [0.0; PROBES], [third; PROBES]];
+        for probe in 0..PROBES {
+            let way = ways[probe];
+            values[0][probe] = first + way * (second + way * (third / 2.0));
+            values[1][probe] = second + way * third;
+        }
+        if axis < LINEAR {
+            for (row, of) in values.iter_mut().zip(&probes[axis]) {
+                row.iter_mut().zip(of).for_each(|(value, of)| *value += of);
+            }
+            squares.iter_mut().zip(&values[0]).for_each(|(sum, value)| *sum += value * value);
+        } else {
+            values[0].iter_mut().for_each(|value| *value += direction[axis]);
+        }
         for order in 0..3 {
-            let vector = bent[order + 1].to_array();
-            for axis in 0..AXES {
-                let mut value = eased[order + 1][axis];
-                if axis < 3 {
-                    value += vector[axis];
-                } else if order == 0 {
-                    value += direction[axis];
-                }
-                let margin = between * turn.powi(order as i32);
-                even[order][axis] = even[order][axis].max(value.abs() + margin);
-                if order == 0 && axis < 3 {
-                    first[axis] = value;
-                }
-                if order == 1 {
-                    if probe > 0 && value * bends[axis] <= 0.0 {
-                        turned[axis] = bulge[axis];
-                    }
-                    bends[axis] = value;
-                }
+            even[order][axis] = largest_size(&values[order]) + margins[order];
+        }
+        if turns_back(&values[1], noise) {
+            let bulge = third.abs() * step * step / 8.0;
+            even[0][axis] += bulge;
+            if axis < LINEAR {
+                bulges += bulge * bulge;
             }
         }
-        rate = rate.max(first.iter().map(|value| value * value).sum::<f64>().sqrt());
     }
-    even[0].iter_mut().zip(&turned).for_each(|(first, bulge)| *first += bulge);
-    let bulge = turned[..3].iter().map(|bulge| bulge * bulge).sum::<f64>().sqrt();
-    Some(Bounds { even, turning: None, rate: rate + between + bulge })
+    let rate = squares.into_iter().fold(0.0, f64::max).sqrt();
+    Some(Bounds { even, axes, turning: None, rate: rate + between + bulges.sqrt() })
+}
+
+/// The largest of some values, whatever their signs. Quicker than with a rule for what is no number.
+#[inline]
+fn largest_size(values: &Probed) -> f64 {
+    values.iter().fold(0.0, |most, value| if value.abs() > most { value.abs() } else { most })
+}
+
+/// The greater of two numbers, likewise.
+#[inline]
+fn greater(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// Whether values change their sign between two of them. Where they do so at one, that has met it: a
+/// sign that is rounding says nothing.
+#[inline]
+fn turns_back(values: &Probed, noise: f64) -> bool {
+    values
+        .windows(2)
+        .any(|pair| pair[0] * pair[1] < 0.0 && pair[0].abs() > noise && pair[1].abs() > noise)
 }
 
 /// Adds a cell to a row, or its length to the last one where the limits are the same.

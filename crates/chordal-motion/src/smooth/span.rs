@@ -55,14 +55,14 @@ pub(crate) mod sealed {
     use chordal_geometry::AXES;
 
     use super::Span;
-    use crate::piece::{Jet, Piece, ahead};
+    use crate::piece::{Jet, Piece, go_ahead};
     use crate::smooth::leg::{Leg, Part};
 
     /// How parts of a path are kept.
     pub trait Keep: Sized {
-        /// The piece of a part of a leg from `at` on. The jet is that of the corrections `way`
-        /// before.
-        fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Self;
+        /// Adds the piece of a part of a leg between two places. The jet is that of the corrections
+        /// `way` before.
+        fn add(to: &mut Vec<Self>, leg: &Leg, part: &Part, jet: (&Jet, f64), places: [f64; 2]);
 
         /// What is kept of a piece.
         fn of(piece: &Piece) -> Self;
@@ -75,9 +75,28 @@ pub(crate) mod sealed {
     }
 
     impl Keep for Piece {
-        fn new(leg: &Leg, part: &Part, jet: &Jet, way: f64, at: f64, length: f64) -> Piece {
-            let jet = if way > 0.0 { ahead(jet, way, 6) } else { *jet };
-            piece(leg, part, jet, at, length)
+        fn add(
+            to: &mut Vec<Piece>,
+            leg: &Leg,
+            part: &Part,
+            (jet, way): (&Jet, f64),
+            [at, end]: [f64; 2],
+        ) {
+            let done = at - part.from;
+            // In its place, as it is large.
+            to.push(Piece { length: end - at, base: None, start: *jet, tag: part.tag });
+            let Some(piece) = to.last_mut() else { return };
+            if let Some(curve) = leg.curve.as_deref() {
+                piece.base = Some((*curve, at - leg.from));
+            }
+            if way > 0.0 {
+                go_ahead(&mut piece.start, way, AXES);
+            }
+            let [position, first, ..] = &mut piece.start;
+            for (axis, direction) in part.direction.iter().enumerate() {
+                position[axis] += part.start[axis] + direction * done;
+                first[axis] += direction;
+            }
         }
 
         fn of(piece: &Piece) -> Piece {
@@ -94,9 +113,16 @@ pub(crate) mod sealed {
     }
 
     impl Keep for Span {
-        fn new(leg: &Leg, part: &Part, jet: &Jet, _way: f64, _at: f64, length: f64) -> Span {
+        fn add(
+            to: &mut Vec<Span>,
+            leg: &Leg,
+            part: &Part,
+            (jet, _): (&Jet, f64),
+            [at, end]: [f64; 2],
+        ) {
             let even = jet[2] == [0.0; AXES] && jet[3] == [0.0; AXES];
-            Span { length, tag: part.tag, is_straight: even && leg.curve.is_none() }
+            let is_straight = even && leg.curve.is_none();
+            to.push(Span { length: end - at, tag: part.tag, is_straight });
         }
 
         fn of(piece: &Piece) -> Span {
@@ -113,23 +139,6 @@ pub(crate) mod sealed {
 
         fn path(_parts: &[Span]) -> Option<&[Piece]> {
             None
-        }
-    }
-
-    /// The piece of a leg that begins at a place, where the corrections have this jet.
-    #[inline]
-    fn piece(leg: &Leg, part: &Part, mut start: Jet, at: f64, length: f64) -> Piece {
-        let done = at - part.from;
-        let [position, first, ..] = &mut start;
-        for (axis, direction) in part.direction.iter().enumerate() {
-            position[axis] += part.start[axis] + direction * done;
-            first[axis] += direction;
-        }
-        Piece {
-            length,
-            base: leg.curve.as_deref().map(|curve| (*curve, at - leg.from)),
-            start,
-            tag: part.tag,
         }
     }
 }

@@ -200,15 +200,15 @@ impl Place {
         let reader = match &mut self.readers[which] {
             Some((at, reader)) => {
                 if at != index {
-                    reader.go_on(&window.pieces[*at].piece, piece);
+                    reader.go_on((&window.pieces[*at].piece).into(), piece.into());
                     *at = *index;
                 }
                 reader
             }
-            none => &mut none.insert((*index, Reader::new(piece))).1,
+            none => &mut none.insert((*index, Reader::new(piece.into()))).1,
         };
         let sigma = (along.sigma - from).clamp(0.0, piece.length);
-        reader.fill(piece, sigma, &along, out);
+        reader.fill(piece.into(), sigma, &along, out);
     }
 }
 
