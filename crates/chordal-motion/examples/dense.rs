@@ -3,11 +3,11 @@
 //! ```text
 //! cargo run --release -p chordal-motion --example dense [NAME [TOLERANCE]]
 //! cargo run --release -p chordal-motion --example dense random=1000
-//! cargo run --release -p chordal-motion --example dense properties=1000
+//! cargo run --release -p chordal-motion --example dense properties=1000 [from=1] [places=1000]
 //! ```
 //!
 //! `random=` counts random paths that curves are quicker on. `properties=` changes one thing of a random path
-//! at a time and tells how much slower that makes it at most.
+//! at a time and tells how much slower that makes it at most; of paths from a number on, cut to so many places.
 
 #![allow(clippy::disallowed_methods, reason = "an example is a shell")]
 
@@ -46,8 +46,8 @@ fn main() {
     if let Some(count) = wanted.strip_prefix("random=").and_then(|word| word.parse().ok()) {
         return random(count, limits);
     }
-    if let Some(count) = wanted.strip_prefix("properties=").and_then(|word| word.parse().ok()) {
-        return properties(count);
+    if let Some(count) = number("properties") {
+        return properties(count, number("from").unwrap_or(1), number("places").unwrap_or(1000));
     }
     println!(
         "path                      moves  corners       ms |  curves       ms  no jerk  acceleration    jerk  pieces  runs"
@@ -75,6 +75,12 @@ fn main() {
             now.len(),
         );
     }
+}
+
+/// The number that an argument gives: `name=number`.
+fn number(name: &str) -> Option<u64> {
+    let value = |word: String| word.strip_prefix(name)?.strip_prefix('=')?.parse().ok();
+    std::env::args().skip(1).find_map(value)
 }
 
 /// Random sums of harmonics: how many are planned as curves, and how far from the least time without
@@ -107,7 +113,7 @@ fn random(count: u64, limits: Limits) {
 }
 
 /// How much slower one change makes random paths: the worst, and how many are above 0.02 % and 1 %.
-fn properties(count: u64) {
+fn properties(count: u64, from: u64, most: u64) {
     const NAMES: [&str; 9] = [
         "feed × 1.26",
         "acceleration × 1.26",
@@ -122,12 +128,12 @@ fn properties(count: u64) {
     let mut worst = [(0.0_f64, 0); 9];
     let mut above = [[0_u64; 2]; 9];
     let mut used = Use::default();
-    for seed in 1..=count {
+    for seed in from..from + count {
         let chord = [0.05, 0.1, 0.2, 0.4][seed as usize % 4];
         let tolerance = [0.002, 0.005, 0.01, 0.02, 0.05][seed as usize % 5];
         let feed = [30.0, 100.0, 250.0, 1000.0][seed as usize / 4 % 4];
         let limits = |a: f64, j: f64| support::limits(500.0, 5000.0 * a, 1e5 * j);
-        let short = |places: &[[f64; 3]]| places[..places.len().min(1000)].to_vec();
+        let short = |places: &[[f64; 3]]| places[..places.len().min(most as usize)].to_vec();
         let places = short(&dense::harmonics(chord, 4, seed));
         let time_with = |places: &[[f64; 3]], feed: f64, tolerance: f64, limits: Limits| {
             support::time_of(&timed(&dense::moves(places, feed, tolerance), limits, true).0)

@@ -7,17 +7,19 @@ use chordal_geometry::{AXES, Curve, ParamCurve};
 
 mod chain;
 mod meeting;
+mod quickest;
 
 use crate::Axes;
 use crate::bound::{Gentle, Run};
 use crate::cell::AxisArrays;
-use crate::curve::{Chords, Measure, Smoothing};
-use crate::law::{Ends, Planner as LawPlanner};
+use crate::curve::{Chords, Measure, Smooth};
 use crate::limits::Limits;
 use crate::piece::{Jet, Piece, ahead};
 use crate::segment::{Corner, Move};
 use crate::smooth::{EXACT, Overlap};
 use crate::trajectory::Stretch;
+pub(crate) use chain::Laid;
+use quickest::{Curved, Quickest};
 
 /// A joint is a corner where the chords turn by more; short ones are looked at over some tolerances.
 const CORNER_COSINE: f64 = 0.258_819_045_102_521;
@@ -60,12 +62,13 @@ pub(crate) struct Dense {
     /// The number of the move of each chord, and of the first chord of each move.
     owners: Vec<u32>,
     firsts: Vec<usize>,
+    /// The chords at which runs begin, and one past the last.
+    corners: Vec<usize>,
+    /// Chords and corners are those of the moves that are planned next.
+    is_cut: bool,
     chords: Chords,
     parts: Vec<Part>,
-    smoothing: Smoothing,
-    law: LawPlanner,
-    pieces: Vec<Piece>,
-    speeds: Vec<f64>,
+    quickest: Quickest,
 }
 
 impl Dense {
@@ -75,14 +78,32 @@ impl Dense {
         if !self.cut(moves) {
             return None;
         }
-        let corners = self.corners(moves, 0..moves.len(), CORNER_COSINE);
-        let last = *corners[..corners.len() - 1].last()?;
+        self.corners = self.corners_of(moves, 0..moves.len(), CORNER_COSINE);
+        let last = *self.corners[..self.corners.len() - 1].last()?;
         if last > 0 {
             return Some(self.owners[last] as usize);
         }
         let half = moves.len() / 2 + 1..moves.len();
         let cosine = |index: &usize| self.turn(moves, *index).map_or(-1.0, |(cosine, _)| cosine);
         half.min_by(|a, b| cosine(a).total_cmp(&cosine(b)))
+    }
+
+    /// Keeps the chords and corners of the moves before one of those that were looked at last, for the next
+    /// plan: it is the plan of these moves.
+    pub fn keep(&mut self, moves: usize) {
+        let chords = self.firsts[moves];
+        self.places.truncate(chords + 1);
+        self.lengths.truncate(chords);
+        self.owners.truncate(chords);
+        self.firsts.truncate(moves);
+        self.corners.retain(|corner| *corner < chords);
+        self.corners.push(chords);
+        self.is_cut = true;
+    }
+
+    /// The next plan is of other moves than those kept.
+    pub fn forget(&mut self) {
+        self.is_cut = false;
     }
 
     /// Cuts all moves into chords; false when there are too many.
@@ -118,7 +139,7 @@ impl Dense {
 
     /// The chords of some moves at which runs begin, and one past the last: the first chord, and where the path
     /// turns by more.
-    fn corners(&self, moves: &[Move], of: Range<usize>, cosine_of_corner: f64) -> Vec<usize> {
+    fn corners_of(&self, moves: &[Move], of: Range<usize>, cosine_of_corner: f64) -> Vec<usize> {
         let mut corners = vec![self.firsts[of.start]];
         // The last corner that may yet turn out to be the lesser of two, with its cosine and tolerance.
         let mut last: Option<(f64, f64)> = None;
@@ -130,7 +151,7 @@ impl Dense {
                 last = None;
                 continue;
             };
-            if cosine >= cosine_of_corner {
+            if cosine >= cosine_of_corner || self.goes_on(self.firsts[index]) {
                 continue;
             }
             // Of a bend as sharp as the tolerance is wide only the sharpest joint is a corner.
@@ -198,6 +219,12 @@ impl Dense {
         LOOK * tolerance
     }
 
+    /// Whether a chord goes on in the line of the one before: a joint within a line is no corner, however
+    /// short its chords are.
+    fn goes_on(&self, chord: usize) -> bool {
+        is_same(&self.direction(chord - 1), &self.direction(chord))
+    }
+
     fn direction(&self, chord: usize) -> Axes {
         let (from, to) = (&self.places[chord], &self.places[chord + 1]);
         std::array::from_fn(|axis| (to[axis] - from[axis]) / self.lengths[chord])
@@ -228,7 +255,7 @@ impl Dense {
         }
     }
 
-    /// The stretch of a run of chords.
+    /// The stretch of a run of chords, in pieces that moves share.
     fn run(
         &mut self,
         moves: &[Move],
@@ -236,38 +263,26 @@ impl Dense {
         limits: &Limits,
         gap: f64,
         gentle: [Gentle; 2],
-    ) -> Option<Stretch> {
+    ) -> Option<Curved> {
         let arrays = AxisArrays::new(limits);
         let measure = self.enter(moves, chords, &arrays);
         if self.chords.count() < 2 {
             return self.line(moves, limits, gap, gentle);
         }
         let measure = measure?;
-        self.chords.divide(measure.places_apart());
-        let smooth = self.smoothing.smooth(&self.chords, &measure)?;
-        self.pieces.clear();
-        self.speeds.clear();
-        let mut part = 0;
-        for (index, jet) in smooth.jets.iter().enumerate() {
-            let (begin, end) = (smooth.at[index], smooth.at[index + 1]);
-            let whole = straightened(*jet, end - begin, &measure);
-            let mut at = begin;
-            while at < end {
-                while part + 1 < self.parts.len() && self.parts[part].end <= at {
-                    part += 1;
-                }
-                let motion = &moves[self.parts[part].index];
-                let (until, feed) = same_feed(moves, &self.parts[part..], at, begin..end);
-                let start = if at > begin { ahead(&whole, at - begin, AXES) } else { whole };
-                let piece = Piece { length: until - at, base: None, start, tag: motion.tag };
-                self.speeds.push(feed / rate(&piece).max(1.0));
-                self.pieces.push(piece);
-                at = until;
-            }
-        }
-        let run = Run::new(&self.pieces, &self.speeds, 0.0, limits).ok()?.with_ends(gentle);
-        let phases = self.law.plan(&run, [Ends::Rest; 2], gap)?;
-        Some(Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 })
+        let parts = &self.parts;
+        self.quickest.plan(
+            &self.chords,
+            &measure,
+            (limits, gap),
+            |smooth, pieces, speeds| lay(moves, parts, smooth, &measure, (pieces, speeds)),
+            |pieces, speeds| Some(Run::new(pieces, speeds, 0.0, limits).ok()?.with_ends(gentle)),
+        )
+    }
+
+    /// Where each move of the run that was entered last ends, σ, and its tag.
+    fn moves_of_run(&self, moves: &[Move]) -> Vec<(f64, u64)> {
+        self.parts.iter().map(|part| (part.end, moves[part.index].tag)).collect()
     }
 
     /// Enters the chords of a run, with lines that go on in each other as one.
@@ -305,41 +320,33 @@ impl Dense {
         let [linear, rotary] = tolerance;
         (linear.is_finite()).then(|| Measure::new(linear, rotary, turns_only, limits))
     }
+}
 
-    /// The pieces cut where the next move begins, each with its tag.
-    fn tagged(&self, moves: &[Move]) -> Vec<Piece> {
-        let mut out = Vec::with_capacity(self.pieces.len() + self.parts.len());
-        let (mut part, mut at) = (0, 0.0);
-        for piece in &self.pieces {
-            let end = at + piece.length;
-            let mut done = 0.0;
-            loop {
-                let is_last = part + 1 >= self.parts.len();
-                let chord = &self.parts[part];
-                let until = if is_last || chord.end >= end { piece.length } else { chord.end - at };
-                if until > done {
-                    out.push(Piece {
-                        length: until - done,
-                        start: if done > 0.0 {
-                            ahead(&piece.start, done, AXES)
-                        } else {
-                            piece.start
-                        },
-                        tag: moves[chord.index].tag,
-                        base: None,
-                    });
-                    done = until;
-                }
-                if !is_last && chord.end <= end {
-                    part += 1;
-                }
-                if until >= piece.length {
-                    break;
-                }
+/// The pieces of a curve, each with its largest speed, cut where the feed changes.
+fn lay(
+    moves: &[Move],
+    parts: &[Part],
+    smooth: &Smooth<'_>,
+    measure: &Measure,
+    (pieces, speeds): (&mut Vec<Piece>, &mut Vec<f64>),
+) {
+    let mut part = 0;
+    for (index, jet) in smooth.jets.iter().enumerate() {
+        let (begin, end) = (smooth.at[index], smooth.at[index + 1]);
+        let whole = straightened(*jet, end - begin, measure);
+        let mut at = begin;
+        while at < end {
+            while part + 1 < parts.len() && parts[part].end <= at {
+                part += 1;
             }
-            at = end;
+            let motion = &moves[parts[part].index];
+            let (until, feed) = same_feed(moves, &parts[part..], at, begin..end);
+            let start = if at > begin { ahead(&whole, at - begin, AXES) } else { whole };
+            let piece = Piece { length: until - at, base: None, start, tag: motion.tag };
+            speeds.push(feed / rate(&piece).max(1.0));
+            pieces.push(piece);
+            at = until;
         }
-        out
     }
 }
 
@@ -399,15 +406,46 @@ fn tolerance_of(moves: &[Move]) -> f64 {
 fn rate(piece: &Piece) -> f64 {
     let [_, d1, d2, d3] = &piece.start;
     let h = piece.length;
-    let mut sums = [[0.0_f64; 3]; 2];
+    // q' is a parabola within the triangle of three values, and its square lies within what these have as
+    // products: the coefficients of Bernstein.
+    let mut sums = [[0.0_f64; 5]; 2];
     for axis in 0..AXES {
-        // A parabola lies within the triangle of these.
         let (first, middle) = (d1[axis], d1[axis] + d2[axis] * h / 2.0);
         let last = d1[axis] + h * (d2[axis] + d3[axis] * h / 2.0);
-        for (sum, value) in sums[axis / 3].iter_mut().zip([first, middle, last]) {
-            *sum += value * value;
+        let between = (first * last + 2.0 * middle * middle) / 3.0;
+        let products = [first * first, first * middle, between, middle * last, last * last];
+        for (sum, product) in sums[axis / 3].iter_mut().zip(products) {
+            *sum += product;
         }
     }
     let [linear, rotary] = sums.map(|sums| sums.into_iter().fold(0.0, f64::max).sqrt());
     if linear > 0.0 { linear } else { rotary }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rate_of_a_piece_is_its_largest_and_hardly_more() {
+        // Turns of up to a sixth of a turn, and a rate that changes by up to a tenth.
+        for step in 0..100 {
+            let turn = 0.01 * f64::from(step);
+            let change = 0.001 * f64::from(step % 7);
+            let d1 = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+            let d2 = [change, turn, 0.0, 0.0, 0.0, 0.0];
+            let d3 = [-turn * turn, 0.5 * change, 0.3 * turn * turn, 0.0, 0.0, 0.0];
+            let piece = Piece { length: 1.0, base: None, start: [[0.0; 6], d1, d2, d3], tag: 0 };
+            let most = (0..=1000).fold(0.0_f64, |most, part| {
+                let [_, rate, ..] = piece.at(f64::from(part) / 1000.0);
+                most.max(rate.iter().map(|rate| rate * rate).sum::<f64>().sqrt())
+            });
+            let rate = rate(&piece);
+            assert!(rate >= most * (1.0 - 1e-15), "{turn}: {rate} below {most}");
+            assert!(
+                rate <= most * (1.0 + 0.2 * turn.powi(4) + 1e-6),
+                "{turn}: {rate} above {most}"
+            );
+        }
+    }
 }

@@ -5,7 +5,7 @@ use chordal_geometry::{AXES, Curve};
 use crate::Axes;
 use crate::bound::Run;
 use crate::cell::AxisArrays;
-use crate::dense::{Dense, Singly};
+use crate::dense::{Dense, Laid, Singly};
 use crate::law::law;
 use crate::limits::Limits;
 use crate::piece::Piece;
@@ -214,6 +214,7 @@ impl<P: PathPart> Planner<P> {
             return self.plan_moves(take);
         };
         let after = group.moves.split_off(corner);
+        group.dense.keep(corner);
         group.feed_s -= after.iter().map(Move::at_speed_s).sum::<f64>();
         self.plan_group(take);
         if let Some(group) = &mut self.group {
@@ -247,13 +248,7 @@ impl<P: PathPart> Planner<P> {
                 self.release(take);
                 self.end_run(take);
                 (self.overlap, self.last) = (None, None);
-                for stretch in &stretches {
-                    self.stretch.pieces.clear();
-                    self.stretch.pieces.extend(stretch.pieces.iter().map(P::of));
-                    self.stretch.phases.clone_from(&stretch.phases);
-                    self.stretch.overlap_s = stretch.overlap_s;
-                    take(Step::Stretch(&self.stretch));
-                }
+                stretches.iter().for_each(|stretch| take(Step::Stretch(stretch)));
                 group.clear();
             }
         }
@@ -504,6 +499,7 @@ impl Group {
     fn clear(&mut self) {
         self.moves.clear();
         self.feed_s = 0.0;
+        self.dense.forget();
     }
 
     /// Whether enough of it is known to see that the rest is not dense either, or somebody waits.
@@ -512,13 +508,17 @@ impl Group {
     }
 
     /// Its moves as smooth curves from corner to corner, if corners by themselves are not quicker.
-    fn quicker_curves(&mut self, limits: &Limits, gap: f64) -> Option<Vec<Stretch>> {
+    fn quicker_curves<P: PathPart>(
+        &mut self,
+        limits: &Limits,
+        gap: f64,
+    ) -> Option<Vec<Stretch<P>>> {
         let planner = Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
         let mut singly = ByCorners(planner);
-        let (stretches, least_s) = self.dense.plan(&self.moves, limits, gap, &mut singly);
-        let time_s = stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum::<f64>();
-        let is_quick = singly.is_quick(&self.moves, time_s, least_s);
-        (is_quick || time_s < self.corners_s()).then_some(stretches)
+        let (laid, least_s) = self.dense.plan(&self.moves, limits, gap, &mut singly);
+        let time_s = laid.iter().map(Laid::time_s).sum::<f64>();
+        let is_quick = singly.is_quick(&self.moves, time_s, least_s) || time_s < self.corners_s();
+        is_quick.then(|| laid.into_iter().map(Laid::kept).collect())
     }
 }
 
@@ -531,12 +531,13 @@ impl Singly for ByCorners {
     }
 
     fn is_quick(&self, moves: &[Move], time_s: f64, least_s: f64) -> bool {
-        time_s < NEAR * least_s && time_s < least_with_stops_s(moves, &self.0.limits)
+        time_s < NEAR * least_s && are_slower_with_stops(moves, time_s, &self.0.limits)
     }
 }
 
-/// Moves take no less with a stop at the end of each, s: by feed, acceleration or jerk alone.
-fn least_with_stops_s(moves: &[Move], limits: &Limits) -> f64 {
+/// Whether moves take longer than a time, s, with a stop at the end of each: by feed, acceleration or jerk
+/// alone.
+fn are_slower_with_stops(moves: &[Move], than_s: f64, limits: &Limits) -> bool {
     let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
     let one = |motion: &Move| {
         let (from, to) = (motion.from(), motion.to());
@@ -550,7 +551,12 @@ fn least_with_stops_s(moves: &[Move], limits: &Limits) -> f64 {
         }
         least
     };
-    moves.iter().map(one).sum()
+    // Short moves take so much longer that few of them tell.
+    let mut least_s = 0.0;
+    moves.iter().any(|motion| {
+        least_s += one(motion);
+        least_s > than_s
+    })
 }
 
 fn pieces_of(cells: &[Cell]) -> usize {

@@ -39,7 +39,7 @@ fn table() -> Vec<(&'static str, Places, f64)> {
         ("star", dense::star(0.1), 1.36),
         ("trident", dense::trident(0.1), 1.27),
         ("butterfly", dense::butterfly(0.1), 3.05),
-        ("raster", dense::raster(20, 60.0, 0.5, 0.2), 10.0),
+        ("raster", dense::raster(20, 60.0, 0.5, 0.2), 10.1),
     ]
 }
 

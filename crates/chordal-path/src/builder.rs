@@ -91,6 +91,7 @@ impl<'a> PathBuilder<'a> {
         Vec3::new(along(0), along(1), along(2))
     }
 
+    #[inline]
     fn segment(
         &self,
         kind: SegmentKind,

@@ -252,6 +252,11 @@ impl<'m, 'w> ReportSink<'m, 'w> {
         }
     }
 
+    /// The pieces of path of the last command.
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
     pub fn finish(self, outcomes: Vec<Outcome>) -> Report {
         Report::new(self.summary.finish(), self.collector, self.output, outcomes)
     }

@@ -1,9 +1,10 @@
 //! Which controls join short lines into one curve, and what short lines cost.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use chordal::control::PathMode;
-use chordal::motion::{Corner, MotionOptions, MotionStep, StepSource};
+use chordal::motion::{Corner, MotionOptions, MotionStep, PlanSink, Sources, Step, StepSource};
 use chordal::time::{ChordCost, Remedy};
 use chordal::{Job, Machine, Source, SourceMap};
 
@@ -121,4 +122,90 @@ fn coarse_chords_and_tight_tolerances_are_named_with_what_they_cost() {
     for (remedy, saved) in &dense.savings {
         assert!(*saved < 0.1 * dense.time_s, "{remedy:?} {saved} s of {} s", dense.time_s);
     }
+}
+
+/// The time of each line of the program, from the plan with its whole path: when each piece ends is found by
+/// halving.
+#[derive(Default)]
+struct LineTimes(BTreeMap<u32, f64>);
+
+impl PlanSink for LineTimes {
+    fn step(&mut self, step: Step<'_>, _: &Sources) {
+        match step {
+            Step::Wait { seconds, tag } => {
+                *self.0.entry(StepSource::line_of(tag)).or_default() += seconds;
+            }
+            Step::Stretch(stretch) => {
+                assert_eq!(stretch.overlap_s, 0.0, "no line has a corner by itself");
+                let whole = stretch.duration_s();
+                let sigma_at = |mut t: f64| {
+                    let mut phases = stretch.phases.iter().peekable();
+                    while let Some(phase) = phases.next() {
+                        if t <= phase.duration_s || phases.peek().is_none() {
+                            return phase.at(t).sigma;
+                        }
+                        t -= phase.duration_s;
+                    }
+                    0.0
+                };
+                let (mut sigma, mut before) = (0.0, 0.0);
+                for (index, piece) in stretch.pieces.iter().enumerate() {
+                    sigma += piece.length;
+                    let (mut low, mut high) = (before, whole);
+                    for _ in 0..60 {
+                        let middle = 0.5 * (low + high);
+                        if sigma_at(middle) < sigma { low = middle } else { high = middle }
+                    }
+                    let end = if index + 1 == stretch.pieces.len() { whole } else { high };
+                    *self.0.entry(StepSource::line_of(piece.tag)).or_default() += end - before;
+                    before = end;
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_of_a_curve_have_the_times_of_their_pieces() {
+    // Long ways at one feed, three feeds in a row, some lines longer than a piece of the curve, and an arc.
+    let mut program = String::from("%\nO1\nG21 G90 G54 S600 M3\nG0 X0 Y0 Z1.\nG1 Z0 F3000.\n");
+    for row in 0..4_u32 {
+        for step in 0..400_u32 {
+            let x = 0.1 * f64::from(if row % 2 == 0 { step } else { 399 - step });
+            let feed = match (row, step) {
+                (1, 100) => "F1500.",
+                (1, 250) => "F6000.",
+                (2, 0) => "F3000.",
+                _ => "",
+            };
+            if (150..190).contains(&step) && step % 8 != 0 {
+                continue;
+            }
+            let z = 0.5 * (0.3 * x).sin();
+            program += &format!("X{x:.3} Y{}. Z{z:.4} {feed}\n", 2 * row);
+        }
+    }
+    program += "G2 X20. Y30. R60.\nG4 P100\nG0 Z50.\nM30\n%\n";
+    let job = job(&program, "haas-vf2", &["motion.corner_tolerance = '0.01 mm'"]);
+    let options = MotionOptions::default();
+    let mut lines = LineTimes::default();
+    let with_path = job.time_with(&options, &mut lines).expect("limits").time;
+    let timed = job.time(&options).expect("limits").time;
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.max(1.0), "{a} is not {b}");
+    near(timed.total_s(), lines.0.values().sum());
+    for (one, other) in
+        [(&timed.longest, &with_path.longest), (&timed.costliest, &with_path.costliest)]
+    {
+        assert_eq!(one.len(), 10);
+        for (one, other) in one.iter().zip(other) {
+            assert_eq!(one.origin, other.origin);
+            assert_eq!((one.runs, one.reason, one.loses), (other.runs, other.reason, other.loses));
+            near(one.time_s, other.time_s);
+            near(one.lost_s, other.lost_s);
+            near(one.time_s, lines.0[&one.origin.line]);
+        }
+    }
+    near(timed.times.lost_s, with_path.times.lost_s);
+    near(timed.at_feed_s, with_path.at_feed_s);
+    assert_eq!(timed.moves, with_path.moves);
 }

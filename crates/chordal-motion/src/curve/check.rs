@@ -8,22 +8,49 @@ use super::Measure;
 use super::chords::Chords;
 use super::fit::Spline;
 use super::width::Widths;
+use chordal_geometry::AXES;
+
 use crate::Axes;
 use crate::piece::{SIXTH, ahead};
 
 /// Where it is too far, widths around fall to at least and at most these shares, by the root of the excess.
-const FALL: [f64; 2] = [0.6, 0.9];
+const FALL: [f64; 2] = [0.6, 0.97];
+/// A pull takes so much of the way to this share of the tolerance: pulls reach over their neighbours.
+const AIM: f64 = 0.95;
+const DAMPING: f64 = 0.8;
 
-/// The largest distance in tolerances; widths fall where it is above one.
+/// What a curve that is too far asks for.
+#[derive(Debug, Default)]
+pub(super) struct Wishes {
+    /// Where the curve is to be moved, and how.
+    pub pulls: Vec<Pull>,
+    /// The shares to which widths are to fall.
+    pub falls: Vec<f64>,
+}
+
+/// A place of the curve that is to be moved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pull {
+    pub piece: usize,
+    /// Where on the piece, in shares of its length.
+    pub share: f64,
+    pub by: Axes,
+}
+
+/// The largest distance in tolerances, and what is wished where it is above one.
 pub(super) fn certify(
     chords: &Chords,
     spline: &Spline,
     measure: &Measure,
-    widths: &mut Widths,
+    widths: &Widths,
+    wishes: &mut Wishes,
 ) -> f64 {
     let mut most = 0.0_f64;
-    let mut falls = vec![1.0_f64; chords.count() + 1];
-    let (mut piece, mut from, mut before) = (0, 0.0_f64, 0.0_f64);
+    let Wishes { pulls, falls } = wishes;
+    pulls.clear();
+    falls.clear();
+    falls.resize(chords.count() + 1, 1.0);
+    let (mut piece, mut from, mut before) = (0, 0.0_f64, (0.0_f64, [0.0; AXES]));
     for chord in 0..chords.count() {
         let (begin, end) = (chords.at[chord], chords.at[chord + 1]);
         let mut off = 0.0_f64;
@@ -31,11 +58,21 @@ pub(super) fn certify(
             let until = spline.at[piece + 1].min(end);
             let jet = &spline.jets[piece];
             let way = until - spline.at[piece];
-            let after = measure.of(&distance(chords, chord, until, jet, way));
+            let away = distance(chords, chord, until, jet, way);
+            let after = (measure.of(&away), away);
             let start = ahead(jet, from - spline.at[piece], 6)[2];
             let bend = measure.of(&start).max(measure.of(&ahead(jet, way, 6)[2]));
             let part = until - from;
-            off = off.max(before.max(after) + bend * part * part / 8.0);
+            let own = before.0.max(after.0) + bend * part * part / 8.0;
+            off = off.max(own);
+            if own > 1.0 {
+                let length = spline.at[piece + 1] - spline.at[piece];
+                let (farther, at) =
+                    if before.0 > after.0 { (&before, from) } else { (&after, until) };
+                let back = -DAMPING * (own - AIM) / farther.0;
+                let by = farther.1.map(|away| away * back);
+                pulls.push(Pull { piece, share: (at - spline.at[piece]) / length, by });
+            }
             (from, before) = (until, after);
             if until >= spline.at[piece + 1] && piece + 1 < spline.jets.len() {
                 piece += 1;
@@ -54,9 +91,6 @@ pub(super) fn certify(
             let up = (chord + 1..=chords.count()).take_while(|k| chords.at[*k] <= end + reach);
             up.for_each(|k| falls[k] = falls[k].min(fall));
         }
-    }
-    if most > 1.0 {
-        widths.shares.iter_mut().zip(&falls).for_each(|(share, fall)| *share *= fall);
     }
     most
 }

@@ -40,14 +40,13 @@ impl Chords {
         self.add(place, end);
     }
 
-    /// More places on long chords, where widths are looked for: so far from both ends of a chord, and each
-    /// time twice as far.
-    pub fn divide(&mut self, apart: f64) {
-        let (places, at) = (std::mem::take(&mut self.places), std::mem::take(&mut self.at));
-        let Some(first) = places.first() else { return };
+    /// The chords of another run with more places on long ones, where widths are looked for: so far from both
+    /// ends of a chord, and each time twice as far.
+    pub fn divide(&mut self, whole: &Chords, apart: f64) {
+        let Some(first) = whole.places.first() else { return };
         self.begin(*first);
         let mut ways = Vec::new();
-        for (place, at) in places.windows(2).zip(at.windows(2)) {
+        for (place, at) in whole.places.windows(2).zip(whole.at.windows(2)) {
             let length = at[1] - at[0];
             ways.clear();
             let mut way = apart;
@@ -65,6 +64,16 @@ impl Chords {
             }
             self.add(place[1], at[1]);
         }
+    }
+
+    /// The chords of another run with its inner places elsewhere, at the same σ.
+    pub(super) fn displace(&mut self, other: &Chords, mut place: impl FnMut(f64) -> Axes) {
+        let Some(first) = other.places.first() else { return };
+        self.begin(*first);
+        for index in 1..other.count() {
+            self.add(place(other.at[index]), other.at[index]);
+        }
+        self.add(other.places[other.count()], other.length());
     }
 
     fn add(&mut self, place: Axes, at: f64) {

@@ -3,10 +3,11 @@
 use chordal_geometry::AXES;
 
 use super::Kernel;
+use super::check::Pull;
 use super::chords::Chords;
 use super::width::Widths;
 use crate::Axes;
-use crate::piece::Jet;
+use crate::piece::{Jet, ahead};
 
 /// What the mean over a box and a cubic B-spline take off, by the square of the distance of knots.
 const BIAS: f64 = 5.0 / 24.0;
@@ -21,6 +22,8 @@ pub(super) struct Spline {
     control: Vec<Axes>,
     widths: Vec<f64>,
     eroded: Vec<f64>,
+    /// How far control points are moved, with the square of that.
+    moved: Vec<(Axes, f64)>,
     /// σ where each piece begins, and where the last ends.
     pub at: Vec<f64>,
     /// The axes and their derivatives where each piece begins.
@@ -36,6 +39,14 @@ impl Spline {
             Kernel::Sharp => self.sharp(chords),
         }
         self.make_pieces();
+    }
+
+    /// The place at σ; `piece` is one that begins before.
+    pub fn place_at(&self, sigma: f64, piece: &mut usize) -> Axes {
+        while *piece + 1 < self.jets.len() && self.at[*piece + 1] <= sigma {
+            *piece += 1;
+        }
+        ahead(&self.jets[*piece], sigma - self.at[*piece], AXES)[0]
     }
 
     fn lay_knots(&mut self, chords: &Chords, widths: &Widths) {
@@ -177,6 +188,46 @@ impl Spline {
             }));
             (before, here) = (here, after);
         }
+    }
+
+    /// Moves control points so that the places that are pulled move as far as they are. Where several pull at
+    /// one, the longest does. The ends stay, without bend.
+    pub fn pull(&mut self, pulls: &[Pull]) {
+        self.moved.clear();
+        self.moved.resize(self.control.len(), ([0.0; AXES], 0.0));
+        for pull in pulls {
+            let u = pull.share;
+            let left = 1.0 - u;
+            // As with equal spaces between knots.
+            let shares = [
+                left * left * left,
+                4.0 + u * u * (3.0 * u - 6.0),
+                4.0 + left * left * (3.0 * left - 6.0),
+                u * u * u,
+            ];
+            let squares: f64 = shares.iter().map(|share| share * share).sum();
+            for (k, share) in shares.into_iter().enumerate() {
+                let by = pull.by.map(|by| by * share * 6.0 / squares);
+                let size = by.iter().map(|by| by * by).sum();
+                let moved = &mut self.moved[pull.piece + k];
+                if size > moved.1 {
+                    *moved = (by, size);
+                }
+            }
+        }
+        let last = self.control.len() - 1;
+        for (index, (by, _)) in self.moved.iter().enumerate().take(last - 1).skip(2) {
+            for (place, by) in self.control[index].iter_mut().zip(by) {
+                *place += by;
+            }
+        }
+        for [outer, end, inner] in [[0, 1, 2], [last, last - 1, last - 2]] {
+            for axis in 0..AXES {
+                self.control[outer][axis] =
+                    2.0 * self.control[end][axis] - self.control[inner][axis];
+            }
+        }
+        self.make_pieces();
     }
 
     /// Each piece by the four control points around it.

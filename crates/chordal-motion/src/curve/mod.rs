@@ -7,7 +7,7 @@
 //! | knots, control points, pieces | `fit.rs` |
 //! | how far the curve is from the chords, with proof | `check.rs` |
 //!
-//! The path does not depend on the feed. It is smoothed no wider than the axes need at their limits:
+//! A curve does not depend on the feed. It is smoothed no wider than the axes need at their limits:
 //! a wider curve would be an inward parallel of the chords, and slower.
 
 mod check;
@@ -19,6 +19,7 @@ use crate::Axes;
 use crate::cell::AxisArrays;
 use crate::piece::Jet;
 use crate::root::cbrt;
+use check::Wishes;
 pub(crate) use chords::Chords;
 use fit::Spline;
 use width::Widths;
@@ -26,16 +27,52 @@ use width::Widths;
 /// Rounds of narrower widths.
 const ROUNDS: usize = 60;
 
+/// Where the curve is beyond the tolerance by no larger factor it is pulled back, so many times, before widths
+/// fall: narrower ones move all knots that follow.
+const PULLED: f64 = 4.0;
+const PULLS: usize = 12;
+/// So many times in all rounds: a long run has a place somewhere that no pull helps.
+const ALL_PULLS: usize = 12;
+
 /// Widths are looked for so far from the ends of a chord, in tolerances.
 const APART: f64 = 16.0;
 
-/// How places are smoothed.
+/// Largest second difference over a width of the plain kernel, in tolerances, and largest fourth difference over
+/// one of the sharp kernel, also before the plain one. The curve of the sharp kernel alone is pulled back.
+const SECOND: f64 = 3.0;
+const FOURTH: f64 = 16.0;
+const QUIET_FOURTH: f64 = 8.0;
+/// Of the tolerance, what the first of two smoothings may take.
+const QUIET: f64 = 0.2;
+/// Largest widths, in those that time asks for: of the plain kernel, of the sharp one, and of the sharp one
+/// before the plain one.
+const PLAIN_TIMES: f64 = 1.5;
+const SHARP_TIMES: f64 = 1.5;
+const QUIET_TIMES: f64 = 1.0;
+
+/// How places are smoothed at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kernel {
-    /// By means with positive weights: never beyond the chords, quick at corners.
+    /// By means with positive weights: never beyond the chords.
     Plain,
-    /// With the bias of second order taken off: for tight tolerances and rounded coordinates.
+    /// With the bias of second order taken off.
     Sharp,
+}
+
+/// How places are smoothed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// The inside of bends, as far as the tolerance allows: by the plain kernel. Coordinates are rounded, and its
+    /// widths would be too small where that is much for the tolerance: so the rounding is taken off by the sharp
+    /// kernel first.
+    Inside,
+    /// Along the chords, for tight tolerances: by the sharp kernel.
+    Along,
+}
+
+impl Way {
+    /// All of them.
+    pub const ALL: [Way; 2] = [Way::Inside, Way::Along];
 }
 
 /// Tolerances, and what the axes can do.
@@ -62,6 +99,28 @@ impl Measure {
             turns_only,
             least: if turns_only { rotary_rad } else { linear_mm },
         }
+    }
+
+    /// The same with another tolerance of X, Y and Z, mm.
+    pub fn with_linear(&self, linear_mm: f64) -> Measure {
+        let least = if self.turns_only { self.least } else { linear_mm };
+        Measure { linear: 1.0 / linear_mm, least, ..*self }
+    }
+
+    /// Whether X, Y and Z have a part in it.
+    pub fn has_linear(&self) -> bool {
+        !self.turns_only
+    }
+
+    /// The tolerance of X, Y and Z, mm.
+    pub fn linear_mm(&self) -> f64 {
+        1.0 / self.linear
+    }
+
+    /// The same with a share of the tolerances.
+    fn part(&self, share: f64) -> Measure {
+        let [linear, rotary] = [self.linear, self.rotary].map(|one| one / share);
+        Measure { linear, rotary, least: self.least * share, ..*self }
     }
 
     /// How far from the ends of a chord widths are looked for as well, mm or rad.
@@ -91,6 +150,9 @@ impl Measure {
 pub(crate) struct Smoothing {
     widths: Widths,
     spline: Spline,
+    /// The chords without rounding.
+    quiet: Chords,
+    wishes: Wishes,
 }
 
 /// A smooth curve over some chords: at the same σ it is no farther from them than the tolerance.
@@ -104,23 +166,40 @@ pub(crate) struct Smooth<'a> {
 
 impl Smoothing {
     /// The curve through some chords; `None` where none was found within the tolerance.
-    pub fn smooth(&mut self, chords: &Chords, measure: &Measure) -> Option<Smooth<'_>> {
+    pub fn smooth(&mut self, chords: &Chords, measure: &Measure, way: Way) -> Option<Smooth<'_>> {
         if chords.count() == 0 {
             return None;
         }
-        self.widths.find(chords, measure, Kernel::Plain);
-        let mut kernel = Kernel::Plain;
-        if self.widths.are_tight(chords) {
-            kernel = Kernel::Sharp;
-            self.widths.find(chords, measure, kernel);
-        }
-        for _ in 0..ROUNDS {
-            self.widths.settle(chords, measure, kernel);
-            self.spline.fit(chords, &self.widths, kernel);
-            let deviation = check::certify(chords, &self.spline, measure, &mut self.widths);
-            if deviation <= 1.0 {
-                return Some(Smooth { at: &self.spline.at, jets: &self.spline.jets });
+        let Smoothing { widths, spline, quiet, wishes } = self;
+        let (through, kernel, (most, times)) = match way {
+            Way::Along => (chords, Kernel::Sharp, (FOURTH, SHARP_TIMES)),
+            Way::Inside => {
+                let part = measure.part(QUIET);
+                widths.find(chords, &part, Kernel::Sharp, QUIET_FOURTH);
+                widths.settle(chords, &part, Kernel::Sharp, QUIET_TIMES);
+                spline.fit(chords, widths, Kernel::Sharp);
+                let mut piece = 0;
+                quiet.displace(chords, |at| spline.place_at(at, &mut piece));
+                (&*quiet, Kernel::Plain, (SECOND, PLAIN_TIMES))
             }
+        };
+        widths.find(through, measure, kernel, most);
+        let mut pulls = 0;
+        for _ in 0..ROUNDS {
+            widths.settle(through, measure, kernel, times);
+            spline.fit(through, widths, kernel);
+            for pull in 0..=PULLS {
+                let off = check::certify(chords, spline, measure, widths, wishes);
+                if off <= 1.0 {
+                    return Some(Smooth { at: &spline.at, jets: &spline.jets });
+                }
+                if pull == PULLS || pulls == ALL_PULLS || off > PULLED {
+                    break;
+                }
+                pulls += 1;
+                spline.pull(&wishes.pulls);
+            }
+            widths.narrow(&wishes.falls);
         }
         None
     }
@@ -177,13 +256,19 @@ mod tests {
         for seed in 1..rounds {
             let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);
             let chords = wave(seed);
-            let Some(smooth) = smoothing.smooth(&chords, &measure) else {
+            let way = Way::ALL[seed as usize / 3 % 2];
+            let Some(smooth) = smoothing.smooth(&chords, &measure, way) else {
                 without += 1;
                 continue;
             };
             let (at, jets) = (smooth.at.to_vec(), smooth.jets.to_vec());
-            let certified =
-                check::certify(&chords, &smoothing.spline, &measure, &mut Widths::default());
+            let certified = check::certify(
+                &chords,
+                &smoothing.spline,
+                &measure,
+                &smoothing.widths,
+                &mut Wishes::default(),
+            );
             assert!(certified <= 1.0);
             let mut hint = 0;
             let mut most = 0.0_f64;

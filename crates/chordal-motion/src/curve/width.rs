@@ -1,4 +1,10 @@
 //! How wide the curve may be smoothed at each place of the chords.
+//!
+//! A width is looked for among levels that grow by the root of two: the second difference over one of them
+//! and over one two levels further are also the fourth. Between two levels it is interpolated. From place
+//! to place the level changes little, so that two or three of them are looked at.
+
+use chordal_geometry::AXES;
 
 use super::chords::{Chords, Hint};
 use super::{Kernel, Measure};
@@ -6,16 +12,15 @@ use crate::Axes;
 
 /// A width grows and falls with σ by no more than this.
 const SLOPE: f64 = 0.2;
-/// Largest second difference over the width, in tolerances (kernel plain).
-const SECOND: f64 = 3.0;
-/// Largest fourth difference (kernel sharp).
-const FOURTH: f64 = 8.0;
-/// Largest width, in tolerances.
-const WIDEST: f64 = 1000.0;
+/// Largest width, in tolerances: that of the last level.
+const WIDEST: f64 = 1024.0;
+/// Levels of widths: from the least to the widest, and three above, over which fourth differences reach.
+const LEVELS: usize = 24;
+const LAST_LEVEL: usize = 20;
+/// So many levels are twice the width.
+const TWICE: usize = 2;
 /// Time between two knots where the axes are at their limits, s.
 const KNOT_S: f64 = 0.004;
-/// Largest width of the plain kernel, in such times.
-const TIMES: f64 = 1.5;
 /// No share makes a width smaller than this part of the least.
 const FLOOR: f64 = 0.2;
 /// Variance of the plain kernel: that of a box of this half width and of the spline.
@@ -26,7 +31,7 @@ const VARIANCE: f64 = 0.416_67;
 pub(super) struct Widths {
     /// As the tolerance allows.
     pub reach: Vec<f64>,
-    /// As time asks for.
+    /// As time asks for: the distance of knots.
     pub by_time: Vec<f64>,
     /// Shares that the certificate asked for.
     pub shares: Vec<f64>,
@@ -34,128 +39,68 @@ pub(super) struct Widths {
     pub knots: Vec<f64>,
     /// Width of the box.
     pub boxes: Vec<f64>,
+    levels: Vec<u8>,
 }
 
 impl Widths {
-    /// Finds the widths at every place, with what the axes can do.
-    pub fn find(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel) {
+    /// Finds the widths at every place, with what the axes can do: the largest over which the second difference
+    /// (kernel plain) or the fourth (kernel sharp) is no more than so many tolerances.
+    pub fn find(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel, most: f64) {
         let count = chords.count() + 1;
-        self.reach.clear();
-        self.by_time.clear();
         self.shares.clear();
         self.shares.resize(count, 1.0);
-        self.reach.resize(count, 0.0);
-        // There and back, so that a width does not depend on where the path begins.
-        self.march(chords, measure, kernel, 0..count);
-        self.march(chords, measure, kernel, (0..count).rev());
-        let mut hints = [0; 2];
-        for (index, &width) in self.reach.iter().enumerate() {
-            let [a, b] = &mut hints;
-            let difference = difference(chords, index, width, [a, b]);
-            let bend = difference.map(|part| part / (width * width));
-            self.by_time.push(KNOT_S * measure.fastest(&bend));
+        for list in [&mut self.reach, &mut self.by_time] {
+            list.clear();
+            list.resize(count, 0.0);
+        }
+        self.levels.clear();
+        self.levels.resize(count, 0);
+        // Beyond the ends the chords are known as far as they are long.
+        let widest = (WIDEST * measure.least).min(0.25 * chords.length());
+        let mut around = Around::new(chords, measure, kernel, most);
+        let top = (0..=LAST_LEVEL).rev().find(|level| around.radii[*level] <= widest).unwrap_or(0);
+        let mut level = top;
+        for index in 0..count {
+            around.go_to(index);
+            level = around.widest_level(level, 0);
+            while level < top && around.fits(level + 1) {
+                level += 1;
+            }
+            self.enter(&mut around, level, widest);
+        }
+        // Back again, so that a width does not depend on where the path begins: where none of the levels
+        // between is allowed, one that comes from a wider one is another.
+        for index in (0..count).rev() {
+            let known = usize::from(self.levels[index]);
+            if level <= known {
+                level = known;
+                continue;
+            }
+            around.go_to(index);
+            level = around.widest_level(level, known);
+            if level > known {
+                self.enter(&mut around, level, widest);
+            }
         }
         graded(&mut self.by_time, &chords.at);
     }
 
-    /// Widths that the tolerance allows, one place after the other: the larger of those that are
-    /// known and those found from the place before.
-    fn march(
-        &mut self,
-        chords: &Chords,
-        measure: &Measure,
-        kernel: Kernel,
-        places: impl Iterator<Item = usize>,
-    ) {
+    fn enter(&mut self, around: &mut Around<'_>, level: usize, widest: f64) {
+        let index = around.index;
+        self.levels[index] = level as u8;
+        self.reach[index] = around.width(level).min(widest);
+        self.by_time[index] = KNOT_S * around.fastest(level);
+    }
+
+    /// Takes shares off.
+    pub fn narrow(&mut self, falls: &[f64]) {
+        self.shares.iter_mut().zip(falls).for_each(|(share, fall)| *share *= fall);
+    }
+
+    /// The distances of knots and the boxes, with the shares as they are. No width is larger than so many of
+    /// those that time asks for.
+    pub fn settle(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel, times: f64) {
         let least = measure.least;
-        // Beyond the ends the chords are known as far as they are long.
-        let widest = (WIDEST * least).min(0.25 * chords.length());
-        let mut hints = [0; 6];
-        let mut width = widest;
-        let mut last: Option<f64> = None;
-        for index in places {
-            let at = chords.at[index];
-            let way = last.map_or(0.0, |last| (at - last).abs());
-            width = (width + SLOPE * way).min(widest);
-            for _ in 0..60 {
-                let share = match kernel {
-                    Kernel::Plain => self.second(chords, measure, index, width, &mut hints).sqrt(),
-                    Kernel::Sharp => {
-                        self.fourth(chords, measure, index, width, &mut hints).sqrt().sqrt()
-                    }
-                };
-                if share <= 1.0 || width <= least {
-                    break;
-                }
-                width = (width * (1.0 / share).clamp(0.5, 0.93)).max(least).min(widest);
-            }
-            self.reach[index] = self.reach[index].max(width);
-            last = Some(at);
-        }
-    }
-
-    /// The second difference over a width and over half of it, in those that are allowed.
-    fn second(
-        &self,
-        chords: &Chords,
-        measure: &Measure,
-        index: usize,
-        width: f64,
-        hints: &mut [usize; 6],
-    ) -> f64 {
-        let [a, b, c, d, ..] = hints;
-        let mut most = 0.0_f64;
-        for (step, hints) in [(width, [a, b]), (0.5 * width, [c, d])] {
-            let difference = difference(chords, index, step, hints);
-            most = most.max(measure.of(&difference) / SECOND);
-            if most > 1.0 {
-                break;
-            }
-        }
-        most
-    }
-
-    fn fourth(
-        &self,
-        chords: &Chords,
-        measure: &Measure,
-        index: usize,
-        width: f64,
-        hints: &mut [usize; 6],
-    ) -> f64 {
-        let (at, here) = (chords.at[index], &chords.places[index]);
-        let mut most = 0.0_f64;
-        for step in [width, 0.5 * width] {
-            let slots: [usize; 4] = if step == width { [0, 1, 2, 3] } else { [2, 3, 4, 5] };
-            let ways = [-2.0 * step, 2.0 * step, -step, step];
-            let [far, beyond, before, after] =
-                std::array::from_fn(|k| chords.place_at(at + ways[k], &mut hints[slots[k]]));
-            let bend = std::array::from_fn(|axis| {
-                far[axis] + beyond[axis] - 4.0 * (before[axis] + after[axis]) + 6.0 * here[axis]
-            });
-            most = most.max(measure.of(&bend) / FOURTH);
-            if most > 1.0 {
-                break;
-            }
-        }
-        most
-    }
-
-    /// Whether the tolerance, not time, sets the width on most of the run.
-    pub fn are_tight(&self, chords: &Chords) -> bool {
-        let mut tight = 0.0;
-        for index in 1..chords.count() + 1 {
-            if self.reach[index] < self.by_time[index] {
-                tight += chords.at[index] - chords.at[index - 1];
-            }
-        }
-        tight > 0.5 * chords.length()
-    }
-
-    /// The distances of knots and the boxes, with the shares as they are.
-    pub fn settle(&mut self, chords: &Chords, measure: &Measure, kernel: Kernel) {
-        let least = measure.least;
-        let times = if kernel == Kernel::Plain { TIMES } else { 1.0 };
         self.knots.clear();
         for index in 0..self.reach.len() {
             let by_time = (times * self.by_time[index]).max(least);
@@ -165,25 +110,130 @@ impl Widths {
         }
         graded(&mut self.knots, &chords.at);
         self.boxes.clear();
-        for (knot, by_time) in self.knots.iter_mut().zip(&self.by_time) {
-            let reach = *knot;
-            *knot = reach.min(by_time.max(least));
-            self.boxes.push(match kernel {
-                Kernel::Plain => {
-                    (12.0 * (VARIANCE * reach * reach - *knot * *knot / 3.0)).max(0.0).sqrt()
+        match kernel {
+            Kernel::Plain => {
+                for (knot, by_time) in self.knots.iter_mut().zip(&self.by_time) {
+                    let reach = *knot;
+                    *knot = reach.min(by_time.max(least));
+                    let square = 12.0 * (VARIANCE * reach * reach - *knot * *knot / 3.0);
+                    self.boxes.push(square.max(0.0).sqrt());
                 }
-                Kernel::Sharp => *knot,
-            });
+            }
+            Kernel::Sharp => self.boxes.extend_from_slice(&self.knots),
         }
     }
 }
 
-/// The second difference of the places around one of them.
-fn difference(chords: &Chords, index: usize, way: f64, hints: [&mut Hint; 2]) -> Axes {
-    let (at, here) = (chords.at[index], &chords.places[index]);
-    let [before, after] = hints;
-    let (before, after) = (chords.place_at(at - way, before), chords.place_at(at + way, after));
-    std::array::from_fn(|axis| before[axis] - 2.0 * here[axis] + after[axis])
+/// What lies around one of the places, over all levels of width.
+struct Around<'a> {
+    chords: &'a Chords,
+    measure: &'a Measure,
+    kernel: Kernel,
+    /// Largest difference, in tolerances.
+    most: f64,
+    radii: [f64; LEVELS],
+    /// Where the places before and after were found last.
+    hints: [[Hint; 2]; LEVELS],
+    index: usize,
+    /// The second differences, and what of them is known: a bit a level.
+    seconds: [Axes; LEVELS],
+    has_second: u32,
+    /// How much of what is allowed a level takes.
+    uses: [f64; LEVELS],
+    has_use: u32,
+}
+
+impl<'a> Around<'a> {
+    fn new(chords: &'a Chords, measure: &'a Measure, kernel: Kernel, most: f64) -> Around<'a> {
+        let mut radii = [measure.least, std::f64::consts::SQRT_2 * measure.least]
+            .into_iter()
+            .cycle()
+            .zip((0..LEVELS).map(|level| (1_u32 << (level / TWICE)) as f64))
+            .map(|(least, times)| least * times);
+        Around {
+            chords,
+            measure,
+            kernel,
+            most,
+            radii: std::array::from_fn(|_| radii.next().unwrap_or(0.0)),
+            hints: [[0; 2]; LEVELS],
+            index: 0,
+            seconds: [[0.0; AXES]; LEVELS],
+            has_second: 0,
+            uses: [0.0; LEVELS],
+            has_use: 0,
+        }
+    }
+
+    fn go_to(&mut self, index: usize) {
+        (self.index, self.has_second, self.has_use) = (index, 0, 0);
+    }
+
+    /// The second difference of the places.
+    fn second(&mut self, level: usize) -> &Axes {
+        let bit = 1 << level;
+        if self.has_second & bit == 0 {
+            self.has_second |= bit;
+            let (at, way) = (self.chords.at[self.index], self.radii[level]);
+            let here = &self.chords.places[self.index];
+            let [before, after] = &mut self.hints[level];
+            let before = self.chords.place_at(at - way, before);
+            let after = self.chords.place_at(at + way, after);
+            for (axis, value) in self.seconds[level].iter_mut().enumerate() {
+                *value = before[axis] - 2.0 * here[axis] + after[axis];
+            }
+        }
+        &self.seconds[level]
+    }
+
+    /// The share of the largest difference, in the power in which it grows with the square of the width.
+    fn used(&mut self, level: usize) -> f64 {
+        let bit = 1 << level;
+        if self.has_use & bit == 0 {
+            self.has_use |= bit;
+            let near = *self.second(level);
+            self.uses[level] = match self.kernel {
+                Kernel::Plain => self.measure.of(&near) / self.most,
+                Kernel::Sharp => {
+                    let far = self.second(level + TWICE);
+                    let fourth = std::array::from_fn(|axis| far[axis] - 4.0 * near[axis]);
+                    (self.measure.of(&fourth) / self.most).sqrt()
+                }
+            };
+        }
+        self.uses[level]
+    }
+
+    /// Whether a width and half of it are allowed.
+    fn fits(&mut self, level: usize) -> bool {
+        self.used(level) <= 1.0 && (level < TWICE || self.used(level - TWICE) <= 1.0)
+    }
+
+    /// The first level that fits, from one downwards; the least fits in any case.
+    fn widest_level(&mut self, from: usize, least: usize) -> usize {
+        (least + 1..=from).rev().find(|level| self.fits(*level)).unwrap_or(least)
+    }
+
+    /// The width that is allowed from a level on.
+    fn width(&mut self, level: usize) -> f64 {
+        let [own, next] = [level, level + 1].map(|level| self.used(level));
+        let [least, most] = [self.radii[level], self.radii[level + 1]];
+        if own >= 1.0 {
+            return least;
+        }
+        if next <= 1.0 {
+            // Half of the next one is not allowed, or it is the last.
+            return if level >= LAST_LEVEL { most } else { least };
+        }
+        least + (most - least) * (1.0 - own) / (next - own)
+    }
+
+    /// The largest speed around the bend over a level, σ per s.
+    fn fastest(&mut self, level: usize) -> f64 {
+        let square = self.radii[level] * self.radii[level];
+        let bend = self.second(level).map(|part| part / square);
+        self.measure.fastest(&bend)
+    }
 }
 
 /// Two passes: no value falls or grows faster than the slope.

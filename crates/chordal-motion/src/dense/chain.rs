@@ -5,14 +5,15 @@ use std::ops::Range;
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use super::meeting::{Corner, Meeting, Side, WIDE};
+use super::quickest::Curved;
 use super::{CHORD_ERROR, CORNER_COSINE, Dense, Singly};
 use crate::Axes;
 use crate::bound::{Gentle, Run};
 use crate::cell::AxisArrays;
-use crate::law::Ends;
 use crate::limits::Limits;
 use crate::piece::Piece;
 use crate::segment::Move;
+use crate::smooth::span::PathPart;
 use crate::smooth::{EXACT, Tolerance};
 use crate::trajectory::Stretch;
 
@@ -28,10 +29,35 @@ pub(super) struct Way<'a, S> {
     pub singly: &'a mut S,
 }
 
+/// A stretch from rest to rest.
+#[derive(Debug)]
+pub(crate) struct Laid {
+    pub stretch: Stretch,
+    /// Where moves share pieces: the end of each, σ, and its tag.
+    of_moves: Option<Vec<(f64, u64)>>,
+}
+
+impl Laid {
+    /// It takes so long, less what it overlaps, s.
+    pub fn time_s(&self) -> f64 {
+        self.stretch.duration_s() - self.stretch.overlap_s
+    }
+
+    /// What a planner keeps of it.
+    pub fn kept<P: PathPart>(self) -> Stretch<P> {
+        let Stretch { pieces, phases, overlap_s } = self.stretch;
+        let pieces = match self.of_moves {
+            Some(of_moves) => P::of_moves(&pieces, of_moves.into_iter()),
+            None => pieces.iter().map(P::of).collect(),
+        };
+        Stretch { pieces, phases, overlap_s }
+    }
+}
+
 /// Stretches from rest to rest.
 #[derive(Default)]
 struct Planned {
-    stretches: Vec<Stretch>,
+    stretches: Vec<Laid>,
     /// What is known where they begin and end, if other runs may overlap them there.
     sides: [Option<Side>; 2],
     /// About the least time of the curves without jerk, s.
@@ -40,7 +66,7 @@ struct Planned {
 
 impl Planned {
     fn time_s(&self) -> f64 {
-        self.stretches.iter().map(|one| one.duration_s() - one.overlap_s).sum()
+        self.stretches.iter().map(Laid::time_s).sum()
     }
 }
 
@@ -59,12 +85,14 @@ fn singly(
         before.as_ref().map(|meeting| meeting.overlap(1)),
         after.as_ref().map(|meeting| meeting.overlap(0)),
     ];
-    way.singly.plan(moves, overlaps, &mut planned.stretches);
-    let stretches = &planned.stretches;
+    let mut stretches = Vec::new();
+    way.singly.plan(moves, overlaps, &mut stretches);
     let side = |meeting: &Option<Meeting>, side: usize, stretch: Option<&Stretch>| {
         meeting.as_ref().zip(stretch).map(|(meeting, one)| meeting.side_of_lines(side, one))
     };
     planned.sides = [side(before, 1, stretches.first()), side(after, 0, stretches.last())];
+    planned.stretches =
+        stretches.into_iter().map(|stretch| Laid { stretch, of_moves: None }).collect();
     planned
 }
 
@@ -77,13 +105,17 @@ impl Dense {
         limits: &Limits,
         gap: f64,
         singly: &mut impl Singly,
-    ) -> (Vec<Stretch>, f64) {
-        if !self.cut(moves) {
-            let mut out = Vec::new();
-            singly.plan(moves, [None; 2], &mut out);
-            return (out, 0.0);
+    ) -> (Vec<Laid>, f64) {
+        if !std::mem::take(&mut self.is_cut) {
+            if !self.cut(moves) {
+                let mut out = Vec::new();
+                singly.plan(moves, [None; 2], &mut out);
+                let laid = out.into_iter().map(|stretch| Laid { stretch, of_moves: None });
+                return (laid.collect(), 0.0);
+            }
+            self.corners = self.corners_of(moves, 0..moves.len(), CORNER_COSINE);
         }
-        let corners = self.corners(moves, 0..moves.len(), CORNER_COSINE);
+        let corners = std::mem::take(&mut self.corners);
         let mut way = Way { moves, limits, arrays: AxisArrays::new(limits), gap, singly };
         let planned = self.chain(&mut way, &corners, [None; 2], Some(LESSER_COSINE));
         (planned.stretches, planned.least_s)
@@ -114,7 +146,8 @@ impl Dense {
             } else if let (Some(meeting), Some(one), Some(two)) = (last, all.sides[1], begins)
                 && let Some([.., before, after]) = all.stretches.get_mut(..=first)
             {
-                after.overlap_s = meeting.overlap_s([before, after], [one, two], way.limits);
+                let both = [&before.stretch, &after.stretch];
+                after.stretch.overlap_s = meeting.overlap_s(both, [one, two], way.limits);
             }
             all.sides[1] = ends;
             last = next;
@@ -145,7 +178,7 @@ impl Dense {
         if !is_quick {
             try_other(singly(way, moves, &meetings));
         }
-        let corners = more.map(|cosine| self.corners(way.moves, of_moves, cosine));
+        let corners = more.map(|cosine| self.corners_of(way.moves, of_moves, cosine));
         if let Some(corners) = corners.filter(|corners| corners.len() > 2) {
             try_other(self.chain(way, &corners, meetings, None));
         }
@@ -166,7 +199,9 @@ impl Dense {
         ];
         let of_moves = self.owners[chords.start] as usize..self.owners[chords.end - 1] as usize + 1;
         let is_exact = are_lines(&way.moves[of_moves]);
-        let stretch = self.run(way.moves, chords, way.limits, way.gap, gentle)?;
+        let curved = self.run(way.moves, chords, way.limits, way.gap, gentle)?;
+        let least_s = curved.least_s;
+        let stretch = Stretch { pieces: curved.pieces, phases: curved.phases, overlap_s: 0.0 };
         // Chords are as far from the path as chords of arcs may be.
         let off = if is_exact { 0.0 } else { CHORD_ERROR };
         let known =
@@ -175,8 +210,8 @@ impl Dense {
             before.as_ref().map(|meeting| known(meeting, 1)),
             after.as_ref().map(|meeting| known(meeting, 0)),
         ];
-        let least_s = self.law.least_s();
-        Some(Planned { stretches: vec![stretch], sides, least_s })
+        let of_moves = Some(self.moves_of_run(way.moves));
+        Some(Planned { stretches: vec![Laid { stretch, of_moves }], sides, least_s })
     }
 
     /// The stretch of a straight run beside an end of which not all of the jerk may be used: the law uses all
@@ -187,7 +222,7 @@ impl Dense {
         limits: &Limits,
         gap: f64,
         gentle: [Gentle; 2],
-    ) -> Option<Stretch> {
+    ) -> Option<Curved> {
         let (first, last) = (self.parts.first()?.index, self.parts.last()?.index);
         let is_gentle = gentle.iter().any(|end| *end != Gentle::NOT);
         if !is_gentle || !are_lines(&moves[first..=last]) {
@@ -199,12 +234,11 @@ impl Dense {
         let mut start = [[0.0; AXES]; 4];
         start[0] = *from;
         start[1] = std::array::from_fn(|axis| (to[axis] - from[axis]) / length);
-        self.pieces.clear();
-        self.pieces.push(Piece { length, base: None, start, tag: motion.tag });
+        let pieces = vec![Piece { length, base: None, start, tag: motion.tag }];
         let speeds = [motion.speed];
-        let run = Run::new(&self.pieces, &speeds, 0.0, limits).ok()?.with_ends(gentle);
-        let phases = self.law.plan(&run, [Ends::Rest; 2], gap)?;
-        Some(Stretch { pieces: self.tagged(moves), phases, overlap_s: 0.0 })
+        let run = Run::new(&pieces, &speeds, 0.0, limits).ok()?.with_ends(gentle);
+        let curved = self.quickest.solve(&run, gap)?;
+        Some(Curved { pieces, ..curved })
     }
 
     /// How the runs before and after a chord at a corner may meet, given where they begin and end.

@@ -3,14 +3,16 @@
 //!
 //! | pass | file |
 //! |---|---|
-//! | the run in cells, and a first law without jerk along the path | `grid.rs` |
+//! | where it goes at one speed, with nothing to solve | `cruise.rs` |
+//! | what lies between in cells, and a first law without jerk along the path | `grid.rs` |
 //! | a first law of a window, with jerk along the path | `start.rs` |
 //! | the quickest law on a window of cells | `newton/` |
 //! | phases of even jerk, and what they use | `phases.rs` |
 //!
-//! A long run is solved in windows. Each ends at rest; what lies so far before its end that the
+//! What is long is solved in windows. Each ends at rest; what lies so far before its end that the
 //! rest cannot reach it is kept, and the next window goes on from there.
 
+mod cruise;
 mod grid;
 mod newton;
 mod phases;
@@ -20,8 +22,10 @@ use std::ops::Range;
 
 use chordal_geometry::AXES;
 
-use crate::bound::Run;
+use crate::bound::{Gentle, Run};
+use crate::piece::Piece;
 use crate::trajectory::Phase;
+use cruise::Cruise;
 use grid::{Grid, Node};
 use newton::Newton;
 use start::Start;
@@ -67,10 +71,6 @@ const ROUNDS: usize = 10;
 const ROUNDING: f64 = 1e-9;
 /// So much is kept for what lies between the places of a phase that are looked at.
 const BETWEEN: f64 = 1e-5;
-/// Speeds whose squares differ by no larger share are passed at the lowest of them.
-const EVEN: f64 = 1e-3;
-/// An even speed that uses no more of acceleration and jerk is reached and left like one on a line.
-const CALM: f64 = 0.5;
 /// No window has fewer cells.
 const FEWEST: usize = 8;
 
@@ -97,29 +97,158 @@ pub(crate) struct Planner {
     window: Vec<f64>,
     /// So many coefficients have been solved, if not all of them for good.
     solved: usize,
-    /// Cells on which the law is even, with the square of the speed.
-    cruises: Vec<(Range<usize>, f64)>,
+    cruises: Vec<Cruise>,
+    parts: Vec<Part>,
+    /// The path of a part.
+    pieces: Vec<Piece>,
+    speeds: Vec<f64>,
+    /// About the least time of the last run without jerk along the path, s.
+    least_s: f64,
     pub work: Work,
+}
+
+/// A part of a run that has its law.
+#[derive(Debug)]
+struct Part {
+    phases: Vec<Phase>,
+    /// About the least time without jerk along the path, s.
+    least_s: f64,
 }
 
 impl Planner {
     /// The law of a run as phases; `None` where none was found within all limits.
     pub fn plan(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Vec<Phase>> {
-        if !self.grid.lay(run, ends, (gap / USUAL_GAP).clamp(FINEST, 1.0)) {
-            return None;
+        cruise::find(run, &mut self.cruises);
+        let mut parts = std::mem::take(&mut self.parts);
+        parts.clear();
+        let found = self.plan_parts(run, ends, gap, &mut parts);
+        let phases = found.map(|()| self.join(&mut parts));
+        self.parts = parts;
+        phases
+    }
+
+    /// About the least time of a run without jerk along the path, s, without its law; `None` where it has too
+    /// many cells.
+    pub fn least_s_of(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<f64> {
+        cruise::find(run, &mut self.cruises);
+        if self.cruises.is_empty() {
+            return self.lay(run, ends, gap);
         }
+        let cruises = self.cruises.iter();
+        let mut least_s: f64 = cruises.map(|cruise| (cruise.to - cruise.from) / cruise.speed).sum();
+        for index in 0..=self.cruises.len() {
+            least_s +=
+                self.between(run, ends, index, |planner, part, ends| planner.lay(part, ends, gap))?;
+        }
+        Some(least_s)
+    }
+
+    /// Lays a run, or a part of it, in cells: about its least time without jerk along the path, s.
+    fn lay(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<f64> {
+        let is_laid = self.grid.lay(run, ends, (gap / USUAL_GAP).clamp(FINEST, 1.0));
+        is_laid.then(|| self.own_cells(ends).map(|cell| self.cell_s(cell)).sum())
+    }
+
+    /// The cells of what was laid last that are its own, and not before or after it.
+    fn own_cells(&self, ends: [Ends; 2]) -> Range<usize> {
+        let begin = usize::from(ends[0] != Ends::Rest);
+        begin..self.grid.cells.len() - usize::from(ends[1] != Ends::Rest)
+    }
+
+    /// The laws of what lies around the cruises.
+    fn plan_parts(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        gap: f64,
+        parts: &mut Vec<Part>,
+    ) -> Option<()> {
+        while parts.len() <= self.cruises.len() {
+            let index = parts.len();
+            let part = if self.cruises.is_empty() {
+                self.plan_part(run, ends, gap)
+            } else {
+                self.plan_between(run, ends, gap, index)
+            };
+            match part {
+                Some(part) => parts.push(part),
+                None if self.cruises.is_empty() => return None,
+                // A cruise that is not reached in time is no ground to have no law.
+                None => {
+                    self.cruises
+                        .drain(index.saturating_sub(1)..(index + 1).min(self.cruises.len()));
+                    parts.truncate(index.saturating_sub(1));
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// The law of what lies between two cruises, or between one and an end of the run.
+    fn plan_between(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        gap: f64,
+        index: usize,
+    ) -> Option<Part> {
+        let from = index.checked_sub(1).map_or(0.0, |before| self.cruises[before].to);
+        let mut part = self
+            .between(run, ends, index, |planner, part, ends| planner.plan_part(part, ends, gap))?;
+        part.phases.iter_mut().for_each(|phase| phase.from += from);
+        Some(part)
+    }
+
+    /// What `of` makes of the path between two cruises, or between one and an end of the run.
+    fn between<T>(
+        &mut self,
+        run: &Run<'_>,
+        ends: [Ends; 2],
+        index: usize,
+        of: impl FnOnce(&mut Planner, &Run<'_>, [Ends; 2]) -> Option<T>,
+    ) -> Option<T> {
+        let before = index.checked_sub(1).map(|before| self.cruises[before]);
+        let after = self.cruises.get(index).copied();
+        let even = |cruise: Cruise| (Ends::Even(cruise.speed), Gentle::NOT);
+        let own = |side: usize| (ends[side], run.ends()[side]);
+        let (begins, first) = before.map_or_else(|| own(0), even);
+        let (stops, last) = after.map_or_else(|| own(1), even);
+        let from = before.map_or(0.0, |cruise| cruise.to);
+        let to = after.map_or(run.length(), |cruise| cruise.from);
+        let (mut pieces, mut speeds) =
+            (std::mem::take(&mut self.pieces), std::mem::take(&mut self.speeds));
+        cruise::cut(run, from..to, &mut pieces, &mut speeds);
+        let part = Run::new(&pieces, &speeds, 0.0, run.limits()).ok();
+        let part = part.map(|part| part.with_ends([first, last]));
+        let found = part.and_then(|part| of(self, &part, [begins, stops]));
+        (self.pieces, self.speeds) = (pieces, speeds);
+        found
+    }
+
+    /// The laws of all parts with the cruises between them.
+    fn join(&mut self, parts: &mut Vec<Part>) -> Vec<Phase> {
+        self.least_s = parts.iter().map(|part| part.least_s).sum();
+        let count: usize = parts.iter().map(|part| part.phases.len() + 1).sum();
+        let mut parts = parts.drain(..).map(|part| part.phases);
+        let mut phases = parts.next().unwrap_or_default();
+        phases.reserve_exact(count - phases.len());
+        for (cruise, part) in self.cruises.iter().zip(parts) {
+            let Cruise { from, to, speed } = *cruise;
+            let duration_s = (to - from) / speed;
+            self.least_s += duration_s;
+            let even = Phase { duration_s, from, speed, acceleration: 0.0, jerk: 0.0 };
+            std::iter::once(even).chain(part).for_each(|phase| add(&mut phases, phase));
+        }
+        phases
+    }
+
+    /// The law of a run, or of a part of it, that has no cruise.
+    fn plan_part(&mut self, run: &Run<'_>, ends: [Ends; 2], gap: f64) -> Option<Part> {
+        let least_s = self.lay(run, ends, gap)?;
         self.work.cells += self.grid.cells.len() as u64;
         let look_s = self.look_s();
-        self.find_cruises(run, look_s);
-        if self.solve(run, ends, look_s, gap).is_none() {
-            // A cruise that is not reached in time is no ground to have no law.
-            if self.cruises.is_empty() {
-                return None;
-            }
-            self.cruises.clear();
-            self.solve(run, ends, look_s, gap)?;
-        }
-        Some(self.phases(ends))
+        self.solve(run, ends, look_s, gap)?;
+        Some(Part { phases: self.phases(self.own_cells(ends)), least_s })
     }
 
     /// Solves for all coefficients, window by window.
@@ -134,26 +263,10 @@ impl Planner {
         let window_s = WINDOW_S.max(3.0 * look_s);
         let side = if ends[0] == Ends::Rest { Side::Rest } else { Side::Fixed };
         let mut begin = Begin { from: 0, side, before: None };
-        let mut next_cruise = 0;
         loop {
             let mut to = self.after(begin.from, window_s);
             if count - to < FEWEST {
                 to = count;
-            }
-            while self
-                .cruises
-                .get(next_cruise)
-                .is_some_and(|(range, _)| range.start < begin.from + FEWEST)
-            {
-                next_cruise += 1;
-            }
-            let cruise = self.cruises.get(next_cruise).cloned();
-            let cruise = cruise.filter(|(range, _)| range.start + 2 < to + FEWEST);
-            if let Some((range, square)) = cruise {
-                self.coefficients[range.clone()].fill(square);
-                self.solve_or_wider(run, begin, range.start + 2, Side::Fixed, gap)?;
-                begin = Begin { from: range.end - 2, side: Side::Fixed, before: None };
-                continue;
             }
             let is_last = to == count;
             let end = match ends[1] {
@@ -190,35 +303,6 @@ impl Planner {
         self.solve_window(run, (wider.0, to), [wider.1, end], gap).map(|()| wider)
     }
 
-    /// Where the law without jerk is even for so long that jerk changes nothing in the middle.
-    fn find_cruises(&mut self, run: &Run<'_>, look_s: f64) {
-        self.cruises.clear();
-        let cells = self.grid.cells.len();
-        let mut begin = 0;
-        while begin < cells {
-            let first = self.grid.bound[begin];
-            let like = |b: &&f64| (**b - first).abs() <= EVEN * first;
-            let even = self.grid.bound[begin..].iter().take_while(like);
-            let (count, square) =
-                even.fold((0, first), |(count, least), b| (count + 1, least.min(*b)));
-            let end = begin + count;
-            let after = self.after_exactly(begin, look_s);
-            let until = self.before(end, look_s);
-            if until > after + 2 * FEWEST {
-                self.window.clear();
-                self.window.resize(end - begin, square);
-                let fits = |cell: usize| {
-                    let used = self.grid.use_of(cell, &self.window, begin, run);
-                    used.velocity <= 1.0 + ROUNDING && used.acceleration.max(used.jerk) <= CALM
-                };
-                if (after..until).all(fits) {
-                    self.cruises.push((after..until, square));
-                }
-            }
-            begin = end.max(begin + 1);
-        }
-    }
-
     /// The time to a rest from the largest speed.
     fn look_s(&self) -> f64 {
         let most = |of: fn(&Node) -> &[f64; AXES]| {
@@ -245,26 +329,22 @@ impl Planner {
 
     /// About the least time of the last run without jerk along the path, s.
     pub fn least_s(&self) -> f64 {
-        (0..self.grid.cells.len()).map(|cell| self.cell_s(cell)).sum()
+        self.least_s
     }
 
     fn cell_s(&self, cell: usize) -> f64 {
         self.grid.cells[cell].length / self.grid.bound[cell].sqrt().max(1e-9)
     }
 
-    /// The first cell that begins a time after the start of another.
-    fn after_exactly(&self, from: usize, seconds: f64) -> usize {
+    /// The first cell that begins a time after the start of another, or as many cells after it as a window
+    /// has at least.
+    fn after(&self, from: usize, seconds: f64) -> usize {
         let (mut to, mut t) = (from, 0.0);
         while to < self.grid.cells.len() && t < seconds {
             t += self.cell_s(to);
             to += 1;
         }
-        to
-    }
-
-    /// The same, with as many cells as a window has at least.
-    fn after(&self, from: usize, seconds: f64) -> usize {
-        self.after_exactly(from, seconds).max(from + 2 * FEWEST).min(self.grid.cells.len())
+        to.max(from + 2 * FEWEST).min(self.grid.cells.len())
     }
 
     fn before(&self, to: usize, seconds: f64) -> usize {
@@ -380,20 +460,23 @@ impl Planner {
         over
     }
 
-    fn phases(&self, ends: [Ends; 2]) -> Vec<Phase> {
-        let mut phases: Vec<Phase> = Vec::with_capacity(2 * self.grid.cells.len());
-        let begin = usize::from(ends[0] != Ends::Rest);
-        let end = self.grid.cells.len() - usize::from(ends[1] != Ends::Rest);
-        let is_even = |phase: &Phase| phase.acceleration == 0.0 && phase.jerk == 0.0;
-        for cell in begin..end {
-            self.grid.phases(cell, &self.coefficients, 0, |phase| match phases.last_mut() {
-                Some(last) if is_even(last) && is_even(&phase) && last.speed == phase.speed => {
-                    last.duration_s += phase.duration_s;
-                }
-                _ => phases.push(phase),
-            });
+    fn phases(&self, cells: Range<usize>) -> Vec<Phase> {
+        let mut phases: Vec<Phase> = Vec::with_capacity(2 * cells.len());
+        for cell in cells {
+            self.grid.phases(cell, &self.coefficients, 0, |phase| add(&mut phases, phase));
         }
         phases
+    }
+}
+
+/// Adds a phase; one that goes on at an even speed makes the last one longer.
+fn add(phases: &mut Vec<Phase>, phase: Phase) {
+    let is_even = |phase: &Phase| phase.acceleration == 0.0 && phase.jerk == 0.0;
+    match phases.last_mut() {
+        Some(last) if is_even(last) && is_even(&phase) && last.speed == phase.speed => {
+            last.duration_s += phase.duration_s;
+        }
+        _ => phases.push(phase),
     }
 }
 

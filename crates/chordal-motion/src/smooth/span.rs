@@ -1,6 +1,9 @@
 //! What a planner keeps of the path: the whole piece, or its length and speed only.
 
+mod of_moves;
+
 use crate::piece::Piece;
+use of_moves::OfMoves;
 
 /// A piece of path of which only the extent is known. Times need no more.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +17,7 @@ pub struct Span {
 }
 
 /// What a planner may keep of the path: all of it or its extents.
-pub trait PathPart: Copy + sealed::Keep {
+pub trait PathPart: Copy + sealed::Keep + OfMoves {
     /// Its extent in σ.
     fn length(&self) -> f64;
     /// The tag of its move.

@@ -25,6 +25,13 @@ const KEPT_REFUSED: usize = 20;
 /// farther away is a jump of the coordinates.
 const SAME_POINT: f64 = 1e-7;
 
+/// A move that waits for the next one. It is large, and stays where it is made.
+struct Held {
+    step: MotionStep,
+    ending: Ending,
+    source: StepSource,
+}
+
 /// Makes moves and waits of a run, and holds the last move until the next is known.
 pub(crate) struct MotionBuilder<'a, S> {
     path: PathBuilder<'a>,
@@ -47,7 +54,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     at: Option<Axes>,
     shift: Axes,
     number: u32,
-    held: Option<(Ending, StepSource)>,
+    held: Option<Held>,
     report: MotionReport,
     operations: Operations,
     sink: S,
@@ -97,7 +104,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
 
     /// The last move is emitted.
     pub fn finish(mut self, outcomes: Vec<Outcome>) -> (MotionReport, S) {
-        self.hand_on(|_| Corner::Stop);
+        self.hand_on(|_, _| Corner::Stop);
         self.report.outcomes = outcomes;
         (self.report, self.sink)
     }
@@ -160,7 +167,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
 
     fn wait(&mut self, kind: WaitKind, seconds: f64, origin: Origin) {
         let seconds = if seconds > 0.0 && seconds.is_finite() { seconds } else { 0.0 };
-        self.hand_on(|_| Corner::Stop);
+        self.hand_on(|_, _| Corner::Stop);
         let tag = self.next_tag(&origin);
         let source = StepSource {
             tag,
@@ -239,13 +246,13 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         let Some(speed) = speed else {
             self.report.cuts_without_feed += 1;
-            self.hand_on(|_| Corner::Stop);
+            self.hand_on(|_, _| Corner::Stop);
             return;
         };
         motion.speed = speed;
         // Only now is the end of the last move known: it may be refused.
         let (rules, in_force) = (self.rules, self.in_force);
-        self.hand_on(|ending| corner_of(ending, &motion, &rules, &in_force));
+        self.hand_on(|last, ending| corner_of(last, ending, &motion, &rules, &in_force));
         self.join(&mut motion);
         motion.tag = self.next_tag(&segment.origin);
         let nominal_s = match kind {
@@ -264,7 +271,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             operation: self.operations.step(&segment.origin, false, true),
         };
         self.at = Some(motion.to());
-        self.held = Some((Ending { motion, mode: self.mode, cycle, bends }, source));
+        let ending = Ending { mode: self.mode, cycle, bends };
+        self.held = Some(Held { step: MotionStep::Move(motion), ending, source });
     }
 
     fn feed_override(&self) -> f64 {
@@ -323,20 +331,48 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 
     /// Emits the held move with the corner at its end.
-    fn hand_on(&mut self, corner: impl FnOnce(&Ending) -> Corner) {
-        let Some((ending, source)) = self.held.take() else { return };
-        let motion = Move { corner: corner(&ending), ..ending.motion };
-        match self.sink.step(&MotionStep::Move(motion), &source) {
+    fn hand_on(&mut self, corner: impl FnOnce(&Move, Ending) -> Corner) {
+        let Some(held) = &mut self.held else { return };
+        let Held { step, ending, source } = held;
+        if let MotionStep::Move(motion) = step {
+            motion.corner = corner(motion, *ending);
+        }
+        match self.sink.step(step, source) {
             Ok(()) => {
                 self.report.moves += 1;
                 self.report.unknown_moves += u64::from(!source.known);
             }
             Err(error) => {
-                self.at = Some(motion.from());
+                if let MotionStep::Move(motion) = step {
+                    self.at = Some(motion.from());
+                }
                 self.report.refused_moves += 1;
                 if self.report.refused.len() < KEPT_REFUSED {
-                    self.report.refused.push(Refused { error, source });
+                    self.report.refused.push(Refused { error, source: *source });
                 }
+            }
+        }
+        self.held = None;
+    }
+
+    /// Takes a command and its pieces of path.
+    pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
+        self.sink.command(command);
+        let Some((last, bends)) = segments.split_last() else {
+            return self.other_command(command);
+        };
+        let cycle = command.origin.cycle;
+        match bends.first() {
+            _ if last.kind == SegmentKind::Spline => self.spline(segments, cycle),
+            Some(first) if !self.dog_leg_shape => {
+                self.segment(&chord(first, bends, last), cycle, false);
+            }
+            _ => {
+                self.report.bent_rapids += u64::from(!bends.is_empty());
+                for segment in bends {
+                    self.segment(segment, cycle, true);
+                }
+                self.segment(last, cycle, false);
             }
         }
     }
@@ -356,30 +392,10 @@ fn chord(first: &Segment, bends: &[Segment], last: &Segment) -> Segment {
 
 impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
     fn command(&mut self, path: PathCommand<'_>) {
-        let command = path.command;
-        self.sink.command(command);
         let mut segments = std::mem::take(&mut self.segments);
         segments.clear();
-        self.path.command(command, |segment| segments.push(*segment));
-        match segments.split_last() {
-            None => self.other_command(command),
-            Some((last, bends)) => {
-                let cycle = command.origin.cycle;
-                match bends.first() {
-                    _ if last.kind == SegmentKind::Spline => self.spline(&segments, cycle),
-                    Some(first) if !self.dog_leg_shape => {
-                        self.segment(&chord(first, bends, last), cycle, false);
-                    }
-                    _ => {
-                        self.report.bent_rapids += u64::from(!bends.is_empty());
-                        for segment in bends {
-                            self.segment(segment, cycle, true);
-                        }
-                        self.segment(last, cycle, false);
-                    }
-                }
-            }
-        }
+        self.path.command(path.command, |segment| segments.push(*segment));
+        self.follow(path.command, &segments);
         self.segments = segments;
     }
 

@@ -16,10 +16,9 @@ use chordal_motion::{Corner, Move, MoveKind};
 
 use super::options::InForce;
 
-/// A move that waits for the next one.
+/// How a move that waits for the next one was asked for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ending {
-    pub motion: Move,
     /// The path mode of its block.
     pub mode: PathMode,
     pub cycle: bool,
@@ -33,21 +32,22 @@ const SMOOTH_COSINE: f64 = 0.999_998_476_913;
 
 /// The corner between a move and the one that follows it.
 pub(super) fn corner_of(
-    ending: &Ending,
+    last: &Move,
+    ending: Ending,
     next: &Move,
     rules: &PathRules,
     in_force: &InForce,
 ) -> Corner {
     use MoveKind::{Cut, Rapid};
     let rotary_rad = in_force.rotary_tolerance_rad;
-    let stops = match (ending.motion.kind, next.kind) {
+    let stops = match (last.kind, next.kind) {
         (Rapid, Rapid) if ending.bends => return rapid_bend(in_force),
         (Rapid, Rapid) if rules.stop_between_rapids => true,
         (Rapid, Rapid) if ending.mode != PathMode::ExactStop => return rapid_bend(in_force),
         (Rapid, Rapid) => true,
         (Rapid, Cut) => rules.stop_before_cut,
         (Cut, Rapid) => rules.stop_after_cut,
-        (Cut, Cut) => ending.cycle && turns_round(&ending.motion, next),
+        (Cut, Cut) => ending.cycle && turns_round(last, next),
     };
     let mode = match ending.mode {
         // Within one cut there is no end of a block.
@@ -59,7 +59,7 @@ pub(super) fn corner_of(
         PathMode::ExactStop => Corner::Stop,
         PathMode::ExactPath => {
             let eases = in_force.exact_path_tolerance_mm > 0.0;
-            match eases && cosine(&ending.motion, next) > SMOOTH_COSINE {
+            match eases && cosine(last, next) > SMOOTH_COSINE {
                 true => Corner::Apart { linear_mm: in_force.exact_path_tolerance_mm, rotary_rad },
                 false => Corner::Exact,
             }

@@ -145,10 +145,14 @@ impl Blocks {
     fn top(&self, most: usize, value: fn(&BlockTime) -> f64) -> Vec<BlockTime> {
         let mut blocks: Vec<BlockTime> =
             self.all().filter(|block| value(block) > 0.0).copied().collect();
-        blocks.sort_by(|a, b| {
+        let before = |a: &BlockTime, b: &BlockTime| {
             value(b).total_cmp(&value(a)).then(key(&a.origin).cmp(&key(&b.origin)))
-        });
-        blocks.truncate(most);
+        };
+        if blocks.len() > most {
+            blocks.select_nth_unstable_by(most, before);
+            blocks.truncate(most);
+        }
+        blocks.sort_by(before);
         blocks
     }
 

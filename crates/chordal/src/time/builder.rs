@@ -40,8 +40,6 @@ struct Item {
     operation: usize,
     origin: Origin,
     what: Pending,
-    ride: Ride,
-    ends_at_rest: bool,
 }
 
 /// Adds up the time of a program from the steps of a planner, as they come.
@@ -52,7 +50,10 @@ struct Item {
 #[derive(Debug, Default)]
 pub struct TimeBuilder {
     pending: VecDeque<Item>,
-    /// How many have begun.
+    /// How the first of them goes, and whether it ends at rest.
+    ride: Ride,
+    ends_at_rest: bool,
+    /// How many operations have begun.
     operations: usize,
     report: TimeReport,
     waits: BTreeMap<WaitKind, f64>,
@@ -81,16 +82,8 @@ impl TimeBuilder {
             Some(OperationMark::Names(comment)) => self.name_operation(comment),
             None => {}
         }
-        let (operation, ride) = (self.operations.saturating_sub(1), Ride::default());
-        self.pending.push_back(Item {
-            tag,
-            tool,
-            operation,
-            origin,
-            what,
-            ride,
-            ends_at_rest: false,
-        });
+        let operation = self.operations.saturating_sub(1);
+        self.pending.push_back(Item { tag, tool, operation, origin, what });
     }
 
     fn asked_move(&mut self, motion: &Move, ideal_s: f64) -> Pending {
@@ -143,8 +136,8 @@ impl TimeBuilder {
             Step::Stretch(stretch) => self.stretch(stretch),
             Step::Wait { seconds, tag } => {
                 self.pass(tag);
-                if let Some(item) = self.pending.front_mut() {
-                    item.ride.time_s += seconds;
+                if !self.pending.is_empty() {
+                    self.ride.time_s += seconds;
                 }
             }
         }
@@ -158,29 +151,27 @@ impl TimeBuilder {
             let top = stretch.phases.iter().map(|phase| phase.speed).fold(0.0, f64::max);
             last.at(last.duration_s).speed <= SAME_SPEED * top
         });
-        if overlap_s > 0.0
-            && let Some(item) = self.pending.front_mut()
-        {
-            item.ride.overlaps = true;
+        if overlap_s > 0.0 && !self.pending.is_empty() {
+            self.ride.overlaps = true;
         }
         let mut first = true;
         walk(stretch, |part| {
             self.pass(part.tag);
-            let Some(item) = self.pending.front_mut() else { return };
+            let Some(item) = self.pending.front() else { return };
             let Pending::Move { speed, .. } = item.what else { return };
             if first {
                 first = false;
-                item.ride.rests |= starts_at_rest;
-                item.ride.overlaps |= overlap_s > 0.0;
+                self.ride.rests |= starts_at_rest;
+                self.ride.overlaps |= overlap_s > 0.0;
             }
             let seconds = part.to_s - part.from_s.max(overlap_s);
             if seconds > 0.0 {
-                ride_on(&mut item.ride, seconds, &part, speed);
+                ride_on(&mut self.ride, seconds, &part, speed);
             }
         });
-        if ends_at_rest && let Some(item) = self.pending.front_mut() {
-            item.ride.rests = true;
-            item.ends_at_rest = true;
+        if ends_at_rest && !self.pending.is_empty() {
+            self.ride.rests = true;
+            self.ends_at_rest = true;
         }
     }
 
@@ -188,13 +179,15 @@ impl TimeBuilder {
     fn pass(&mut self, tag: u64) {
         while self.pending.front().is_some_and(|item| item.tag < tag) {
             if let Some(item) = self.pending.pop_front() {
-                self.done(&item);
+                let ride = std::mem::take(&mut self.ride);
+                let ends_at_rest = std::mem::take(&mut self.ends_at_rest);
+                self.done(&item, &ride, ends_at_rest);
             }
         }
     }
 
-    fn done(&mut self, item: &Item) {
-        let time_s = item.ride.time_s;
+    fn done(&mut self, item: &Item, ride: &Ride, ends_at_rest: bool) {
+        let time_s = ride.time_s;
         let mut times = Times::default();
         let reason = match item.what {
             // The end of the program, or a move that the planner could not take.
@@ -210,9 +203,9 @@ impl TimeBuilder {
                 times.lost_s = (time_s - asked.ideal_s).max(0.0);
                 self.report.moves += 1;
                 self.report.at_feed_s += asked.ideal_s;
-                let stops = item.ends_at_rest && exact && tangent_next;
+                let stops = ends_at_rest && exact && tangent_next;
                 self.report.tangent_stops += u64::from(stops);
-                reason_of(&item.ride, &asked)
+                reason_of(ride, &asked)
             }
         };
         self.report.times.add(&times);

@@ -167,7 +167,7 @@ impl<P: PathPart> PathSink for Both<'_, '_, P> {
             };
             self.left = left;
         }
-        motion.command(path);
+        motion.follow(path.command, self.report.segments());
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin) {
