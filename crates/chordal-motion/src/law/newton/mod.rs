@@ -32,6 +32,8 @@ const NEAR: f64 = 0.99;
 const ITERATIONS: usize = 60;
 /// Where an elastic share above this one is left after so many another start is better.
 const SLOW: (u32, f64) = (30, 0.1);
+/// A law within all limits is taken at the end of the steps up to this gap, as a share of the time.
+const ROUGH: f64 = 0.02;
 /// An open gap below this share of the time closes no more.
 const STUCK: f64 = 1e-8;
 /// A step that ends beyond a limit is halved so often.
@@ -336,9 +338,9 @@ impl Newton {
             let done = primal.min(dual);
             mu = ((1.0 - done) * (1.0 - done) * (1.0 - done)).max(0.02);
         }
-        // A law within all limits is one, if not the best.
-        let elastic = self.largest_elastic();
-        Solution { iterations: ITERATIONS as u32, converged: elastic < ELASTIC }
+        // A law within all limits is one, if not the best; one far from the best may nearly stop somewhere.
+        let converged = self.largest_elastic() < ELASTIC && now.open < ROUGH * now.time;
+        Solution { iterations: ITERATIONS as u32, converged }
     }
 
     /// Takes the step; shorter where the limits turn out to be nearer.
